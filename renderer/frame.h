@@ -1,0 +1,102 @@
+// What a frame is asked for and what it answers: settings go in, facts come out.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/camera.h"
+#include "renderer/light_fit.h"
+#include "renderer/scene.h"
+#include "renderer/settings.h"
+
+namespace si {
+
+/// Outputs a frame can be asked for. Passes nobody's output depends on do not run.
+struct Outputs {
+    bool colour = true;      ///< the shaded picture, with the overlay of view.overlay over it
+    bool shadow_map = false; ///< the depth as stored, and the map viewer's picture of it
+    bool visibility = false; ///< one float per pixel for view.light, 1 lit, 0 in shadow
+    bool overlay = false;    ///< the raw values of view.overlay
+    bool operator==(const Outputs&) const = default;
+};
+
+struct FrameRequest {
+    int width = 1280, height = 720;
+    Outputs outputs;
+    bool timing = false;   ///< measure each pass (costs time itself)
+    bool force = false;    ///< run every pass even when its result is cached
+    bool no_skip = false;  ///< run passes that the scene does not call for (must not change the picture)
+};
+
+enum class PassState { Ran, Reused, Skipped };
+
+struct PassInfo {
+    std::string name;
+    PassState state = PassState::Skipped;
+    std::string reason;
+    double gpu_ms = 0, cpu_ms = 0;  ///< 0 unless timing was asked for
+    std::uint64_t draws = 0, triangles = 0;
+};
+
+/// A texture of the frame: a GL name that the UI shows and the renderer can read back.
+struct Image {
+    unsigned texture = 0;
+    int width = 0, height = 0;
+};
+
+struct FrameResult {
+    Camera camera;
+    std::vector<FittedLight> lights;
+    std::vector<PassInfo> passes;
+    std::vector<std::string> notes;  ///< repairs of settings and other one-line remarks
+    Image colour;      ///< RGBA8, sRGB-encoded, bottom row first
+    Image map_view;    ///< RGBA8, view.map of light view.light, face view.face
+    Image visibility;  ///< R32F
+    Image overlay;     ///< RGBA32F, x is the value of scalar overlays, a is 0 where nothing was drawn
+    int map_resolution = 0;
+    float overlay_min = 0, overlay_max = 1;  ///< the colour scale in use
+    std::string clock;  ///< what gpu_ms was measured with
+    const PassInfo* pass(std::string_view name) const;
+};
+
+/// Pixel values read back, top row first.
+struct FloatImage {
+    int width = 0, height = 0, channels = 1;
+    std::vector<float> data;
+    float at(int x, int y, int c = 0) const { return data[(std::size_t(y) * width + x) * channels + c]; }
+};
+struct ByteImage {
+    int width = 0, height = 0;  ///< RGBA
+    std::vector<std::uint8_t> data;
+};
+
+/// The lit/shadow test of one pixel written out (catalogue A22).
+struct Probe {
+    bool hit = false;
+    int x = 0, y = 0;
+    glm::dvec3 position_ws{0}, normal_ws{0};
+    std::string object;
+    struct PerLight {
+        int light = 0, face = 0;
+        bool casts = false;
+        glm::dvec4 clip{0};      ///< light clip space
+        glm::dvec3 ndc{0};       ///< after division by w
+        glm::dvec3 uvd{0};       ///< [0,1]: map coordinates and depth
+        glm::ivec2 texel{0};
+        double n_dot_l = 0;
+        double stored = 0, stored_m = 0;     ///< nearest texel, raw and metres
+        double own = 0, own_m = 0;           ///< the fragment's own depth before bias
+        double bias_depth = 0, bias_texels = 0, bias_m = 0;
+        double normal_offset_m = 0;
+        double texel_m = 0;
+        double compared = 0;     ///< depth after bias
+        double visibility = 1;   ///< what the renderer's filter computed
+        std::string where;       ///< inside, sides, beyond far, behind, before near
+        std::string verdict;     ///< a sentence
+    };
+    std::vector<PerLight> lights;
+};
+
+}  // namespace si

@@ -1,0 +1,76 @@
+// Where the lights stand and what their shadow maps cover. Pure CPU, double precision, no GL.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "renderer/scene.h"
+#include "renderer/settings.h"
+
+namespace si {
+
+/// Depth range and direction of a projection's clip space, from which compare, clear value, linearisation
+/// and bias sign follow.
+struct DepthConvention {
+    bool zero_to_one = true;  ///< clip z in [0,w] (glClipControl) instead of [-w,w]
+    bool reversed = false;    ///< near maps to 1, far to 0
+    bool operator==(const DepthConvention&) const = default;
+    double near_depth() const { return reversed ? 1.0 : 0.0; }
+    double far_depth() const { return reversed ? 0.0 : 1.0; }
+};
+
+/// A projection's depth as a function of distance along its axis, and back.
+struct DepthCurve {
+    bool perspective = false;
+    double near = 0.1, far = 100;
+    DepthConvention convention;
+    /// Depth-buffer value in [0,1] at distance z (metres along the axis).
+    double depth(double z) const;
+    /// Metres along the axis at depth-buffer value d. Inverse of depth().
+    double distance(double d) const;
+    /// |d depth / d z| at distance z, per metre.
+    double slope(double z) const;
+};
+
+/// One square shadow map image: a view and projection.
+struct LightView {
+    glm::dvec3 eye{0};           ///< world
+    glm::dmat3 axes{1.0};        ///< columns right, up, back (the view looks along -back)
+    glm::dmat4 projection{1.0};  ///< to clip space of curve.convention
+    DepthCurve curve;
+    double half_width = 1;       ///< orthographic: half extent in metres; perspective: tan of the half angle
+    /// Clip space from positions relative to `origin` (world), composed in double.
+    glm::dmat4 clip_from_relative(const glm::dvec3& origin) const;
+    /// World size of a texel at distance z (metres).
+    double texel_size(double z, int resolution) const {
+        return 2 * half_width * (curve.perspective ? z : 1.0) / resolution;
+    }
+};
+
+struct FittedLight {
+    LightType type = LightType::Directional;
+    glm::dvec3 position{0};      ///< world; spot and point
+    glm::dvec3 to_light{0, 1, 0};///< unit; directional: towards the light; spot: against its axis
+    double cos_cone_outer = -1, cos_cone_inner = -1;
+    glm::dvec3 radiance{1};      ///< colour × intensity, normalised to the scene's centre (see fit_lights)
+    bool casts = false;          ///< has views and anything to draw into them
+    std::string reason;          ///< why it casts nothing
+    std::vector<LightView> views;///< 1, or 6 faces (+x -x +y -y +z -z)
+    int clipped_casters = 0;     ///< objects reaching in front of the near plane
+    std::vector<std::string> notes;  ///< values clamped on the way
+};
+
+/// Fits every light 0..light_count-1 to the scene. Spot and point intensities fall with the square of the distance
+/// and are scaled together so that the brightest light contributes 1 at the scene's centre.
+/// @param max_resolution the GL limit on texture size
+std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, int max_resolution = 16384);
+
+/// A right-handed orthonormal basis whose third column is unit vector n, without branches on near-parallel axes.
+/// Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017.
+glm::dmat3 orthonormal_basis(const glm::dvec3& n);
+
+/// Unit vector of an azimuth (degrees about +y, 0 = +z, 90 = +x) and elevation (degrees above the horizon).
+glm::dvec3 direction_from_angles(double azimuth_deg, double elevation_deg);
+
+}  // namespace si

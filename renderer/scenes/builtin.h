@@ -1,0 +1,22 @@
+// The scenes that ship with the program, made in code.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "renderer/scene.h"
+
+namespace si {
+
+struct BuiltinScene {
+    std::string_view key, label, help;
+    Scene (*make)();
+};
+
+/// The first row is the default scene.
+std::span<const BuiltinScene> builtin_scenes();
+
+/// A built-in scene by key, or a .gltf/.glb file by path. @throws Error naming file, place and remedy.
+Scene load_scene(std::string_view name_or_path);
+
+}  // namespace si

@@ -1,0 +1,137 @@
+// Everything that a person can choose and a preset can hold, with its default. One row of the table in
+// settings_table.cpp describes each member: key, unit, range, help.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+
+namespace si {
+
+inline constexpr int kMaxLights = 16;
+
+// Enumerations are stored as the index of their choice; the choices stand in the table, in this order.
+enum class LightType { Directional, Spot, Point };
+enum class LightFit { Manual, Scene };
+enum class LightProjection { Automatic, Orthographic, Perspective };
+enum class CameraSource { Automatic, Manual };
+enum class MapFormat { D16, D24, D32F, Colour };
+enum class MapWrap { Border, Clamp, Repeat, Range };
+enum class Outside { Lit, Unlit };
+enum class Compare { Less, LessEqual };
+enum class Cull { None, Back, Front };
+enum class ObjectCull { Inherit, None, Back, Front };
+enum class BiasUnit { Depth, Texels, Metres };
+enum class NormalSource { Geometric, Shading };
+enum class FilterMethod { Automatic, Gather, Sampler };
+enum class MapView { Raw, Linear, Bands };
+
+struct CameraSettings {
+    int source = 0;  ///< CameraSource
+    double target_x = 0, target_y = 0, target_z = 0;
+    double azimuth = 35, elevation = 25, roll = 0;
+    double distance = 10;
+    double fov = 45;
+    double near = 0, far = 0;
+    bool orthographic = false;
+    double height = 10;
+    bool operator==(const CameraSettings&) const = default;
+};
+
+struct MapSettings {
+    int resolution = 2048;
+    int format = 2;  ///< MapFormat
+    int wrap = 0;    ///< MapWrap
+    int outside = 0; ///< Outside
+    bool far_guard = true;
+    int compare = 1; ///< Compare
+    bool reversed_z = false;
+    bool operator==(const MapSettings&) const = default;
+};
+
+struct CasterSettings {
+    int cull = 0;  ///< Cull
+    bool operator==(const CasterSettings&) const = default;
+};
+
+struct BiasSettings {
+    int unit = 1;  ///< BiasUnit
+    double constant = 1.0;
+    double slope = 3.0;
+    double normal = 0.0;
+    int normal_source = 0;  ///< NormalSource
+    double raster_slope = 0;
+    double raster_units = 0;
+    double raster_clamp = 0;
+    bool operator==(const BiasSettings&) const = default;
+};
+
+struct FilterSettings {
+    int kernel = 3;  ///< row of the filter table
+    int method = 0;  ///< FilterMethod
+    bool operator==(const FilterSettings&) const = default;
+};
+
+struct LightSettings {
+    int type = 0;  ///< LightType
+    double azimuth = -40, elevation = 45;
+    double distance = 0;
+    double target_x = 0, target_y = 0, target_z = 0;
+    double size = 0.27;
+    double cone = 60, cone_blend = 0.1;
+    double intensity = 1;
+    double red = 1, green = 1, blue = 1;
+    bool cast = true;
+    int fit = 1;         ///< LightFit
+    int projection = 0;  ///< LightProjection
+    double near = 0, far = 0, extent = 0;
+    bool operator==(const LightSettings&) const = default;
+};
+
+struct ShadingSettings {
+    double ambient = 0.25;
+    double diffuse = 0.75;
+    double specular = 0.15;
+    double shininess = 32;
+    bool textures = true;
+    bool separate_visibility = false;
+    bool operator==(const ShadingSettings&) const = default;
+};
+
+struct ViewSettings {
+    int map = 1;      ///< MapView
+    double map_black = 0, map_white = 1;
+    double band_low = 0.9, band_high = 0.925;
+    int light = 0;    ///< whose map and overlay are shown
+    int face = 0;     ///< which of a point light's six faces
+    int overlay = 0;  ///< 0 none, else row of the overlay table + 1
+    double overlay_opacity = 1;
+    bool overlay_range_auto = true;
+    double overlay_min = 0, overlay_max = 1;
+    bool frustum = true;
+    bool operator==(const ViewSettings&) const = default;
+};
+
+/// What one object does differently from the scene; keyed by its node path.
+struct ObjectSettings {
+    int cull = 0;  ///< ObjectCull
+    bool cast = true;
+    bool receive = true;
+    bool operator==(const ObjectSettings&) const = default;
+};
+
+struct Settings {
+    CameraSettings camera;
+    MapSettings map;
+    CasterSettings caster;
+    BiasSettings bias;
+    FilterSettings filter;
+    int light_count = 1;
+    std::array<LightSettings, kMaxLights> lights{};
+    ShadingSettings shading;
+    ViewSettings view;
+    std::map<std::string, ObjectSettings> objects;
+    bool operator==(const Settings&) const = default;
+};
+
+}  // namespace si

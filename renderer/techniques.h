@@ -1,0 +1,36 @@
+// Tables of techniques: a new kernel or overlay is one row here and one GLSL file.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "renderer/param.h"
+
+namespace si {
+
+/// A shadow filter kernel. Its file defines `float filter_visibility(Receiver r)`.
+struct Filter {
+    std::string_view key, label, help;
+    std::string_view file;     ///< below shaders/
+    int size = 1;              ///< taps per axis, the define KERNEL_SIZE
+    bool bilinear = false;     ///< each tap weighs 2x2 texels
+    double reach_texels = 0.5; ///< kappa: how far a tap's texel centre may lie from the receiver, per axis
+    int gathers = 0;           ///< textureGather calls per light with method gather; 0: cannot
+    int sampler_taps = 1;      ///< texture calls per light with method sampler
+};
+
+/// An overlay. Its file defines `vec4 overlay(Receiver r)`; scalars in x, NaN where undefined.
+struct Overlay {
+    std::string_view key, label, unit, help;
+    std::string_view file;
+    bool scalar = true;         ///< x goes through the colour scale; otherwise rgba as it is
+    double min = 0, max = 1;    ///< colour scale when view.overlay_range_auto
+    bool diverging = false;     ///< the scale is centred on zero
+};
+
+std::span<const Filter> filters();
+std::span<const Overlay> overlays();
+std::span<const Choice> filter_choices();
+std::span<const Choice> overlay_choices();  ///< "none" first
+
+}  // namespace si
