@@ -33,6 +33,7 @@ struct Camera {
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect);
 
 /// `settings` with the camera that make_camera() finds written out by hand, so that it can be moved.
-CameraSettings manual_camera(const Scene& scene, const Settings& settings);
+/// @param aspect the picture's width / height, on which the automatic framing depends
+CameraSettings manual_camera(const Scene& scene, const Settings& settings, double aspect = 16.0 / 9.0);
 
 }  // namespace si

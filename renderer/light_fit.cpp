@@ -1,0 +1,405 @@
+#include "renderer/light_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/projection.h"
+
+namespace si {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kMinHalfAngle = 1e-3, kMaxHalfAngle = 1.5;  // rad; tan() stays below 15
+constexpr double kMarginTexels = 2;    // at each side, so that a kernel at the edge of the scene finds cleared texels
+constexpr double kNearShare = 1e-3;    // least near / far of a perspective map: D24 then resolves far / 2e4
+constexpr double kDepthMargin = 1e-4;  // of the depth range, at each end
+// 2^10 steps of a float: a thinner range or map has no useful resolution.
+constexpr double kMinShare = 1024.0 / (1 << 23);
+constexpr std::size_t kMaxFitObjects = 20000;  // above, the scene's box stands for its objects
+
+double finite_or(double v, double fallback) {
+    return std::isfinite(v) ? v : fallback;
+}
+double positive_or(double v, double fallback) {
+    return std::isfinite(v) && v > 0 ? v : fallback;
+}
+
+/// Eight corners of one object's box (or of the scene's), in world space.
+using Box = std::array<glm::dvec3, 8>;
+
+struct SceneShape {
+    glm::dvec3 centre{0};
+    double radius = 1;       ///< of the sphere around the bounds; never 0
+    std::vector<Box> boxes;  ///< never empty
+    std::vector<bool> box_casts;
+    bool triangles = false, casters = false;
+};
+
+Box corners(const Bounds& b, const glm::dmat4& m) {
+    Box box;
+    for (int i = 0; i < 8; ++i)
+        box[i] =
+            glm::dvec3(m * glm::dvec4(i & 1 ? b.hi.x : b.lo.x, i & 2 ? b.hi.y : b.lo.y, i & 4 ? b.hi.z : b.lo.z, 1.0));
+    return box;
+}
+
+bool finite(const Box& box) {
+    return std::all_of(box.begin(), box.end(), [](const glm::dvec3& p) {
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    });
+}
+
+bool casts(const Scene& scene, const Settings& settings, const Object& object) {
+    if (settings.objects.empty() || object.node < 0 || std::size_t(object.node) >= scene.nodes.size()) return true;
+    const auto it = settings.objects.find(scene.nodes[object.node].path);
+    return it == settings.objects.end() || it->second.cast;
+}
+
+SceneShape shape_of(const Scene& scene, const Settings& settings) {
+    SceneShape s;
+    for (const Object& o : scene.objects) {
+        const Mesh& mesh = scene.meshes[o.mesh];
+        if (mesh.indices.size() < 3 || mesh.bounds.empty()) continue;
+        s.triangles = true;
+        const bool caster = casts(scene, settings, o);
+        s.casters = s.casters || caster;
+        if (scene.objects.size() > kMaxFitObjects) continue;
+        const Box box = corners(mesh.bounds, o.world);
+        if (finite(box)) s.boxes.push_back(box), s.box_casts.push_back(caster);
+    }
+    Bounds bounds = scene.bounds;
+    if (bounds.empty() || !std::isfinite(bounds.radius())) {
+        bounds = Bounds();
+        for (const Box& box : s.boxes)
+            for (const glm::dvec3& p : box) bounds.add(p);
+    }
+    if (bounds.empty()) bounds = {glm::dvec3(-1), glm::dvec3(1)};
+    if (s.boxes.empty()) s.boxes.push_back(corners(bounds, glm::dmat4(1.0))), s.box_casts.push_back(s.casters);
+    s.centre = bounds.centre();
+    // A single point still needs a size: what a double resolves at its distance from the origin.
+    s.radius = std::max({bounds.radius(), 1e-7, glm::length(s.centre) * 0x1p-38});
+    return s;
+}
+
+/// Extent of the boxes in a view: x and y across, z metres along the axis (positive in front).
+struct ViewExtent {
+    glm::dvec3 lo{std::numeric_limits<double>::infinity()};
+    glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
+    void add(const glm::dvec3& p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
+    void add(const ViewExtent& e) { lo = glm::min(lo, e.lo), hi = glm::max(hi, e.hi); }
+};
+
+ViewExtent extent_of(const Box& box, const LightView& view) {
+    ViewExtent e;
+    for (const glm::dvec3& p : box) {
+        const glm::dvec3 v = glm::transpose(view.axes) * (p - view.eye);
+        e.add(glm::dvec3(v.x, v.y, -v.z));
+    }
+    return e;
+}
+
+ViewExtent extent_of(const SceneShape& shape, const LightView& view) {
+    ViewExtent all;
+    for (const Box& box : shape.boxes) all.add(extent_of(box, view));
+    return all;
+}
+
+/// The least distance along the axis at which a box can meet the pyramid |x|, |y| <= z tan; infinite when it cannot.
+double entry_into_pyramid(const ViewExtent& e, double tan_half) {
+    const double aside_x = std::max({0.0, e.lo.x, -e.hi.x}), aside_y = std::max({0.0, e.lo.y, -e.hi.y});
+    const double z = std::max(e.lo.z, std::max(aside_x, aside_y) / tan_half);
+    return z <= e.hi.z ? z : std::numeric_limits<double>::infinity();
+}
+
+/// Half extent plus the margin in texels, at least a thousand float steps of `scale`.
+double with_margin(double half, double scale, int resolution) {
+    const double share = resolution > 4 * kMarginTexels ? 1 - 2 * kMarginTexels / resolution : 0.5;
+    return std::max(half, kMinShare * scale) / share;
+}
+
+/// Makes the range of `curve` positive: at least two texels and a thousand float steps of `scale`, about the same
+/// middle.
+void widen_range(DepthCurve& curve, double texel, double scale) {
+    const double least = std::max({2 * texel, kMinShare * scale, 1e-12});
+    if (curve.far - curve.near >= least) return;
+    const double middle = 0.5 * (curve.near + curve.far);
+    curve.near = middle - 0.5 * least;
+    curve.far = middle + 0.5 * least;
+    if (curve.perspective && curve.near < kNearShare * curve.far) {
+        curve.near = kNearShare * curve.far;
+        curve.far = curve.near + least;
+    }
+}
+
+void note(FittedLight& light, std::string text) {
+    if (std::find(light.notes.begin(), light.notes.end(), text) == light.notes.end())
+        light.notes.push_back(std::move(text));
+}
+
+/// light.near and light.far in place of the fitted range, where they make sense.
+void manual_range(FittedLight& light, const LightSettings& s, DepthCurve& curve) {
+    if (s.fit != int(LightFit::Manual)) return;
+    const double near = finite_or(s.near, 0), far = finite_or(s.far, 0);
+    if (near != 0 && (near > 0 || !curve.perspective)) curve.near = near;
+    if (far != 0) curve.far = far;
+    if (near < 0 && curve.perspective) note(light, "a perspective map needs near > 0: light.near is fitted instead");
+    if (!(curve.far > curve.near)) {
+        note(light,
+             fmt::format("near {:.6g} m is not below far {:.6g} m: far is moved behind near", curve.near, curve.far));
+        curve.far = curve.near + std::max(std::abs(curve.near), 1e-6);
+    }
+}
+
+/// Whether a part of the box that could cast lies in front of the near plane.
+bool clipped(const Box& box, const LightView& view) {
+    const ViewExtent e = extent_of(box, view);
+    const double near = view.curve.near - 1e-9 * std::abs(view.curve.near);
+    if (view.curve.perspective) return e.hi.z > 0 && std::max(0.0, entry_into_pyramid(e, view.half_width)) < near;
+    return e.lo.z < near && e.lo.x <= view.half_width && e.hi.x >= -view.half_width && e.lo.y <= view.half_width &&
+           e.hi.y >= -view.half_width;
+}
+
+/// Casting objects with such a part in any view. Boxes only: an upper estimate.
+int count_clipped(const SceneShape& shape, const std::vector<LightView>& views) {
+    int count = 0;
+    for (std::size_t i = 0; i < shape.boxes.size(); ++i)
+        count += shape.box_casts[i] && std::any_of(views.begin(), views.end(),
+                                                   [&](const LightView& v) { return clipped(shape.boxes[i], v); });
+    return count;
+}
+
+struct FitContext {
+    const SceneShape& shape;
+    const LightSettings& settings;
+    DepthConvention convention;
+    int resolution;
+};
+
+void finish_view(FittedLight& light, LightView view, const FitContext& c, double reference_z) {
+    manual_range(light, c.settings, view.curve);
+    const double scale = view.curve.perspective ? view.curve.far : c.shape.radius;
+    widen_range(view.curve, view.texel_size(reference_z, c.resolution), scale);
+    view.projection = projection_matrix(view.curve, view.half_width, view.half_width);
+    light.views.push_back(view);
+}
+
+/// Half extent of the map in metres by hand (light.extent is its full width), or 0.
+double manual_half_extent(const LightSettings& s) {
+    return s.fit == int(LightFit::Manual) ? 0.5 * positive_or(s.extent, 0) : 0;
+}
+
+/// An orthographic map over all boxes (`half` 0) or of a given half extent about the view's axis.
+void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, double half, bool in_front_only) {
+    const double manual = manual_half_extent(c.settings);
+    if (manual > 0) half = manual;
+    ViewExtent e = extent_of(c.shape, view);
+    if (half <= 0) {
+        const glm::dvec3 middle = 0.5 * (e.lo + e.hi);
+        view.eye += view.axes * glm::dvec3(middle.x, middle.y, 0);
+        half = with_margin(0.5 * std::max(e.hi.x - e.lo.x, e.hi.y - e.lo.y), c.shape.radius, c.resolution);
+    }
+    view.half_width = half;
+    view.curve.perspective = false;
+    view.curve.convention = c.convention;
+    if (in_front_only) {
+        e.lo.z = std::max(e.lo.z, 0.0);
+        e.hi.z = std::max(e.hi.z, e.lo.z);
+    }
+    const double pad = kDepthMargin * (e.hi.z - e.lo.z);
+    view.curve.near = e.lo.z - pad;
+    view.curve.far = e.hi.z + pad;
+    finish_view(light, view, c, 1);
+}
+
+/// A perspective map of tangent `tan_half`; 0 chooses it so that every box is inside.
+void fit_perspective(FittedLight& light, LightView view, const FitContext& c, double tan_half) {
+    if (tan_half <= 0) {
+        double tangent = kMinHalfAngle;
+        for (const Box& box : c.shape.boxes)
+            for (const glm::dvec3& p : box) {
+                const glm::dvec3 v = glm::transpose(view.axes) * (p - view.eye);
+                const double aside = std::max(std::abs(v.x), std::abs(v.y));
+                tangent = std::max(tangent, -v.z > 0 ? aside / -v.z : std::tan(kMaxHalfAngle));
+            }
+        const double limit = std::tan(kMaxHalfAngle);
+        tan_half = std::min(with_margin(tangent, tangent, c.resolution), limit);
+        if (tan_half == limit) note(light, "the light stands in the scene: its map covers 172 degrees only");
+    }
+    view.half_width = tan_half;
+    double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+    for (const Box& box : c.shape.boxes) {
+        const ViewExtent e = extent_of(box, view);
+        const double entry = entry_into_pyramid(e, tan_half);
+        if (!std::isfinite(entry) || e.hi.z <= 0) continue;
+        nearest = std::min(nearest, entry);
+        farthest = std::max(farthest, e.hi.z);
+    }
+    if (!(farthest > 0)) nearest = farthest = std::max(glm::distance(view.eye, c.shape.centre), c.shape.radius);
+    view.curve.perspective = true;
+    view.curve.convention = c.convention;
+    view.curve.far = farthest * (1 + kDepthMargin);
+    view.curve.near = std::max(nearest * (1 - kDepthMargin), kNearShare * view.curve.far);
+    finish_view(light, view, c, view.curve.far);
+}
+
+/// Right, up and back of the six faces, oriented like the faces of a GL cube map.
+const std::array<glm::dmat3, 6>& cube_axes() {
+    static const std::array<glm::dmat3, 6> axes = [] {
+        const std::array<std::pair<glm::dvec3, glm::dvec3>, 6> forward_up = {{{{1, 0, 0}, {0, -1, 0}},
+                                                                              {{-1, 0, 0}, {0, -1, 0}},
+                                                                              {{0, 1, 0}, {0, 0, 1}},
+                                                                              {{0, -1, 0}, {0, 0, -1}},
+                                                                              {{0, 0, 1}, {0, -1, 0}},
+                                                                              {{0, 0, -1}, {0, -1, 0}}}};
+        std::array<glm::dmat3, 6> result;
+        for (int i = 0; i < 6; ++i) {
+            const auto& [forward, up] = forward_up[i];
+            result[i] = glm::dmat3(glm::cross(forward, up), up, -forward);
+        }
+        return result;
+    }();
+    return axes;
+}
+
+void fit_faces(FittedLight& light, const FitContext& c) {
+    for (const glm::dmat3& axes : cube_axes()) {
+        LightView view;
+        view.eye = light.position;
+        view.axes = axes;
+        fit_perspective(light, view, c, 1.0);
+    }
+    if (c.settings.projection == int(LightProjection::Orthographic))
+        note(light, "six faces are always perspective: light.projection has no effect");
+}
+
+/// Half the cone's angle in radians, clamped; `wide` when one map cannot hold it.
+double half_cone(FittedLight& light, const LightSettings& s, bool& wide) {
+    double half = 0.5 * s.cone * kDegree;
+    if (std::isnan(half) || half < kMinHalfAngle) {
+        note(light, fmt::format("light.cone {:.4g} degrees is too narrow: {:.3g} is used", s.cone,
+                                2 * kMinHalfAngle / kDegree));
+        half = kMinHalfAngle;
+    }
+    wide = half > kMaxHalfAngle;
+    if (half > std::numbers::pi) half = std::numbers::pi;
+    return half;
+}
+
+void fit_directional(FittedLight& light, const FitContext& c, const glm::dvec3& target) {
+    const bool perspective = c.settings.projection == int(LightProjection::Perspective);
+    const double automatic = (perspective ? 4 : 2) * c.shape.radius;
+    LightView view;
+    view.axes = orthonormal_basis(light.to_light);
+    view.eye = target + light.to_light * positive_or(c.settings.distance, automatic);
+    light.position = view.eye;
+    if (perspective)
+        fit_perspective(light, view, c, manual_half_extent(c.settings) / glm::distance(view.eye, target));
+    else
+        fit_orthographic(light, view, c, 0, false);
+}
+
+void fit_spot(FittedLight& light, const FitContext& c, const glm::dvec3& target) {
+    bool wide = false;
+    const double half = half_cone(light, c.settings, wide);
+    const double blend = std::clamp(finite_or(c.settings.cone_blend, 0), 0.0, 1.0);
+    light.cos_cone_outer = std::cos(half);
+    light.cos_cone_inner = std::cos(half * (1 - blend));
+    // Automatic: far enough for the sphere around the scene to fit into the cone.
+    const double automatic = c.shape.radius / std::sin(std::min(half, kMaxHalfAngle));
+    const double distance = positive_or(c.settings.distance, automatic);
+    light.position = target + light.to_light * distance;
+    if (wide) {
+        note(light, "the cone is wider than one map can hold: six faces are drawn");
+        return fit_faces(light, c);
+    }
+    LightView view;
+    view.eye = light.position;
+    view.axes = orthonormal_basis(light.to_light);
+    // As the cone's circle touches the map's sides, only kernels at its rim need the margin.
+    const double tangent = with_margin(std::tan(half), 0, c.resolution);
+    if (c.settings.projection == int(LightProjection::Orthographic))
+        fit_orthographic(light, view, c, tangent * distance, true);
+    else if (const double manual = manual_half_extent(c.settings); manual > 0)
+        fit_perspective(light, view, c, manual / distance);
+    else
+        fit_perspective(light, view, c, tangent);
+}
+
+void fit_point(FittedLight& light, const FitContext& c, const glm::dvec3& target) {
+    light.position = target + light.to_light * positive_or(c.settings.distance, 1.5 * c.shape.radius);
+    fit_faces(light, c);
+}
+
+/// Divides spot and point radiances by what the brightest of them brings to the scene's centre, where the shaders'
+/// 1/d^2 makes it 1 again. Nearer than a quarter of the scene's radius counts as that far.
+void normalise_punctual(std::vector<FittedLight>& lights, const Settings& settings, const SceneShape& shape) {
+    double brightest = 0;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (lights[i].type == LightType::Directional) continue;
+        const double d = std::max(glm::distance(lights[i].position, shape.centre), 0.25 * shape.radius);
+        const double intensity = positive_or(settings.lights[i].intensity, 0);
+        brightest = std::max(brightest, intensity / (d * d));
+    }
+    if (!(brightest > 0)) return;
+    for (FittedLight& light : lights)
+        if (light.type != LightType::Directional) light.radiance /= brightest;
+}
+
+}  // namespace
+
+glm::dmat3 orthonormal_basis(const glm::dvec3& n) {
+    const double sign = std::copysign(1.0, n.z);
+    const double a = -1.0 / (sign + n.z);
+    const double b = n.x * n.y * a;
+    return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+}
+
+glm::dvec3 direction_from_angles(double azimuth_deg, double elevation_deg) {
+    const double az = azimuth_deg * kDegree, el = elevation_deg * kDegree;
+    return {std::cos(el) * std::sin(az), std::sin(el), std::cos(el) * std::cos(az)};
+}
+
+std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, int max_resolution) {
+    const SceneShape shape = shape_of(scene, settings);
+    const int resolution = std::clamp(settings.map.resolution, 1, std::max(1, max_resolution));
+    const int count = std::clamp(settings.light_count, 0, kMaxLights);
+    std::vector<FittedLight> lights(count);
+    for (int i = 0; i < count; ++i) {
+        const LightSettings& s = settings.lights[i];
+        FittedLight& light = lights[i];
+        light.type = LightType(std::clamp(s.type, 0, 2));
+        light.to_light = direction_from_angles(finite_or(s.azimuth, -40), finite_or(s.elevation, 45));
+        light.radiance = positive_or(s.intensity, 0) *
+                         glm::dvec3(positive_or(s.red, 0), positive_or(s.green, 0), positive_or(s.blue, 0));
+        const glm::dvec3 target =
+            shape.centre + glm::dvec3(finite_or(s.target_x, 0), finite_or(s.target_y, 0), finite_or(s.target_z, 0));
+        const FitContext context{shape, s, {true, settings.map.reversed_z}, resolution};
+        switch (light.type) {
+            case LightType::Directional:
+                fit_directional(light, context, target);
+                break;
+            case LightType::Spot:
+                fit_spot(light, context, target);
+                break;
+            case LightType::Point:
+                fit_point(light, context, target);
+                break;
+        }
+        if (!s.cast)
+            light.reason = "light.cast is off";
+        else if (!shape.triangles)
+            light.reason = "the scene has no triangles";
+        else if (!shape.casters)
+            light.reason = "no object casts";
+        light.casts = light.reason.empty();
+        if (light.casts) light.clipped_casters = count_clipped(shape, light.views);
+    }
+    normalise_punctual(lights, settings, shape);
+    return lights;
+}
+
+}  // namespace si
