@@ -76,8 +76,8 @@ void check_references(const Scene& scene) {
         std::uint32_t highest = 0;
         for (std::uint32_t index : m.indices) highest = std::max(highest, index);
         if (!m.indices.empty() && highest >= m.positions.size())
-            throw Error(fmt::format("{}: index {} is out of range; there are {} vertices", where, highest,
-                                    m.positions.size()));
+            throw Error(
+                fmt::format("{}: index {} is out of range; there are {} vertices", where, highest, m.positions.size()));
     }
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& o = scene.objects[i];
@@ -200,8 +200,8 @@ bool finalise_mesh(Scene& scene, std::size_t index) {
     drop_if_not_finite(mesh.colours, label, "colours", scene);
     if (const std::size_t dropped = drop_degenerate(mesh)) {
         scene.dropped_triangles += dropped;
-        scene.warnings.push_back(fmt::format("{}: dropped {} triangle{} without area", label, dropped,
-                                             dropped == 1 ? "" : "s"));
+        scene.warnings.push_back(
+            fmt::format("{}: dropped {} triangle{} without area", label, dropped, dropped == 1 ? "" : "s"));
     }
     if (mesh.indices.empty()) return false;
     if (mesh.normals.empty()) {
