@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/fit_bounds.h"
 #include "renderer/projection.h"
 
 namespace si {
@@ -14,12 +15,12 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMinHalfAngle = 1e-3, kMaxHalfAngle = 1.5;  // rad; tan() stays below 15
-constexpr double kMarginTexels = 2;    // at each side, so that a kernel at the edge of the scene finds cleared texels
-constexpr double kNearShare = 1e-3;    // least near / far of a perspective map: D24 then resolves far / 2e4
-constexpr double kDepthMargin = 1e-4;  // of the depth range, at each end
+constexpr double kMarginTexels = 2;      // at each side, so that a kernel at the edge of the scene finds cleared texels
+constexpr double kFaceMarginTexels = 5;  // the widest kernel crosses from one face of six into the next
+constexpr double kNearShare = 1e-3;      // least near / far of a perspective map: D24 then resolves far / 2e4
+constexpr double kDepthMargin = 1e-4;    // of the depth range, at each end
 // 2^10 steps of a float: a thinner range or map has no useful resolution.
 constexpr double kMinShare = 1024.0 / (1 << 23);
-constexpr std::size_t kMaxFitObjects = 20000;  // above, the scene's box stands for its objects
 
 double finite_or(double v, double fallback) {
     return std::isfinite(v) ? v : fallback;
@@ -28,96 +29,9 @@ double positive_or(double v, double fallback) {
     return std::isfinite(v) && v > 0 ? v : fallback;
 }
 
-/// Eight corners of one object's box (or of the scene's), in world space.
-using Box = std::array<glm::dvec3, 8>;
-
-struct SceneShape {
-    glm::dvec3 centre{0};
-    double radius = 1;       ///< of the sphere around the bounds; never 0
-    std::vector<Box> boxes;  ///< never empty
-    std::vector<bool> box_casts;
-    bool triangles = false, casters = false;
-};
-
-Box corners(const Bounds& b, const glm::dmat4& m) {
-    Box box;
-    for (int i = 0; i < 8; ++i)
-        box[i] =
-            glm::dvec3(m * glm::dvec4(i & 1 ? b.hi.x : b.lo.x, i & 2 ? b.hi.y : b.lo.y, i & 4 ? b.hi.z : b.lo.z, 1.0));
-    return box;
-}
-
-bool finite(const Box& box) {
-    return std::all_of(box.begin(), box.end(), [](const glm::dvec3& p) {
-        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    });
-}
-
-bool casts(const Scene& scene, const Settings& settings, const Object& object) {
-    if (settings.objects.empty() || object.node < 0 || std::size_t(object.node) >= scene.nodes.size()) return true;
-    const auto it = settings.objects.find(scene.nodes[object.node].path);
-    return it == settings.objects.end() || it->second.cast;
-}
-
-SceneShape shape_of(const Scene& scene, const Settings& settings) {
-    SceneShape s;
-    for (const Object& o : scene.objects) {
-        const Mesh& mesh = scene.meshes[o.mesh];
-        if (mesh.indices.size() < 3 || mesh.bounds.empty()) continue;
-        s.triangles = true;
-        const bool caster = casts(scene, settings, o);
-        s.casters = s.casters || caster;
-        if (scene.objects.size() > kMaxFitObjects) continue;
-        const Box box = corners(mesh.bounds, o.world);
-        if (finite(box)) s.boxes.push_back(box), s.box_casts.push_back(caster);
-    }
-    Bounds bounds = scene.bounds;
-    if (bounds.empty() || !std::isfinite(bounds.radius())) {
-        bounds = Bounds();
-        for (const Box& box : s.boxes)
-            for (const glm::dvec3& p : box) bounds.add(p);
-    }
-    if (bounds.empty()) bounds = {glm::dvec3(-1), glm::dvec3(1)};
-    if (s.boxes.empty()) s.boxes.push_back(corners(bounds, glm::dmat4(1.0))), s.box_casts.push_back(s.casters);
-    s.centre = bounds.centre();
-    // A single point still needs a size: what a double resolves at its distance from the origin.
-    s.radius = std::max({bounds.radius(), 1e-7, glm::length(s.centre) * 0x1p-38});
-    return s;
-}
-
-/// Extent of the boxes in a view: x and y across, z metres along the axis (positive in front).
-struct ViewExtent {
-    glm::dvec3 lo{std::numeric_limits<double>::infinity()};
-    glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
-    void add(const glm::dvec3& p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
-    void add(const ViewExtent& e) { lo = glm::min(lo, e.lo), hi = glm::max(hi, e.hi); }
-};
-
-ViewExtent extent_of(const Box& box, const LightView& view) {
-    ViewExtent e;
-    for (const glm::dvec3& p : box) {
-        const glm::dvec3 v = glm::transpose(view.axes) * (p - view.eye);
-        e.add(glm::dvec3(v.x, v.y, -v.z));
-    }
-    return e;
-}
-
-ViewExtent extent_of(const SceneShape& shape, const LightView& view) {
-    ViewExtent all;
-    for (const Box& box : shape.boxes) all.add(extent_of(box, view));
-    return all;
-}
-
-/// The least distance along the axis at which a box can meet the pyramid |x|, |y| <= z tan; infinite when it cannot.
-double entry_into_pyramid(const ViewExtent& e, double tan_half) {
-    const double aside_x = std::max({0.0, e.lo.x, -e.hi.x}), aside_y = std::max({0.0, e.lo.y, -e.hi.y});
-    const double z = std::max(e.lo.z, std::max(aside_x, aside_y) / tan_half);
-    return z <= e.hi.z ? z : std::numeric_limits<double>::infinity();
-}
-
 /// Half extent plus the margin in texels, at least a thousand float steps of `scale`.
-double with_margin(double half, double scale, int resolution) {
-    const double share = resolution > 4 * kMarginTexels ? 1 - 2 * kMarginTexels / resolution : 0.5;
+double with_margin(double half, double scale, int resolution, double margin = kMarginTexels) {
+    const double share = resolution > 4 * margin ? 1 - 2 * margin / resolution : 0.5;
     return std::max(half, kMinShare * scale) / share;
 }
 
@@ -154,24 +68,6 @@ void manual_range(FittedLight& light, const LightSettings& s, DepthCurve& curve)
     }
 }
 
-/// Whether a part of the box that could cast lies in front of the near plane.
-bool clipped(const Box& box, const LightView& view) {
-    const ViewExtent e = extent_of(box, view);
-    const double near = view.curve.near - 1e-9 * std::abs(view.curve.near);
-    if (view.curve.perspective) return e.hi.z > 0 && std::max(0.0, entry_into_pyramid(e, view.half_width)) < near;
-    return e.lo.z < near && e.lo.x <= view.half_width && e.hi.x >= -view.half_width && e.lo.y <= view.half_width &&
-           e.hi.y >= -view.half_width;
-}
-
-/// Casting objects with such a part in any view. Boxes only: an upper estimate.
-int count_clipped(const SceneShape& shape, const std::vector<LightView>& views) {
-    int count = 0;
-    for (std::size_t i = 0; i < shape.boxes.size(); ++i)
-        count += shape.box_casts[i] && std::any_of(views.begin(), views.end(),
-                                                   [&](const LightView& v) { return clipped(shape.boxes[i], v); });
-    return count;
-}
-
 struct FitContext {
     const SceneShape& shape;
     const LightSettings& settings;
@@ -187,9 +83,9 @@ void finish_view(FittedLight& light, LightView view, const FitContext& c, double
     light.views.push_back(view);
 }
 
-/// Half extent of the map in metres by hand (light.extent is its full width), or 0.
+/// Half extent of an orthographic map in metres by hand, or 0.
 double manual_half_extent(const LightSettings& s) {
-    return s.fit == int(LightFit::Manual) ? 0.5 * positive_or(s.extent, 0) : 0;
+    return s.fit == int(LightFit::Manual) ? positive_or(s.extent, 0) : 0;
 }
 
 /// An orthographic map over all boxes (`half` 0) or of a given half extent about the view's axis.
@@ -270,7 +166,7 @@ void fit_faces(FittedLight& light, const FitContext& c) {
         LightView view;
         view.eye = light.position;
         view.axes = axes;
-        fit_perspective(light, view, c, 1.0);
+        fit_perspective(light, view, c, with_margin(1.0, 0, c.resolution, kFaceMarginTexels));
     }
     if (c.settings.projection == int(LightProjection::Orthographic))
         note(light, "six faces are always perspective: light.projection has no effect");
@@ -297,7 +193,7 @@ void fit_directional(FittedLight& light, const FitContext& c, const glm::dvec3& 
     view.eye = target + light.to_light * positive_or(c.settings.distance, automatic);
     light.position = view.eye;
     if (perspective)
-        fit_perspective(light, view, c, manual_half_extent(c.settings) / glm::distance(view.eye, target));
+        fit_perspective(light, view, c, 0);
     else
         fit_orthographic(light, view, c, 0, false);
 }
@@ -313,7 +209,7 @@ void fit_spot(FittedLight& light, const FitContext& c, const glm::dvec3& target)
     const double distance = positive_or(c.settings.distance, automatic);
     light.position = target + light.to_light * distance;
     if (wide) {
-        note(light, "the cone is wider than one map can hold: six faces are drawn");
+        note(light, "the cone is wider than one map can hold: it is drawn as six faces");
         return fit_faces(light, c);
     }
     LightView view;
@@ -323,8 +219,6 @@ void fit_spot(FittedLight& light, const FitContext& c, const glm::dvec3& target)
     const double tangent = with_margin(std::tan(half), 0, c.resolution);
     if (c.settings.projection == int(LightProjection::Orthographic))
         fit_orthographic(light, view, c, tangent * distance, true);
-    else if (const double manual = manual_half_extent(c.settings); manual > 0)
-        fit_perspective(light, view, c, manual / distance);
     else
         fit_perspective(light, view, c, tangent);
 }
@@ -364,7 +258,7 @@ glm::dvec3 direction_from_angles(double azimuth_deg, double elevation_deg) {
 }
 
 std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, int max_resolution) {
-    const SceneShape shape = shape_of(scene, settings);
+    const SceneShape shape = scene_shape(scene, settings);
     const int resolution = std::clamp(settings.map.resolution, 1, std::max(1, max_resolution));
     const int count = std::clamp(settings.light_count, 0, kMaxLights);
     std::vector<FittedLight> lights(count);

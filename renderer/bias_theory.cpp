@@ -1,0 +1,65 @@
+#include "renderer/bias_theory.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace si {
+namespace {
+
+/// (u, v, d, w), all in [0,w], from positions relative to `origin`.
+glm::dmat4 uvd_from_relative(const LightView& view, const glm::dvec3& origin) {
+    glm::dmat4 half(1.0);
+    half[0][0] = half[1][1] = half[3][0] = half[3][1] = 0.5;
+    if (!view.curve.convention.zero_to_one) half[2][2] = half[3][2] = 0.5;
+    return half * view.clip_from_relative(origin);
+}
+
+}  // namespace
+
+ReceiverPlane receiver_plane(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws) {
+    // Relative to the point, the plane is (n, 0) and nothing cancels.
+    const glm::dmat4 t = uvd_from_relative(view, point_ws);
+    const glm::dvec4 plane = glm::transpose(glm::inverse(t)) * glm::dvec4(normal_ws, 0.0);
+    ReceiverPlane r;
+    r.w = t[3][3];
+    r.uvd = glm::dvec3(t[3]) / r.w;
+    r.gradient = glm::dvec2(-plane.x / plane.z, -plane.y / plane.z);
+    return r;
+}
+
+double depth_quantum(MapFormat format, double depth) {
+    if (format == MapFormat::D16) return 1.0 / ((1 << 16) - 1);
+    if (format == MapFormat::D24) return 1.0 / ((1 << 24) - 1);
+    const float d = std::clamp(float(depth), 0.0f, 1.0f);
+    if (d == 0) return 0x1p-149;
+    return std::ldexp(1.0, std::max(std::ilogb(d), -126) - 23);
+}
+
+LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum,
+                     int subpixel_bits) {
+    const double per_texel = (std::abs(gradient.x) + std::abs(gradient.y)) / resolution;
+    LeastBias b;
+    b.kernel = kappa_texels * per_texel;
+    b.quantum = quantum;
+    b.snapping = subpixel_bits > 0 ? std::ldexp(per_texel, -(subpixel_bits + 1)) : 0;
+    return b;
+}
+
+double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws,
+                           double b_min) {
+    const glm::dvec3 relative = point_ws - view.eye;
+    const double z = -glm::dot(relative, view.axes[2]);
+    // The ray to the point, one metre long along the axis.
+    const glm::dvec3 ray = view.curve.perspective ? relative / z : -view.axes[2];
+    return b_min / view.curve.slope(z) * std::abs(glm::dot(glm::normalize(normal_ws), ray));
+}
+
+double depth_in_metres(const DepthCurve& curve, double z, double depth_difference) {
+    return depth_difference / curve.slope(z);
+}
+
+double contact_gap(double bias_m, double theta_rad) {
+    return bias_m * std::sin(theta_rad);
+}
+
+}  // namespace si

@@ -1,0 +1,58 @@
+// How much bias a planar receiver needs, in closed form. Pure CPU, double precision.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "renderer/light_fit.h"
+#include "renderer/settings.h"
+
+namespace si {
+
+/// A receiver's plane as the shadow map sees it: its depth is affine in the map coordinates (u, v), for orthographic
+/// and perspective lights alike, as a projective map sends planes to planes: d(u,v) = d0 + g.x u + g.y v.
+struct ReceiverPlane {
+    glm::dvec2 gradient{0};  ///< depth-buffer units per map width; infinite edge-on to the light
+    glm::dvec3 uvd{0};       ///< map coordinates and depth of the point that it was made from
+    double w = 1;            ///< clip-space w there: metres along the axis (perspective) or 1
+    double at(const glm::dvec2& uv) const { return uvd.z + glm::dot(gradient, uv - glm::dvec2(uvd.x, uvd.y)); }
+};
+
+/// The plane through `point_ws` with normal `normal_ws` (world; any length), without screen derivatives: with T the
+/// transform to (u, v, d, w) and pi the plane, pi' = T^-T pi = (a, b, c, e) gives the gradient -(a, b) / c.
+ReceiverPlane receiver_plane(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws);
+
+/// The smallest step of a map format at a depth in [0,1]: 1 / (2^n - 1) for n-bit formats, one ulp for floats.
+double depth_quantum(MapFormat format, double depth);
+
+/// The parts of the least bias, in depth-buffer units.
+struct LeastBias {
+    double kernel = 0;    ///< taps read texels up to kappa away on a tilted plane
+    double quantum = 0;   ///< storing rounds
+    double snapping = 0;  ///< vertices snap to the rasteriser's sub-pixel grid
+    double total() const { return kernel + quantum + snapping; }
+};
+
+/// The least depth bias under which a plane does not shadow itself:
+///   b_min = kappa (|g_u| + |g_v|) / N + q c_q + 2^-(B+1) (|g_u| + |g_v|) / N.
+/// @param kappa_texels how far a tap's texel centre may lie from the receiver, per axis: 0.5 nearest, 1 filtered 2x2,
+///        R + 0.5 for (2R+1)^2 nearest and R + 1 for (2R+1)^2 bilinear taps
+/// @param quantum step of the stored depth; c_q = 1, as a driver may truncate
+/// @param subpixel_bits GL_SUBPIXEL_BITS; 0 or less leaves the snapping out
+LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum,
+                     int subpixel_bits);
+
+/// The least offset along the normal (metres) that does the work of a depth bias `b_min`: moving a plane by h along n
+/// moves it by h / |n . r| along the light's ray r, so h = b_min / (d depth / d z) |n . r|. For an orthographic light
+/// and texel s this is kappa s sin(theta) (|cos phi| + |sin phi|) + delta_z cos(theta), never more than sqrt(2) kappa s
+/// plus the step. Holbert, Saying Goodbye to Shadow Acne, GDC 2011.
+double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws,
+                           double b_min);
+
+/// Metres along the light's axis of a difference of depths at distance z.
+double depth_in_metres(const DepthCurve& curve, double z, double depth_difference);
+
+/// Length of the lit gap on the receiver beside an occluder that touches it, for a bias of `bias_m` metres along the
+/// light's ray that meets the receiver at `theta_rad` from its normal: b sin(theta).
+double contact_gap(double bias_m, double theta_rad);
+
+}  // namespace si
