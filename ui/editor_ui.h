@@ -1,0 +1,81 @@
+// The whole editor as one function: state and the frame's facts go in, wishes come out. Knows ImGui and the renderer's
+// data types; no window, no GL. The caller fulfils the wishes before the next frame.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/frame.h"
+#include "renderer/renderer.h"
+#include "ui/history.h"
+#include "ui/log.h"
+
+namespace si {
+
+/// Where the splitters stand. Sizes are in units of text height, so that they survive a change of scale.
+struct EditorLayout {
+    float settings_width = 24;
+    float bottom_height = 15;
+    float map_share = 0.40f;  ///< of the width left of the settings
+};
+
+/// Pan and zoom of the map viewer: `zoom` 1 fits the map; `centre` is what stands in the middle, v up.
+struct MapWindow {
+    float zoom = 1;
+    glm::vec2 centre{0.5f};
+};
+
+enum class BottomTab { Passes, Probe, Objects, Log };
+
+struct EditorState {
+    Settings settings;
+    History history;
+    Log log;
+    std::string scene_name;   ///< built-in key or path, as loaded
+    std::string scene_input;  ///< path being typed
+    std::string preset_path = "preset.json";
+    std::string search;
+    bool only_changed = false;
+    std::optional<glm::ivec2> probe_pixel;  ///< of the scene picture, row 0 at the top
+    EditorLayout layout;
+    MapWindow map_window;
+    BottomTab tab = BottomTab::Passes;
+    std::optional<BottomTab> open_tab = BottomTab::Passes;  ///< brought to the front in the next frame
+    std::string object_search;
+    bool show_shortcuts = false;
+    double wheel_until = 0;    ///< a turn of the wheel counts as one gesture until this time, seconds
+    bool dragging = false;     ///< a drag in a picture is under way
+    bool press_moved = false;  ///< the press in the scene picture became a drag
+};
+
+/// What the last frame found out. Pointers may be null: the editor draws without them.
+struct EditorFrame {
+    const FrameResult* result = nullptr;
+    const Scene* scene = nullptr;
+    const DriverInfo* driver = nullptr;
+    const Probe* probe = nullptr;            ///< of state.probe_pixel
+    const FloatImage* map_values = nullptr;  ///< stored depth of the shown map, row 0 at the top
+    const FloatImage* overlay_values = nullptr;
+    std::span<const std::string> presets;  ///< names or paths that load_preset understands
+    std::string_view shader_log;
+    std::string_view problem;  ///< why there is no picture
+};
+
+struct EditorActions {
+    int scene_width = 0, scene_height = 0;  ///< wanted size of the scene picture; 0: not shown
+    bool want_map = false;
+    bool want_map_values = false;  ///< the cursor is over the map
+    bool want_timing = false;
+    std::optional<std::string> load_scene, load_preset, save_preset;
+    bool copy_command_line = false;
+    bool quit = false;
+    bool redraw = false;  ///< something still moves: draw another frame soon
+};
+
+/// Draws one frame of the editor into the current ImGui frame; edits state.settings in place.
+EditorActions draw_editor(EditorState& state, const EditorFrame& frame);
+
+}  // namespace si

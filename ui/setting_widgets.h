@@ -1,0 +1,24 @@
+// Widgets made from a setting's row: slider, drag, combo or checkbox with unit, tooltip, reset and mark of change.
+#pragma once
+
+#include <string>
+
+#include "renderer/param.h"
+
+namespace si {
+
+/// The widget alone, `width` pixels wide (0: what is left). Returns whether the value changed.
+bool setting_widget(Settings& settings, const SettingRef& ref, float width = 0);
+/// By dotted key; asserts that the key exists.
+bool setting_widget(Settings& settings, std::string_view key, float width = 0);
+
+/// Label and widget in the two columns of the present table row.
+bool setting_row(Settings& settings, const SettingRef& ref);
+
+/// Whether the row's label, key or help mention `text`, without regard to case.
+bool setting_matches(const SettingRef& ref, std::string_view text);
+
+/// Whether the setting differs from its default.
+bool setting_changed(const Settings& settings, const SettingRef& ref);
+
+}  // namespace si
