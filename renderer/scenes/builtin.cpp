@@ -1,0 +1,58 @@
+#include "renderer/scenes/builtin.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "renderer/error.h"
+#include "renderer/gltf_loader.h"
+#include "renderer/param.h"
+#include "renderer/scenes/makers.h"
+
+namespace si {
+namespace {
+
+constexpr BuiltinScene kScenes[] = {
+    {"stage", "Stage",
+     "Fence, leaves, single-plane wall, ramp, distant box and a figure: acne, peter-panning and aliasing at once",
+     make_stage_scene},
+    {"boxes", "Floor and boxes", "Boxes that stand on, hover over and lean against a floor", make_boxes_scene},
+    {"teapot", "Teapot", "Newell's teapot from its Bezier patches on a floor: curved, self-shadowing, open at the lid",
+     make_teapot_scene},
+    {"plane", "Plane from 1 m to 100 m",
+     "One striped plane across the picture, from 1 m at its bottom to 100 m at its top: how depth values share the "
+     "range",
+     make_plane_scene},
+    {"landscape", "Landscape", "Two kilometres of hills, trees and a village: too large for one shadow map",
+     make_landscape_scene},
+    {"figures", "Figures", "Three jointed figures among simple objects", make_figures_scene},
+};
+
+std::string lower_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return char(c >= 'A' && c <= 'Z' ? c + 32 : c); });
+    return extension;
+}
+
+}  // namespace
+
+std::span<const BuiltinScene> builtin_scenes() {
+    return kScenes;
+}
+
+Scene load_scene(std::string_view name_or_path) {
+    std::vector<std::string> keys;
+    for (const BuiltinScene& row : kScenes) {
+        if (row.key == name_or_path) return row.make();
+        keys.emplace_back(row.key);
+    }
+    const std::filesystem::path path{std::string(name_or_path)};
+    const std::string extension = lower_extension(path);
+    if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
+    throw Error(fmt::format("no scene '{}': the nearest built-in scene is '{}', and files must end in .gltf or .glb",
+                            name_or_path, nearest_name(name_or_path, keys)));
+}
+
+}  // namespace si
