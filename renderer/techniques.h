@@ -26,6 +26,7 @@ struct Overlay {
     bool scalar = true;         ///< x goes through the colour scale; otherwise rgba as it is
     double min = 0, max = 1;    ///< colour scale when view.overlay_range_auto
     bool diverging = false;     ///< the scale is centred on zero
+    bool reads_visibility = false;  ///< asks for the visibility texture
 };
 
 std::span<const Filter> filters();

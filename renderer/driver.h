@@ -1,0 +1,12 @@
+// What the current context can do.
+#pragma once
+
+#include "renderer/gl/timer.h"
+#include "renderer/renderer.h"
+
+namespace si {
+
+/// @throws Error when the context is older than OpenGL 4.5, naming what it has.
+DriverInfo query_driver();
+
+}  // namespace si

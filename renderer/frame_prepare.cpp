@@ -1,0 +1,189 @@
+// From settings to the facts of a frame: repaired settings, camera, fitted lights, map layout, uniform blocks.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "renderer/driver.h"
+#include "renderer/param.h"
+#include "renderer/renderer_impl.h"
+#include "renderer/settings_block.h"
+
+namespace si {
+namespace {
+
+constexpr double kMapBudgetBytes = 2.0 * 1024 * 1024 * 1024;
+
+/// Homogeneous map coordinates from clip space: xy from [-w,w] to [0,w], z likewise where the convention needs it.
+glm::dmat4 uvd_from_clip(const DepthConvention& convention) {
+    glm::dmat4 m(1.0);
+    m[0][0] = m[1][1] = 0.5;
+    m[3][0] = m[3][1] = 0.5;
+    if (!convention.zero_to_one) m[2][2] = m[3][2] = 0.5;
+    return m;
+}
+
+void fit(FrameState& f) {
+    Key key;
+    key.add(f.scene.id).add(f.settings.light_count).add(f.settings.map.resolution).add(f.settings.map.reversed_z);
+    key.add(f.settings.filter.kernel);
+    for (const SettingRef& ref : all_settings(f.settings))
+        if (ref.param->scope != Scope::Scene) {
+            key.add(setting_key(ref));
+            std::visit([&](auto v) { key.add(v); }, get_value(f.settings, ref));
+        }
+    if (key.value() != f.gl.fit_key) {
+        f.gl.fitted = fit_lights(f.scene, f.settings, f.driver.max_texture_size);
+        f.gl.fit_key = key.value();
+    }
+    f.view_count = 0;
+    f.first_view.clear();
+    for (const FittedLight& light : f.gl.fitted) {
+        f.first_view.push_back(f.view_count);
+        if (light.casts) f.view_count += int(light.views.size());
+    }
+}
+
+/// Fits the lights at the asked resolution, then halves it until all maps fit into memory.
+void fit_within_limits(FrameState& f) {
+    int& n = f.settings.map.resolution;
+    const int asked = n;
+    n = std::clamp(n, 1, f.driver.max_texture_size);
+    if (n != asked)
+        f.notes.push_back(fmt::format("map.resolution {} is beyond the driver's limit; {} is used", asked, n));
+    fit(f);
+    const int before = n;
+    while (n > 1 && 4.0 * n * n * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
+    if (n != before) {
+        f.notes.push_back(
+            fmt::format("{} shadow map images of {}² need more than 2 GiB; {}² is used", f.view_count, before, n));
+        fit(f);
+    }
+    f.map_resolution = n;
+    for (const FittedLight& light : f.gl.fitted) f.notes.insert(f.notes.end(), light.notes.begin(), light.notes.end());
+}
+
+void choose_kernel(FrameState& f) {
+    const Filter& filter = filters()[std::size_t(f.settings.filter.kernel)];
+    const bool colour = f.settings.map.format == int(MapFormat::Colour);
+    f.filter_sampler = f.settings.filter.method == int(FilterMethod::Sampler) && !colour;
+    if (f.settings.filter.method == int(FilterMethod::Sampler) && colour)
+        f.notes.push_back("filter.method sampler cannot compare a colour map; gather is used");
+    f.defines = settings_defines(f.settings);
+    f.defines.push_back({"KERNEL_SIZE", std::to_string(filter.size)});
+    f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
+}
+
+void set_samplers(const FrameState& f) {
+    const MapSettings& m = f.settings.map;
+    const bool bilinear = filters()[std::size_t(f.settings.filter.kernel)].bilinear;
+    const float far_depth = m.reversed_z ? 0.f : 1.f;
+    const float border = m.outside == int(Outside::Lit) ? far_depth : 1.f - far_depth;
+    const glm::vec4 border_colour(border);
+    const GLint wrap = m.wrap == int(MapWrap::Border)   ? GL_CLAMP_TO_BORDER
+                       : m.wrap == int(MapWrap::Repeat) ? GL_REPEAT
+                                                        : GL_CLAMP_TO_EDGE;
+    for (const GLuint sampler : {f.gl.map_nearest.id(), f.gl.map_compare.id()}) {
+        glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, wrap);
+        glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, wrap);
+        glSamplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, &border_colour.x);
+        const bool compare = sampler == f.gl.map_compare.id();
+        glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);
+        glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);
+    }
+    const bool less = m.compare == int(Compare::Less);
+    const GLint function = m.reversed_z ? (less ? GL_GREATER : GL_GEQUAL) : (less ? GL_LESS : GL_LEQUAL);
+    glSamplerParameteri(f.gl.map_compare.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glSamplerParameteri(f.gl.map_compare.id(), GL_TEXTURE_COMPARE_FUNC, function);
+}
+
+shared::LightBlock light_block(const FrameState& f, std::size_t i) {
+    const FittedLight& light = f.gl.fitted[i];
+    shared::LightBlock b{};
+    b.position = glm::vec4(glm::vec3(light.position - f.origin), 1);
+    b.to_light = glm::vec4(glm::vec3(light.to_light), float(light.cos_cone_outer));
+    b.radiance = glm::vec4(glm::vec3(light.radiance), float(light.cos_cone_inner));
+    const bool casts = light.casts && !light.views.empty();
+    b.kind = glm::ivec4(int(light.type), f.first_view[i], int(light.views.size()), casts);
+    if (casts) {
+        const LightView& v = light.views.front();  // a point light's faces share their range and size
+        b.curve = glm::vec4(v.curve.near, v.curve.far, v.half_width, 1.0 / f.map_resolution);
+        b.map.x = v.curve.perspective;
+    }
+    return b;
+}
+
+}  // namespace
+
+Renderer::Impl::Impl() : driver(query_driver()) {
+    resources.frame_block = gl::Buffer::create("frame uniforms");
+    glNamedBufferStorage(resources.frame_block.id(), sizeof(shared::FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    resources.settings_block = gl::Buffer::create("settings uniforms");
+    resources.empty_vao = gl::VertexArray::create("no vertices");
+    resources.map_nearest = gl::Sampler::create("shadow map, nearest");
+    resources.map_compare = gl::Sampler::create("shadow map, comparison");
+    resources.map_keys.assign(kMaxLights, 0);
+}
+
+gl::PassClock& Renderer::Impl::pass_clock() {
+    if (!clock) {
+        clock = std::make_unique<gl::PassClock>();
+        driver.clock = clock->name();
+        driver.query_share = clock->query_share();
+    }
+    return *clock;
+}
+
+FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+    FrameState f{.scene = scene, .settings = settings, .request = request, .gl = resources, .driver = driver};
+    f.notes = sanitise(f.settings);
+    fit_within_limits(f);
+    if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)
+        f.notes.push_back("bias.raster_clamp needs GL_EXT_polygon_offset_clamp, which this driver lacks; it is ignored");
+
+    f.camera = make_camera(scene, f.settings, double(request.width) / request.height);
+    f.origin = f.camera.origin();
+    f.light_origin = scene.bounds.centre();
+    if (!resources.scene || resources.scene->scene_id() != scene.id) {
+        resources.scene.reset();  // the old scene's memory first
+        resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy);
+    }
+    resources.scene->arrange(scene, f.settings);
+
+    f.geometry_key = resources.scene->key();
+    f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);
+    f.lights_key.add(resources.fit_key).add(f.map_resolution).add(request.no_skip);
+    add_shader_settings(f.lights_key, f.settings);
+    const Overlay* overlay = f.overlay();
+    f.separate_visibility = request.outputs.visibility || f.settings.shading.separate_visibility ||
+                            (overlay && overlay->reads_visibility && (request.outputs.overlay || request.outputs.colour));
+    choose_kernel(f);
+    return f;
+}
+
+void Renderer::Impl::upload_blocks(const FrameState& f) {
+    shared::FrameBlock block{};
+    block.clip_from_relative = glm::mat4(f.camera.clip_from_relative(f.origin));
+    block.eye = glm::vec4(glm::vec3(f.camera.eye - f.origin), f.camera.orthographic ? 1.f : 0.f);
+    block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), 0);
+    block.viewport = glm::vec4(f.request.width, f.request.height, 1.f / float(f.request.width),
+                               1.f / float(f.request.height));
+    const int lights = int(f.gl.fitted.size());
+    block.counts = glm::ivec4(lights, std::clamp(f.settings.view.light, 0, std::max(lights - 1, 0)),
+                              f.settings.view.face, 0);
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
+        block.lights[i] = light_block(f, i);
+        const FittedLight& light = f.gl.fitted[i];
+        if (!light.casts) continue;
+        for (std::size_t v = 0; v < light.views.size(); ++v)
+            block.uvd_from_relative[std::size_t(f.first_view[i]) + v] =
+                glm::mat4(uvd_from_clip(light.views[v].curve.convention) * light.views[v].clip_from_relative(f.origin));
+    }
+    glNamedBufferSubData(resources.frame_block.id(), 0, sizeof block, &block);
+    const auto bytes = settings_block_bytes(f.settings);
+    glNamedBufferData(resources.settings_block.id(), GLsizeiptr(bytes.size()), bytes.data(), GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, resources.frame_block.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, resources.settings_block.id());
+    set_samplers(f);
+}
+
+}  // namespace si

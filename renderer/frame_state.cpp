@@ -1,0 +1,77 @@
+#include "renderer/frame_state.h"
+
+#include "renderer/settings_block.h"
+
+namespace si {
+
+GLuint FrameState::program(std::string_view vertex, std::string_view fragment, std::vector<gl::Define> extra) const {
+    gl::ProgramRequest wanted;
+    wanted.vertex = vertex;
+    wanted.fragment = fragment;
+    wanted.includes["FILTER_FILE"] = filters()[std::size_t(settings.filter.kernel)].file;
+    wanted.includes["OVERLAY_FILE"] = overlay() ? overlay()->file : overlays()[0].file;
+    wanted.defines = defines;
+    wanted.defines.insert(wanted.defines.end(), extra.begin(), extra.end());
+    wanted.preamble = settings_block_text();
+    return gl.programs.get(wanted);
+}
+
+void FrameState::bind_maps() const {
+    if (!gl.map.texture) return;
+    glBindTextureUnit(kShadowMap, gl.map.texture.id());
+    glBindSampler(kShadowMap, gl.map_nearest.id());
+    if (settings.map.format != int(MapFormat::Colour)) {
+        glBindTextureUnit(kShadowMapCompare, gl.map.texture.id());
+        glBindSampler(kShadowMapCompare, gl.map_compare.id());
+    }
+}
+
+void FrameState::begin_camera_pass(GLuint framebuffer) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, request.width, request.height);
+    glClipControl(GL_LOWER_LEFT, camera.curve.convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    // Of coplanar surfaces the last drawn wins, in the first pass as in those that find its depth already there.
+    glDepthFunc(camera.curve.convention.reversed ? GL_GEQUAL : GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_BLEND);
+    Key depth = geometry_key;
+    depth.add(camera_key).add(gl.programs.source().generation());
+    if (gl.depth_key != depth.value()) {
+        const float far_depth = float(camera.curve.convention.far_depth());
+        glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far_depth);
+        gl.depth_key = depth.value();
+    }
+    bind_maps();
+}
+
+void FrameState::draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra, PassInfo& info,
+                                  const std::function<void(GLuint)>& set_uniforms) const {
+    gl.scene->bind(scene, settings, origin, 0);
+    GLuint current = 0, texture = 0;
+    for (const Batch& batch : gl.scene->batches()) {
+        if (batch.blend) continue;
+        std::vector<gl::Define> wanted = extra;
+        if (batch.masked) wanted.push_back({"MASKED", "1"});
+        if (batch.texture) wanted.push_back({"TEXTURED", "1"});
+        const GLuint id = program("passes/scene.vert.glsl", fragment, std::move(wanted));
+        if (id != current) {
+            glUseProgram(current = id);
+            if (set_uniforms) set_uniforms(id);
+        }
+        if (batch.texture && batch.texture != texture) glBindTextureUnit(kBaseColour, texture = batch.texture);
+        if (batch.double_sided) {
+            glDisable(GL_CULL_FACE);
+        } else {
+            glEnable(GL_CULL_FACE);
+            glCullFace(GL_BACK);
+        }
+        glFrontFace(batch.mirrored ? GL_CW : GL_CCW);
+        gl.scene->draw(batch);
+        ++info.draws;
+        info.triangles += batch.triangles();
+    }
+}
+
+}  // namespace si

@@ -1,0 +1,29 @@
+#include "renderer/gl/debug.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace si::gl {
+
+MessageLog::MessageLog() {
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(&MessageLog::on_message, this);
+}
+
+MessageLog::~MessageLog() { glDebugMessageCallback(nullptr, nullptr); }
+
+void GLAPIENTRY MessageLog::on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length,
+                                       const GLchar* message, const void* user) {
+    if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
+    auto* log = static_cast<MessageLog*>(const_cast<void*>(user));
+    if (log->messages_.size() < 100) log->messages_.emplace_back(message, std::size_t(length));
+}
+
+std::vector<std::string> MessageLog::take() {
+    while (const GLenum error = glGetError()) messages_.push_back(fmt::format("glGetError {:#x}", error));
+    return std::exchange(messages_, {});
+}
+
+}  // namespace si::gl

@@ -1,0 +1,106 @@
+#include "renderer/gl/program_cache.h"
+
+#include <fmt/format.h>
+
+#include "renderer/error.h"
+#include "renderer/key.h"
+
+namespace si::gl {
+namespace {
+
+std::string info_log(GLuint id, bool program) {
+    GLint length = 0;
+    program ? glGetProgramiv(id, GL_INFO_LOG_LENGTH, &length) : glGetShaderiv(id, GL_INFO_LOG_LENGTH, &length);
+    std::string text(std::size_t(length > 0 ? length : 1), '\0');
+    program ? glGetProgramInfoLog(id, length, nullptr, text.data())
+            : glGetShaderInfoLog(id, length, nullptr, text.data());
+    return text.c_str();
+}
+
+std::string numbered(const std::vector<std::string>& files) {
+    std::string out;
+    for (std::size_t i = 0; i < files.size(); ++i) out += fmt::format("{}{} = shaders/{}", i ? ", " : "", i, files[i]);
+    return out;
+}
+
+GLuint compile(GLenum stage, const std::string& text, const std::vector<std::string>& files) {
+    const GLuint shader = glCreateShader(stage);
+    const char* pointer = text.c_str();
+    glShaderSource(shader, 1, &pointer, nullptr);
+    glCompileShader(shader);
+    GLint ok = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (!ok) {
+        const std::string log = info_log(shader, false);
+        glDeleteShader(shader);
+        throw Error(fmt::format("shader does not compile (files: {}): {}", numbered(files), log));
+    }
+    return shader;
+}
+
+}  // namespace
+
+Program ProgramCache::build(const std::string& vertex, const std::string& fragment, std::string_view label,
+                            const std::vector<std::string>& files) const {
+    const GLuint vs = compile(GL_VERTEX_SHADER, vertex, files);
+    GLuint fs = 0;
+    try {
+        fs = compile(GL_FRAGMENT_SHADER, fragment, files);
+    } catch (...) {
+        glDeleteShader(vs);
+        throw;
+    }
+    auto program = Program::create(label);
+    glAttachShader(program.id(), vs);
+    glAttachShader(program.id(), fs);
+    glLinkProgram(program.id());
+    glDeleteShader(vs);
+    glDeleteShader(fs);
+    GLint ok = 0;
+    glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
+    if (!ok)
+        throw Error(fmt::format("shader does not link (files: {}): {}", numbered(files), info_log(program.id(), true)));
+    return program;
+}
+
+GLuint ProgramCache::get(const ProgramRequest& request) {
+    Key key;
+    key.add(request.vertex).add(request.fragment).add(request.preamble);
+    for (const auto& [name, file] : request.includes) key.add(name).add(file);
+    for (const auto& d : request.defines) key.add(d.name).add(d.value);
+    const std::uint64_t request_key = key.value();
+    key.add(source_.generation());
+    if (const auto it = by_request_.find(key.value()); it != by_request_.end()) return it->second;
+    try {
+        std::vector<std::string> files;
+        const std::string vertex = source_.expand(request.vertex, request.includes, files);
+        const std::size_t vertex_files = files.size();
+        std::vector<std::string> fragment_files;
+        const std::string fragment = source_.expand(request.fragment, request.includes, fragment_files);
+        std::string head = "#version 450 core\n";
+        for (const auto& d : request.defines)
+            if (mentions(vertex, d.name) || mentions(fragment, d.name))
+                head += fmt::format("#define {} {}\n", d.name, d.value);
+        head += request.preamble;
+        Key text_key;
+        text_key.add(head).add(vertex).add(fragment);
+        auto it = programs_.find(text_key.value());
+        if (it == programs_.end()) {
+            // Vertex and fragment number their files apart; the log names the fragment's, where nearly all code is.
+            files.resize(vertex_files);
+            const auto& named = fragment_files.size() > files.size() ? fragment_files : files;
+            it = programs_.emplace(text_key.value(), build(head + vertex, head + fragment, request.fragment, named))
+                     .first;
+        }
+        log_.clear();
+        last_good_[request_key] = it->second.id();
+        return by_request_[key.value()] = it->second.id();
+    } catch (const Error& e) {
+        log_ = e.what();
+        const auto good = last_good_.find(request_key);
+        if (good == last_good_.end()) throw;
+        return by_request_[key.value()] = good->second;
+    }
+}
+
+}  // namespace si::gl

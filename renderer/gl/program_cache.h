@@ -1,0 +1,43 @@
+// Programs by what they are made of: two source files, included techniques and defines.
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "renderer/gl/handle.h"
+#include "renderer/gl/shader_source.h"
+
+namespace si::gl {
+
+struct Define {
+    std::string name, value;
+};
+
+struct ProgramRequest {
+    std::string_view vertex, fragment;  ///< below shaders/
+    IncludeNames includes;
+    std::vector<Define> defines;  ///< only those that the sources mention enter the program
+    std::string preamble;         ///< text after the defines, e.g. a uniform block made from the settings table
+};
+
+class ProgramCache {
+public:
+    /// The linked program. A miss compiles; after a hot reload that does not compile, the last good program.
+    /// @throws Error with the compile log and the file names when there is no good program.
+    GLuint get(const ProgramRequest& request);
+    ShaderSource& source() { return source_; }
+    const std::string& log() const { return log_; }
+    std::size_t size() const { return programs_.size(); }
+
+private:
+    ShaderSource source_;
+    std::unordered_map<std::uint64_t, GLuint> by_request_;   // request and generation
+    std::unordered_map<std::uint64_t, GLuint> last_good_;    // request alone
+    std::unordered_map<std::uint64_t, Program> programs_;    // final text
+    std::string log_;
+    Program build(const std::string& vertex, const std::string& fragment, std::string_view label,
+                  const std::vector<std::string>& files) const;
+};
+
+}  // namespace si::gl

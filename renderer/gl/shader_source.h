@@ -1,0 +1,37 @@
+// GLSL sources: embedded in the binary, or read from the tree and watched (development builds).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace si::gl {
+
+/// Names that stand for a file in `#include NAME`, e.g. FILTER_FILE -> "filters/pcf.glsl".
+using IncludeNames = std::map<std::string, std::string, std::less<>>;
+
+class ShaderSource {
+public:
+    ShaderSource();
+    /// The text of a file below shaders/ with its includes expanded (each file once, with #line marks).
+    /// `files` receives the paths in the order of their #line numbers.
+    /// @throws Error naming file, line and the missing include.
+    std::string expand(std::string_view path, const IncludeNames& names, std::vector<std::string>& files) const;
+    /// Rises whenever a watched file was saved. Constant in release builds.
+    std::uint64_t generation() const { return generation_; }
+    /// Looks at the watched files; true when the generation rose.
+    bool poll();
+
+private:
+    std::map<std::string, std::string, std::less<>> texts_;
+    std::map<std::string, std::int64_t, std::less<>> times_;
+    std::uint64_t generation_ = 1;
+    void read_tree();
+};
+
+/// True when `text` mentions `identifier` as a whole word.
+bool mentions(std::string_view text, std::string_view identifier);
+
+}  // namespace si::gl

@@ -1,0 +1,56 @@
+#include "renderer/gl/target.h"
+
+#include <fmt/format.h>
+
+#include "renderer/error.h"
+
+namespace si::gl {
+
+bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h, int layer_count) {
+    if (texture && format == internal_format && width == w && height == h && layers == layer_count) return false;
+    texture.reset();
+    key = 0;
+    while (glGetError() != GL_NO_ERROR) {}
+    texture = Texture::create(label, GLenum(layer_count ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D));
+    if (layer_count)
+        glTextureStorage3D(texture.id(), 1, internal_format, w, h, layer_count);
+    else
+        glTextureStorage2D(texture.id(), 1, internal_format, w, h);
+    if (glGetError() != GL_NO_ERROR) {
+        texture.reset();
+        width = height = layers = 0;
+        throw Error(fmt::format("the driver has no memory for {} ({} x {} x {}); use a smaller size, map.resolution or "
+                                "fewer lights",
+                                label, w, h, layer_count ? layer_count : 1));
+    }
+    glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    width = w, height = h, layers = layer_count, format = internal_format;
+    return true;
+}
+
+namespace {
+void attach(GLuint framebuffer, GLenum point, const Target& t, int layer) {
+    if (layer < 0)
+        glNamedFramebufferTexture(framebuffer, point, t.texture.id(), 0);
+    else
+        glNamedFramebufferTextureLayer(framebuffer, point, t.texture.id(), 0, layer);
+}
+}  // namespace
+
+Framebuffer make_framebuffer(std::string_view label, const Target* colour, const Target* depth, int colour_layer,
+                             int depth_layer) {
+    auto fb = Framebuffer::create(label);
+    if (colour) attach(fb.id(), GL_COLOR_ATTACHMENT0, *colour, colour_layer);
+    if (depth) attach(fb.id(), GL_DEPTH_ATTACHMENT, *depth, depth_layer);
+    glNamedFramebufferDrawBuffer(fb.id(), colour ? GL_COLOR_ATTACHMENT0 : GL_NONE);
+    glNamedFramebufferReadBuffer(fb.id(), colour ? GL_COLOR_ATTACHMENT0 : GL_NONE);
+    const GLenum status = glCheckNamedFramebufferStatus(fb.id(), GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(fmt::format("the driver cannot draw into {} (framebuffer status {:#x})", label, status));
+    return fb;
+}
+
+}  // namespace si::gl

@@ -1,0 +1,26 @@
+// Textures one can draw into.
+#pragma once
+
+#include <string>
+
+#include "renderer/gl/handle.h"
+
+namespace si::gl {
+
+/// A 2-D (array) texture with immutable storage; allocated anew only when its shape changes.
+struct Target {
+    Texture texture;
+    int width = 0, height = 0, layers = 0;
+    GLenum format = 0;
+    std::uint64_t key = 0;  ///< of the contents; 0: undefined
+
+    /// layers == 0 makes a plain 2-D texture. Returns true when it was allocated anew (contents undefined).
+    /// @throws Error when the driver is out of memory, naming the size.
+    bool ensure(std::string_view label, GLenum internal_format, int w, int h, int layer_count = 0);
+};
+
+/// A framebuffer of up to one colour and one depth attachment; layer -1 attaches whole textures.
+Framebuffer make_framebuffer(std::string_view label, const Target* colour, const Target* depth, int colour_layer = -1,
+                             int depth_layer = -1);
+
+}  // namespace si::gl

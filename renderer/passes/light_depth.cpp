@@ -1,0 +1,146 @@
+// The scene's depth as each light sees it.
+#include <fmt/format.h>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include "renderer/frame_state.h"
+
+namespace si {
+namespace {
+
+GLenum map_format(int format) {
+    switch (MapFormat(format)) {
+        case MapFormat::D16: return GL_DEPTH_COMPONENT16;
+        case MapFormat::D24: return GL_DEPTH_COMPONENT24;
+        case MapFormat::D32F: return GL_DEPTH_COMPONENT32F;
+        case MapFormat::Colour: return GL_R32F;
+    }
+    return GL_DEPTH_COMPONENT32F;
+}
+
+std::string_view type_name(LightType type) {
+    return type == LightType::Directional ? "directional" : type == LightType::Spot ? "spot" : "point";
+}
+
+void ensure_maps(FrameState& f) {
+    const int n = f.map_resolution;
+    const bool colour = f.settings.map.format == int(MapFormat::Colour);
+    const bool anew = f.gl.map.ensure("shadow maps", map_format(f.settings.map.format), n, n, f.view_count);
+    if (colour)
+        f.gl.map_depth.ensure("depth beside the colour map", GL_DEPTH_COMPONENT32F, n, n);
+    else
+        f.gl.map_depth = {};
+    if (anew) f.gl.map_keys.assign(kMaxLights, 0);
+}
+
+/// Culling of casters: the object's own choice before the scene's.
+void set_cull(const FrameState& f, const Batch& batch) {
+    Cull cull = Cull(f.settings.caster.cull);
+    if (batch.cull != int(ObjectCull::Inherit)) cull = Cull(batch.cull - 1);
+    if (cull == Cull::None) {
+        glDisable(GL_CULL_FACE);
+    } else {
+        glEnable(GL_CULL_FACE);
+        glCullFace(cull == Cull::Back ? GL_BACK : GL_FRONT);
+    }
+    glFrontFace(batch.mirrored ? GL_CW : GL_CCW);
+}
+
+void set_raster_bias(const FrameState& f, bool reversed) {
+    const BiasSettings& b = f.settings.bias;
+    if (b.raster_slope == 0 && b.raster_units == 0) {
+        glDisable(GL_POLYGON_OFFSET_FILL);
+        return;
+    }
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    const float sign = reversed ? -1.f : 1.f;
+    if (b.raster_clamp != 0 && f.driver.polygon_offset_clamp)
+        glPolygonOffsetClampEXT(sign * float(b.raster_slope), sign * float(b.raster_units),
+                                sign * float(b.raster_clamp));
+    else
+        glPolygonOffset(sign * float(b.raster_slope), sign * float(b.raster_units));
+}
+
+void draw_view(FrameState& f, const LightView& view, int layer, PassInfo& info) {
+    const bool colour = f.settings.map.format == int(MapFormat::Colour);
+    f.gl.map_framebuffer = colour ? gl::make_framebuffer("shadow map", &f.gl.map, &f.gl.map_depth, layer)
+                                  : gl::make_framebuffer("shadow map", nullptr, &f.gl.map, -1, layer);
+    const GLuint framebuffer = f.gl.map_framebuffer.id();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, f.map_resolution, f.map_resolution);
+    const DepthConvention& convention = view.curve.convention;
+    glClipControl(GL_LOWER_LEFT, convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(convention.reversed ? GL_GREATER : GL_LESS);
+    glDisable(GL_BLEND);
+    const float far_depth = float(convention.far_depth());
+    glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far_depth);
+    if (colour) {
+        const glm::vec4 clear(far_depth);
+        glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &clear.x);
+    }
+    set_raster_bias(f, convention.reversed);
+    const glm::mat4 matrix(view.clip_from_relative(f.light_origin));
+    f.gl.scene->bind(f.scene, f.settings, f.light_origin, 1);
+    GLuint current = 0, texture = 0;
+    for (const Batch& batch : f.gl.scene->batches()) {
+        if (!batch.cast || batch.blend) continue;
+        std::vector<gl::Define> extra;
+        if (batch.masked) extra.push_back({"MASKED", "1"});
+        if (batch.masked && batch.texture) extra.push_back({"TEXTURED", "1"});
+        const GLuint id = f.program("passes/depth.vert.glsl", "passes/depth.frag.glsl", std::move(extra));
+        if (id != current) {
+            glUseProgram(current = id);
+            glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
+        }
+        if (batch.masked && batch.texture && batch.texture != texture)
+            glBindTextureUnit(kBaseColour, texture = batch.texture);
+        set_cull(f, batch);
+        f.gl.scene->draw(batch);
+        ++info.draws;
+        info.triangles += batch.triangles();
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+}  // namespace
+
+void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan) {
+    bool any = false;
+    for (const FittedLight& light : f.gl.fitted) any |= light.casts;
+    if (any) ensure_maps(f);
+    f.maps_key = Key();
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
+        const FittedLight& light = f.gl.fitted[i];
+        Pass pass;
+        pass.name = fmt::format("shadow map {} ({})", i, type_name(light.type));
+        pass.writes = {"shadow maps"};
+        pass.idle_reason = "nothing samples a shadow map";
+        if (!light.casts) {
+            pass.unneeded = light.reason;
+            plan.push_back(std::move(pass));
+            continue;
+        }
+        Key key = f.geometry_key;
+        key.add(f.map_resolution).add(f.settings.map.format).add(f.settings.caster.cull);
+        key.add(f.settings.bias.raster_slope).add(f.settings.bias.raster_units).add(f.settings.bias.raster_clamp);
+        for (const LightView& v : light.views)
+            key.add(v.clip_from_relative(f.light_origin)).add(v.curve.convention.zero_to_one)
+                .add(v.curve.convention.reversed);
+        key.add(f.light_origin).add(f.first_view[i]).add(f.gl.programs.source().generation());
+        f.maps_key.add(key);
+        pass.key = key.value();
+        pass.cached = &f.gl.map_keys[i];
+        pass.run = [&f, i](PassInfo& info) {
+            const FittedLight& l = f.gl.fitted[i];
+            for (std::size_t v = 0; v < l.views.size(); ++v)
+                draw_view(f, l.views[v], f.first_view[i] + int(v), info);
+        };
+        plan.push_back(std::move(pass));
+    }
+    if (f.gl.fitted.empty())
+        plan.push_back({.name = "shadow maps", .writes = {"shadow maps"}, .unneeded = "there are no lights"});
+}
+
+}  // namespace si

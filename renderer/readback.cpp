@@ -1,0 +1,65 @@
+// Pictures and maps back from the GPU, top row first.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "renderer/error.h"
+#include "renderer/renderer_impl.h"
+
+namespace si {
+namespace {
+
+template <typename T>
+void flip_rows(std::vector<T>& data, int width, int height, int channels) {
+    const std::ptrdiff_t row = std::ptrdiff_t(width) * channels;
+    for (int y = 0; y < height / 2; ++y)
+        std::swap_ranges(data.begin() + y * row, data.begin() + (y + 1) * row, data.begin() + (height - 1 - y) * row);
+}
+
+}  // namespace
+
+ByteImage Renderer::read_colour(const Image& image) {
+    ByteImage out{image.width, image.height, {}};
+    out.data.resize(std::size_t(image.width) * std::size_t(image.height) * 4);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.data.size()), out.data.data());
+    flip_rows(out.data, out.width, out.height, 4);
+    return out;
+}
+
+FloatImage Renderer::read_float(const Image& image, int channels) {
+    FloatImage out{image.width, image.height, channels, {}};
+    out.data.resize(std::size_t(image.width) * std::size_t(image.height) * std::size_t(channels));
+    const GLenum format = channels == 1 ? GL_RED : channels == 3 ? GL_RGB : GL_RGBA;
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(image.texture, 0, format, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)), out.data.data());
+    flip_rows(out.data, out.width, out.height, channels);
+    return out;
+}
+
+FloatImage Renderer::read_shadow_map(int light, int face) {
+    const Resources& r = impl_->resources;
+    int layer = 0;
+    bool found = false;
+    for (std::size_t i = 0; i < r.fitted.size(); ++i) {
+        if (!r.fitted[i].casts) continue;
+        const int views = int(r.fitted[i].views.size());
+        if (int(i) == light && face >= 0 && face < views) {
+            layer += face;
+            found = r.map_keys[i] != 0;
+            break;
+        }
+        layer += views;
+    }
+    if (!found) throw Error(fmt::format("light {} has no shadow map image {}", light, face));
+    const int n = r.map.width;
+    FloatImage out{n, n, 1, std::vector<float>(std::size_t(n) * std::size_t(n))};
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    const GLenum format = r.map.format == GL_R32F ? GL_RED : GL_DEPTH_COMPONENT;
+    glGetTextureSubImage(r.map.texture.id(), 0, 0, 0, layer, n, n, 1, format, GL_FLOAT,
+                         GLsizei(out.data.size() * sizeof(float)), out.data.data());
+    flip_rows(out.data, n, n, 1);
+    return out;
+}
+
+}  // namespace si

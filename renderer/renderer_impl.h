@@ -1,0 +1,23 @@
+// The renderer's inside, shared by drawing, reading back and probing.
+#pragma once
+
+#include <memory>
+
+#include "renderer/frame_state.h"
+
+namespace si {
+
+struct Renderer::Impl {
+    DriverInfo driver;
+    gl::MessageLog messages;
+    std::unique_ptr<gl::PassClock> clock;  ///< made when first needed: calibrating costs a few frames
+    Resources resources;
+
+    Impl();
+    /// Derives everything of a frame that needs no drawing.
+    FrameState prepare(const Scene& scene, const Settings& settings, const FrameRequest& request);
+    void upload_blocks(const FrameState& f);
+    gl::PassClock& pass_clock();
+};
+
+}  // namespace si

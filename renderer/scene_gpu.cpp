@@ -1,0 +1,226 @@
+#include "renderer/scene_gpu.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace si {
+namespace {
+
+struct Attributes {
+    glm::vec3 normal;
+    glm::vec2 uv;
+};
+
+struct InstanceData {
+    glm::vec4 rows[3];
+    glm::vec4 base_colour;
+    glm::vec4 surface;  // receives, alpha cutoff, unlit, object number
+};
+
+const Material& material_of(const Scene& scene, const Mesh& mesh) {
+    static const Material fallback{};
+    return mesh.material < 0 ? fallback : scene.materials[std::size_t(mesh.material)];
+}
+
+ObjectSettings object_settings(const Scene& scene, const Settings& settings, const Object& object) {
+    const auto it = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
+    return it == settings.objects.end() ? ObjectSettings{} : it->second;
+}
+
+template <typename T>
+void store(gl::Buffer& buffer, const std::vector<T>& data) {
+    glNamedBufferStorage(buffer.id(), GLsizeiptr(std::max<std::size_t>(data.size() * sizeof(T), 16)),
+                         data.empty() ? nullptr : data.data(), data.size() * sizeof(T) >= 16 ? 0 : GL_DYNAMIC_STORAGE_BIT);
+}
+
+GLenum wrap_mode(TextureWrap wrap) {
+    return wrap == TextureWrap::Repeat ? GL_REPEAT : wrap == TextureWrap::Clamp ? GL_CLAMP_TO_EDGE : GL_MIRRORED_REPEAT;
+}
+
+}  // namespace
+
+SceneGpu::SceneGpu(const Scene& scene, bool anisotropy) : scene_id_(scene.id) {
+    upload_geometry(scene);
+    upload_textures(scene, anisotropy);
+}
+
+void SceneGpu::upload_geometry(const Scene& scene) {
+    std::size_t vertex_count = 0, index_count = 0;
+    bool coloured = false;
+    for (const Mesh& m : scene.meshes) {
+        vertex_count += m.positions.size();
+        index_count += m.indices.size();
+        coloured |= !m.colours.empty();
+    }
+    positions_ = gl::Buffer::create("positions");
+    attributes_ = gl::Buffer::create("normals and uv");
+    indices_ = gl::Buffer::create("indices");
+    const auto allocate = [](gl::Buffer& b, std::size_t bytes) {
+        glNamedBufferStorage(b.id(), GLsizeiptr(std::max<std::size_t>(bytes, 16)), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    };
+    allocate(positions_, vertex_count * sizeof(glm::vec3));
+    allocate(attributes_, vertex_count * sizeof(Attributes));
+    allocate(indices_, index_count * sizeof(std::uint32_t));
+    std::vector<glm::u8vec4> colours(coloured ? vertex_count : 0, glm::u8vec4(255));
+    std::size_t vertex = 0, index = 0;
+    std::vector<Attributes> attributes;
+    for (const Mesh& m : scene.meshes) {
+        const std::size_t n = m.positions.size();
+        ranges_.push_back({index, GLsizei(m.indices.size()), GLint(vertex)});
+        if (n == 0 || m.indices.empty()) continue;
+        attributes.resize(n);
+        for (std::size_t i = 0; i < n; ++i)
+            attributes[i] = {m.normals.empty() ? glm::vec3(0, 1, 0) : m.normals[i],
+                             m.uv.empty() ? glm::vec2(0) : m.uv[i]};
+        for (std::size_t i = 0; i < m.colours.size(); ++i)
+            colours[vertex + i] = glm::u8vec4(glm::round(glm::clamp(m.colours[i], 0.f, 1.f) * 255.f));
+        glNamedBufferSubData(positions_.id(), GLintptr(vertex * sizeof(glm::vec3)), GLsizeiptr(n * sizeof(glm::vec3)),
+                             m.positions.data());
+        glNamedBufferSubData(attributes_.id(), GLintptr(vertex * sizeof(Attributes)),
+                             GLsizeiptr(n * sizeof(Attributes)), attributes.data());
+        glNamedBufferSubData(indices_.id(), GLintptr(index * 4), GLsizeiptr(m.indices.size() * 4), m.indices.data());
+        vertex += n;
+        index += m.indices.size();
+    }
+    vao_ = gl::VertexArray::create("scene");
+    const GLuint vao = vao_.id();
+    const auto attribute = [&](GLuint location, GLuint binding, GLint size, GLuint offset) {
+        glEnableVertexArrayAttrib(vao, location);
+        glVertexArrayAttribFormat(vao, location, size, GL_FLOAT, GL_FALSE, offset);
+        glVertexArrayAttribBinding(vao, location, binding);
+    };
+    attribute(0, 0, 3, 0);
+    attribute(1, 1, 3, 0);
+    attribute(2, 1, 2, offsetof(Attributes, uv));
+    for (GLuint row = 0; row < 3; ++row) attribute(4 + row, 3, 4, row * 16);
+    attribute(7, 3, 4, offsetof(InstanceData, base_colour));
+    attribute(8, 3, 4, offsetof(InstanceData, surface));
+    glVertexArrayBindingDivisor(vao, 3, 1);
+    glVertexArrayVertexBuffer(vao, 0, positions_.id(), 0, sizeof(glm::vec3));
+    glVertexArrayVertexBuffer(vao, 1, attributes_.id(), 0, sizeof(Attributes));
+    glVertexArrayElementBuffer(vao, indices_.id());
+    if (coloured) {
+        colours_ = gl::Buffer::create("vertex colours");
+        store(colours_, colours);
+        glEnableVertexArrayAttrib(vao, 3);
+        glVertexArrayAttribFormat(vao, 3, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
+        glVertexArrayAttribBinding(vao, 3, 2);
+        glVertexArrayVertexBuffer(vao, 2, colours_.id(), 0, 4);
+    }
+}
+
+void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
+    for (const Texture& t : scene.textures) {
+        if (t.width <= 0 || t.height <= 0 || t.rgba.empty()) {
+            textures_.emplace_back();
+            continue;
+        }
+        auto texture = gl::Texture::create(t.name.empty() ? "texture" : t.name, GLenum(GL_TEXTURE_2D));
+        const int levels = t.mipmaps ? int(std::floor(std::log2(std::max(t.width, t.height)))) + 1 : 1;
+        glTextureStorage2D(texture.id(), levels, t.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, t.width, t.height);
+        glTextureSubImage2D(texture.id(), 0, 0, 0, t.width, t.height, GL_RGBA, GL_UNSIGNED_BYTE, t.rgba.data());
+        if (levels > 1) glGenerateTextureMipmap(texture.id());
+        glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GLint(wrap_mode(t.wrap_s)));
+        glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GLint(wrap_mode(t.wrap_t)));
+        glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, t.nearest_mag ? GL_NEAREST : GL_LINEAR);
+        const GLint min_filter = levels > 1 ? (t.nearest_min ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR)
+                                            : (t.nearest_min ? GL_NEAREST : GL_LINEAR);
+        glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, min_filter);
+        if (anisotropy && levels > 1 && !t.nearest_min)
+            glTextureParameterf(texture.id(), GL_TEXTURE_MAX_ANISOTROPY_EXT, 4.0f);
+        textures_.push_back(std::move(texture));
+    }
+}
+
+void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
+    Key key;
+    key.add(scene.id).add(settings.shading.textures);
+    for (const auto& [path, o] : settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
+    if (key.value() == arrangement_.value()) return;
+    arrangement_ = key;
+
+    struct Entry {
+        std::uint32_t object;
+        bool blend, masked;
+        GLuint texture;
+        int mesh, cull;
+        bool cast, mirrored;
+        auto rank() const { return std::tuple(blend, masked, texture, mesh, cull, cast, mirrored, object); }
+    };
+    std::vector<Entry> entries;
+    entries.reserve(scene.objects.size());
+    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& o = scene.objects[i];
+        const Mesh& mesh = scene.meshes[std::size_t(o.mesh)];
+        if (mesh.indices.empty()) continue;
+        const Material& material = material_of(scene, mesh);
+        const ObjectSettings own = settings.objects.empty() ? ObjectSettings{} : object_settings(scene, settings, o);
+        GLuint texture = 0;
+        const bool masked = material.alpha == AlphaMode::Mask;
+        // A mask lives in its texture, so it stays even where textures are switched off.
+        if (material.base_colour_texture >= 0 && (settings.shading.textures || masked))
+            texture = textures_[std::size_t(material.base_colour_texture)].id();
+        entries.push_back({i, material.alpha == AlphaMode::Blend, masked, texture, o.mesh, own.cull, own.cast,
+                           glm::determinant(glm::dmat3(o.world)) < 0});
+    }
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank() < b.rank(); });
+    order_.clear();
+    batches_.clear();
+    const Entry* previous = nullptr;
+    for (const Entry& e : entries) {
+        const Mesh& mesh = scene.meshes[std::size_t(e.mesh)];
+        // Blended instances are drawn one by one, back to front.
+        const bool joins = previous && !e.blend && std::tuple(previous->blend, previous->masked, previous->texture, previous->mesh, previous->cull, previous->cast, previous->mirrored) ==
+                                           std::tuple(e.blend, e.masked, e.texture, e.mesh, e.cull, e.cast, e.mirrored);
+        if (joins) {
+            ++batches_.back().instances;
+        } else {
+            const MeshRange& r = ranges_[std::size_t(e.mesh)];
+            Batch b;
+            b.index_count = r.index_count, b.first_index = r.first_index, b.base_vertex = r.base_vertex;
+            b.first_instance = GLuint(order_.size()), b.instances = 1;
+            b.texture = e.texture, b.mirrored = e.mirrored, b.masked = e.masked, b.blend = e.blend;
+            b.double_sided = material_of(scene, mesh).double_sided;
+            b.cast = e.cast, b.cull = e.cull;
+            b.centre_ws = glm::dvec3(scene.objects[e.object].world * glm::dvec4(mesh.bounds.centre(), 1));
+            batches_.push_back(b);
+        }
+        order_.push_back(e.object);
+        previous = &e;
+    }
+}
+
+void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, int slot_index) {
+    Slot& slot = slots_[std::size_t(slot_index)];
+    Key key = arrangement_;
+    key.add(origin);
+    if (slot.key != key.value()) {
+        std::vector<InstanceData> data(order_.size());
+        for (std::size_t i = 0; i < order_.size(); ++i) {
+            const Object& o = scene.objects[order_[i]];
+            const Material& material = material_of(scene, scene.meshes[std::size_t(o.mesh)]);
+            glm::dmat4 m = o.world;
+            m[3] -= glm::dvec4(origin, 0);  // in double: what is left is small
+            for (int r = 0; r < 3; ++r) data[i].rows[r] = glm::vec4(m[0][r], m[1][r], m[2][r], m[3][r]);
+            data[i].base_colour = material.base_colour;
+            const bool receives = settings.objects.empty() || object_settings(scene, settings, o).receive;
+            data[i].surface = {receives ? 1.f : 0.f, material.alpha == AlphaMode::Mask ? material.alpha_cutoff : -1.f,
+                               material.unlit ? 1.f : 0.f, float(order_[i])};
+        }
+        slot.buffer = gl::Buffer::create(slot_index == 0 ? "instances for the camera" : "instances for the lights");
+        store(slot.buffer, data);
+        slot.key = key.value();
+    }
+    glBindVertexArray(vao_.id());
+    glVertexArrayVertexBuffer(vao_.id(), 3, slot.buffer.id(), 0, sizeof(InstanceData));
+    if (!colours_) glVertexAttrib4f(3, 1, 1, 1, 1);
+}
+
+void SceneGpu::draw(const Batch& b) const {
+    glDrawElementsInstancedBaseVertexBaseInstance(
+        GL_TRIANGLES, b.index_count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(b.first_index * 4), b.instances,
+        b.base_vertex, b.first_instance);
+}
+
+}  // namespace si

@@ -1,0 +1,68 @@
+// A scene on the GPU: geometry once, instance transforms relative to an origin, draws in batches.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "renderer/gl/handle.h"
+#include "renderer/key.h"
+#include "renderer/scene.h"
+#include "renderer/settings.h"
+
+namespace si {
+
+/// Instances that one draw call covers.
+struct Batch {
+    GLsizei index_count = 0;
+    std::size_t first_index = 0;
+    GLint base_vertex = 0;
+    GLuint first_instance = 0;
+    GLsizei instances = 0;
+    GLuint texture = 0;  ///< base colour; 0: none
+    bool mirrored = false, masked = false, blend = false, double_sided = false, cast = true;
+    int cull = 0;        ///< ObjectCull
+    glm::dvec3 centre_ws{0};  ///< of the first instance, to order blended batches
+    std::uint64_t triangles() const { return std::uint64_t(index_count) / 3 * std::uint64_t(instances); }
+};
+
+class SceneGpu {
+public:
+    explicit SceneGpu(const Scene& scene, bool anisotropy);
+    std::uint64_t scene_id() const { return scene_id_; }
+
+    /// Sorts the objects into batches under the object settings; cheap when nothing changed.
+    void arrange(const Scene& scene, const Settings& settings);
+    const std::vector<Batch>& batches() const { return batches_; }
+    /// Key of the arrangement: scene, casts, culls, receives.
+    const Key& key() const { return arrangement_; }
+
+    /// Binds the vertex array with instance transforms relative to `origin`. Slot 0 is the camera's, 1 the lights'.
+    void bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, int slot);
+    void draw(const Batch& batch) const;
+
+private:
+    std::uint64_t scene_id_ = 0;
+    gl::VertexArray vao_;
+    gl::Buffer positions_, attributes_, colours_, indices_;
+    std::vector<gl::Texture> textures_;
+    struct MeshRange {
+        std::size_t first_index = 0;
+        GLsizei index_count = 0;
+        GLint base_vertex = 0;
+    };
+    std::vector<MeshRange> ranges_;
+    std::vector<std::uint32_t> order_;  // objects in instance order
+    std::vector<Batch> batches_;
+    Key arrangement_;
+    struct Slot {
+        gl::Buffer buffer;
+        std::uint64_t key = 0;
+    };
+    std::array<Slot, 2> slots_;
+
+    void upload_geometry(const Scene& scene);
+    void upload_textures(const Scene& scene, bool anisotropy);
+};
+
+}  // namespace si

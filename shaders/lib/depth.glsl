@@ -1,0 +1,25 @@
+// Depth comparison as the map's convention has it, never assumed.
+
+/// The shadow test per component: 1 lit, 0 in shadow. NaN is in shadow.
+vec4 depth_test(float own, vec4 stored) {
+#if map_reversed_z
+    vec4 nearer = vec4(greaterThan(vec4(own), stored)), equal = vec4(equal(vec4(own), stored));
+#else
+    vec4 nearer = vec4(lessThan(vec4(own), stored)), equal = vec4(equal(vec4(own), stored));
+#endif
+#if map_compare == map_compare_lequal
+    return nearer + equal;
+#else
+    return nearer;
+#endif
+}
+
+float depth_test(float own, float stored) { return depth_test(own, vec4(stored)).x; }
+
+/// Metres along the light's axis at depth-buffer value d in [0,1].
+float metres_from_depth(float d, float near, float far, bool perspective) {
+#if map_reversed_z
+    d = 1.0 - d;
+#endif
+    return perspective ? near * far / (far - d * (far - near)) : near + d * (far - near);
+}

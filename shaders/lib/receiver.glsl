@@ -1,0 +1,112 @@
+// Everything that a kernel or an overlay can know about one fragment and one light.
+#include "lib/frame.glsl"
+#include "lib/depth.glsl"
+
+layout(binding = 0) uniform sampler2DArray shadow_map;              // nearest, no comparison
+layout(binding = 1) uniform sampler2DArrayShadow shadow_map_compare; // comparison as map_compare has it
+
+const int INSIDE = 0, OUTSIDE_SIDES = 1, OUTSIDE_FAR = 2, BEHIND = 3;
+
+/// The surface under the pixel, whichever light.
+struct Surface {
+    vec3 position;   // relative to the frame's origin, metres
+    vec3 geometric;  // unit normal of the triangle, on the side that the camera sees
+    vec3 shading;    // unit interpolated normal, same side
+    vec3 to_eye;     // unit
+    bool receives;
+};
+
+struct Receiver {
+    Surface surface;
+    int light;
+    int layer;          // of the shadow map array
+    vec3 to_light;      // unit
+    float distance_m;   // to a spot or point light
+    float n_dot_l;      // of the normal that bias.normal_source chooses
+    float geometric_n_dot_l;
+    vec3 uvd;           // map coordinates, depth without bias
+    vec3 uvd_offset;    // the same after the normal offset
+    float w;
+    float texel_m;      // world size of a texel here
+    float depth_per_m;  // |d depth / d metres along the axis| here
+    float bias_depth;   // applied, in depth-buffer units, >= 0 brings the fragment nearer to the light
+    float reference;    // the depth that is compared
+    int where;
+};
+
+float away(float depth_distance) {
+#if map_reversed_z
+    return -depth_distance;
+#else
+    return depth_distance;
+#endif
+}
+
+int face_of(vec3 d) {
+    vec3 a = abs(d);
+    if (a.x >= a.y && a.x >= a.z) return d.x >= 0.0 ? 0 : 1;
+    if (a.y >= a.z) return d.y >= 0.0 ? 2 : 3;
+    return d.z >= 0.0 ? 4 : 5;
+}
+
+/// Direction to the light and, for spots, how far inside the cone.
+vec3 direction_to(LightBlock light, vec3 position, out float distance_m) {
+    if (light.kind.x == 0) {
+        distance_m = 0.0;
+        return light.to_light.xyz;
+    }
+    vec3 d = light.position.xyz - position;
+    distance_m = length(d);
+    return distance_m > 0.0 ? d / distance_m : light.to_light.xyz;
+}
+
+Receiver make_receiver(Surface s, int index) {
+    Receiver r;
+    LightBlock light = frame.lights[index];
+    r.surface = s;
+    r.light = index;
+    r.to_light = direction_to(light, s.position, r.distance_m);
+    r.geometric_n_dot_l = dot(s.geometric, r.to_light);
+#if bias_normal_source == bias_normal_source_shading
+    vec3 bias_normal_ws = s.shading;
+#else
+    vec3 bias_normal_ws = s.geometric;
+#endif
+    r.n_dot_l = dot(bias_normal_ws, r.to_light);
+    r.layer = light.kind.y + (light.kind.z == 6 ? face_of(s.position - light.position.xyz) : 0);
+
+    vec4 h = frame.uvd_from_relative[r.layer] * vec4(s.position, 1.0);
+    r.w = h.w;
+    float near = light.curve.x, far = light.curve.y;
+    bool perspective = light.map.x != 0;
+    float z = perspective ? max(h.w, near * 1e-3) : 1.0;
+    r.texel_m = 2.0 * light.curve.z * z * light.curve.w;
+    r.depth_per_m = perspective ? near * far / ((far - near) * z * z) : 1.0 / (far - near);
+
+    float slope_term = bias_slope * (1.0 - clamp(r.n_dot_l, 0.0, 1.0));
+    float amount = max(slope_term, bias_constant);
+#if bias_unit == bias_unit_texels
+    r.bias_depth = amount * r.texel_m * r.depth_per_m;
+#elif bias_unit == bias_unit_metres
+    r.bias_depth = amount * r.depth_per_m;
+#else
+    r.bias_depth = amount;
+#endif
+
+    vec4 o = h;
+    if (bias_normal != 0.0)
+        o += frame.uvd_from_relative[r.layer] * vec4(bias_normal_ws * (bias_normal * r.texel_m), 0.0);
+    r.uvd = h.xyz / h.w;
+    r.uvd_offset = o.xyz / o.w;
+    r.reference = r.uvd_offset.z - away(r.bias_depth);
+
+    if (!(h.w > 0.0) || !(o.w > 0.0))
+        r.where = BEHIND;
+    else if (away(r.uvd.z) > away(1.0 - float(map_reversed_z)))
+        r.where = OUTSIDE_FAR;
+    else if (any(lessThan(r.uvd.xy, vec2(0.0))) || any(greaterThan(r.uvd.xy, vec2(1.0))))
+        r.where = OUTSIDE_SIDES;
+    else
+        r.where = INSIDE;
+    return r;
+}

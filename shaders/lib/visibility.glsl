@@ -1,0 +1,32 @@
+// Visibility of one light from one surface point: the guards, then the chosen kernel.
+#include "lib/receiver.glsl"
+#include FILTER_FILE
+
+float outside_visibility() {
+#if map_outside == map_outside_lit
+    return 1.0;
+#else
+    return 0.0;
+#endif
+}
+
+/// What the map says of a receiver in front of the guards' backs: 1 lit, 0 in shadow.
+float map_visibility(Receiver r) {
+    if (r.where == BEHIND) return outside_visibility();
+#if map_far_guard
+    if (r.where == OUTSIDE_FAR) return outside_visibility();
+#endif
+#if map_wrap == map_wrap_range
+    if (any(lessThan(r.uvd_offset.xy, vec2(0.0))) || any(greaterThan(r.uvd_offset.xy, vec2(1.0))))
+        return outside_visibility();
+#endif
+    return filter_visibility(r);
+}
+
+float light_visibility(Surface s, int light) {
+    if (frame.lights[light].kind.w == 0 || !s.receives) return 1.0;
+    Receiver r = make_receiver(s, light);
+    // A surface turned away from the light shadows itself; no tap can say it better.
+    if (r.geometric_n_dot_l <= 0.0) return 0.0;
+    return map_visibility(r);
+}

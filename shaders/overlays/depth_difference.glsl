@@ -1,0 +1,9 @@
+// Own minus stored distance along the light's axis, metres: above zero something lies before the fragment.
+vec4 overlay(Receiver r) {
+    if (r.where == BEHIND) return vec4(NOTHING);
+    LightBlock light = frame.lights[r.light];
+    bool perspective = light.map.x != 0;
+    float stored = texture(shadow_map, vec3(r.uvd.xy, r.layer)).r;
+    return vec4(metres_from_depth(r.uvd.z, light.curve.x, light.curve.y, perspective) -
+                metres_from_depth(stored, light.curve.x, light.curve.y, perspective));
+}

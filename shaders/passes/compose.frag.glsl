@@ -1,0 +1,21 @@
+// The overlay through its colour scale over the shaded picture.
+#include "lib/colour_scale.glsl"
+layout(binding = 4) uniform sampler2D shaded;
+layout(binding = 5) uniform sampler2D overlay_values;
+uniform vec4 scale;  // min, max, opacity, 1 diverging
+uniform int scalar;
+layout(location = 0) out vec4 colour_out;
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    vec4 under = texelFetch(shaded, at, 0), value = texelFetch(overlay_values, at, 0);
+    vec3 colour = value.rgb;
+    float opacity = value.a * scale.z;
+    if (scalar != 0) {
+        float t = (value.x - scale.x) / max(scale.y - scale.x, 1e-30);
+        colour = scale.w > 0.5 ? diverging_colour(t) : sequential_colour(t);
+        // No value (the fragment has none for this overlay): the picture stays, darkened.
+        if (isnan(value.x)) colour = vec3(0.06);
+    }
+    colour_out = vec4(mix(under.rgb, clamp(colour, 0.0, 1.0), opacity), 1.0);
+}

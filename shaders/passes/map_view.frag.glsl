@@ -1,0 +1,29 @@
+// The shadow map as a person looks at it: as stored, linear in metres, or in bands.
+#include "lib/frame.glsl"
+#include "lib/depth.glsl"
+layout(binding = 0) uniform sampler2DArray shadow_map;
+uniform int layer;
+uniform int mode;     // 0 raw, 1 linear, 2 bands
+uniform vec4 curve;   // near, far, 1 perspective
+uniform vec4 range;   // black, white, lower and upper band threshold
+in vec2 picture_uv;
+layout(location = 0) out vec4 colour_out;
+
+void main() {
+    float stored = texture(shadow_map, vec3(picture_uv, layer)).r;
+    float near = curve.x, far = curve.y;
+    float value = stored;
+    if (mode == 1)  // S3's remap: black at the near plane, white at the far plane
+        value = (metres_from_depth(stored, near, far, curve.z > 0.5) - near) / (far - near);
+    if (mode == 2) {
+        // Thresholds are on standard depth, 0 near and 1 far.
+#if map_reversed_z
+        stored = 1.0 - stored;
+#endif
+        colour_out = vec4(stored < range.z ? vec3(0.75, 0.15, 0.12) * (0.35 + 0.65 * stored / max(range.z, 1e-6))
+                          : stored < range.w ? vec3(0.20, 0.65, 0.25)
+                                             : vec3(0.15, 0.35, 0.85), 1.0);
+        return;
+    }
+    colour_out = vec4(vec3(clamp((value - range.x) / max(range.y - range.x, 1e-9), 0.0, 1.0)), 1.0);
+}

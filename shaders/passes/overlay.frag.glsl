@@ -1,0 +1,35 @@
+// One overlay's raw value at each fragment; the colour scale comes later.
+#include "lib/surface.glsl"
+#include "lib/visibility.glsl"
+
+const float NOTHING = uintBitsToFloat(0x7fc00000u);  // drawn as no value
+
+#ifdef SEPARATE_VISIBILITY
+layout(binding = 3) uniform sampler2DArray visibility_map;
+#endif
+
+/// The visibility of this pixel: from its texture where that was made.
+float pixel_visibility(Receiver r) {
+#ifdef SEPARATE_VISIBILITY
+    return texelFetch(visibility_map, ivec3(gl_FragCoord.xy, r.light), 0).r;
+#else
+    return light_visibility(r.surface, r.light);
+#endif
+}
+
+#include OVERLAY_FILE
+
+layout(location = 0) out vec4 overlay_out;
+
+void main() {
+#ifdef MASKED
+    if (masked_out()) discard;
+#endif
+    Receiver r = make_receiver(make_surface(), frame.counts.y);
+    vec4 value = overlay(r);
+#ifdef OVERLAY_SCALAR
+    overlay_out = vec4(value.x, 0.0, 0.0, 1.0);
+#else
+    overlay_out = value;
+#endif
+}

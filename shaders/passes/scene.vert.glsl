@@ -1,0 +1,32 @@
+// Every pass that draws the scene from the camera; equal input gives equal positions in each.
+#include "lib/frame.glsl"
+
+layout(location = 0) in vec3 position_os;
+layout(location = 1) in vec3 normal_os;
+layout(location = 2) in vec2 uv_in;
+layout(location = 3) in vec4 colour_in;
+layout(location = 4) in vec4 row0;
+layout(location = 5) in vec4 row1;
+layout(location = 6) in vec4 row2;
+layout(location = 7) in vec4 base_colour_in;
+layout(location = 8) in vec4 surface_in;  // x: receives shadows, y: alpha cutoff, z: unlit, w: object number
+
+out vec3 position_rel;
+out vec3 normal_ws;
+out vec2 uv;
+out vec4 colour;
+flat out vec4 surface;
+invariant gl_Position;
+
+void main() {
+    vec4 p = vec4(position_os, 1.0);
+    position_rel = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
+    // Rows of the cofactor matrix: right for any scale, no division (det < 0 flips, so its sign is undone).
+    vec3 c0 = cross(row1.xyz, row2.xyz), c1 = cross(row2.xyz, row0.xyz), c2 = cross(row0.xyz, row1.xyz);
+    float handedness = dot(row0.xyz, c0) < 0.0 ? -1.0 : 1.0;
+    normal_ws = handedness * vec3(dot(c0, normal_os), dot(c1, normal_os), dot(c2, normal_os));
+    uv = uv_in;
+    colour = colour_in * base_colour_in;
+    surface = surface_in;
+    gl_Position = frame.clip_from_relative * vec4(position_rel, 1.0);
+}

@@ -1,0 +1,53 @@
+// Blinn-Phong: (ambient + visibility * (diffuse + specular)) * colour; the ambient part is never shadowed.
+// Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977.
+#include "lib/surface.glsl"
+#include "lib/visibility.glsl"
+
+#ifdef SEPARATE_VISIBILITY
+layout(binding = 3) uniform sampler2DArray visibility_map;
+#endif
+layout(location = 0) out vec4 colour_out;
+
+vec3 srgb(vec3 c) {
+    c = clamp(c, 0.0, 1.0);
+    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+
+/// Radiance arriving without shadows: inverse square falloff, smooth edge of the spot's cone.
+vec3 arriving(LightBlock light, vec3 to_light, float distance_m) {
+    if (light.kind.x == 0) return light.radiance.rgb;
+    float cone = light.kind.x == 1
+        ? smoothstep(light.to_light.w, max(light.radiance.w, light.to_light.w + 1e-6), dot(to_light, light.to_light.xyz))
+        : 1.0;
+    return light.radiance.rgb * cone / max(distance_m * distance_m, 1e-12);
+}
+
+void main() {
+    vec4 base = base_colour();
+#ifdef MASKED
+    if (base.a < surface.y) discard;
+#endif
+    Surface s = make_surface();
+    vec3 sum = vec3(shading_ambient);
+    for (int i = 0; i < frame.counts.x; ++i) {
+        float distance_m;
+        vec3 l = direction_to(frame.lights[i], s.position, distance_m);
+        float n_dot_l = dot(s.shading, l);
+        vec3 incoming = arriving(frame.lights[i], l, distance_m);
+        if (n_dot_l <= 0.0 || incoming == vec3(0.0)) continue;
+#ifdef SEPARATE_VISIBILITY
+        float visibility = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, i), 0).r;
+#else
+        float visibility = light_visibility(s, i);
+#endif
+        if (visibility <= 0.0) continue;
+        float highlight = pow(max(dot(s.shading, normalize(l + s.to_eye)), 0.0), shading_shininess);
+        sum += visibility * incoming * (shading_diffuse * n_dot_l + shading_specular * highlight);
+    }
+    if (surface.z > 0.5) sum = vec3(1.0);
+#ifdef BLEND
+    colour_out = vec4(srgb(sum * base.rgb), base.a);
+#else
+    colour_out = vec4(srgb(sum * base.rgb), 1.0);
+#endif
+}
