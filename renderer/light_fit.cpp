@@ -77,7 +77,9 @@ struct FitContext {
 
 void finish_view(FittedLight& light, LightView view, const FitContext& c, double reference_z) {
     manual_range(light, c.settings, view.curve);
-    const double scale = view.curve.perspective ? view.curve.far : c.shape.radius;
+    // An orthographic depth is affine: only what doubles resolve that far from the light matters besides the scene.
+    const double scale =
+        view.curve.perspective ? view.curve.far : std::max(c.shape.radius, 0x1p-30 * std::abs(view.curve.far));
     widen_range(view.curve, view.texel_size(reference_z, c.resolution), scale);
     view.projection = projection_matrix(view.curve, view.half_width, view.half_width);
     light.views.push_back(view);

@@ -1,0 +1,32 @@
+#include "support/box_scene.h"
+
+#include <fmt/format.h>
+
+namespace si::test {
+
+Scene box_scene(const std::vector<BoxExtent>& boxes, const glm::dvec3& offset) {
+    Scene scene;
+    for (const BoxExtent& box : boxes) {
+        Mesh mesh;
+        // Around the box's own centre, so that float positions lose nothing.
+        const glm::dvec3 centre = 0.5 * (box.lo + box.hi), half = 0.5 * (box.hi - box.lo);
+        for (int i = 0; i < 8; ++i)
+            mesh.positions.push_back(glm::vec3(half * glm::dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+        mesh.indices = {0, 1, 3, 0, 3, 2, 4, 5, 7, 4, 7, 6};
+        for (const glm::vec3& p : mesh.positions) mesh.bounds.add(glm::dvec3(p));
+        Node node;
+        node.name = node.path = fmt::format("box{}", scene.nodes.size());
+        node.local[3] = node.world[3] = glm::dvec4(centre + offset, 1);
+        Object object;
+        object.node = int(scene.nodes.size());
+        object.mesh = int(scene.meshes.size());
+        object.world = node.world;
+        for (const glm::vec3& p : mesh.positions) scene.bounds.add(glm::dvec3(p) + centre + offset);
+        scene.nodes.push_back(node);
+        scene.meshes.push_back(mesh);
+        scene.objects.push_back(object);
+    }
+    return scene;
+}
+
+}  // namespace si::test

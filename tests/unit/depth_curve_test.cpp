@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "renderer/projection.h"
+
+namespace si {
+namespace {
+
+struct CurveCase {
+    bool perspective, zero_to_one, reversed;
+    double near, far;
+};
+
+std::vector<CurveCase> curve_cases() {
+    std::vector<CurveCase> cases;
+    for (bool perspective : {false, true})
+        for (bool zero_to_one : {false, true})
+            for (bool reversed : {false, true}) {
+                for (auto [n, f] : {std::pair{0.1, 100.0}, {0.01, 1000.0}, {1.0, 1.001}, {1e-6, 1e-3}, {10.0, 1e7}})
+                    cases.push_back({perspective, zero_to_one, reversed, n, f});
+                if (!perspective) cases.push_back({false, zero_to_one, reversed, -3.0, 5.0});
+            }
+    return cases;
+}
+
+DepthCurve curve_of(const CurveCase& c) {
+    DepthCurve curve;
+    curve.perspective = c.perspective;
+    curve.near = c.near;
+    curve.far = c.far;
+    curve.convention = {c.zero_to_one, c.reversed};
+    return curve;
+}
+
+class DepthCurves : public testing::TestWithParam<CurveCase> {};
+
+TEST_P(DepthCurves, EndsAreExact) {
+    const DepthCurve c = curve_of(GetParam());
+    EXPECT_EQ(c.depth(c.near), c.convention.near_depth());
+    EXPECT_EQ(c.depth(c.far), c.convention.far_depth());
+    EXPECT_DOUBLE_EQ(c.distance(c.convention.near_depth()), c.near);
+    EXPECT_DOUBLE_EQ(c.distance(c.convention.far_depth()), c.far);
+}
+
+TEST_P(DepthCurves, DistanceInvertsDepth) {
+    const DepthCurve c = curve_of(GetParam());
+    for (int i = 0; i <= 1000; ++i) {
+        const double t = i / 1000.0;
+        const double z = c.perspective ? c.near * std::pow(c.far / c.near, t) : c.near + t * (c.far - c.near);
+        const double d = c.depth(z);
+        // What one rounding of d is worth in metres, a few times over.
+        const double tolerance = 8 * 0x1p-53 * (1 / c.slope(z) + std::abs(z) + (c.far - c.near) * 1e-3);
+        ASSERT_NEAR(c.distance(d), z, tolerance) << "at " << z;
+        // As a map stores it: rounding to float moves the distance by at most half a step of the float.
+        const float stored = float(d);
+        const double step = double(std::nextafter(stored, 2.0f)) - stored;
+        // The curve bends: at half a step the slope may differ a little.
+        const double moved = std::abs(c.distance(stored) - z);
+        ASSERT_LE(moved, 0.5 * step / c.slope(z) * 1.01 + std::pow(step / c.slope(z), 2) / std::abs(z) + tolerance)
+            << "at " << z;
+    }
+}
+
+TEST_P(DepthCurves, SlopeIsTheDerivative) {
+    const DepthCurve c = curve_of(GetParam());
+    for (double t : {0.01, 0.2, 0.5, 0.8, 0.99}) {
+        const double z = c.near + t * (c.far - c.near), h = 1e-5 * (c.perspective ? z : c.far - c.near);
+        const double difference = std::abs(c.depth(z + h) - c.depth(z - h)) / (2 * h);
+        EXPECT_NEAR(difference / c.slope(z), 1.0, 1e-3) << "at " << z;
+    }
+}
+
+TEST_P(DepthCurves, MatrixGivesTheSameDepth) {
+    const DepthCurve c = curve_of(GetParam());
+    const glm::dmat4 m = projection_matrix(c, 0.7, 0.4);
+    for (double t : {0.0, 1e-3, 0.3, 0.7, 1.0}) {
+        const double z = c.near + t * (c.far - c.near);
+        const glm::dvec4 clip = m * glm::dvec4(0.1, -0.2, -z, 1);
+        const double ndc = clip.z / clip.w;
+        const double scale = std::max(1.0, std::abs(z) / (c.far - c.near));
+        EXPECT_NEAR(c.convention.zero_to_one ? ndc : 0.5 * ndc + 0.5, c.depth(z), 1e-12 * scale) << "at " << z;
+        EXPECT_NEAR(clip.x / clip.w, 0.1 / (0.7 * (c.perspective ? z : 1)), 1e-9 * std::abs(clip.x / clip.w));
+        EXPECT_NEAR(clip.y / clip.w, -0.2 / (0.4 * (c.perspective ? z : 1)), 1e-9 * std::abs(clip.y / clip.w));
+        EXPECT_EQ(clip.w, c.perspective ? z : 1.0);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DepthCurves, testing::ValuesIn(curve_cases()), [](const auto& named) {
+    const CurveCase& c = named.param;
+    return std::string(c.perspective ? "perspective" : "orthographic") + (c.zero_to_one ? "_01" : "_11") +
+           (c.reversed ? "_reversed" : "_standard") + "_" + std::to_string(named.index);
+});
+
+// accuracy table of the literature: what a fixed-point step is worth in metres at the far plane.
+TEST(DepthCurve, KnownSteps) {
+    DepthCurve c;
+    c.perspective = true;
+    c.near = 0.1, c.far = 100;
+    EXPECT_NEAR(1.0 / 65535 / c.slope(100), 1.52, 0.01);
+    EXPECT_NEAR(1.0 / ((1 << 24) - 1) / c.slope(100), 5.95e-3, 1e-4);
+    c.near = 0.01, c.far = 1000;
+    EXPECT_NEAR(1.0 / ((1 << 24) - 1) / c.slope(1000), 5.96, 0.01);
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,335 @@
+#include "renderer/light_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/box_scene.h"
+
+namespace si {
+namespace {
+
+using test::box_scene;
+using test::BoxExtent;
+
+Settings one_light(LightType type) {
+    Settings s;
+    s.light_count = 1;
+    s.lights[0].type = int(type);
+    return s;
+}
+
+bool all_finite(const FittedLight& light) {
+    bool ok = std::isfinite(light.cos_cone_outer) && std::isfinite(light.cos_cone_inner);
+    for (int i = 0; i < 3; ++i)
+        ok = ok && std::isfinite(light.position[i]) && std::isfinite(light.to_light[i]) &&
+             std::isfinite(light.radiance[i]);
+    for (const LightView& v : light.views) {
+        const glm::dmat4 m = v.clip_from_relative(light.position);
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j) ok = ok && std::isfinite(m[i][j]);
+        ok = ok && std::isfinite(v.half_width) && v.half_width > 0 && v.curve.far > v.curve.near;
+        ok = ok && (!v.curve.perspective || v.curve.near > 0);
+    }
+    return ok && !light.views.empty();
+}
+
+void expect_basis(const glm::dvec3& n) {
+    const glm::dmat3 m = orthonormal_basis(n);
+    const glm::dmat3 product = glm::transpose(m) * m;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) ASSERT_LE(std::abs(product[i][j] - (i == j)), 1e-6);
+    ASSERT_NEAR(glm::determinant(m), 1, 1e-6);
+    ASSERT_EQ(m[2], n);
+}
+
+TEST(Basis, OrthonormalForEveryDirection) {
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    for (int i = 0; i < 100000; ++i)
+        expect_basis(glm::normalize(glm::dvec3(normal(random), normal(random), normal(random))));
+    for (int axis = 0; axis < 3; ++axis)
+        for (double sign : {-1.0, 1.0})
+            for (double tilt : {0.0, 1e-4, 1e-7, 1e-12, -1e-12}) {
+                glm::dvec3 n(0);
+                n[axis] = sign;
+                expect_basis(n);
+                n[(axis + 1) % 3] = tilt;
+                expect_basis(glm::normalize(n));
+            }
+}
+
+TEST(Basis, AnglesPointWhereTheySay) {
+    const auto near_to = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(a, b) < 1e-15; };
+    EXPECT_TRUE(near_to(direction_from_angles(0, 0), {0, 0, 1}));
+    EXPECT_TRUE(near_to(direction_from_angles(90, 0), {1, 0, 0}));
+    EXPECT_TRUE(near_to(direction_from_angles(123, 90), {0, 1, 0}));
+    EXPECT_TRUE(near_to(direction_from_angles(180, -45), {0, -std::sqrt(0.5), -std::sqrt(0.5)}));
+}
+
+/// Largest |x|, |y| of the scene's corners in the map and the range of their depths, through the given views.
+struct Coverage {
+    double aside = 0, lo = 1, hi = 0;
+};
+Coverage coverage(const FittedLight& light, const Scene& scene) {
+    Coverage c;
+    for (const Object& o : scene.objects)
+        for (const glm::vec3& p : scene.meshes[o.mesh].positions) {
+            const glm::dvec3 world(o.world * glm::dvec4(glm::dvec3(p), 1));
+            double aside = INFINITY, depth = 0;
+            for (const LightView& v : light.views) {
+                const glm::dvec4 q = v.clip_from_relative(world)[3];
+                if (q.w <= 0) continue;
+                const double here = std::max(std::abs(q.x), std::abs(q.y)) / q.w;
+                if (here < aside) aside = here, depth = q.z / q.w;
+            }
+            c.aside = std::max(c.aside, aside);
+            c.lo = std::min(c.lo, depth);
+            c.hi = std::max(c.hi, depth);
+        }
+    return c;
+}
+
+TEST(LightFit, SceneFitHoldsTheScene) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (int i = 0; i < 1000; ++i) {
+        const double scale = std::pow(10.0, 6 * unit(random));
+        const glm::dvec3 offset = glm::dvec3(unit(random), unit(random), unit(random)) * (i % 2 ? 1e3 * scale : 0.0);
+        std::vector<BoxExtent> boxes;
+        for (int b = 0; b <= i % 4; ++b) {
+            const glm::dvec3 at(unit(random), unit(random), unit(random)),
+                half(1 + unit(random), 1, 1.01 + unit(random));
+            boxes.push_back({scale * (3.0 * at - half), scale * (3.0 * at + half)});
+        }
+        const Scene scene = box_scene(boxes, offset);
+        Settings s = one_light(LightType(i % 3));
+        s.lights[0].azimuth = 180 * unit(random);
+        s.lights[0].elevation = 90 * unit(random);
+        s.lights[0].cone = 85 + 80 * unit(random);
+        s.lights[0].projection = i % 3 == 0 && i % 2 ? int(LightProjection::Perspective) : 0;
+        s.map.reversed_z = i % 5 == 0;
+        s.map.resolution = 64 << (i % 6);
+        const FittedLight light = fit_lights(scene, s)[0];
+        ASSERT_TRUE(all_finite(light)) << i;
+        ASSERT_EQ(light.views.size(), light.type == LightType::Point ? 6u : 1u);
+        ASSERT_TRUE(light.casts);
+        const Coverage c = coverage(light, scene);
+        ASSERT_LT(c.aside, 1) << i;
+        ASSERT_GE(c.lo, 0) << i;
+        ASSERT_LE(c.hi, 1) << i;
+        EXPECT_EQ(light.clipped_casters, 0) << i;
+        if (light.type != LightType::Directional) continue;
+        // Tight: no more than the margin is wasted across, next to nothing in depth.
+        ASSERT_GT(c.aside, 1 - 5.0 / s.map.resolution) << i;
+        ASSERT_LT(c.lo, 1e-3);
+        ASSERT_GT(c.hi, 0.999);
+        // At least a texel of margin.
+        ASSERT_LT(c.aside, 1 - 2.0 / s.map.resolution) << i;
+    }
+}
+
+TEST(LightFit, TheViewLooksAlongTheLight) {
+    Settings s = one_light(LightType::Spot);
+    s.lights[0].azimuth = 90, s.lights[0].elevation = 0, s.lights[0].distance = 7;
+    const Scene scene = box_scene({{glm::dvec3(1), glm::dvec3(3)}});
+    const FittedLight light = fit_lights(scene, s)[0];
+    EXPECT_NEAR(glm::distance(light.position, glm::dvec3(9, 2, 2)), 0, 1e-12);
+    const LightView& v = light.views[0];
+    EXPECT_NEAR(glm::distance(v.axes[2], glm::dvec3(1, 0, 0)), 0, 1e-12);
+    const glm::dvec4 centre = v.clip_from_relative({2, 2, 2})[3];
+    EXPECT_NEAR(centre.w, 7, 1e-12);
+    EXPECT_NEAR(centre.z / centre.w, v.curve.depth(7), 1e-12);
+    EXPECT_LT(v.clip_from_relative({10, 2, 2})[3].w, 0);  // behind the light
+}
+
+TEST(LightFit, FacesOfAPointLightCoverEveryDirection) {
+    Settings s = one_light(LightType::Point);
+    s.lights[0].distance = 1e-3;
+    const FittedLight light = fit_lights(box_scene({{glm::dvec3(-5), glm::dvec3(5)}}), s)[0];
+    const glm::dvec3 forward[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (int f = 0; f < 6; ++f) {
+        const LightView& v = light.views[f];
+        EXPECT_EQ(v.axes[2], -forward[f]);
+        EXPECT_EQ(glm::determinant(v.axes), 1);
+        // A corner direction shared with two other faces lies inside, with texels to spare for kernels.
+        const glm::dvec3 corner = forward[f] + v.axes[0] + v.axes[1];
+        const glm::dvec4 q = v.clip_from_relative(light.position + corner)[3];
+        EXPECT_NEAR(q.x / q.w, 1 - 10.0 / s.map.resolution, 1e-6);
+        EXPECT_NEAR(q.y / q.w, 1 - 10.0 / s.map.resolution, 1e-6);
+    }
+}
+
+TEST(LightFit, OffsetOfAMillionMetresChangesNothing) {
+    const std::vector<BoxExtent> boxes = {{glm::dvec3(-4, 0, -4), glm::dvec3(4, 0.25, 4)},
+                                          {glm::dvec3(0, 0.25, 0), glm::dvec3(1, 2.5, 1)}};
+    const glm::dvec3 offset(1 << 20, -(1 << 19), 1 << 20);
+    for (LightType type : {LightType::Directional, LightType::Spot, LightType::Point}) {
+        const Settings s = one_light(type);
+        const FittedLight a = fit_lights(box_scene(boxes), s)[0], b = fit_lights(box_scene(boxes, offset), s)[0];
+        for (std::size_t i = 0; i < a.views.size(); ++i) {
+            const glm::dmat4 p = a.views[i].clip_from_relative(glm::dvec3(1)),
+                             q = b.views[i].clip_from_relative(offset + glm::dvec3(1));
+            for (int k = 0; k < 4; ++k)
+                // 4 ulp of a double at the offset, in a map that is some 10 m wide
+                for (int l = 0; l < 4; ++l)
+                    EXPECT_NEAR(p[k][l], q[k][l], 4 * 2.4e-10 * std::max(1.0, std::abs(p[k][l])))
+                        << int(type) << k << l;
+        }
+        EXPECT_NEAR(glm::length(a.radiance - b.radiance), 0, 1e-9 * glm::length(a.radiance));
+    }
+}
+
+TEST(LightFit, SpotAnglesStayFinite) {
+    const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
+    for (double cone :
+         {0.0, 1e-4, 89.9, 90.0, 120.0, 170.0, 2 * 89.9, 180.0, 360.0, 1e9, -5.0, double(NAN), double(INFINITY)})
+        for (int projection : {0, 1, 2})
+            for (double distance : {0.0, 0.1, 30.0}) {
+                Settings s = one_light(LightType::Spot);
+                s.lights[0].cone = cone;
+                s.lights[0].projection = projection;
+                s.lights[0].distance = distance;
+                const FittedLight light = fit_lights(scene, s)[0];
+                ASSERT_TRUE(all_finite(light)) << cone << " " << projection;
+                const bool wide = 0.5 * cone * M_PI / 180 > 1.5;
+                EXPECT_EQ(light.views.size(), wide ? 6u : 1u) << cone;
+                const bool narrow = std::isnan(cone) || cone < 0.1;
+                EXPECT_EQ(!light.notes.empty(), wide || narrow) << cone;
+                if (!wide && !narrow && projection != 1) {
+                    EXPECT_NEAR(light.views[0].half_width, std::tan(0.5 * cone * M_PI / 180), 0.01 * std::tan(1.5));
+                }
+                EXPECT_LE(light.cos_cone_outer, light.cos_cone_inner);
+            }
+}
+
+TEST(LightFit, DegenerateScenes) {
+    std::vector<Scene> scenes = {Scene()};
+    for (double scale : {1e-6, 1e-3, 1.0, 1e3, 1e7})
+        for (double offset : {0.0, 1e6}) {
+            scenes.push_back(box_scene({{glm::dvec3(scale), glm::dvec3(scale)}}, glm::dvec3(offset)));
+            scenes.push_back(
+                box_scene({{glm::dvec3(-scale, 0, -scale), glm::dvec3(scale, 0, scale)}}, glm::dvec3(offset)));
+            scenes.push_back(box_scene({{glm::dvec3(-scale, 0, 0), glm::dvec3(scale, 0, 0)}}, glm::dvec3(offset)));
+        }
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        for (int type : {0, 1, 2})
+            for (int projection : {0, 1, 2})
+                for (double distance : {0.0, 1e-9, 1.0, 1e7})
+                    for (double elevation : {90.0, 0.0, 30.0})
+                        for (int resolution : {1, 16384}) {
+                            Settings s = one_light(LightType(type));
+                            s.lights[0].projection = projection;
+                            s.lights[0].distance = distance;
+                            s.lights[0].elevation = elevation;
+                            s.map.resolution = resolution;
+                            const FittedLight light = fit_lights(scenes[i], s)[0];
+                            ASSERT_TRUE(all_finite(light)) << i << " " << type << " " << projection << " " << distance;
+                            const LightView& v = light.views[0];
+                            // A wide perspective map of one texel has none that is shorter than its range.
+                            const double texel = v.texel_size(v.curve.far, resolution);
+                            const double least =
+                                v.curve.perspective ? std::min(2 * texel, 1e-4 * v.curve.far) : 2 * texel;
+                            ASSERT_GE(v.curve.far - v.curve.near, least * (1 - 1e-9)) << i << " " << type;
+                        }
+}
+
+TEST(LightFit, NonFiniteSettingsAreReplaced) {
+    const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
+    for (double bad : {double(NAN), double(INFINITY), -double(INFINITY), -1.0})
+        for (int type : {0, 1, 2})
+            for (int fit : {0, 1}) {
+                Settings s = one_light(LightType(type));
+                LightSettings& l = s.lights[0];
+                l.fit = fit;
+                l.azimuth = l.elevation = l.distance = l.target_x = l.target_y = l.target_z = bad;
+                l.cone = l.cone_blend = l.intensity = l.red = l.near = l.far = l.extent = bad;
+                EXPECT_TRUE(all_finite(fit_lights(scene, s)[0])) << bad << " " << type << " " << fit;
+            }
+}
+
+TEST(LightFit, LightInsideTheScene) {
+    const Scene scene = box_scene({{glm::dvec3(-5, -1, -5), glm::dvec3(5, 0, 5)}, {glm::dvec3(-1), glm::dvec3(1)}});
+    Settings s = one_light(LightType::Spot);
+    s.lights[0].distance = 0.2;
+    s.lights[0].elevation = 90;
+    FittedLight light = fit_lights(scene, s)[0];
+    EXPECT_GT(light.views[0].curve.near, 0);
+    EXPECT_EQ(light.clipped_casters, 1);  // the light is inside the cube and above the floor
+    s.objects["box1"].cast = false;
+    EXPECT_EQ(fit_lights(scene, s)[0].clipped_casters, 0);
+    s.objects.clear();
+    s.lights[0].distance = 20;
+    EXPECT_EQ(fit_lights(scene, s)[0].clipped_casters, 0);
+    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].near = 19.4;
+    s.lights[0].far = 21;
+    light = fit_lights(scene, s)[0];
+    EXPECT_EQ(light.views[0].curve.near, 19.4);
+    EXPECT_EQ(light.views[0].curve.far, 21);
+    EXPECT_EQ(light.clipped_casters, 1);
+}
+
+TEST(LightFit, ByHand) {
+    const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
+    Settings s = one_light(LightType::Directional);
+    LightSettings& l = s.lights[0];
+    l.fit = int(LightFit::Manual);
+    l.distance = 12, l.extent = 3, l.near = 2, l.far = 30, l.target_x = 1;
+    FittedLight light = fit_lights(scene, s)[0];
+    EXPECT_EQ(light.views[0].half_width, 3);
+    EXPECT_EQ(light.views[0].curve.near, 2);
+    EXPECT_EQ(light.views[0].curve.far, 30);
+    EXPECT_NEAR(glm::distance(light.views[0].eye, glm::dvec3(1, 0, 0) + 12.0 * light.to_light), 0, 1e-12);
+    l.near = 30, l.far = 2;
+    light = fit_lights(scene, s)[0];
+    EXPECT_TRUE(all_finite(light));
+    EXPECT_FALSE(light.notes.empty());
+    // Zeros leave the fit's values.
+    l = LightSettings();
+    const FittedLight fitted = fit_lights(scene, s)[0];
+    l.fit = int(LightFit::Manual);
+    EXPECT_EQ(fit_lights(scene, s)[0].views[0].projection, fitted.views[0].projection);
+}
+
+TEST(LightFit, WhyNothingCasts) {
+    Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
+    Settings s = one_light(LightType::Directional);
+    EXPECT_TRUE(fit_lights(scene, s)[0].casts);
+    s.objects["box0"].cast = false;
+    EXPECT_EQ(fit_lights(scene, s)[0].reason, "no object casts");
+    EXPECT_FALSE(fit_lights(scene, s)[0].casts);
+    s.lights[0].cast = false;
+    EXPECT_EQ(fit_lights(scene, s)[0].reason, "light.cast is off");
+    s.lights[0].cast = true;
+    EXPECT_EQ(fit_lights(Scene(), s)[0].reason, "the scene has no triangles");
+    s.light_count = 0;
+    EXPECT_TRUE(fit_lights(scene, s).empty());
+}
+
+TEST(LightFit, BrightestPunctualLightIsOneAtTheCentre) {
+    const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}}, glm::dvec3(50, 0, 0));
+    Settings s;
+    s.light_count = 3;
+    s.lights[0].type = int(LightType::Spot), s.lights[0].distance = 10, s.lights[0].intensity = 100;
+    s.lights[1].type = int(LightType::Point), s.lights[1].distance = 5, s.lights[1].intensity = 50;
+    s.lights[1].green = 0.5;
+    s.lights[2].intensity = 3;
+    const auto lights = fit_lights(scene, s);
+    const auto at_centre = [&](int i) {
+        const glm::dvec3 d = lights[i].position - scene.bounds.centre();
+        return lights[i].radiance / glm::dot(d, d);
+    };
+    EXPECT_NEAR(at_centre(1).r, 1, 1e-12);
+    EXPECT_NEAR(at_centre(1).g, 0.5, 1e-12);
+    EXPECT_NEAR(at_centre(0).r, 0.5, 1e-12);
+    EXPECT_EQ(lights[2].radiance, glm::dvec3(3));
+    s.light_count = 1;
+    s.lights[0].distance = 1e-12;
+    EXPECT_TRUE(all_finite(fit_lights(scene, s)[0]));
+    EXPECT_LT(fit_lights(scene, s)[0].radiance.r, 10);
+}
+
+}  // namespace
+}  // namespace si
