@@ -32,7 +32,7 @@ Scene make_boxes_scene() {
     add_object(scene, "Flat", root, green_cube, moved(1.5, 0.1, 1.6) * turned(35) * scaled(1.6, 0.2, 1.0));
     // Its lower edge rests on the floor and its back on the red box.
     add_object(scene, "Leaning", root, pale_cube,
-               moved(-1.02, 0.62, 0.62) * turned(24) * turned(-22, {1, 0, 0}) * scaled(0.9, 1.3, 0.08));
+               moved(-1.02, 0.6177, 0.62) * turned(24) * turned(-22, {1, 0, 0}) * scaled(0.9, 1.3, 0.08));
     add_camera(scene, {3.4, 3.5, 6.6}, {0.15, 0.75, -0.1}, 38);
     scene.suggested = {{"light.azimuth", "-52"}, {"light.elevation", "42"}};
     finalise(scene);

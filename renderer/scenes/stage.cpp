@@ -144,7 +144,7 @@ void add_things(Scene& scene, int root) {
     add_object(scene, "Ramp", root, add_mesh(scene, "Ramp", make_wedge({2.2, 0.85, 1.35}), slate),
                moved(1.25, 0, 1.0) * turned(-14));
     add_object(scene, "Distant box", root, add_mesh(scene, "Box", make_box({1.7, 2.6, 1.7}), heather),
-               moved(-1.2, 1.3, -9.6) * turned(28));
+               moved(1.15, 1.3, -9.6) * turned(28));
     add_object(scene, "Sphere", root, add_mesh(scene, "Sphere", make_sphere(0.42), porcelain), moved(0.25, 0.42, 2.75));
     const int drum =
         add_object(scene, "Pedestal", root, add_mesh(scene, "Pedestal", make_cylinder(0.42, 0.62, 48, 0.38), porcelain),
@@ -181,7 +181,7 @@ Scene make_stage_scene() {
     pose.shoulder[0] = -26, pose.shoulder[1] = 30, pose.elbow[0] = 18, pose.elbow[1] = 38;
     add_figure(scene, add_figure_meshes(scene, wood, joints), "Figure", root, moved(-0.75, 0, 0.75) * turned(18), pose);
 
-    add_camera(scene, {-2.3, 2.55, 9.3}, {0.1, 1.08, -0.6}, 36);
+    add_camera(scene, {-2.3, 3.25, 9.1}, {0.12, 0.98, -0.6}, 35);
     scene.suggested = {{"light.azimuth", "72"}, {"light.elevation", "36"}};
     finalise(scene);
     return scene;
