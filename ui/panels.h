@@ -1,0 +1,32 @@
+// The parts of the editor, one file each. Each fills the child window that is current.
+#pragma once
+
+#include "ui/editor_ui.h"
+
+namespace si {
+
+void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_settings(EditorState& state, const EditorFrame& frame);
+void draw_passes(const EditorFrame& frame);
+void draw_probe(EditorState& state, const EditorFrame& frame);
+void draw_objects(EditorState& state, const EditorFrame& frame);
+void draw_log(EditorState& state, const EditorFrame& frame);
+void draw_shortcuts(EditorState& state);
+
+/// The colour scale of the overlay in use, with numbers and unit, over the picture's lower left corner.
+void draw_legend(const Settings& settings, const FrameResult& result, float left, float bottom);
+
+/// The light whose map and overlays are shown, clamped to the lights there are; -1 when there is none.
+int shown_light(const Settings& settings);
+/// The face of the shown light, clamped.
+int shown_face(const Settings& settings, const FrameResult& result);
+
+/// Moves the camera so that all of the scene is seen.
+void frame_scene(EditorState& state, const EditorFrame& frame);
+
+/// Three significant digits with a prefix: "4.20 mm", "13.0 km".
+std::string metres_text(double metres);
+
+}  // namespace si
