@@ -1,0 +1,237 @@
+// The settings table: every member has a row, keys round-trip, values are read, refused and repaired.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "renderer/error.h"
+#include "renderer/param.h"
+#include "renderer/settings_rows.h"
+
+namespace si {
+namespace {
+
+std::string refusal(std::string_view key, std::string_view text) {
+    Settings s;
+    try {
+        set_setting(s, key, text);
+    } catch (const UsageError& e) {
+        EXPECT_EQ(s, Settings{}) << "a refused value was written";
+        return e.what();
+    }
+    return {};
+}
+
+bool mentions(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// A value in range that differs from the default.
+Value other_value(const SettingRef& ref) {
+    const Value v = default_value(ref);
+    if (const bool* b = std::get_if<bool>(&v)) return !*b;
+    if (const int* i = std::get_if<int>(&v)) return *i + 1 <= int(ref.param->max) ? *i + 1 : *i - 1;
+    const double d = std::get<double>(v);
+    return d + 0.125 <= ref.param->max ? d + 0.125 : d - 0.125;
+}
+
+Settings every_setting_changed() {
+    Settings s;
+    s.objects["Root/Fence.001"] = {1, true, true};
+    for (const SettingRef& ref : all_settings(s)) set_value(s, ref, other_value(ref));
+    return s;
+}
+
+TEST(SettingsTable, RowsAreCompleteAndDistinct) {
+    std::set<std::string_view> keys;
+    for (const Param& p : params()) {
+        SCOPED_TRACE(p.key);
+        EXPECT_TRUE(keys.insert(p.key).second);
+        EXPECT_FALSE(p.label.empty());
+        EXPECT_GT(p.help.size(), 10u);
+        EXPECT_TRUE(p.help.ends_with(".")) << p.help;
+        EXPECT_LT(p.min, p.max);
+        if (p.choices) {
+            for (const Choice& c : p.choices()) {
+                EXPECT_FALSE(c.key.empty() || c.label.empty());
+                EXPECT_EQ(c.key.find_first_of(" =\"."), std::string_view::npos);
+            }
+        }
+        if (p.logarithmic) {
+            EXPECT_FALSE(p.choices);
+        }
+    }
+}
+
+TEST(SettingsTable, EachRowReachesAMemberOfItsOwn) {
+    Settings s;
+    ObjectSettings object;
+    std::set<void*> members;
+    for (const Param& p : params()) {
+        void* address = std::visit([](auto* at) -> void* { return at; }, p.field(s, 3, &object));
+        EXPECT_TRUE(members.insert(address).second) << p.key;
+    }
+    EXPECT_EQ(members.size(), rows::members<CameraSettings>() + rows::members<MapSettings>() +
+                                  rows::members<CasterSettings>() + rows::members<BiasSettings>() +
+                                  rows::members<FilterSettings>() + rows::members<LightSettings>() +
+                                  rows::members<ShadingSettings>() + rows::members<ViewSettings>() +
+                                  rows::members<ObjectSettings>() + 1 /* light.count */);
+}
+
+TEST(SettingsTable, DefaultsLieInTheirRangesAndTakePartInNoRepair) {
+    Settings s;
+    s.objects["A"] = {};
+    for (const SettingRef& ref : all_settings(s)) {
+        const Value v = default_value(ref);
+        const double x = std::visit([](auto value) { return double(value); }, v);
+        EXPECT_TRUE(x >= ref.param->min && x <= ref.param->max) << setting_key(ref);
+    }
+    EXPECT_TRUE(sanitise(s).empty());
+}
+
+TEST(SettingsTable, KeysAndValuesRoundTripAsText) {
+    const Settings s = every_setting_changed();
+    EXPECT_EQ(changed_settings(s).size(), all_settings(s).size());
+    Settings copy;
+    for (const SettingRef& ref : changed_settings(s)) {
+        const std::string key = setting_key(ref);
+        const auto found = find_setting(key);
+        ASSERT_TRUE(found) << key;
+        EXPECT_EQ(setting_key(*found), key);
+        set_setting(copy, key, value_text(*ref.param, get_value(s, ref)));
+    }
+    EXPECT_EQ(copy, s);
+}
+
+TEST(SettingsTable, NumbersAreShortAndExact) {
+    const auto ref = *find_setting("bias.slope");
+    for (const double v : {0.1, 1e-7, 1.0 / 3.0, 1000.0, 123.456}) {
+        EXPECT_EQ(std::get<double>(parse_value(ref, value_text(*ref.param, v))), v);
+    }
+    EXPECT_EQ(value_text(*ref.param, 0.1), "0.1");
+    EXPECT_FALSE(std::signbit(std::get<double>(parse_value(*find_setting("light.azimuth"), "-0"))));
+}
+
+TEST(SettingsKeys, LightsAndObjects) {
+    EXPECT_EQ(find_setting("light.azimuth")->light, 0);
+    EXPECT_EQ(find_setting("light.15.azimuth")->light, 15);
+    EXPECT_EQ(setting_key(*find_setting("light.0.azimuth")), "light.azimuth");
+    EXPECT_EQ(find_setting("light.count")->param->scope, Scope::Scene);
+    const auto object = find_setting("object.Root/Leaves.v1.2.cull");
+    ASSERT_TRUE(object);
+    EXPECT_EQ(object->object, "Root/Leaves.v1.2");
+    EXPECT_EQ(setting_key(*object), "object.Root/Leaves.v1.2.cull");
+    for (const char* bad : {"", ".", "light", "light.", "light.16.azimuth", "light.-1.azimuth", "light.01.azimuth",
+                            "light.1.", "light.1.count", "light..azimuth", "object.cull", "object..cull",
+                            "object.A.colour", "bias", "bias.slope ", "Bias.slope", "light.99999999999.azimuth"}) {
+        EXPECT_FALSE(find_setting(bad)) << bad;
+    }
+}
+
+TEST(SettingsKeys, NearestKey) {
+    EXPECT_EQ(nearest_key("bias.slop"), "bias.slope");
+    EXPECT_EQ(nearest_key("bais.constant"), "bias.constant");
+    EXPECT_EQ(nearest_key("light.3.azimut"), "light.3.azimuth");
+    EXPECT_EQ(nearest_key("light.16.azimuth"), "light.15.azimuth");
+    EXPECT_EQ(nearest_key("object.Root/Fence.cul"), "object.Root/Fence.cull");
+    EXPECT_EQ(nearest_name("pcf4", {}), "");
+}
+
+TEST(SettingsText, RefusesWhatNoSettingCanBe) {
+    EXPECT_TRUE(mentions(refusal("bias.slop", "1"), "\"bias.slop\": unknown setting; did you mean bias.slope?"));
+    EXPECT_TRUE(mentions(refusal("bias.slope", "nan"), "not finite"));
+    EXPECT_TRUE(mentions(refusal("bias.slope", "inf"), "not finite"));
+    EXPECT_TRUE(mentions(refusal("bias.slope", "-1"), "0 to 1000"));
+    EXPECT_TRUE(mentions(refusal("bias.slope", "1,5"), "not a number"));
+    EXPECT_TRUE(mentions(refusal("bias.slope", ""), "not a number"));
+    EXPECT_TRUE(mentions(refusal("bias.slope", "1e999"), "bias.slope"));
+    EXPECT_TRUE(mentions(refusal("map.resolution", "0"), "1 to 16384 texels"));
+    EXPECT_TRUE(mentions(refusal("map.resolution", "99999999999"), "1 to 16384"));
+    EXPECT_TRUE(mentions(refusal("map.resolution", "1024.5"), "whole number"));
+    EXPECT_TRUE(mentions(refusal("map.reversed_z", "yes"), "true"));
+    EXPECT_TRUE(mentions(refusal("map.format", "d23"), "did you mean d24?"));
+    EXPECT_TRUE(mentions(refusal("map.format", "2"), "none of d16, d24, d32f, colour"));
+}
+
+TEST(SettingsText, BooleansInAllSpellings) {
+    Settings s;
+    for (const char* on : {"true", "on", "1"}) {
+        s.map.reversed_z = false;
+        set_setting(s, "map.reversed_z", on);
+        EXPECT_TRUE(s.map.reversed_z) << on;
+    }
+    for (const char* off : {"false", "off", "0"}) {
+        s.map.reversed_z = true;
+        set_setting(s, "map.reversed_z", off);
+        EXPECT_FALSE(s.map.reversed_z) << off;
+    }
+}
+
+TEST(SettingsObjects, AnOverrideEqualToTheDefaultsIsNone) {
+    Settings s;
+    set_setting(s, "object.Floor.cull", "none");
+    ASSERT_EQ(s.objects.count("Floor"), 1u);
+    EXPECT_EQ(s.objects["Floor"].cull, static_cast<int>(ObjectCull::None));
+    set_setting(s, "object.Floor.cull", "inherit");
+    EXPECT_EQ(s, Settings{});
+}
+
+TEST(SettingsRepair, NonFiniteAndOutOfRange) {
+    Settings s;
+    s.bias.slope = std::numeric_limits<double>::quiet_NaN();
+    s.lights[4].azimuth = std::numeric_limits<double>::infinity();
+    s.camera.fov = 500;
+    s.map.resolution = -3;
+    s.map.format = 77;
+    const auto lines = sanitise(s);
+    EXPECT_EQ(lines.size(), 5u);
+    EXPECT_EQ(s.bias.slope, Settings{}.bias.slope);
+    EXPECT_EQ(s.lights[4].azimuth, Settings{}.lights[4].azimuth);
+    EXPECT_EQ(s.camera.fov, 170);
+    EXPECT_EQ(s.map.resolution, 1);
+    EXPECT_EQ(s.map.format, Settings{}.map.format);
+    EXPECT_TRUE(sanitise(s).empty()) << "a repair needs no second one";
+}
+
+TEST(SettingsRepair, ReversedPlanes) {
+    Settings s;
+    s.lights[2].near = 50, s.lights[2].far = 2;
+    EXPECT_TRUE(sanitise(s).empty()) << "an automatic fit does not read near and far";
+    s.lights[2].fit = static_cast<int>(LightFit::Manual);
+    s.camera.source = static_cast<int>(CameraSource::Manual);
+    s.camera.near = s.camera.far = 7;
+    const auto lines = sanitise(s);
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_TRUE(mentions(lines[0], "light.2.near")) << lines[0];
+    EXPECT_EQ(s.lights[2].near, 2);
+    EXPECT_EQ(s.lights[2].far, 50);
+    EXPECT_LT(s.camera.near, s.camera.far);
+    s.lights[2].near = 50, s.lights[2].far = 0;
+    EXPECT_TRUE(sanitise(s).empty()) << "0 is automatic";
+}
+
+TEST(SettingsIdle, SaysWhy) {
+    Settings s;
+    const auto idle = [&](const char* key) { return idle_reason(s, *find_setting(key)); };
+    EXPECT_FALSE(idle("light.near").empty());
+    s.lights[0].fit = static_cast<int>(LightFit::Manual);
+    EXPECT_TRUE(idle("light.near").empty());
+    EXPECT_TRUE(idle("light.extent").empty());
+    EXPECT_FALSE(idle("light.cone").empty());
+    s.lights[0].type = static_cast<int>(LightType::Spot);
+    EXPECT_TRUE(idle("light.cone").empty());
+    EXPECT_FALSE(idle("light.extent").empty());
+    EXPECT_FALSE(idle("light.1.azimuth").empty());
+    s.light_count = 2;
+    EXPECT_TRUE(idle("light.1.azimuth").empty());
+    EXPECT_TRUE(idle("map.outside").empty());
+    s.map.wrap = static_cast<int>(MapWrap::Repeat);
+    EXPECT_FALSE(idle("map.outside").empty());
+    EXPECT_FALSE(idle("camera.fov").empty());
+    s.camera.source = static_cast<int>(CameraSource::Manual);
+    EXPECT_TRUE(idle("camera.fov").empty());
+}
+
+}  // namespace
+}  // namespace si
