@@ -1,0 +1,267 @@
+#include "renderer/gltf/accessor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+#include "renderer/gltf/rules.h"
+
+namespace si::gltf {
+namespace {
+
+constexpr std::string_view kRepair = "repair the file or export it again";
+/// What a file may decode to: ample for sharing and quantisation, far below what a hostile file could ask for.
+constexpr std::size_t kMostDecodedBytes = std::size_t{8} << 30;
+
+struct Source {
+    const std::uint8_t* data = nullptr;
+    std::size_t stride = 0;
+    bool normalized = false;
+};
+
+template <class T>
+float to_float(const std::uint8_t* at, bool normalized) {
+    T value;
+    std::memcpy(&value, at, sizeof(T));  // files may be misaligned
+    const auto number = static_cast<float>(value);
+    if constexpr (std::is_integral_v<T>) {
+        if (normalized) return std::max(number / static_cast<float>(std::numeric_limits<T>::max()), -1.0f);
+    }
+    return number;
+}
+
+template <class T>
+void convert(const Source& source, int width, std::size_t count, std::span<const std::uint32_t> pick, float* out) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint8_t* element = source.data + (pick.empty() ? i : pick[i]) * source.stride;
+        for (int c = 0; c < width; ++c)
+            *out++ = to_float<T>(element + static_cast<std::size_t>(c) * sizeof(T), source.normalized);
+    }
+}
+
+void convert(int component_type, const Source& source, int width, std::size_t count,
+             std::span<const std::uint32_t> pick, float* out) {
+    switch (component_type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return convert<std::int8_t>(source, width, count, pick, out);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return convert<std::uint8_t>(source, width, count, pick, out);
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return convert<std::int16_t>(source, width, count, pick, out);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return convert<std::uint16_t>(source, width, count, pick, out);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return convert<std::uint32_t>(source, width, count, pick, out);
+        default:
+            break;
+    }
+    const auto bytes = static_cast<std::size_t>(width) * sizeof(float);
+    if (pick.empty() && source.stride == bytes) {
+        std::memcpy(out, source.data, count * bytes);
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        std::memcpy(out + i * static_cast<std::size_t>(width),
+                    source.data + (pick.empty() ? i : pick[i]) * source.stride, bytes);
+    }
+}
+
+template <class T>
+void widen(const Source& source, std::size_t count, std::uint32_t* out) {
+    if constexpr (sizeof(T) == sizeof(std::uint32_t)) {
+        if (source.stride == sizeof(T)) {
+            std::memcpy(out, source.data, count * sizeof(T));
+            return;
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        T value;
+        std::memcpy(&value, source.data + i * source.stride, sizeof(T));
+        out[i] = value;
+    }
+}
+
+bool widen(int component_type, const Source& source, std::size_t count, std::uint32_t* out) {
+    switch (component_type) {
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            widen<std::uint8_t>(source, count, out);
+            return true;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            widen<std::uint16_t>(source, count, out);
+            return true;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            widen<std::uint32_t>(source, count, out);
+            return true;
+        default:
+            return false;
+    }
+}
+
+std::size_t bytes_per_component(int component_type) {
+    return component_bytes(static_cast<std::uint64_t>(component_type));
+}
+
+}  // namespace
+
+Accessors::Accessors(Context& context, const tinygltf::Model& model, Buffers& buffers)
+    : context_(context), model_(model), buffers_(buffers) {}
+
+std::size_t Accessors::count(int accessor) const {
+    return model_.accessors[static_cast<std::size_t>(accessor)].count;
+}
+
+int Accessors::width(int accessor) const {
+    return tinygltf::GetNumComponentsInType(
+        static_cast<std::uint32_t>(model_.accessors[static_cast<std::size_t>(accessor)].type));
+}
+
+void Accessors::expect_width(int accessor, int expected, const Place& place) const {
+    const int type = model_.accessors[static_cast<std::size_t>(accessor)].type;
+    const bool is_matrix = type == TINYGLTF_TYPE_MAT2 || type == TINYGLTF_TYPE_MAT3;
+    if (width(accessor) == expected && !is_matrix) return;
+    context_.fail(place,
+                  fmt::format("accessor {} has {} components, {} are expected", accessor, width(accessor), expected),
+                  kRepair);
+}
+
+void Accessors::spend(std::size_t bytes, const Place& place) {
+    decoded_bytes_ += bytes;
+    if (decoded_bytes_ > kMostDecodedBytes)
+        context_.fail(place, "the model decodes to more than 8 GiB", "split the model");
+    context_.progress(0.5);
+}
+
+std::vector<std::uint32_t> Accessors::sparse_positions(int accessor, const Place& place) {
+    const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
+    const auto& sparse = a.sparse;
+    const auto count = static_cast<std::size_t>(sparse.count);
+    const auto bytes = buffers_.view(static_cast<std::size_t>(sparse.indices.bufferView))
+                           .subspan(static_cast<std::size_t>(sparse.indices.byteOffset));
+    std::vector<std::uint32_t> out(count);
+    widen(sparse.indices.componentType, {bytes.data(), bytes_per_component(sparse.indices.componentType)}, count,
+          out.data());
+    for (std::size_t i = 0; i < count; ++i) {
+        if (out[i] >= a.count || (i > 0 && out[i] <= out[i - 1])) {
+            context_.fail(place,
+                          fmt::format("accessor {}: sparse index {} (the {}th) is out of range or not ascending",
+                                      accessor, out[i], i),
+                          kRepair);
+        }
+    }
+    return out;
+}
+
+void Accessors::overlay_sparse(int accessor, const Place& place, int width, float* out) {
+    const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
+    const auto positions = sparse_positions(accessor, place);
+    const auto bytes = buffers_.view(static_cast<std::size_t>(a.sparse.values.bufferView))
+                           .subspan(static_cast<std::size_t>(a.sparse.values.byteOffset));
+    const std::size_t n = static_cast<std::size_t>(width);
+    std::vector<float> values(positions.size() * n);
+    convert(a.componentType, {bytes.data(), n * bytes_per_component(a.componentType), a.normalized}, width,
+            positions.size(), {}, values.data());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        std::copy_n(values.data() + i * n, n, out + positions[i] * n);
+    }
+}
+
+void Accessors::read(int accessor, const Place& place, int width, std::span<const std::uint32_t> pick, float* out) {
+    const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
+    const std::size_t n = static_cast<std::size_t>(width);
+    if (a.sparse.isSparse && !pick.empty()) {
+        spend(a.count * n * sizeof(float), place);
+        std::vector<float> all(a.count * n);
+        read(accessor, place, width, {}, all.data());
+        for (std::size_t i = 0; i < pick.size(); ++i) std::copy_n(all.data() + pick[i] * n, n, out + i * n);
+        return;
+    }
+    const std::size_t count = pick.empty() ? a.count : pick.size();
+    if (a.bufferView < 0) {
+        std::fill_n(out, count * n, 0.0f);
+    } else {
+        const auto bytes = buffers_.view(static_cast<std::size_t>(a.bufferView)).subspan(a.byteOffset);
+        const std::size_t stride = model_.bufferViews[static_cast<std::size_t>(a.bufferView)].byteStride;
+        const Source source{bytes.data(), stride == 0 ? n * bytes_per_component(a.componentType) : stride,
+                            a.normalized};
+        convert(a.componentType, source, width, count, pick, out);
+    }
+    if (a.sparse.isSparse) overlay_sparse(accessor, place, width, out);
+}
+
+template <int N>
+std::vector<glm::vec<N, float>> Accessors::floats(int accessor, const Place& place,
+                                                  std::span<const std::uint32_t> pick) {
+    static_assert(sizeof(glm::vec<N, float>) == N * sizeof(float));
+    expect_width(accessor, N, place);
+    const std::size_t elements = pick.empty() ? count(accessor) : pick.size();
+    spend(elements * sizeof(glm::vec<N, float>), place);
+    std::vector<glm::vec<N, float>> out(elements);
+    read(accessor, place, N, pick, &out[0][0]);
+    return out;
+}
+
+template std::vector<glm::vec2> Accessors::floats<2>(int, const Place&, std::span<const std::uint32_t>);
+template std::vector<glm::vec3> Accessors::floats<3>(int, const Place&, std::span<const std::uint32_t>);
+template std::vector<glm::vec4> Accessors::floats<4>(int, const Place&, std::span<const std::uint32_t>);
+
+std::vector<float> Accessors::scalars(int accessor, const Place& place) {
+    expect_width(accessor, 1, place);
+    spend(count(accessor) * sizeof(float), place);
+    std::vector<float> out(count(accessor));
+    read(accessor, place, 1, {}, out.data());
+    return out;
+}
+
+std::vector<glm::mat4> Accessors::matrices(int accessor, const Place& place) {
+    const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
+    if (a.type != TINYGLTF_TYPE_MAT4 || a.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
+        context_.fail(place, fmt::format("accessor {} is not of float matrices (MAT4)", accessor), kRepair);
+    }
+    spend(a.count * sizeof(glm::mat4), place);
+    std::vector<glm::mat4> out(a.count);
+    read(accessor, place, 16, {}, &out[0][0][0]);
+    return out;
+}
+
+std::vector<std::uint32_t> Accessors::indices(int accessor, const Place& place, std::size_t limit) {
+    const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
+    expect_width(accessor, 1, place);
+    spend(a.count * sizeof(std::uint32_t), place);
+    std::vector<std::uint32_t> out(a.count);
+    const std::size_t component = bytes_per_component(a.componentType);
+    if (a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
+        a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+        a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
+        context_.fail(place, fmt::format("accessor {} has a component type that is none for indices", accessor),
+                      kRepair);
+    }
+    if (a.bufferView >= 0) {
+        const auto bytes = buffers_.view(static_cast<std::size_t>(a.bufferView)).subspan(a.byteOffset);
+        const std::size_t stride = model_.bufferViews[static_cast<std::size_t>(a.bufferView)].byteStride;
+        widen(a.componentType, {bytes.data(), stride == 0 ? component : stride}, a.count, out.data());
+    }
+    if (a.sparse.isSparse) {
+        const auto positions = sparse_positions(accessor, place);
+        const auto bytes = buffers_.view(static_cast<std::size_t>(a.sparse.values.bufferView))
+                               .subspan(static_cast<std::size_t>(a.sparse.values.byteOffset));
+        std::vector<std::uint32_t> values(positions.size());
+        widen(a.componentType, {bytes.data(), component}, positions.size(), values.data());
+        for (std::size_t i = 0; i < positions.size(); ++i) out[positions[i]] = values[i];
+    }
+    std::uint32_t greatest = 0;
+    for (const std::uint32_t index : out) greatest = std::max(greatest, index);
+    // The greatest value of the type restarts a primitive in OpenGL, which glTF forbids.
+    const std::uint64_t restart = (std::uint64_t{1} << (8 * component)) - 1;
+    if (greatest >= limit || greatest == restart) {
+        context_.fail(
+            place,
+            fmt::format("accessor {}: index {} is out of range, there are {} vertices", accessor, greatest, limit),
+            kRepair);
+    }
+    return out;
+}
+
+}  // namespace si::gltf

@@ -1,0 +1,54 @@
+#include "renderer/gltf/context.h"
+
+#include <fmt/format.h>
+
+#include "renderer/error.h"
+#include "renderer/gltf/text.h"
+
+namespace si::gltf {
+
+std::string Place::text() const {
+    std::string out = up ? up->text() + "." : std::string();
+    out += printable(name, 60);
+    if (index >= 0) out += fmt::format("[{}]", index);
+    return out;
+}
+
+Context::Context(const std::filesystem::path& path, const GltfOptions& options, std::vector<std::string>& warnings)
+    : path_(path), options_(options), warnings_(warnings) {}
+
+void Context::fail(const Place& place, std::string_view what, std::string_view remedy) const {
+    throw Error(
+        fmt::format("{}: {}: {}; {}", printable(path_.string(), 300), place.text(), printable(what, 300), remedy));
+}
+
+void Context::fail(std::string_view what, std::string_view remedy) const {
+    throw Error(fmt::format("{}: {}; {}", printable(path_.string(), 300), printable(what, 300), remedy));
+}
+
+void Context::warn(const Place& place, std::string_view what) {
+    if (warnings_.size() >= 100) {
+        ++not_kept_;
+        return;
+    }
+    warnings_.push_back(fmt::format("{}: {}", place.text(), printable(what, 300)));
+}
+
+void Context::warn(std::string_view what) {
+    if (warnings_.size() >= 100) {
+        ++not_kept_;
+        return;
+    }
+    warnings_.push_back(printable(what, 300));
+}
+
+void Context::close_warnings() {
+    if (not_kept_ > 0) warnings_.push_back(fmt::format("{} more warnings of this file are not listed", not_kept_));
+    not_kept_ = 0;
+}
+
+void Context::progress(double fraction) const {
+    if (options_.progress && !options_.progress(fraction)) throw Error("cancelled");
+}
+
+}  // namespace si::gltf

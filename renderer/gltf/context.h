@@ -1,0 +1,50 @@
+// What every step of loading one glTF file shares: how to refuse, warn, report progress and be cancelled.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/gltf_loader.h"
+
+namespace si::gltf {
+
+/// A position in the JSON, "meshes[3].primitives[0].attributes"; costs nothing until text() is asked for.
+struct Place {
+    const Place* up = nullptr;
+    std::string_view name;
+    std::int64_t index = -1;
+
+    Place(std::string_view name_, std::int64_t index_ = -1) : name(name_), index(index_) {}
+    Place(const Place& up_, std::string_view name_, std::int64_t index_ = -1) : up(&up_), name(name_), index(index_) {}
+    std::string text() const;
+};
+
+class Context {
+public:
+    Context(const std::filesystem::path& path, const GltfOptions& options, std::vector<std::string>& warnings);
+
+    /// @throws Error "FILE: place: what; remedy", one line, made printable.
+    [[noreturn]] void fail(const Place& place, std::string_view what, std::string_view remedy) const;
+    [[noreturn]] void fail(std::string_view what, std::string_view remedy) const;
+    /// Keeps the first hundred warnings and counts the others.
+    void warn(const Place& place, std::string_view what);
+    void warn(std::string_view what);
+    /// Appends the count of warnings not kept; once, at the end.
+    void close_warnings();
+
+    /// @throws Error "cancelled" when the caller's callback returns false.
+    void progress(double fraction) const;
+
+    const std::filesystem::path& path() const { return path_; }
+    const GltfOptions& options() const { return options_; }
+
+private:
+    std::filesystem::path path_;
+    const GltfOptions& options_;
+    std::vector<std::string>& warnings_;
+    std::size_t not_kept_ = 0;
+};
+
+}  // namespace si::gltf

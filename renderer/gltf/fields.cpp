@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "renderer/gltf/rules.h"
+
+namespace si::gltf {
+namespace {
+
+constexpr std::string_view kRepair = "repair the file or export it again";
+
+std::string shown(const Json& value) {
+    if (value.is_array()) return fmt::format("an array of {}", value.size());
+    if (value.is_object()) return "an object";
+    if (value.is_string()) return fmt::format("\"{}\"", value.get_ref<const std::string&>().substr(0, 40));
+    return value.dump();
+}
+
+std::uint64_t checked_whole(const Context& context, const Json& value, const Place& place, std::uint64_t most) {
+    if (!value.is_number_unsigned()) {
+        context.fail(place, fmt::format("{} is not a whole number of at least 0", shown(value)), kRepair);
+    }
+    const auto number = value.get<std::uint64_t>();
+    if (number > most)
+        context.fail(place, fmt::format("{} is more than the greatest possible value {}", number, most), kRepair);
+    return number;
+}
+
+}  // namespace
+
+std::size_t checked_index(const Context& context, const Json& value, const Place& place, std::size_t size) {
+    if (!value.is_number_unsigned()) {
+        context.fail(place, fmt::format("{} is not an index", shown(value)), kRepair);
+    }
+    const auto number = value.get<std::uint64_t>();
+    if (number >= size) {
+        context.fail(place, fmt::format("index {} is out of range, there are {}", number, size), kRepair);
+    }
+    return static_cast<std::size_t>(number);
+}
+
+Fields::Fields(const Context& context, const Json& object, const Place& place)
+    : context_(context), object_(object), place_(place) {
+    if (!object.is_object()) context.fail(place, fmt::format("{} where an object is expected", shown(object)), kRepair);
+}
+
+std::optional<std::uint64_t> Fields::whole(const char* key, std::uint64_t most) const {
+    const auto it = object_.find(key);
+    if (it == object_.end()) return std::nullopt;
+    return checked_whole(context_, *it, Place(place_, key), most);
+}
+
+std::uint64_t Fields::whole_required(const char* key, std::uint64_t most) const {
+    const auto value = whole(key, most);
+    if (!value) context_.fail(Place(place_, key), "is missing", kRepair);
+    return *value;
+}
+
+std::optional<std::size_t> Fields::index(const char* key, std::size_t size) const {
+    const auto it = object_.find(key);
+    if (it == object_.end()) return std::nullopt;
+    return checked_index(context_, *it, Place(place_, key), size);
+}
+
+std::size_t Fields::index_required(const char* key, std::size_t size) const {
+    const auto value = index(key, size);
+    if (!value) context_.fail(Place(place_, key), "is missing", kRepair);
+    return *value;
+}
+
+std::optional<std::string> Fields::string(const char* key) const {
+    const auto it = object_.find(key);
+    if (it == object_.end()) return std::nullopt;
+    if (!it->is_string()) context_.fail(Place(place_, key), fmt::format("{} is not a string", shown(*it)), kRepair);
+    return it->get<std::string>();
+}
+
+std::optional<std::vector<double>> Fields::numbers(const char* key, std::size_t n) const {
+    const auto it = object_.find(key);
+    if (it == object_.end()) return std::nullopt;
+    const Place here(place_, key);
+    if (!it->is_array() || it->size() != n) {
+        context_.fail(here, fmt::format("{} where {} numbers are expected", shown(*it), n), kRepair);
+    }
+    std::vector<double> out;
+    out.reserve(n);
+    for (const auto& value : *it) {
+        if (!value.is_number() || !std::isfinite(value.get<double>())) {
+            context_.fail(here, fmt::format("{} is not a number", shown(value)), kRepair);
+        }
+        out.push_back(value.get<double>());
+    }
+    return out;
+}
+
+std::vector<std::size_t> Fields::indices(const char* key, std::size_t size) const {
+    const auto it = object_.find(key);
+    if (it == object_.end()) return {};
+    if (!it->is_array())
+        context_.fail(Place(place_, key), fmt::format("{} where an array is expected", shown(*it)), kRepair);
+    std::vector<std::size_t> out;
+    out.reserve(it->size());
+    for (std::size_t i = 0; i < it->size(); ++i) {
+        out.push_back(checked_index(context_, (*it)[i], Place(place_, key, static_cast<std::int64_t>(i)), size));
+    }
+    return out;
+}
+
+const Json& Fields::object(const char* key) const {
+    const auto it = object_.find(key);
+    if (it == object_.end()) context_.fail(Place(place_, key), "is missing", kRepair);
+    if (!it->is_object())
+        context_.fail(Place(place_, key), fmt::format("{} where an object is expected", shown(*it)), kRepair);
+    return *it;
+}
+
+}  // namespace si::gltf

@@ -1,0 +1,59 @@
+#include "renderer/gltf/file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace si::gltf {
+namespace {
+
+struct Descriptor {
+    int fd = -1;
+    Descriptor() = default;
+    explicit Descriptor(int fd_) : fd(fd_) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (fd >= 0) ::close(fd);
+    }
+};
+
+ReadResult failed(std::string why) {
+    return {{}, std::move(why)};
+}
+
+}  // namespace
+
+ReadResult read_regular_file(const std::filesystem::path& path, std::size_t max_bytes,
+                             const std::function<void(double)>& progress) {
+    // O_NONBLOCK: opening a FIFO without a writer would wait for ever.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.fd < 0) return failed(fmt::format("cannot be opened ({})", std::strerror(errno)));
+    struct stat status {};
+    if (::fstat(file.fd, &status) != 0) return failed(fmt::format("cannot be examined ({})", std::strerror(errno)));
+    if (S_ISDIR(status.st_mode)) return failed("is a directory");
+    if (!S_ISREG(status.st_mode)) return failed("is not a regular file");
+    const auto size = static_cast<std::uint64_t>(status.st_size);
+    if (size > max_bytes) return failed(fmt::format("has {} bytes, more than the limit of {}", size, max_bytes));
+
+    ReadResult result;
+    result.bytes.size = static_cast<std::size_t>(size);
+    result.bytes.data = std::make_unique_for_overwrite<std::uint8_t[]>(result.bytes.size);
+    constexpr std::size_t kBlock = std::size_t{16} << 20;
+    for (std::size_t done = 0; done < result.bytes.size;) {
+        const ssize_t got = ::read(file.fd, result.bytes.data.get() + done, std::min(kBlock, result.bytes.size - done));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return failed(fmt::format("cannot be read ({})", std::strerror(errno)));
+        if (got == 0) return failed("became shorter while it was read");
+        done += static_cast<std::size_t>(got);
+        if (progress) progress(static_cast<double>(done) / static_cast<double>(result.bytes.size));
+    }
+    return result;
+}
+
+}  // namespace si::gltf

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+#include <stb/stb_image.h>
+
+#include <cstdlib>
+#include <limits>
+#include <memory>
+
+#include "renderer/gltf/textures.h"
+
+namespace si::gltf {
+namespace {
+
+std::string kind_of(std::span<const std::uint8_t> bytes) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.size() >= 12 && text.substr(0, 4) == "RIFF" && text.substr(8, 4) == "WEBP") return "WebP";
+    if (text.substr(0, 8) == std::string_view("\xABKTX 20\xBB")) return "KTX2";
+    return "";
+}
+
+}  // namespace
+
+std::size_t decoding_bytes(std::span<const std::uint8_t> bytes) {
+    if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return 0;
+    int width = 0, height = 0, channels = 0;
+    const int size = static_cast<int>(bytes.size());
+    if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0 || width <= 0 || height <= 0)
+        return 0;
+    // stb holds the filtered rows and the widened pixels at once; 16-bit files take twice as much and a narrowed copy.
+    const std::size_t per_pixel = stbi_is_16_bit_from_memory(bytes.data(), size) != 0 ? 20 : 12;
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * per_pixel;
+}
+
+Image decode_image(std::span<const std::uint8_t> bytes) {
+    const auto refused = [](std::string why) { return Image{0, 0, {}, std::move(why)}; };
+    if (bytes.empty()) return refused("the image is empty");
+    if (const std::string kind = kind_of(bytes); !kind.empty()) {
+        return refused(fmt::format("{} images are not supported, use PNG or JPEG", kind));
+    }
+    if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+        return refused("the file exceeds 2 GiB");
+
+    Image out;
+    int channels = 0;
+    const std::unique_ptr<stbi_uc, decltype(&std::free)> decoded(
+        stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &out.width, &out.height, &channels,
+                              STBI_rgb_alpha),
+        &std::free);
+    if (!decoded) return refused(fmt::format("not a PNG or JPEG image, or damaged ({})", stbi_failure_reason()));
+    if (out.width <= 0 || out.height <= 0 || out.width > 32768 || out.height > 32768) {
+        return refused(fmt::format("{} x {} pixels are too large, use a smaller one", out.width, out.height));
+    }
+    const std::size_t size = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) * 4;
+    out.rgba.assign(decoded.get(), decoded.get() + size);
+    return out;
+}
+
+}  // namespace si::gltf

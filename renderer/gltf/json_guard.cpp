@@ -1,0 +1,182 @@
+#include "renderer/gltf/json_guard.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace si::gltf {
+namespace {
+
+constexpr int kDeepest = 64;
+constexpr std::size_t kMostValues = 8'000'000;
+
+struct Shape {
+    int depth = 0;
+    std::size_t values = 0;
+};
+
+/// Deepest nesting and a bound on the number of values, by counting brackets and commas outside strings.
+Shape measure(std::string_view text) {
+    Shape shape;
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        switch (text[i]) {
+            case '"':
+                for (++i; i < text.size() && text[i] != '"'; ++i) {
+                    if (text[i] == '\\') ++i;
+                }
+                break;
+            case '{':
+            case '[':
+                shape.depth = std::max(shape.depth, ++depth);
+                ++shape.values;
+                break;
+            case '}':
+            case ']':
+                --depth;
+                break;
+            case ',':
+                ++shape.values;
+                break;
+            default:
+                break;
+        }
+    }
+    return shape;
+}
+
+/// "2.0" -> {2, 0}; {-1, -1} when it is no version.
+std::array<int, 2> version_numbers(const std::string& text) {
+    std::array<int, 2> out{-1, -1};
+    const char* end = text.data() + text.size();
+    const auto major = std::from_chars(text.data(), end, out[0]);
+    if (major.ec != std::errc() || major.ptr == end || *major.ptr != '.') return {-1, -1};
+    const auto minor = std::from_chars(major.ptr + 1, end, out[1]);
+    if (minor.ec != std::errc() || minor.ptr != end) return {-1, -1};
+    return out;
+}
+
+bool is_read_here(const std::string& extension) {
+    static constexpr std::string_view kRead[] = {
+        "KHR_lights_punctual", "KHR_texture_transform",   "KHR_mesh_quantization",
+        "KHR_materials_unlit", "EXT_mesh_gpu_instancing",
+    };
+    return std::find(std::begin(kRead), std::end(kRead), extension) != std::end(kRead);
+}
+
+/// Extensions that change only how surfaces look; the geometry without them is right.
+bool is_only_look(const std::string& extension) {
+    static constexpr std::string_view kTexture[] = {"KHR_texture_basisu", "EXT_texture_webp", "EXT_texture_avif",
+                                                    "MSFT_texture_dds", "KHR_xmp_json_ld"};
+    return extension.rfind("KHR_materials_", 0) == 0 ||
+           std::find(std::begin(kTexture), std::end(kTexture), extension) != std::end(kTexture);
+}
+
+std::string remedy_for(const std::string& extension) {
+    if (extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
+        extension == "KHR_meshopt_compression") {
+        return "export the model without mesh compression (gltf-transform copy IN OUT decodes it)";
+    }
+    return "export the model without it";
+}
+
+void write_core(const Json& value, std::string& out, int depth) {
+    static constexpr std::string_view kSkippedAnywhere[] = {"extensions", "extras"};
+    static constexpr std::string_view kSkippedAtTop[] = {"buffers", "images", "cameras", "animations"};
+    const auto skipped = [&](const std::string& key) {
+        const auto in = [&](const auto& list) {
+            return std::find(std::begin(list), std::end(list), key) != std::end(list);
+        };
+        return in(kSkippedAnywhere) || (depth == 0 && in(kSkippedAtTop));
+    };
+    if (value.is_object()) {
+        out += '{';
+        bool first = true;
+        for (const auto& [key, member] : value.items()) {
+            if (skipped(key)) continue;
+            if (!first) out += ',';
+            first = false;
+            out += Json(key).dump();
+            out += ':';
+            write_core(member, out, depth + 1);
+        }
+        out += '}';
+    } else if (value.is_array()) {
+        out += '[';
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            if (i > 0) out += ',';
+            write_core(value[i], out, depth + 1);
+        }
+        out += ']';
+    } else {
+        out += value.dump();
+    }
+}
+
+}  // namespace
+
+Json parse_json(Context& context, std::string_view text) {
+    const Shape shape = measure(text);
+    if (shape.depth > kDeepest) {
+        context.fail(fmt::format("the JSON nests {} levels deep, at most {} are read", shape.depth, kDeepest),
+                     "export the model without such extras");
+    }
+    if (shape.values > kMostValues) {
+        context.fail(fmt::format("the JSON holds {} values, at most {} are read", shape.values, kMostValues),
+                     "split the scene or merge its nodes");
+    }
+    try {
+        Json root = Json::parse(text.begin(), text.end());
+        if (!root.is_object()) context.fail("the JSON is not an object", "open a glTF 2.0 file");
+        return root;
+    } catch (const Json::exception& error) {
+        std::string_view what = error.what();
+        if (const auto bracket = what.find("] "); bracket != std::string_view::npos) what.remove_prefix(bracket + 2);
+        context.fail(what, "repair the JSON or export the model again");
+    }
+}
+
+void check_asset_and_extensions(Context& context, const Json& root) {
+    const auto asset = root.find("asset");
+    if (asset == root.end() || !asset->is_object() || !asset->contains("version") || !(*asset)["version"].is_string()) {
+        // glTF 1.0 files may lack an asset; their top-level collections are objects.
+        context.fail(Place("asset"), "no version is given", "convert the model to glTF 2.0");
+    }
+    const auto& version = (*asset)["version"].get_ref<const std::string&>();
+    if (version_numbers(version)[0] != 2) {
+        context.fail(Place("asset.version"), fmt::format("version \"{}\" is not supported", version),
+                     "convert the model to glTF 2.0");
+    }
+    if (const auto least = asset->find("minVersion"); least != asset->end()) {
+        const auto numbers =
+            least->is_string() ? version_numbers(least->get_ref<const std::string&>()) : std::array{-1, -1};
+        if (numbers != std::array{2, 0}) {
+            context.fail(Place("asset.minVersion"), "a reader newer than glTF 2.0 is asked for",
+                         "convert the model to glTF 2.0");
+        }
+    }
+    const auto required = root.find("extensionsRequired");
+    if (required == root.end()) return;
+    if (!required->is_array()) context.fail(Place("extensionsRequired"), "is not an array", "repair the file");
+    for (const auto& entry : *required) {
+        if (!entry.is_string())
+            context.fail(Place("extensionsRequired"), "holds something that is no name", "repair the file");
+        const auto& name = entry.get_ref<const std::string&>();
+        if (is_read_here(name)) continue;
+        if (!is_only_look(name)) {
+            context.fail(Place("extensionsRequired"), fmt::format("{} is not supported", name), remedy_for(name));
+        }
+        context.warn(Place("extensionsRequired"),
+                     fmt::format("{} is not supported; surfaces look plainer without it", name));
+    }
+}
+
+std::string core_text(const Json& root) {
+    std::string out;
+    write_core(root, out, 0);
+    return out;
+}
+
+}  // namespace si::gltf

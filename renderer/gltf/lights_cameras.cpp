@@ -1,0 +1,168 @@
+// KHR_lights_punctual and cameras.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "renderer/gltf/nodes.h"
+#include "renderer/gltf/text.h"
+#include "renderer/settings.h"
+
+namespace si::gltf {
+namespace {
+
+/// `object[key]` when it is a number within [least, most]; `otherwise` when absent; nothing when it is anything else.
+std::optional<double> number(const Json& object, const char* key, double least, double most, double otherwise) {
+    const auto it = object.find(key);
+    if (it == object.end()) return otherwise;
+    if (!it->is_number()) return std::nullopt;
+    const double value = it->get<double>();
+    if (!(value >= least && value <= most)) return std::nullopt;
+    return value;
+}
+
+std::string name_of(const Json& object) {
+    const auto it = object.find("name");
+    return it != object.end() && it->is_string() ? printable(it->get_ref<const std::string&>()) : std::string();
+}
+
+const Json* member(const Json& object, const char* key) {
+    if (!object.is_object()) return nullptr;
+    const auto it = object.find(key);
+    return it == object.end() ? nullptr : &*it;
+}
+
+/// The light definition that a node refers to; null with a warning when the reference is broken, null when there is
+/// none.
+const Json* referenced_light(Context& context, const Json& root, const Json& node, const Place& place) {
+    const Json* extensions = member(node, "extensions");
+    const Json* extension = extensions ? member(*extensions, "KHR_lights_punctual") : nullptr;
+    if (!extension) return nullptr;
+    const Json* index = member(*extension, "light");
+    const Json* all = member(root, "extensions");
+    all = all ? member(*all, "KHR_lights_punctual") : nullptr;
+    all = all ? member(*all, "lights") : nullptr;
+    if (!index || !index->is_number_unsigned() || !all || !all->is_array() ||
+        index->get<std::uint64_t>() >= all->size() || !(*all)[index->get<std::size_t>()].is_object()) {
+        context.warn(Place(place, "KHR_lights_punctual"), "refers to no light; ignored");
+        return nullptr;
+    }
+    return &(*all)[index->get<std::size_t>()];
+}
+
+bool read_type(const Json& json, SceneLight& light) {
+    const Json* type = member(json, "type");
+    if (!type || !type->is_string()) return false;
+    if (*type == "directional")
+        light.type = static_cast<int>(LightType::Directional);
+    else if (*type == "spot")
+        light.type = static_cast<int>(LightType::Spot);
+    else if (*type == "point")
+        light.type = static_cast<int>(LightType::Point);
+    else
+        return false;
+    return true;
+}
+
+bool read_colour(const Json& json, SceneLight& light) {
+    const Json* colour = member(json, "color");
+    if (!colour) return true;
+    if (!colour->is_array() || colour->size() != 3) return false;
+    glm::dvec3 out;
+    for (int i = 0; i < 3; ++i) {
+        const Json& value = (*colour)[static_cast<std::size_t>(i)];
+        if (!value.is_number() || !(value.get<double>() >= 0 && value.get<double>() <= 1e9)) return false;
+        out[i] = value.get<double>();
+    }
+    light.colour = out;
+    return true;
+}
+
+bool read_cone(const Json& json, SceneLight& light) {
+    constexpr double kHalfPi = std::numbers::pi / 2, kDefaultOuter = std::numbers::pi / 4;
+    const Json* spot = member(json, "spot");
+    light.outer_cone_rad = kDefaultOuter;
+    if (!spot) return true;
+    const auto inner = number(*spot, "innerConeAngle", 0, kHalfPi, 0);
+    const auto outer = number(*spot, "outerConeAngle", 1e-6, kHalfPi + 1e-6, kDefaultOuter);
+    if (!spot->is_object() || !inner || !outer || *inner > *outer) return false;
+    light.inner_cone_rad = *inner;
+    light.outer_cone_rad = std::min(*outer, kHalfPi);
+    return true;
+}
+
+}  // namespace
+
+void place_light(Context& context, const Json& root, const Json& node, const Place& node_place, const glm::dmat4& world,
+                 Scene& scene) {
+    const Json* json = referenced_light(context, root, node, node_place);
+    if (!json) return;
+    const Place place(node_place, "KHR_lights_punctual");
+    SceneLight light;
+    light.name = name_of(*json);
+    if (light.name.empty()) light.name = name_of(node);
+    light.world = world;
+    if (!read_type(*json, light)) {
+        context.warn(place, "the light is neither directional, spot nor point; ignored");
+        return;
+    }
+    const auto intensity = number(*json, "intensity", 0, 1e12, 1);
+    if (!intensity) context.warn(place, "the light's intensity is invalid; 1 is used");
+    light.intensity = intensity.value_or(1);
+    const auto range = number(*json, "range", 1e-30, 1e30, 0);
+    if (!range) context.warn(place, "the light's range is invalid; it is unlimited");
+    light.range = range.value_or(0);
+    if (!read_colour(*json, light)) context.warn(place, "the light's color is invalid; white is used");
+    if (light.type == static_cast<int>(LightType::Spot) && !read_cone(*json, light)) {
+        context.warn(place, "the light's cone is invalid; 45 degrees are used");
+        light.inner_cone_rad = 0;
+    }
+    if (light.type != static_cast<int>(LightType::Point) && !(glm::length(glm::dvec3(world[2])) > 0)) {
+        context.warn(place, "the light's node is scaled to 0, it has no direction; ignored");
+        return;
+    }
+    scene.lights.push_back(std::move(light));
+}
+
+void place_camera(Context& context, const Json& root, const Json& node, const Place& node_place,
+                  const glm::dmat4& world, Scene& scene) {
+    const auto index = node.find("camera");
+    if (index == node.end()) return;
+    const Json& json = root["cameras"][index->get<std::size_t>()];
+    const Place place("cameras", index->get<std::int64_t>());
+    SceneCamera camera;
+    camera.name = name_of(json);
+    if (camera.name.empty()) camera.name = name_of(node);
+    camera.world = world;
+    const auto ignore = [&](std::string_view why) { context.warn(place, fmt::format("{}; ignored", why)); };
+    const Json* perspective = member(json, "perspective");
+    const Json* orthographic = member(json, "orthographic");
+    if (!(glm::length(glm::dvec3(world[2])) > 0) || !(glm::length(glm::dvec3(world[1])) > 0)) {
+        return ignore(fmt::format("{} is scaled to 0, the camera has no direction", node_place.text()));
+    }
+    if (perspective && perspective->is_object()) {
+        const auto fov = number(*perspective, "yfov", 1e-4, std::numbers::pi - 1e-4, -1);
+        const auto near = number(*perspective, "znear", 1e-30, 1e30, -1);
+        const auto far = number(*perspective, "zfar", 1e-30, 1e30, 0);
+        if (!fov || *fov < 0 || !near || *near < 0 || !far || (*far != 0 && *far <= *near))
+            return ignore("has an invalid yfov, znear or zfar");
+        camera.fov_y_deg = *fov * 180 / std::numbers::pi;
+        camera.near = *near;
+        camera.far = *far;
+    } else if (orthographic && orthographic->is_object()) {
+        const auto half = number(*orthographic, "ymag", -1e30, 1e30, 0);
+        const auto near = number(*orthographic, "znear", 0, 1e30, -1);
+        const auto far = number(*orthographic, "zfar", 1e-30, 1e30, -1);
+        if (!half || *half == 0 || !near || *near < 0 || !far || *far <= *near)
+            return ignore("has an invalid ymag, znear or zfar");
+        camera.orthographic = true;
+        camera.height = 2 * std::abs(*half);
+        camera.near = *near;
+        camera.far = *far;
+    } else {
+        return ignore("is neither perspective nor orthographic");
+    }
+    scene.cameras.push_back(std::move(camera));
+}
+
+}  // namespace si::gltf

@@ -1,0 +1,75 @@
+// load_gltf: the steps in order.
+#include <fmt/format.h>
+
+#include "renderer/error.h"
+#include "renderer/gltf/nodes.h"
+#include "renderer/gltf/rules.h"
+#include "renderer/gltf/text.h"
+#include "renderer/settings.h"
+
+namespace si {
+namespace {
+
+using namespace gltf;
+
+std::string about(const Json& root) {
+    const auto& asset = root["asset"];
+    const auto text = [&](const char* key) {
+        const auto it = asset.find(key);
+        return it != asset.end() && it->is_string() ? printable(it->get_ref<const std::string&>(), 120) : std::string();
+    };
+    std::string out = fmt::format("glTF {}", text("version"));
+    if (const std::string generator = text("generator"); !generator.empty())
+        out += fmt::format(", written by {}", generator);
+    if (const std::string copyright = text("copyright"); !copyright.empty()) out += fmt::format(". {}", copyright);
+    return out;
+}
+
+void load(Context& context, Scene& scene) {
+    ReadResult file = read_regular_file(context.path(), context.options().max_file_bytes,
+                                        [&](double part) { context.progress(0.4 * part); });
+    if (!file.error.empty()) context.fail(file.error, "give the path of a .gltf or .glb file");
+    const Container container = split_container(context, file.bytes.span());
+    Json root = parse_json(context, container.json);
+    check_asset_and_extensions(context, root);
+    const Sizes sizes = check_arrays(context, root);
+    check_data(context, root, sizes);
+    check_graph(context, root, sizes);
+    check_look(context, root, sizes);
+    const tinygltf::Model model = read_model(context, root);
+    scene.about = about(root);
+
+    Buffers buffers(context, root, container);
+    Accessors accessors(context, model, buffers);
+    Textures textures(context, root, model, buffers, scene);
+    Materials materials(context, root, model, textures, scene);
+    Primitives primitives(context, model, accessors, materials, scene);
+    place_nodes(context, root, model, accessors, primitives, context.options().scene, scene);
+    textures.decode();
+    if (scene.objects.empty()) context.warn("the file has no triangles to show");
+    if (scene.lights.size() > static_cast<std::size_t>(kMaxLights)) {
+        context.warn(fmt::format("the file has {} lights, the first {} can be used", scene.lights.size(), kMaxLights));
+    }
+}
+
+}  // namespace
+
+Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
+    Scene scene;
+    scene.name = path.string();
+    Context context(path, options, scene.warnings);
+    try {
+        load(context, scene);
+        context.close_warnings();
+        context.progress(0.95);
+        finalise(scene);
+    } catch (const std::bad_alloc&) {
+        context.fail("there is not enough memory to load it", "free some memory or use a smaller model");
+    } catch (const Json::exception& error) {
+        context.fail(error.what(), "repair the file or export it again");
+    }
+    context.progress(1);
+    return scene;
+}
+
+}  // namespace si

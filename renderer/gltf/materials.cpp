@@ -1,0 +1,117 @@
+#include "renderer/gltf/materials.h"
+
+#include <cmath>
+
+#include "renderer/gltf/text.h"
+
+namespace si::gltf {
+namespace {
+
+AlphaMode alpha_of(const std::string& mode) {
+    if (mode == "MASK") return AlphaMode::Mask;
+    return mode == "BLEND" ? AlphaMode::Blend : AlphaMode::Opaque;
+}
+
+Material material_of(const tinygltf::Material& from) {
+    Material to;
+    to.name = printable(from.name);
+    const auto& colour = from.pbrMetallicRoughness.baseColorFactor;
+    if (colour.size() == 4) to.base_colour = glm::vec4(glm::dvec4(colour[0], colour[1], colour[2], colour[3]));
+    to.normal_scale = static_cast<float>(from.normalTexture.scale);
+    to.alpha = alpha_of(from.alphaMode);
+    to.alpha_cutoff = static_cast<float>(from.alphaCutoff);
+    to.double_sided = from.doubleSided;
+    return to;
+}
+
+bool read_pair(const Json& object, const char* key, glm::dvec2& out) {
+    const auto it = object.find(key);
+    if (it == object.end()) return true;
+    if (!it->is_array() || it->size() != 2) return false;
+    for (int i = 0; i < 2; ++i) {
+        const Json& value = (*it)[static_cast<std::size_t>(i)];
+        if (!value.is_number() || !(std::abs(value.get<double>()) <= 1e6)) return false;
+        out[i] = value.get<double>();
+    }
+    return true;
+}
+
+const Json* extension(const Json& object, const char* name) {
+    const auto extensions = object.find("extensions");
+    if (extensions == object.end() || !extensions->is_object()) return nullptr;
+    const auto it = extensions->find(name);
+    return it == extensions->end() ? nullptr : &*it;
+}
+
+/// The texture info at `owner[key]`; null when absent. check_look() has made sure that it is an object.
+const Json* texture_info(const Json& owner, const char* key) {
+    const auto it = owner.find(key);
+    return it == owner.end() ? nullptr : &*it;
+}
+
+}  // namespace
+
+void UvSource::apply(std::vector<glm::vec2>& uv) const {
+    if (is_plain()) return;
+    // KHR_texture_transform: translation * rotation * scale, the rotation counter-clockwise as seen with v downwards.
+    const double c = std::cos(rotation_rad), s = std::sin(rotation_rad);
+    for (glm::vec2& t : uv) {
+        const glm::dvec2 p = glm::dvec2(t) * scale;
+        t = glm::vec2(offset.x + c * p.x + s * p.y, offset.y - s * p.x + c * p.y);
+    }
+}
+
+Materials::Materials(Context& context, const Json& root, const tinygltf::Model& model, Textures& textures, Scene& scene)
+    : context_(context), root_(root), model_(model), textures_(textures), scene_(scene), uv_(model.materials.size()) {
+    scene_.materials.reserve(model.materials.size());
+    for (std::size_t i = 0; i < model.materials.size(); ++i) {
+        scene_.materials.push_back(material_of(model.materials[i]));
+        scene_.materials.back().unlit = extension(root["materials"][i], "KHR_materials_unlit") != nullptr;
+    }
+}
+
+UvSource Materials::uv_source(const Json& info, const Place& place) {
+    UvSource out;
+    out.set = info.value("texCoord", 0);
+    const Json* transform = extension(info, "KHR_texture_transform");
+    if (!transform) return out;
+    UvSource changed = out;
+    bool good = transform->is_object() && read_pair(*transform, "offset", changed.offset) &&
+                read_pair(*transform, "scale", changed.scale);
+    if (good && transform->contains("rotation")) {
+        const Json& rotation = (*transform)["rotation"];
+        good = rotation.is_number() && std::abs(rotation.get<double>()) <= 1e6;
+        if (good) changed.rotation_rad = rotation.get<double>();
+    }
+    if (good && transform->contains("texCoord")) {
+        const Json& set = (*transform)["texCoord"];
+        good = set.is_number_unsigned() && set.get<std::uint64_t>() < 64;
+        if (good) changed.set = set.get<int>();
+    }
+    if (good) return changed;
+    context_.warn(Place(place, "KHR_texture_transform"), "has invalid values; ignored");
+    return out;
+}
+
+const MaterialUv& Materials::use(int i) {
+    if (i < 0) return none_;
+    const auto at = static_cast<std::size_t>(i);
+    if (uv_[at]) return *uv_[at];
+    MaterialUv uv;
+    const Json& json = root_["materials"][at];
+    const Place place("materials", i);
+    Material& material = scene_.materials[at];
+    if (const auto pbr = json.find("pbrMetallicRoughness"); pbr != json.end()) {
+        if (const Json* info = texture_info(*pbr, "baseColorTexture")) {
+            material.base_colour_texture = textures_.use((*info)["index"].get<int>(), true);
+            if (material.base_colour_texture >= 0) uv.base_colour = uv_source(*info, Place(place, "baseColorTexture"));
+        }
+    }
+    if (const Json* info = texture_info(json, "normalTexture")) {
+        material.normal_texture = textures_.use((*info)["index"].get<int>(), false);
+        if (material.normal_texture >= 0) uv.normal = uv_source(*info, Place(place, "normalTexture"));
+    }
+    return *(uv_[at] = uv);
+}
+
+}  // namespace si::gltf

@@ -1,0 +1,199 @@
+#include "renderer/gltf/primitives.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "renderer/gltf/text.h"
+
+namespace si::gltf {
+namespace {
+
+constexpr std::string_view kRepair = "repair the file or export it again";
+constexpr std::uint32_t kUnused = 0xffffffff;
+
+/// The corners of strips and fans as a triangle list (glTF 2.0, section 3.7.2.1). Triangles that a strip repeats a
+/// vertex in only join its parts and are left out.
+std::vector<std::uint32_t> as_triangle_list(const std::vector<std::uint32_t>& in, int mode) {
+    std::vector<std::uint32_t> out;
+    if (in.size() < 3) return out;
+    out.reserve(3 * (in.size() - 2));
+    for (std::size_t i = 0; i + 2 < in.size(); ++i) {
+        std::uint32_t a = in[i], b = in[i + 1 + i % 2], c = in[i + 2 - i % 2];
+        if (mode == TINYGLTF_MODE_TRIANGLE_FAN) a = in[i + 1], b = in[i + 2], c = in[0];
+        if (a == b || b == c || c == a) continue;
+        out.insert(out.end(), {a, b, c});
+    }
+    return out;
+}
+
+/// Beyond this, squared lengths overflow a float.
+bool within_float_range(const std::vector<glm::vec3>& positions) {
+    float greatest = 0;
+    for (const glm::vec3& p : positions) {
+        greatest = std::max(greatest, std::max(std::abs(p.x), std::max(std::abs(p.y), std::abs(p.z))));
+    }
+    return greatest <= 1e18f;
+}
+
+bool all_finite(const std::vector<glm::vec3>& positions) {
+    float sum = 0;  // 0 * infinity and 0 * NaN are NaN
+    for (const glm::vec3& p : positions) sum += p.x * 0 + p.y * 0 + p.z * 0;
+    return sum == 0;
+}
+
+}  // namespace
+
+Primitives::Primitives(Context& context, const tinygltf::Model& model, Accessors& accessors, Materials& materials,
+                       Scene& scene)
+    : context_(context), model_(model), accessors_(accessors), materials_(materials), scene_(scene) {}
+
+const std::vector<int>& Primitives::of_mesh(int mesh) {
+    if (const auto it = of_mesh_.find(mesh); it != of_mesh_.end()) return it->second;
+    std::vector<int>& out = of_mesh_[mesh];
+    const tinygltf::Mesh& from = model_.meshes[static_cast<std::size_t>(mesh)];
+    const Place mesh_place("meshes", mesh);
+    for (std::size_t i = 0; i < from.primitives.size(); ++i) {
+        const Place place(mesh_place, "primitives", static_cast<std::int64_t>(i));
+        const int built = share(from.primitives[i], place, from.name);
+        if (built >= 0) out.push_back(built);
+    }
+    return out;
+}
+
+int Primitives::share(const tinygltf::Primitive& primitive, const Place& place, const std::string& name) {
+    std::vector<int> key{primitive.mode, primitive.indices, primitive.material};
+    for (const auto& [attribute, accessor] : primitive.attributes) {
+        // Names are ordered in the map, but which are present is part of the key too.
+        key.push_back(static_cast<int>(std::hash<std::string>{}(attribute)&0x7fffffff));
+        key.push_back(accessor);
+    }
+    if (const auto it = shared_.find(key); it != shared_.end()) return it->second;
+    return shared_[key] = build(primitive, place, name);
+}
+
+std::vector<std::uint32_t> Primitives::compact(std::vector<std::uint32_t>& indices, std::size_t vertex_count) {
+    if (scratch_.size() < vertex_count) scratch_.resize(vertex_count, kUnused);
+    std::vector<std::uint32_t> used;
+    used.reserve(indices.size());
+    for (std::uint32_t& index : indices) {
+        std::uint32_t& number = scratch_[index];
+        if (number == kUnused) {
+            number = static_cast<std::uint32_t>(used.size());
+            used.push_back(index);
+        }
+        index = number;
+    }
+    for (const std::uint32_t index : used) scratch_[index] = kUnused;
+    return used;
+}
+
+int Primitives::build(const tinygltf::Primitive& primitive, const Place& place, const std::string& name) {
+    if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+        context_.warn(place, primitive.mode == TINYGLTF_MODE_POINTS ? "points are not drawn" : "lines are not drawn");
+        return -1;
+    }
+    const auto position = primitive.attributes.find("POSITION");
+    if (position == primitive.attributes.end()) {
+        context_.warn(place, "has no POSITION and is not drawn");
+        return -1;
+    }
+    const std::size_t vertex_count = accessors_.count(position->second);
+    if (vertex_count > kUnused) context_.fail(place, "has more vertices than 32-bit indices reach", "split the mesh");
+
+    Mesh mesh;
+    mesh.name = printable(name);
+    mesh.material = primitive.material;
+    if (primitive.indices >= 0) {
+        mesh.indices = accessors_.indices(primitive.indices, Place(place, "indices"), vertex_count);
+    } else {
+        mesh.indices.resize(vertex_count);
+        std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
+    }
+    if (primitive.mode != TINYGLTF_MODE_TRIANGLES) {
+        mesh.indices = as_triangle_list(mesh.indices, primitive.mode);
+    } else if (const std::size_t rest = mesh.indices.size() % 3; rest != 0) {
+        context_.warn(place, fmt::format("{} corners are no multiple of three, the last {} are dropped",
+                                         mesh.indices.size(), rest));
+        mesh.indices.resize(mesh.indices.size() - rest);
+    }
+    if (mesh.indices.empty()) {
+        context_.warn(place, "has no triangles");
+        return -1;
+    }
+    // Several primitives may show parts of one big vertex array: take only the vertices in use.
+    std::vector<std::uint32_t> pick;
+    if (mesh.indices.size() < vertex_count) pick = compact(mesh.indices, vertex_count);
+    read_attributes(primitive, place, pick, mesh);
+    if (!all_finite(mesh.positions)) {
+        context_.warn(place, "has positions that are not finite; it is not drawn");
+        return -1;
+    }
+    if (!within_float_range(mesh.positions)) {
+        context_.warn(place, "has positions beyond 1e18; it is not drawn");
+        return -1;
+    }
+    scene_.meshes.push_back(std::move(mesh));
+    return static_cast<int>(scene_.meshes.size()) - 1;
+}
+
+std::vector<glm::vec2> Primitives::coordinates(const tinygltf::Primitive& primitive, const Place& place,
+                                               const UvSource& source, std::span<const std::uint32_t> pick) {
+    const std::string name = fmt::format("TEXCOORD_{}", source.set);
+    const auto it = primitive.attributes.find(name);
+    if (it == primitive.attributes.end()) {
+        context_.warn(place, fmt::format("its material reads {}, which it has not; drawn with one texel", name));
+        return {};
+    }
+    auto uv = accessors_.floats<2>(it->second, Place(place, name), pick);
+    source.apply(uv);
+    return uv;
+}
+
+void Primitives::read_attributes(const tinygltf::Primitive& primitive, const Place& place,
+                                 std::span<const std::uint32_t> pick, Mesh& mesh) {
+    const Place here(place, "attributes");
+    const std::size_t vertex_count = accessors_.count(primitive.attributes.at("POSITION"));
+    for (const auto& [name, accessor] : primitive.attributes) {
+        if (accessors_.count(accessor) != vertex_count) {
+            context_.fail(Place(here, name),
+                          fmt::format("accessor {} has {} elements, POSITION has {}", accessor,
+                                      accessors_.count(accessor), vertex_count),
+                          kRepair);
+        }
+    }
+    const auto find = [&](const char* name) {
+        const auto it = primitive.attributes.find(name);
+        return it == primitive.attributes.end() ? -1 : it->second;
+    };
+    mesh.positions = accessors_.floats<3>(find("POSITION"), Place(here, "POSITION"), pick);
+    if (const int normal = find("NORMAL"); normal >= 0) {
+        mesh.normals = accessors_.floats<3>(normal, Place(here, "NORMAL"), pick);
+    }
+    const MaterialUv& uv = materials_.use(primitive.material);
+    if (uv.base_colour.set >= 0) mesh.uv = coordinates(primitive, here, uv.base_colour, pick);
+    if (uv.normal.set >= 0) {
+        if (uv.base_colour.set < 0) {
+            mesh.uv = coordinates(primitive, here, uv.normal, pick);
+        } else if (!(uv.normal == uv.base_colour)) {
+            mesh.uv_normal = coordinates(primitive, here, uv.normal, pick);
+        }
+        if (const int tangent = find("TANGENT"); tangent >= 0) {
+            mesh.tangents = accessors_.floats<4>(tangent, Place(here, "TANGENT"), pick);
+        }
+    }
+    if (const int colour = find("COLOR_0"); colour >= 0) {
+        const Place colour_place(here, "COLOR_0");
+        if (accessors_.width(colour) == 3) {
+            const auto rgb = accessors_.floats<3>(colour, colour_place, pick);
+            mesh.colours.reserve(rgb.size());
+            for (const glm::vec3& c : rgb) mesh.colours.emplace_back(c, 1.0f);
+        } else {
+            mesh.colours = accessors_.floats<4>(colour, colour_place, pick);
+        }
+    }
+}
+
+}  // namespace si::gltf

@@ -1,0 +1,13 @@
+// Names and data from a file, made safe to show in a terminal, a log or the window.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace si::gltf {
+
+/// Control characters, bidirectional marks and broken UTF-8 become visible escapes such as \x1b or \u202e;
+/// longer than `max_bytes` is cut at a character and ends in "…".
+std::string printable(std::string_view text, std::size_t max_bytes = 160);
+
+}  // namespace si::gltf

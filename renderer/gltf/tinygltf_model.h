@@ -1,0 +1,26 @@
+// The one place that includes and calls tinygltf.
+#pragma once
+
+#ifdef SI_TINYGLTF_HEADER_ONLY
+// These change the header's classes, so every user must see the same.
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#define TINYGLTF_NO_INCLUDE_STB_IMAGE
+#define TINYGLTF_NO_INCLUDE_STB_IMAGE_WRITE
+#define TINYGLTF_NO_INCLUDE_JSON
+#ifdef TINYGLTF_IMPLEMENTATION
+#include <nlohmann/json.hpp>
+#endif
+#endif
+#include <tiny_gltf.h>
+
+#include "renderer/gltf/json_guard.h"
+
+namespace si::gltf {
+
+/// Has tinygltf read the checked document, without its buffers, images and extensions (see core_text), so that it
+/// opens no file, decodes nothing and recurses nowhere. @throws Error with tinygltf's words when it refuses.
+tinygltf::Model read_model(const Context& context, const Json& root);
+
+}  // namespace si::gltf
