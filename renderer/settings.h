@@ -56,9 +56,11 @@ struct CasterSettings {
 
 struct BiasSettings {
     int unit = 1;  ///< BiasUnit
-    double constant = 1.0;
-    double slope = 3.0;
-    double normal = 0.0;
+    // Three texels along the normal clear a plane at any angle under the default kernel: h >= kappa*sqrt(2)*sin(theta)
+    // with kappa = 2 (bias_theory.h); the constant covers quantisation.
+    double constant = 0.1;
+    double slope = 0.0;
+    double normal = 3.0;
     int normal_source = 0;  ///< NormalSource
     double raster_slope = 0;
     double raster_units = 0;
