@@ -1,0 +1,54 @@
+// The overview of mouse and keyboard.
+#include <imgui.h>
+
+#include "ui/panels.h"
+#include "ui/theme.h"
+
+namespace si {
+namespace {
+
+constexpr std::pair<const char*, const char*> kShortcuts[] = {
+    {"Drag", "turn the camera about its target"},
+    {"Right or middle drag, Shift+drag", "move the camera sideways"},
+    {"Wheel", "closer, farther"},
+    {"Ctrl+drag", "turn the light"},
+    {"Click", "probe a pixel; Esc forgets it"},
+    {"F", "frame the whole scene"},
+    {"Home", "the scene's own camera"},
+    {"1 to 9", "overlays; the same key again, or 0: none"},
+    {"M", "map viewer: raw, linear, bands"},
+    {"Ctrl+Z, Ctrl+Y", "undo, redo"},
+    {"Ctrl+S", "save the preset"},
+    {"Ctrl+O", "open the preset"},
+    {"Ctrl+click on a slider", "type a value"},
+    {"Right-click on a setting", "reset it, or copy it as --set"},
+    {"Wheel, drag, double-click in the map", "zoom, move, fit"},
+    {"Drop a file on the window", "open a .gltf or .glb scene, or a preset"},
+    {"Ctrl+Q", "quit"},
+};
+
+}  // namespace
+
+void draw_shortcuts(EditorState& state) {
+    constexpr const char* kTitle = "Mouse and keyboard";
+    if (state.show_shortcuts && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+    if (!ImGui::BeginPopupModal(kTitle, &state.show_shortcuts, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings)) {
+        for (const auto& [keys, meaning] : kShortcuts) {
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            ImGui::PushFont(theme::strong());
+            ImGui::TextUnformatted(keys);
+            ImGui::PopFont();
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(meaning);
+        }
+        ImGui::EndTable();
+    }
+    if (!state.show_shortcuts) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace si
