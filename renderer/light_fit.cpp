@@ -16,7 +16,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMinHalfAngle = 1e-3, kMaxHalfAngle = 1.5;  // rad; tan() stays below 15
 constexpr double kMarginTexels = 2;      // at each side, so that a kernel at the edge of the scene finds cleared texels
-constexpr double kFaceMarginTexels = 5;  // the widest kernel crosses from one face of six into the next
+constexpr double kFaceMarginTexels = 6;  // the widest kernel crosses from one face of six into the next
 constexpr double kNearShare = 1e-3;      // least near / far of a perspective map: D24 then resolves far / 2e4
 constexpr double kDepthMargin = 1e-4;    // of the depth range, at each end
 // 2^10 steps of a float: a thinner range or map has no useful resolution.
@@ -113,6 +113,25 @@ void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, d
     finish_view(light, view, c, 1);
 }
 
+/// The range of what lies inside the view's pyramid.
+DepthCurve perspective_curve(const LightView& view, const FitContext& c) {
+    double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+    for (const Box& box : c.shape.boxes) {
+        const ViewExtent e = extent_of(box, view);
+        const double entry = entry_into_pyramid(e, view.half_width);
+        if (!std::isfinite(entry) || e.hi.z <= 0) continue;
+        nearest = std::min(nearest, entry);
+        farthest = std::max(farthest, e.hi.z);
+    }
+    if (!(farthest > 0)) nearest = farthest = std::max(glm::distance(view.eye, c.shape.centre), c.shape.radius);
+    DepthCurve curve;
+    curve.perspective = true;
+    curve.convention = c.convention;
+    curve.far = farthest * (1 + kDepthMargin);
+    curve.near = std::max(nearest * (1 - kDepthMargin), kNearShare * curve.far);
+    return curve;
+}
+
 /// A perspective map of tangent `tan_half`; 0 chooses it so that every box is inside.
 void fit_perspective(FittedLight& light, LightView view, const FitContext& c, double tan_half) {
     if (tan_half <= 0) {
@@ -128,19 +147,7 @@ void fit_perspective(FittedLight& light, LightView view, const FitContext& c, do
         if (tan_half == limit) note(light, "the light stands in the scene: its map covers 172 degrees only");
     }
     view.half_width = tan_half;
-    double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-    for (const Box& box : c.shape.boxes) {
-        const ViewExtent e = extent_of(box, view);
-        const double entry = entry_into_pyramid(e, tan_half);
-        if (!std::isfinite(entry) || e.hi.z <= 0) continue;
-        nearest = std::min(nearest, entry);
-        farthest = std::max(farthest, e.hi.z);
-    }
-    if (!(farthest > 0)) nearest = farthest = std::max(glm::distance(view.eye, c.shape.centre), c.shape.radius);
-    view.curve.perspective = true;
-    view.curve.convention = c.convention;
-    view.curve.far = farthest * (1 + kDepthMargin);
-    view.curve.near = std::max(nearest * (1 - kDepthMargin), kNearShare * view.curve.far);
+    view.curve = perspective_curve(view, c);
     finish_view(light, view, c, view.curve.far);
 }
 
@@ -163,12 +170,23 @@ const std::array<glm::dmat3, 6>& cube_axes() {
     return axes;
 }
 
+/// Six faces of one range, so that a depth means the same distance in each.
 void fit_faces(FittedLight& light, const FitContext& c) {
-    for (const glm::dmat3& axes : cube_axes()) {
-        LightView view;
-        view.eye = light.position;
-        view.axes = axes;
-        fit_perspective(light, view, c, with_margin(1.0, 0, c.resolution, kFaceMarginTexels));
+    std::array<LightView, 6> faces;
+    DepthCurve range;
+    for (int i = 0; i < 6; ++i) {
+        faces[i].eye = light.position;
+        faces[i].axes = cube_axes()[i];
+        faces[i].half_width = with_margin(1.0, 0, c.resolution, kFaceMarginTexels);
+        const DepthCurve curve = perspective_curve(faces[i], c);
+        if (i == 0) range = curve;
+        range.near = std::min(range.near, curve.near);
+        range.far = std::max(range.far, curve.far);
+    }
+    range.near = std::max(range.near, kNearShare * range.far);
+    for (LightView& face : faces) {
+        face.curve = range;
+        finish_view(light, face, c, range.far);
     }
     if (c.settings.projection == int(LightProjection::Orthographic))
         note(light, "six faces are always perspective: light.projection has no effect");

@@ -153,11 +153,13 @@ TEST(LightFit, FacesOfAPointLightCoverEveryDirection) {
         const LightView& v = light.views[f];
         EXPECT_EQ(v.axes[2], -forward[f]);
         EXPECT_EQ(glm::determinant(v.axes), 1);
+        EXPECT_EQ(v.curve.near, light.views[0].curve.near);  // shaders know one range per light
+        EXPECT_EQ(v.curve.far, light.views[0].curve.far);
         // A corner direction shared with two other faces lies inside, with texels to spare for kernels.
         const glm::dvec3 corner = forward[f] + v.axes[0] + v.axes[1];
         const glm::dvec4 q = v.clip_from_relative(light.position + corner)[3];
-        EXPECT_NEAR(q.x / q.w, 1 - 10.0 / s.map.resolution, 1e-6);
-        EXPECT_NEAR(q.y / q.w, 1 - 10.0 / s.map.resolution, 1e-6);
+        EXPECT_NEAR(q.x / q.w, 1 - 12.0 / s.map.resolution, 1e-6);
+        EXPECT_NEAR(q.y / q.w, 1 - 12.0 / s.map.resolution, 1e-6);
     }
 }
 
