@@ -72,14 +72,13 @@ void fit_range(Camera& c, const Bounds& bounds, double near, double far) {
 /// Moves the eye along `back` until the bounds fill the picture.
 void frame_bounds(Camera& c, const Bounds& bounds) {
     const double tan_y = std::tan(0.5 * c.fov_y_rad), tan_x = tan_y * c.aspect;
-    double distance = 0, half_height = 0;
+    double distance = 0;
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 v = glm::transpose(c.axes) * (corner(bounds, i) - bounds.centre());
         distance = std::max({distance, v.z + std::abs(v.x) / tan_x, v.z + std::abs(v.y) / tan_y});
-        half_height = std::max({half_height, std::abs(v.x) / c.aspect, std::abs(v.y)});
     }
-    c.height = 2 * kFramingMargin * half_height;
-    c.focus = c.orthographic ? 2 * bounds.radius() : kFramingMargin * distance;
+    c.focus = kFramingMargin * distance;
+    c.height = 2 * c.focus * tan_y;  // for a change to an orthographic camera
     c.eye = bounds.centre() + c.axes[2] * c.focus;
 }
 
@@ -164,7 +163,10 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect) 
         near = positive_or(sc->near, 0);
         far = positive_or(sc->far, 0);
     } else {
-        c.axes = orbit_axes(35, 25, 0);
+        const CameraSettings standard;
+        c.axes = orbit_axes(standard.azimuth, standard.elevation, 0);
+        c.orthographic = false;
+        c.fov_y_rad = clamped_fov_rad(standard.fov);
         frame_bounds(c, bounds);
     }
     c.curve.perspective = !c.orthographic;
