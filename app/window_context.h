@@ -1,0 +1,53 @@
+// A window with an OpenGL 4.5 core context, through GLFW.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace si {
+
+/// One window at a time; the context is a debug context, current on the constructing thread, with vsync.
+class WindowContext {
+public:
+    /// @param width, height in screen coordinates at scale 1; shrunk to fit the monitor's work area.
+    /// @throws Error when there is no display or no OpenGL 4.5.
+    WindowContext(const std::string& title, int width, int height);
+    ~WindowContext();
+    WindowContext(const WindowContext&) = delete;
+    WindowContext& operator=(const WindowContext&) = delete;
+
+    GLFWwindow* handle() const { return window_; }
+    bool should_close() const;
+    void set_title(const std::string& title);
+    /// Sleeps until input arrives, at most `seconds`.
+    void wait_events(double seconds);
+    void poll_events();
+    void swap();
+    int framebuffer_width() const;
+    int framebuffer_height() const;
+    /// The monitor's scale for text and widgets; 1 at about 96 dots per inch.
+    float content_scale() const;
+    /// Whether the last wait brought input, a resize or an uncovered window; cleared by the call.
+    bool take_input();
+    /// Files dropped on the window since the last call.
+    std::vector<std::filesystem::path> take_dropped();
+
+    /// Whether a window can be opened as far as the environment tells (DISPLAY or WAYLAND_DISPLAY).
+    static bool display_available();
+
+private:
+    struct Events {
+        bool input = true;
+        std::vector<std::filesystem::path> dropped;
+    };
+    void install_callbacks();
+    static void note_input(GLFWwindow* window);
+
+    GLFWwindow* window_ = nullptr;
+    Events events_;
+};
+
+}  // namespace si
