@@ -32,7 +32,7 @@ Mesh make_broadleaf() {
     const glm::dvec4 crowns[] = {{0, 5.3, 0, 2.6}, {1.4, 4.4, 0.5, 1.7}, {-1.2, 4.5, -0.8, 1.8}, {-0.1, 4.2, 1.4, 1.6}};
     float tone = 1;
     for (const glm::dvec4& c : crowns) {
-        append(tree, tinted(transformed(make_sphere(c.w, 10, 6), moved(c.x, c.y, c.z) * scaled(1, 0.85, 1)),
+        append(tree, tinted(transformed(make_sphere(c.w, 8, 5), moved(c.x, c.y, c.z) * scaled(1, 0.85, 1)),
                             glm::vec3(0.13f, 0.17f, 0.045f) * tone));
         tone -= 0.08f;
     }
