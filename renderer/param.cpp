@@ -20,8 +20,8 @@ const Param* find_row(std::string_view key, Scope scope) {
 std::optional<int> light_index(std::string_view digits) {
     int i = -1;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), i);
-    const bool canonical = error == std::errc() && end == digits.data() + digits.size() &&
-                           (digits.size() == 1 || digits.front() != '0');
+    const bool canonical =
+        error == std::errc() && end == digits.data() + digits.size() && (digits.size() == 1 || digits.front() != '0');
     return canonical && i >= 0 && i < kMaxLights ? std::optional(i) : std::nullopt;
 }
 
@@ -119,9 +119,8 @@ std::string nearest_key(std::string_view key) {
         const std::string_view rest = key.substr(kLightPrefix.size());
         const auto dot = rest.find('.');
         const auto digits = rest.substr(0, dot);
-        if (dot != std::string_view::npos && !digits.empty() && std::all_of(digits.begin(), digits.end(), [](char c) {
-                return c >= '0' && c <= '9';
-            })) {
+        if (dot != std::string_view::npos && !digits.empty() &&
+            std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; })) {
             light = light_index(digits).value_or(kMaxLights - 1);
             plain = std::string(kLightPrefix).append(rest.substr(dot + 1));
         }

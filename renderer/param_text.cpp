@@ -43,8 +43,7 @@ int parse_choice(const SettingRef& ref, std::string_view text) {
         if (choices[i].key == text) return int(i);
         keys.emplace_back(choices[i].key);
     }
-    refuse(ref, text,
-           fmt::format("is none of {}; did you mean {}?", fmt::join(keys, ", "), nearest_name(text, keys)));
+    refuse(ref, text, fmt::format("is none of {}; did you mean {}?", fmt::join(keys, ", "), nearest_name(text, keys)));
 }
 
 bool parse_bool(const SettingRef& ref, std::string_view text) {
@@ -75,8 +74,8 @@ void repair_pair(Settings& s, const std::string& lo_key, const std::string& hi_k
     if (lo < hi || (zero_is_automatic && (lo == 0 || hi == 0))) return;
     if (lo > hi) {
         set_value(s, lo_ref, hi), set_value(s, hi_ref, lo);
-        repairs.push_back(fmt::format("{} {} was above {} {}: swapped", lo_key, number_text(lo), hi_key,
-                                      number_text(hi)));
+        repairs.push_back(
+            fmt::format("{} {} was above {} {}: swapped", lo_key, number_text(lo), hi_key, number_text(hi)));
         return;
     }
     // Equal: open the range upwards where there is room, else downwards.
@@ -86,8 +85,8 @@ void repair_pair(Settings& s, const std::string& lo_key, const std::string& hi_k
     } else {
         set_value(s, lo_ref, lo - step);
     }
-    repairs.push_back(fmt::format("{} and {} were both {}: set {} apart", lo_key, hi_key, number_text(lo),
-                                  number_text(step)));
+    repairs.push_back(
+        fmt::format("{} and {} were both {}: set {} apart", lo_key, hi_key, number_text(lo), number_text(step)));
 }
 
 }  // namespace

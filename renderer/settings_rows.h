@@ -29,9 +29,9 @@ namespace rows {
 #define SI_OBJECT_FIELD(name) \
     .key = "object." #name, .field = [](Settings&, int, ObjectSettings* object) -> FieldRef { return &object->name; }
 #define SI_CHOICES(array) .choices = []() -> std::span<const Choice> { return array; }
-#define SI_IDLE(condition, reason) \
+#define SI_IDLE(condition, reason)                                                               \
     .idle = []([[maybe_unused]] const Settings& s, [[maybe_unused]] int i) -> std::string_view { \
-        return (condition) ? std::string_view(reason) : std::string_view(); \
+        return (condition) ? std::string_view(reason) : std::string_view();                      \
     }
 
 template <class E>
@@ -52,7 +52,9 @@ struct Any {
 
 template <class T, std::size_t... I>
 constexpr bool takes(std::index_sequence<I...>) {
-    return requires { T{(void(I), Any{})...}; };
+    return requires {
+        T{(void(I), Any{})...};
+    };
 }
 
 /// Number of members of an aggregate: the longest list of initialisers it accepts.

@@ -21,8 +21,12 @@ constexpr Choice kProjections[] = {
     {"perspective", "perspective", "Rays from the light's place; on a directional light wrong on purpose, to compare."},
 };
 
-const LightSettings& of(const Settings& s, int i) { return s.lights[std::size_t(i)]; }
-bool has_type(const Settings& s, int i, LightType type) { return of(s, i).type == at(type); }
+const LightSettings& of(const Settings& s, int i) {
+    return s.lights[std::size_t(i)];
+}
+bool has_type(const Settings& s, int i, LightType type) {
+    return of(s, i).type == at(type);
+}
 bool is_orthographic(const Settings& s, int i) {
     if (has_type(s, i, LightType::Point)) return false;
     const int projection = of(s, i).projection;
@@ -46,10 +50,9 @@ std::string_view projection_idle(const Settings& s, int i) {
     return has_type(s, i, LightType::Point) ? "without effect: a point light has six perspective faces" : "";
 }
 
-// A directional light shines along its angles wherever it stands: place and target move only the map that is set up by
-// hand.
+// A directional light shines along its angles wherever it stands, and an orthographic fit centres itself.
 std::string_view place_idle(const Settings& s, int i) {
-    return has_type(s, i, LightType::Directional) && of(s, i).fit != at(LightFit::Manual)
+    return has_type(s, i, LightType::Directional) && is_orthographic(s, i) && of(s, i).fit != at(LightFit::Manual)
                ? "without effect: the fit places the map of a directional light"
                : "";
 }
@@ -57,7 +60,10 @@ std::string_view place_idle(const Settings& s, int i) {
 constexpr auto kCount = std::to_array<Param>({
     {.key = "light.count",
      .field = [](Settings& s, int, ObjectSettings*) -> FieldRef { return &s.light_count; },
-     .label = "Lights", .unit = "lights", .min = 0, .max = kMaxLights,
+     .label = "Lights",
+     .unit = "lights",
+     .min = 0,
+     .max = kMaxLights,
      .help = "How many lights shine: light.0 up to this many. Each has a shadow map of its own."},
 });
 
@@ -72,21 +78,23 @@ constexpr auto kLight = with_scope(
          .idle = place_idle,
          .help = "Distance of the light from its target; 0 lets the fit choose from the scene's size."},
         {SI_LIGHT_FIELD(target_x), .label = "Target x", .unit = "m", .min = -1e8, .max = 1e8, .idle = place_idle,
-         .help = "The point the light looks at, world x."},
+         .help = "What the light looks at, along x from the centre of the scene's bounds."},
         {SI_LIGHT_FIELD(target_y), .label = "Target y", .unit = "m", .min = -1e8, .max = 1e8, .idle = place_idle,
-         .help = "The point the light looks at, world y (up)."},
+         .help = "What the light looks at, upwards from the centre of the scene's bounds."},
         {SI_LIGHT_FIELD(target_z), .label = "Target z", .unit = "m", .min = -1e8, .max = 1e8, .idle = place_idle,
-         .help = "The point the light looks at, world z."},
+         .help = "What the light looks at, along z from the centre of the scene's bounds."},
         {SI_LIGHT_FIELD(size), .label = "Size", .unit = "deg or m", .min = 0, .max = 100, .logarithmic = true,
          SI_IDLE(true, "without effect: the present kernels treat lights as points"),
          .help = "How large the light is: angular radius in degrees for directional lights (the sun: 0.27), radius in "
                  "metres for spot and point lights. Larger lights make wider penumbrae."},
-        {SI_LIGHT_FIELD(cone), .label = "Cone", .unit = "deg", .min = 0.2, .max = 171,
+        {SI_LIGHT_FIELD(cone), .label = "Cone", .unit = "deg", .min = 0.2, .max = 360,
          SI_IDLE(!has_type(s, i, LightType::Spot), "without effect: only a spot light has a cone"),
-         .help = "Full opening angle of a spot light."},
+         .help = "Full opening angle of a spot light. Above 171 degrees its map is drawn as six faces, as a point "
+                 "light's."},
         {SI_LIGHT_FIELD(cone_blend), .label = "Cone blend", .unit = "", .min = 0, .max = 1,
          SI_IDLE(!has_type(s, i, LightType::Spot), "without effect: only a spot light has a cone"),
-         .help = "Share of the cone over which the light fades at its rim: 0 is a hard edge, 1 fades from the axis on."},
+         .help =
+             "Share of the cone over which the light fades at its rim: 0 is a hard edge, 1 fades from the axis on."},
         {SI_LIGHT_FIELD(intensity), .label = "Intensity", .unit = "", .min = 0, .max = 1e6, .logarithmic = true,
          .help = "Brightness relative to the other lights. Directional lights: as given. Spot and point lights: scaled "
                  "together so that the brightest of them is 1 at the scene's centre."},
@@ -99,8 +107,7 @@ constexpr auto kLight = with_scope(
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
          .help = "Who chooses what the shadow map covers."},
         {SI_LIGHT_FIELD(projection), .label = "Projection", .unit = "", SI_CHOICES(kProjections),
-         .idle = projection_idle,
-         .help = "The projection of the shadow map."},
+         .idle = projection_idle, .help = "The projection of the shadow map."},
         {SI_LIGHT_FIELD(near), .label = "Near", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .idle = planes_idle,
          .help = "Distance of the map's near plane from the light; 0 is the fit's value. Casters nearer than this are "

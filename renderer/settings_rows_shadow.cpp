@@ -11,13 +11,15 @@ constexpr Choice kFormats[] = {
     {"d16", "16-bit depth", "65536 equal steps of depth. Half the memory of d32f; a long depth range shows its steps."},
     {"d24", "24-bit depth", "2^24 equal steps of depth, the usual choice of hardware."},
     {"d32f", "32-bit float depth", "Floating point; finest when depth is reversed."},
-    {"colour", "depth as colour", "The depth written to a 32-bit float colour target by the fragment shader, as before depth "
-                                  "textures were common. The sampler cannot compare it."},
+    {"colour", "depth as colour",
+     "The depth written to a 32-bit float colour target by the fragment shader, as before depth "
+     "textures were common. The sampler cannot compare it."},
 };
 constexpr Choice kWraps[] = {
     {"border", "clamp to border", "Texels outside of the map count as map.outside says."},
     {"clamp", "clamp to edge", "The outermost texels continue outwards: streaks along the map's edge."},
-    {"repeat", "repeat", "The map tiles the world: copies of the shadow outside of the light's frustum (over-sampling)."},
+    {"repeat", "repeat",
+     "The map tiles the world: copies of the shadow outside of the light's frustum (over-sampling)."},
     {"range", "test the range", "The shader tests whether the coordinate lies in [0,1] and does not sample outside."},
 };
 constexpr Choice kOutside[] = {
@@ -28,6 +30,15 @@ constexpr Choice kCompares[] = {
     {"less", "less", "Lit when the fragment's depth is strictly nearer to the light than the stored depth."},
     {"lequal", "less or equal", "Lit when the fragment's depth is nearer than or equal to the stored depth."},
 };
+
+/// map.outside also answers for what lies behind the far plane or behind a light with a place.
+std::string_view outside_idle(const Settings& s, int) {
+    if (s.map.far_guard || s.map.wrap == at(MapWrap::Border) || s.map.wrap == at(MapWrap::Range)) return "";
+    for (int i = 0; i < s.light_count && i < kMaxLights; ++i) {
+        if (s.lights[std::size_t(i)].type != at(LightType::Directional)) return "";
+    }
+    return "without effect: map.wrap finds a texel everywhere and map.far_guard is off";
+}
 
 constexpr auto kMap = std::to_array<Param>({
     {SI_FIELD(map.resolution), .label = "Resolution", .unit = "texels", .min = 1, .max = 16384, .logarithmic = true,
@@ -41,12 +52,13 @@ constexpr auto kMap = std::to_array<Param>({
     {SI_FIELD(map.wrap), .label = "Outside of the map", .unit = "", .cost = Cost::Program, SI_CHOICES(kWraps),
      .help = "What a look-up outside of the map's square finds.", .shader = true},
     {SI_FIELD(map.outside), .label = "Outside counts as", .unit = "", .cost = Cost::Program, SI_CHOICES(kOutside),
-     SI_IDLE(s.map.wrap == at(MapWrap::Clamp) || s.map.wrap == at(MapWrap::Repeat),
-             "without effect: map.wrap clamp and repeat find a texel everywhere"),
-     .help = "Whether surfaces outside of the map's square are lit or get ambient light only.", .shader = true},
+     .idle = outside_idle,
+     .help = "Whether surfaces that the map does not hold (beside it, guarded behind its far plane, behind the light) "
+             "are lit or get ambient light only.",
+     .shader = true},
     {SI_FIELD(map.far_guard), .label = "Far guard", .unit = "", .cost = Cost::Program,
-     .help = "Surfaces beyond the light's far plane count as lit. Off: their depth beyond 1 compares as farther than "
-             "anything stored, so that they turn dark.",
+     .help = "Surfaces beyond the light's far plane count as map.outside says. Off: they are compared like all others, "
+             "farther away than anything stored, and turn dark.",
      .shader = true},
     {SI_FIELD(map.compare), .label = "Compare", .unit = "", .cost = Cost::Program, SI_CHOICES(kCompares),
      .help = "The comparison of the fragment's depth with the stored one (greater, greater or equal under reversed "
@@ -62,24 +74,29 @@ static_assert(kMap.size() == members<MapSettings>(), "a member of MapSettings ha
 constexpr Choice kCulls[] = {
     {"none", "none", "Every triangle casts."},
     {"back", "back faces", "Faces turned away from the light do not cast; single planes lose a side."},
-    {"front", "front faces", "Faces turned to the light do not cast: less acne on lit sides, but floors, single planes "
-                             "and close contacts lose their shadow."},
+    {"front", "front faces",
+     "Faces turned to the light do not cast: less acne on lit sides, but floors, single planes "
+     "and close contacts lose their shadow."},
 };
 constexpr Choice kUnits[] = {
-    {"depth", "depth", "Units of the map's depth range [0,1], as the lectures write it (0.005). Its size in metres "
-                       "depends on near and far."},
-    {"texels", "texels", "World size of one map texel at the fragment; grows and shrinks with resolution and distance."},
+    {"depth", "depth",
+     "Units of the map's depth range [0,1], as the lectures write it (0.005). Its size in metres "
+     "depends on near and far."},
+    {"texels", "texels",
+     "World size of one map texel at the fragment; grows and shrinks with resolution and distance."},
     {"metres", "metres", "World units along the light's axis."},
 };
 constexpr Choice kNormals[] = {
     {"geometric", "geometric", "The triangle's own plane normal: the surface that the map stores."},
-    {"shading", "shading", "The interpolated vertex normal with its normal map, as the lectures do; wrong where it leaves "
-                           "the triangle's plane."},
+    {"shading", "shading",
+     "The interpolated vertex normal with its normal map, as the lectures do; wrong where it leaves "
+     "the triangle's plane."},
 };
 constexpr Choice kMethods[] = {
-    {"auto", "automatic", "Gather when the kernel and the driver have it, else the sampler."},
-    {"gather", "gather", "textureGather fetches four depths a call and the shader compares."},
-    {"sampler", "sampler", "sampler2DShadow: the texture unit compares and blends 2x2."},
+    {"auto", "automatic", "Gather: the quicker one where it was measured."},
+    {"gather", "gather",
+     "The shader fetches depths, four a call where the kernel allows (textureGather), and compares them itself."},
+    {"sampler", "sampler", "The texture unit compares, and blends 2x2 for bilinear kernels (sampler2DShadow)."},
 };
 
 constexpr auto kCaster = std::to_array<Param>({
@@ -98,12 +115,14 @@ constexpr auto kBias = std::to_array<Param>({
     {SI_FIELD(bias.slope), .label = "Slope", .unit = "bias.unit", .min = 0, .max = 1000, .logarithmic = true,
      SI_IDLE(s.bias.slope <= s.bias.constant,
              "without effect: bias = max(slope * (1 - n.l), constant) and slope is not above constant"),
-     .help = "Bias at grazing light. Bias = max(slope * (1 - n.l), constant), with n.l the cosine between surface normal "
-             "and light.",
+     .help =
+         "Bias at grazing light. Bias = max(slope * (1 - n.l), constant), with n.l the cosine between surface normal "
+         "and light.",
      .shader = true},
     {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "texels", .min = 0, .max = 100, .logarithmic = true,
-     .help = "Moves the looked-up point along the normal by this many texels times the sine of the light's angle "
-             "(normal-offset shadows). Cures acne without moving the contact on faces turned to the light.",
+     .help = "Moves the point that is looked up along its normal by this many texels (normal-offset shadows). Cures "
+             "acne at "
+             "any angle of light; too much lets light in at inner edges.",
      .shader = true},
     {SI_FIELD(bias.normal_source), .label = "Normal", .unit = "", .cost = Cost::Program, SI_CHOICES(kNormals),
      SI_IDLE(s.bias.slope <= s.bias.constant && s.bias.normal == 0,
@@ -124,29 +143,21 @@ constexpr auto kBias = std::to_array<Param>({
 });
 static_assert(kBias.size() == members<BiasSettings>(), "a member of BiasSettings has no row");
 
-std::string_view method_idle(const Settings& s, int) {
-    const auto list = filters();
-    const bool known = s.filter.kernel >= 0 && std::size_t(s.filter.kernel) < list.size();
-    if (known && list[std::size_t(s.filter.kernel)].gathers == 0) {
-        return "without effect: this kernel has no gather form";
-    }
-    return s.map.format == at(MapFormat::Colour) ? "without effect: map.format colour cannot be compared by the sampler"
-                                                 : "";
-}
-
 constexpr auto kFilter = std::to_array<Param>({
     {SI_FIELD(filter.kernel), .label = "Kernel", .unit = "", .cost = Cost::Program, .choices = filter_choices,
      .help = "How the shadow test is filtered. Wider kernels blur the stair steps and call for more bias.",
      .shader = true},
     {SI_FIELD(filter.method), .label = "Method", .unit = "", .cost = Cost::Program, SI_CHOICES(kMethods),
-     .idle = method_idle,
+     SI_IDLE(s.map.format == at(MapFormat::Colour), "without effect: the sampler cannot compare map.format colour"),
      .help = "How the kernel reads the map. Both give the same picture at different cost.", .shader = true},
 });
 static_assert(kFilter.size() == members<FilterSettings>(), "a member of FilterSettings has no row");
 
 }  // namespace
 
-std::span<const Param> map_rows() { return kMap; }
+std::span<const Param> map_rows() {
+    return kMap;
+}
 
 std::span<const Param> bias_rows() {
     static const std::vector<Param> list = [] {

@@ -47,7 +47,8 @@ std::string_view height_idle(const Settings& s, int i) {
 }
 
 constexpr auto kCamera = std::to_array<Param>({
-    {SI_FIELD(camera.source), .label = "Camera", .unit = "", SI_CHOICES(kSources), .help = "Where the camera comes from."},
+    {SI_FIELD(camera.source), .label = "Camera", .unit = "", SI_CHOICES(kSources),
+     .help = "Where the camera comes from."},
     {SI_FIELD(camera.target_x), .label = "Target x", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
      .help = "The point the camera looks at, world x."},
     {SI_FIELD(camera.target_y), .label = "Target y", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
@@ -78,11 +79,14 @@ static_assert(kCamera.size() == members<CameraSettings>(), "a member of CameraSe
 constexpr Choice kMapViews[] = {
     {"raw", "raw", "The depth as stored, 0 black to 1 white."},
     {"linear", "linear", "Distance along the light's axis, near black to far white."},
-    {"bands", "bands", "Depth bands: red below view.band_low, green from there, blue above view.band_high. Most of a "
-                       "perspective map's depth is spent close to the near plane (the 90/10 rule)."},
+    {"bands", "bands",
+     "Depth bands: red below view.band_low, green from there, blue above view.band_high. Most of a "
+     "perspective map's depth is spent close to the near plane (the 90/10 rule)."},
 };
 
-bool is_overlay_off(const Settings& s) { return s.view.overlay == 0; }
+bool is_overlay_off(const Settings& s) {
+    return s.view.overlay == 0;
+}
 constexpr std::string_view kNoOverlay = "without effect: view.overlay is none";
 
 std::string_view range_idle(const Settings& s, int) {
@@ -91,9 +95,11 @@ std::string_view range_idle(const Settings& s, int) {
 }
 std::string_view face_idle(const Settings& s, int) {
     const int light = s.view.light < 0 || s.view.light >= kMaxLights ? 0 : s.view.light;
-    return s.lights[std::size_t(light)].type != at(LightType::Point)
-               ? "without effect: only a point light's map has six faces"
-               : "";
+    const LightSettings& shown = s.lights[std::size_t(light)];
+    // 1.5 rad is half the widest cone that light_fit.cpp draws as one map.
+    const bool faces = shown.type == at(LightType::Point) ||
+                       (shown.type == at(LightType::Spot) && shown.cone > 2 * 1.5 * 57.29577951308232);
+    return faces ? "" : "without effect: only a point light's map has six faces";
 }
 
 constexpr auto kView = std::to_array<Param>({
@@ -104,7 +110,7 @@ constexpr auto kView = std::to_array<Param>({
      .help = "The value that the map viewer shows black, as a share of its range."},
     {SI_FIELD(view.map_white), .label = "White at", .unit = "", .min = -1, .max = 2,
      SI_IDLE(s.view.map == at(MapView::Bands), "without effect: the band view has colours of its own"),
-     .help = "The value that the map viewer shows white, as a share of its range. Below view.map_black: a negative."},
+     .help = "The value that the map viewer shows white, as a share of its range."},
     {SI_FIELD(view.band_low), .label = "Lower band", .unit = "depth", .min = 0, .max = 1,
      SI_IDLE(s.view.map != at(MapView::Bands), "without effect: view.map is not bands"),
      .help = "Depths below this are red in the band view."},
@@ -119,15 +125,13 @@ constexpr auto kView = std::to_array<Param>({
     {SI_FIELD(view.overlay), .label = "Overlay", .unit = "", .cost = Cost::Program, .choices = overlay_choices,
      .help = "A quantity of the shadow test drawn over the scene."},
     {SI_FIELD(view.overlay_opacity), .label = "Opacity", .unit = "", .min = 0, .max = 1,
-     SI_IDLE(is_overlay_off(s), kNoOverlay),
-     .help = "How much of the overlay covers the picture: 0 nothing, 1 all."},
-    {SI_FIELD(view.overlay_range_auto), .label = "Automatic range", .unit = "",
-     SI_IDLE(is_overlay_off(s), kNoOverlay),
+     SI_IDLE(is_overlay_off(s), kNoOverlay), .help = "How much of the overlay covers the picture: 0 nothing, 1 all."},
+    {SI_FIELD(view.overlay_range_auto), .label = "Automatic range", .unit = "", SI_IDLE(is_overlay_off(s), kNoOverlay),
      .help = "The colour scale spans the range that the overlay suggests."},
     {SI_FIELD(view.overlay_min), .label = "Scale from", .unit = "overlay's", .min = -1e8, .max = 1e8,
      .idle = range_idle, .help = "The value at the low end of the colour scale, in the overlay's unit."},
-    {SI_FIELD(view.overlay_max), .label = "Scale to", .unit = "overlay's", .min = -1e8, .max = 1e8,
-     .idle = range_idle, .help = "The value at the high end of the colour scale, in the overlay's unit."},
+    {SI_FIELD(view.overlay_max), .label = "Scale to", .unit = "overlay's", .min = -1e8, .max = 1e8, .idle = range_idle,
+     .help = "The value at the high end of the colour scale, in the overlay's unit."},
     {SI_FIELD(view.frustum), .label = "Light frustum", .unit = "",
      .help = "Draw the outline of the shown light's frustum in the editor's view."},
 });
@@ -153,9 +157,17 @@ static_assert(kObject.size() == members<ObjectSettings>(), "a member of ObjectSe
 
 }  // namespace
 
-std::span<const Param> shading_rows() { return kShading; }
-std::span<const Param> camera_rows() { return kCamera; }
-std::span<const Param> view_rows() { return kView; }
-std::span<const Param> object_rows() { return kObject; }
+std::span<const Param> shading_rows() {
+    return kShading;
+}
+std::span<const Param> camera_rows() {
+    return kCamera;
+}
+std::span<const Param> view_rows() {
+    return kView;
+}
+std::span<const Param> object_rows() {
+    return kObject;
+}
 
 }  // namespace si

@@ -227,6 +227,10 @@ TEST(SettingsIdle, SaysWhy) {
     EXPECT_TRUE(idle("light.1.azimuth").empty());
     EXPECT_TRUE(idle("map.outside").empty());
     s.map.wrap = static_cast<int>(MapWrap::Repeat);
+    EXPECT_TRUE(idle("map.outside").empty()) << "the far guard asks it";
+    s.map.far_guard = false;
+    EXPECT_TRUE(idle("map.outside").empty()) << "what lies behind the spot light asks it";
+    s.lights[0].type = s.lights[1].type = static_cast<int>(LightType::Directional);
     EXPECT_FALSE(idle("map.outside").empty());
     EXPECT_FALSE(idle("camera.fov").empty());
     s.camera.source = static_cast<int>(CameraSource::Manual);
