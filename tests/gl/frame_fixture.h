@@ -1,0 +1,46 @@
+// A renderer on a context of its own; every test must leave the driver without complaint.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "app/headless_context.h"
+#include "renderer/param.h"
+#include "renderer/renderer.h"
+#include "renderer/scenes/builtin.h"
+
+namespace si {
+
+class FrameTest : public ::testing::Test {
+protected:
+    HeadlessContext context;
+    Renderer renderer;
+
+    void TearDown() override {
+        for (const std::string& message : renderer.take_gl_messages()) ADD_FAILURE() << "driver: " << message;
+    }
+    static Settings settings_for(const Scene& scene,
+                                 const std::vector<std::pair<std::string, std::string>>& extra = {}) {
+        Settings s;
+        for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
+        for (const auto& [key, value] : extra) set_setting(s, key, value);
+        return s;
+    }
+    static FrameRequest small() { return {.width = 320, .height = 180}; }
+    ByteImage picture(const Scene& scene, const Settings& s, FrameRequest request = small()) {
+        return renderer.read_colour(renderer.render(scene, s, request).colour);
+    }
+};
+
+/// Pixels of two pictures of one size that differ by more than `tolerance` in any channel.
+inline std::size_t different_pixels(const ByteImage& a, const ByteImage& b, int tolerance = 0) {
+    EXPECT_EQ(a.data.size(), b.data.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 3 < std::min(a.data.size(), b.data.size()); i += 4) {
+        bool differs = false;
+        for (std::size_t c = 0; c < 4; ++c) differs |= std::abs(int(a.data[i + c]) - int(b.data[i + c])) > tolerance;
+        count += differs;
+    }
+    return count;
+}
+
+}  // namespace si

@@ -1,0 +1,274 @@
+// One frame as a function: equal inputs give equal bytes, two ways give one picture, and the plan tells the truth.
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/techniques.h"
+#include "tests/gl/frame_fixture.h"
+
+namespace si {
+namespace {
+
+double shadowed_share(const FloatImage& visibility) {
+    const auto dark = std::count_if(visibility.data.begin(), visibility.data.end(), [](float v) { return v < 0.5f; });
+    return double(dark) / double(visibility.data.size());
+}
+
+TEST_F(FrameTest, SameInputsSameBytesAlsoInAnotherRenderer) {
+    const Scene scene = load_scene("stage");
+    const Settings s = settings_for(scene);
+    const ByteImage first = picture(scene, s);
+    FrameRequest again = small();
+    again.force = true;
+    EXPECT_EQ(first.data, picture(scene, s, again).data);
+    {
+        HeadlessContext other_context;
+        Renderer other;
+        EXPECT_EQ(first.data, other.read_colour(other.render(load_scene("stage"), s, small()).colour).data);
+    }
+    context.make_current();
+}
+
+TEST_F(FrameTest, FusedAndSeparateVisibilityGiveOnePicture) {
+    for (const char* name : {"stage", "boxes"}) {
+        const Scene scene = load_scene(name);
+        for (const char* light : {"directional", "spot", "point"}) {
+            Settings s = settings_for(scene, {{"light.type", light}});
+            const ByteImage fused = picture(scene, s);
+            s.shading.separate_visibility = true;
+            const FrameResult separate = renderer.render(scene, s, small());
+            ASSERT_NE(separate.pass("visibility"), nullptr);
+            EXPECT_EQ(separate.pass("visibility")->state, PassState::Ran);
+            // Not one pixel may differ by more than the rounding of one 8-bit step.
+            EXPECT_EQ(different_pixels(fused, renderer.read_colour(separate.colour), 1), 0u) << name << " " << light;
+        }
+    }
+}
+
+TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
+    const Scene scene = load_scene("stage");
+    FrameRequest request = small();
+    request.outputs = {.colour = false, .visibility = true};
+    for (const Filter& filter : filters()) {
+        Settings s = settings_for(scene, {{"filter.kernel", std::string(filter.key)}, {"filter.method", "gather"}});
+        const FloatImage gather = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
+        set_setting(s, "filter.method", "sampler");
+        const FloatImage sampler = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
+        std::size_t differing = 0;
+        for (std::size_t i = 0; i < gather.data.size(); ++i)
+            differing += std::abs(gather.data[i] - sampler.data[i]) > 1e-3f;
+        // The two round texture coordinates apart, so a fragment on a texel border may choose the other texel.
+        EXPECT_LE(differing, gather.data.size() / 1000) << filter.key;
+        EXPECT_GT(shadowed_share(gather), 0.02) << filter.key;
+    }
+}
+
+TEST_F(FrameTest, WiderKernelsSoftenMore) {
+    const Scene scene = load_scene("boxes");
+    FrameRequest request = small();
+    request.outputs = {.colour = false, .visibility = true};
+    std::size_t previous = 0;
+    for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5", "pcf7", "pcf9"}) {
+        const Settings s = settings_for(scene, {{"filter.kernel", kernel}, {"map.resolution", "512"}, {"bias.normal", "8"}});
+        const FloatImage v = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
+        const auto grey = std::size_t(std::count_if(v.data.begin(), v.data.end(), [](float x) { return x > 0.01f && x < 0.99f; }));
+        if (std::string_view(kernel) == "hard") {
+            EXPECT_EQ(grey, 0u);
+        } else {
+            EXPECT_GT(grey, previous) << kernel;
+        }
+        previous = grey;
+    }
+}
+
+TEST_F(FrameTest, EveryPermutationCompiles) {
+    const Scene scene = load_scene("stage");  // masked, textured and plain materials
+    FrameRequest request{.width = 32, .height = 18};
+    request.outputs = {.colour = true, .shadow_map = true};
+    std::vector<const Param*> rows;
+    for (const Param& p : params())
+        if (p.shader && p.cost == Cost::Program && p.scope == Scope::Scene) rows.push_back(&p);
+    ASSERT_GE(rows.size(), 8u);
+    // Each choice of each row under each choice of each other row: every pair of defines meets in some program.
+    for (std::size_t a = 0; a < rows.size(); ++a)
+        for (std::size_t b = a + 1; b < rows.size(); ++b)
+            for (int i = 0; i < (rows[a]->choices ? int(rows[a]->choices().size()) : 2); ++i)
+                for (int j = 0; j < (rows[b]->choices ? int(rows[b]->choices().size()) : 2); ++j) {
+                    Settings s = settings_for(scene, {{"map.resolution", "16"}});
+                    const auto put = [&](const Param* p, int v) {
+                        set_value(s, {p, 0, {}}, p->choices ? Value(v) : Value(v != 0));
+                    };
+                    put(rows[a], i);
+                    put(rows[b], j);
+                    ASSERT_NO_THROW(renderer.render(scene, s, request)) << rows[a]->key << " " << i << ", " << rows[b]->key << " " << j;
+                }
+}
+
+TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
+    const Scene scene = load_scene("stage");
+    for (const Overlay& overlay : overlays())
+        for (const char* light : {"directional", "spot", "point"})
+            for (const char* separate : {"false", "true"}) {
+                const Settings s = settings_for(scene, {{"view.overlay", std::string(overlay.key)}, {"light.type", light},
+                                                        {"shading.separate_visibility", separate}, {"map.resolution", "256"}});
+                FrameRequest request{.width = 64, .height = 36};
+                request.outputs.overlay = true;
+                const FrameResult f = renderer.render(scene, s, request);
+                const FloatImage values = renderer.read_float(f.overlay, 4);
+                std::size_t drawn = 0, infinite = 0;
+                for (std::size_t i = 0; i < values.data.size(); i += 4) {
+                    drawn += values.data[i + 3] > 0;
+                    infinite += std::isinf(values.data[i]);
+                }
+                const bool finds_faults = overlay.key == "non-finite" || overlay.key == "outside-map";
+                EXPECT_EQ(drawn > 0, !finds_faults) << overlay.key << " " << light;
+                EXPECT_EQ(infinite, 0u) << overlay.key;
+            }
+}
+
+TEST_F(FrameTest, OverlayChangesThePictureAndItsOpacityMatters) {
+    const Scene scene = load_scene("boxes");
+    const ByteImage plain = picture(scene, settings_for(scene));
+    const ByteImage full = picture(scene, settings_for(scene, {{"view.overlay", "n-dot-l"}}));
+    const ByteImage none = picture(scene, settings_for(scene, {{"view.overlay", "n-dot-l"}, {"view.overlay_opacity", "0"}}));
+    EXPECT_GT(different_pixels(plain, full), plain.data.size() / 4 / 3);
+    EXPECT_EQ(different_pixels(plain, none), 0u);
+}
+
+TEST_F(FrameTest, PlanReusesWhatIsUnchangedAndRunsWhatIsNot) {
+    const Scene scene = load_scene("boxes");
+    Settings s = settings_for(scene);
+    FrameRequest request = small();
+    request.outputs.shadow_map = true;
+    const auto states = [&] {
+        std::vector<PassState> out;
+        for (const PassInfo& p : renderer.render(scene, s, request).passes) out.push_back(p.state);
+        return out;
+    };
+    using enum PassState;
+    // shadow map, visibility, shading, overlay values, overlay over picture, map viewer
+    EXPECT_EQ(states(), (std::vector{Ran, Skipped, Ran, Skipped, Skipped, Ran}));
+    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Reused, Skipped, Skipped, Reused}));
+    s.bias.constant += 0.5;
+    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Ran, Skipped, Skipped, Reused}));
+    s.lights[0].azimuth += 1;
+    EXPECT_EQ(states(), (std::vector{Ran, Skipped, Ran, Skipped, Skipped, Ran}));
+    s.camera = manual_camera(scene, s);
+    s.camera.azimuth += 3;
+    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Ran, Skipped, Skipped, Reused}));
+    s.view.overlay = 1;  // visibility
+    EXPECT_EQ(states(), (std::vector{Reused, Ran, Ran, Ran, Ran, Reused}));
+    s.lights[0].cast = false;
+    const FrameResult dark = renderer.render(scene, s, request);
+    EXPECT_EQ(dark.passes[0].state, Skipped);
+    EXPECT_EQ(dark.passes[0].draws, 0u);
+    EXPECT_EQ(dark.passes[0].reason, "light.cast is off");
+    request.outputs = {.colour = false};
+    for (const PassInfo& p : renderer.render(scene, s, request).passes) {
+        EXPECT_EQ(p.state, Skipped) << p.name;
+        EXPECT_FALSE(p.reason.empty()) << p.name;
+    }
+}
+
+TEST_F(FrameTest, SkippingAndCachingLeaveThePixelsAlone) {
+    const Scene scene = load_scene("stage");
+    for (const auto& extra : std::vector<std::vector<std::pair<std::string, std::string>>>{
+             {}, {{"light.cast", "false"}}, {{"view.overlay", "visibility"}}, {{"light.type", "spot"}}}) {
+        const Settings s = settings_for(scene, extra);
+        FrameRequest all = small();
+        all.force = all.no_skip = true;
+        EXPECT_EQ(picture(scene, s).data, picture(scene, s, all).data);
+        FrameRequest timed = small();
+        timed.timing = timed.force = true;
+        EXPECT_EQ(picture(scene, s).data, picture(scene, s, timed).data);
+    }
+}
+
+TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings) {
+    const Scene scene = load_scene("stage");
+    Settings s = settings_for(scene);
+    const std::vector<std::pair<std::string, std::string>> walk = {
+        {"map.resolution", "512"}, {"filter.kernel", "hard"}, {"light.azimuth", "100"}, {"object.Stage/Ground.receive", "false"},
+        {"caster.cull", "front"}, {"map.reversed_z", "true"}, {"light.type", "point"}, {"shading.separate_visibility", "true"},
+        {"light.count", "2"}, {"light.1.elevation", "70"}, {"map.format", "colour"}, {"shading.textures", "false"},
+        {"camera.source", "manual"}, {"view.overlay", "light-uv"}, {"light.count", "1"}, {"map.format", "d24"}};
+    for (const auto& [key, value] : walk) {
+        set_setting(s, key, value);
+        const ByteImage cached = picture(scene, s);
+        {
+            HeadlessContext fresh_context;
+            Renderer fresh;
+            const ByteImage expected = fresh.read_colour(fresh.render(scene, s, small()).colour);
+            EXPECT_EQ(different_pixels(cached, expected), 0u) << "after " << key << " = " << value;
+        }
+        context.make_current();
+    }
+}
+
+TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {
+    const Scene scene = load_scene("boxes");
+    FrameRequest request = small();
+    request.outputs = {.colour = false, .shadow_map = true};
+    const auto sum = [&](const Settings& s) {
+        renderer.render(scene, s, request);
+        const FloatImage map = renderer.read_shadow_map(0, 0);
+        double total = 0;
+        for (const float d : map.data) total += d;
+        return total / double(map.data.size());
+    };
+    Settings s = settings_for(scene, {{"map.resolution", "256"}});
+    const double none = sum(s);
+    set_setting(s, "caster.cull", "front");
+    const double front = sum(s);
+    EXPECT_GT(front, none + 1e-3);  // only far sides are left, and the one-sided floor is lost
+    set_setting(s, "object.Boxes/Floor.cull", "none");
+    EXPECT_LT(sum(s), front - 1e-3);  // the exception brings the floor back
+    set_setting(s, "object.Boxes/Floor.cast", "false");
+    EXPECT_GT(sum(s), none);
+}
+
+TEST_F(FrameTest, ProbeAgreesWithTheVisibilityPicture) {
+    const Scene scene = load_scene("stage");
+    for (const char* light : {"directional", "spot", "point"}) {
+        const Settings s = settings_for(scene, {{"light.type", light}});
+        FrameRequest request = small();
+        request.outputs = {.colour = false, .visibility = true};
+        const FloatImage v = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
+        int hits = 0, dark = 0;
+        for (int y = 5; y < 180; y += 17)
+            for (int x = 3; x < 320; x += 23) {
+                const Probe p = renderer.probe(scene, s, request, x, y);
+                if (!p.hit) continue;
+                ++hits;
+                ASSERT_EQ(p.lights.size(), 1u);
+                // The probe draws with a shifted viewport, whose rounding moves a bilinear weight in its last digits.
+                EXPECT_NEAR(p.lights[0].visibility, v.at(x, y), 2e-4) << x << "," << y;
+                dark += p.lights[0].visibility < 0.5;
+                EXPECT_FALSE(p.lights[0].verdict.empty());
+                EXPECT_FALSE(p.object.empty());
+            }
+        EXPECT_GT(hits, 40);
+        EXPECT_GT(dark, 3);
+        EXPECT_LT(dark, hits);
+    }
+}
+
+TEST_F(FrameTest, MapViewerShowsTheMap) {
+    const Scene scene = load_scene("boxes");
+    FrameRequest request = small();
+    request.outputs = {.colour = false, .shadow_map = true};
+    for (const char* format : {"d16", "d24", "d32f", "colour"})
+        for (const char* reversed : {"false", "true"}) {
+            const Settings s = settings_for(scene, {{"map.format", format}, {"map.reversed_z", reversed},
+                                                    {"map.resolution", "128"}, {"view.map", "raw"}});
+            const FrameResult f = renderer.render(scene, s, request);
+            const ByteImage shown = renderer.read_colour(f.map_view);
+            const FloatImage stored = renderer.read_shadow_map(0, 0);
+            ASSERT_EQ(shown.width, 128);
+            for (int y = 0; y < 128; y += 7)
+                for (int x = 0; x < 128; x += 7)
+                    EXPECT_NEAR(shown.data[std::size_t(y * 128 + x) * 4], stored.at(x, y) * 255, 1.0);
+        }
+}
+
+}  // namespace
+}  // namespace si
