@@ -11,12 +11,13 @@ namespace si {
 struct EditorOptions {
     std::string scene;             ///< built-in key or path; empty: the default scene
     Settings settings;             ///< already composed of scene suggestions, preset and --set
-    bool use_suggested = true;     ///< scenes loaded later in the window bring their suggested settings along
     std::filesystem::path preset;  ///< where Ctrl+S saves; may be empty
     bool headless = false;         ///< draw through EGL and write `screenshot`; needs no display
     std::filesystem::path screenshot;
     int width = 1600, height = 900;  ///< of the window, or of the screenshot in pixels
     double scale = 0;                ///< of text and widgets; 0: from the monitor, or from the screenshot's height
+    int probe_x = -1, probe_y = -1;  ///< pixel of the scene picture probed at the start; negative: none
+    std::string tab;                 ///< passes, probe, objects or log in front at the start; empty: passes
 };
 
 /// Runs until the window is closed, or until the screenshot is written. Returns the exit code.

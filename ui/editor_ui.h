@@ -51,6 +51,11 @@ struct EditorState {
     bool press_moved = false;  ///< the press in the scene picture became a drag
 };
 
+/// A preset that ships with the program.
+struct PresetEntry {
+    std::string key, about;
+};
+
 /// What the last frame found out. Pointers may be null: the editor draws without them.
 struct EditorFrame {
     const FrameResult* result = nullptr;
@@ -59,7 +64,7 @@ struct EditorFrame {
     const Probe* probe = nullptr;            ///< of state.probe_pixel
     const FloatImage* map_values = nullptr;  ///< stored depth of the shown map, row 0 at the top
     const FloatImage* overlay_values = nullptr;
-    std::span<const std::string> presets;  ///< names or paths that load_preset understands
+    std::span<const PresetEntry> presets;
     std::string_view shader_log;
     std::string_view problem;  ///< why there is no picture
 };

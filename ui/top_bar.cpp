@@ -50,8 +50,10 @@ void scene_combo(EditorState& state, EditorActions& actions, float width) {
 void preset_menu(const EditorFrame& frame, EditorActions& actions) {
     if (ImGui::Button("Presets")) ImGui::OpenPopup("presets");
     if (!ImGui::BeginPopup("presets")) return;
-    for (const std::string& name : frame.presets)
-        if (ImGui::Selectable(name.c_str())) actions.load_preset = name;
+    for (const PresetEntry& preset : frame.presets) {
+        if (ImGui::Selectable(preset.key.c_str())) actions.load_preset = preset.key;
+        if (ImGui::IsItemHovered() && !preset.about.empty()) ImGui::SetTooltip("%s", preset.about.c_str());
+    }
     if (frame.presets.empty()) ImGui::TextDisabled("No presets ship with this build.");
     ImGui::EndPopup();
 }

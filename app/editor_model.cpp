@@ -1,0 +1,240 @@
+#include "app/editor_model.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "app/presets.h"
+#include "renderer/error.h"
+#include "renderer/param.h"
+#include "renderer/scenes/builtin.h"
+#include "ui/panels.h"
+
+namespace si {
+namespace {
+
+/// Quoted for a POSIX shell where it needs to be.
+std::string shell_word(const std::string& text) {
+    const auto plain = [](unsigned char c) {
+        return std::isalnum(c) || std::string_view("-_./=+:,@%").find(char(c)) != std::string_view::npos;
+    };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+BottomTab tab_named(const std::string& name) {
+    if (name.empty() || name == "passes") return BottomTab::Passes;
+    if (name == "probe") return BottomTab::Probe;
+    if (name == "objects") return BottomTab::Objects;
+    if (name == "log") return BottomTab::Log;
+    throw UsageError(fmt::format("no tab '{}' in the editor; there are passes, probe, objects and log", name));
+}
+
+/// `settings`, with what still is as `from` has it replaced by what `to` has: a person's changes survive a change of
+/// scene, the scene's own suggestions do not.
+Settings rebased(const Settings& settings, const Settings& from, const Settings& to) {
+    Settings out = settings;
+    for (const SettingRef& ref : all_settings(to))
+        if (ref.param->scope != Scope::Object && get_value(settings, ref) == get_value(from, ref))
+            set_value(out, ref, get_value(to, ref));
+    out.camera = to.camera;
+    out.objects = to.objects;
+    return out;
+}
+
+}  // namespace
+
+Settings base_settings(const Scene& scene) {
+    Settings s;
+    for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
+    return s;
+}
+
+std::string command_line(const Scene& scene, const Settings& settings, int width, int height) {
+    const Settings base = base_settings(scene);
+    std::string text =
+        fmt::format("shadow-inspector render {} -o out.png --size {}x{}", shell_word(scene.name), width, height);
+    for (const SettingRef& ref : all_settings(settings)) {
+        const Value value = get_value(settings, ref);
+        if (value != get_value(base, ref))
+            text += " --set " + shell_word(setting_key(ref) + "=" + value_text(*ref.param, value));
+    }
+    return text;
+}
+
+EditorModel::EditorModel(const EditorOptions& options) {
+    const std::string scene = options.scene.empty() ? std::string(builtin_scenes().front().key) : options.scene;
+    scene_ = si::load_scene(scene);
+    base_ = base_settings(scene_);
+    state.scene_name = scene;
+    state.settings = options.settings;
+    state.history.reset(state.settings);
+    if (!options.preset.empty()) state.preset_path = options.preset.string();
+    if (options.probe_x >= 0 && options.probe_y >= 0) {
+        state.probe_pixel = glm::ivec2(options.probe_x, options.probe_y);
+        state.open_tab = BottomTab::Probe;
+    }
+    if (!options.tab.empty()) state.open_tab = tab_named(options.tab);
+    state.log.add(LogKind::Info,
+                  fmt::format("{}: {} objects, {} triangles", scene, scene_.objects.size(), scene_.triangle_count()));
+    for (const std::string& warning : scene_.warnings) state.log.add(LogKind::Warning, warning);
+}
+
+EditorFrame EditorModel::facts() const {
+    EditorFrame f;
+    f.scene = &scene_;
+    f.driver = drawn_ ? &renderer_.driver() : nullptr;
+    f.result = drawn_ ? &result_ : nullptr;
+    f.probe = probe_ ? &*probe_ : nullptr;
+    f.map_values = map_values_.data.empty() ? nullptr : &map_values_;
+    f.overlay_values = overlay_values_.data.empty() ? nullptr : &overlay_values_;
+    f.presets = presets_;
+    f.shader_log = shader_log_;
+    f.problem = problem_;
+    return f;
+}
+
+void EditorModel::report(const std::string& error) {
+    state.log.add(LogKind::Error, error);
+    state.open_tab = BottomTab::Log;
+}
+
+void EditorModel::load_scene(const std::string& name_or_path) {
+    Scene loaded = si::load_scene(name_or_path);
+    const Settings base = base_settings(loaded);
+    state.settings = rebased(state.settings, base_, base);
+    scene_ = std::move(loaded);
+    base_ = base;
+    state.scene_name = name_or_path;
+    state.probe_pixel.reset();
+    state.map_window = {};
+    state.log.add(LogKind::Info, fmt::format("{}: {} objects, {} triangles", name_or_path, scene_.objects.size(),
+                                             scene_.triangle_count()));
+    for (const std::string& warning : scene_.warnings) state.log.add(LogKind::Warning, warning);
+}
+
+void EditorModel::load_preset_file(const std::string& name_or_path) {
+    const Preset preset = si::load_preset(name_or_path);
+    if (!preset.scene.empty() && preset.scene != state.scene_name) load_scene(preset.scene);
+    state.settings = preset.settings;
+    state.log.add(LogKind::Info, preset.about.empty() ? "Opened " + name_or_path
+                                                      : fmt::format("Opened {}: {}", name_or_path, preset.about));
+}
+
+void EditorModel::save_preset_file(const std::filesystem::path& path) {
+    si::save_preset({.about = {}, .scene = state.scene_name, .settings = state.settings}, path);
+    state.log.add(LogKind::Info, "Saved " + path.string());
+}
+
+void EditorModel::open(const std::filesystem::path& path) {
+    try {
+        if (path.extension() == ".json")
+            load_preset_file(path.string());
+        else
+            load_scene(path.string());
+    } catch (const std::exception& e) {
+        report(e.what());
+    }
+}
+
+bool EditorModel::poll_shaders() {
+    return shaders_changed_ = renderer_.shaders_changed() || shaders_changed_;
+}
+
+bool EditorModel::draw_scene(const EditorActions& actions) {
+    FrameRequest wanted;
+    wanted.width = std::max(1, actions.scene_width);
+    wanted.height = std::max(1, actions.scene_height);
+    wanted.outputs.colour = true;
+    wanted.outputs.shadow_map = actions.want_map;
+    wanted.outputs.overlay = state.settings.view.overlay > 0;
+    wanted.timing = actions.want_timing;
+    const bool same = drawn_ && !shaders_changed_ && wanted.width == request_.width &&
+                      wanted.height == request_.height && wanted.outputs == request_.outputs &&
+                      wanted.timing == request_.timing && drawn_settings_ == state.settings &&
+                      drawn_scene_ == scene_.id;
+    if (same || actions.scene_width < 1) return false;
+    request_ = wanted;
+    drawn_settings_ = state.settings;
+    drawn_scene_ = scene_.id;
+    shaders_changed_ = false;
+    try {
+        result_ = renderer_.render(scene_, state.settings, request_);
+        drawn_ = true;
+        problem_.clear();
+    } catch (const std::exception& e) {
+        drawn_ = false;
+        if (problem_ != e.what()) report(e.what());
+        problem_ = e.what();
+    }
+    shader_log_ = renderer_.shader_log();
+    for (const std::string& message : renderer_.take_gl_messages()) state.log.add(LogKind::Warning, message);
+    return true;
+}
+
+/// Reads back what the panels show as numbers: the probe, the map under the cursor, the overlay's values.
+bool EditorModel::read_values(const EditorActions& actions, bool drawn) {
+    bool changed = false;
+    if (drawn) map_values_of_ = glm::ivec2(-1);
+    if (!drawn_) {
+        probe_.reset();
+        map_values_ = overlay_values_ = {};
+        return drawn;
+    }
+    if (drawn) overlay_values_ = result_.overlay.texture ? renderer_.read_float(result_.overlay, 4) : FloatImage{};
+    if (state.probe_pixel && (drawn || probed_pixel_ != state.probe_pixel)) {
+        const glm::ivec2 pixel =
+            glm::clamp(*state.probe_pixel, glm::ivec2(0), glm::ivec2(request_.width, request_.height) - 1);
+        probe_ = renderer_.probe(scene_, state.settings, request_, pixel.x, pixel.y);
+        changed = true;
+    } else if (!state.probe_pixel && probe_) {
+        probe_.reset();
+        changed = true;
+    }
+    probed_pixel_ = state.probe_pixel;
+    const glm::ivec2 shown(shown_light(state.settings), shown_face(state.settings, result_));
+    if (actions.want_map_values && shown.x >= 0 && shown != map_values_of_ && result_.map_view.texture) {
+        map_values_ = renderer_.read_shadow_map(shown.x, shown.y);
+        map_values_of_ = shown;
+        changed = true;
+    } else if (drawn && !actions.want_map_values) {
+        map_values_ = {};
+    }
+    return changed;
+}
+
+bool EditorModel::fulfil(const EditorActions& actions) {
+    bool changed = false;
+    const auto attempt = [&](const auto& wish) {
+        try {
+            wish();
+        } catch (const std::exception& e) {
+            report(e.what());
+        }
+        changed = true;
+    };
+    if (actions.load_scene) attempt([&] { load_scene(*actions.load_scene); });
+    if (actions.load_preset) attempt([&] { load_preset_file(*actions.load_preset); });
+    if (actions.save_preset) attempt([&] { save_preset_file(*actions.save_preset); });
+    if (actions.copy_command_line) {
+        const std::string text = command_line(scene_, state.settings, request_.width, request_.height);
+        ImGui::SetClipboardText(text.c_str());
+        state.log.add(LogKind::Info, "Copied: " + text);
+        changed = true;
+    }
+    const bool drawn = draw_scene(actions);
+    try {
+        changed |= read_values(actions, drawn);
+    } catch (const std::exception& e) {
+        probe_.reset();
+        report(e.what());
+        changed = true;
+    }
+    return changed || drawn;
+}
+
+}  // namespace si

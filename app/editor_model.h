@@ -1,0 +1,63 @@
+// What stands behind the editor's panels: scene, settings, renderer and the last frame's facts.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/editor.h"
+#include "renderer/renderer.h"
+#include "ui/editor_ui.h"
+
+namespace si {
+
+/// Defaults with the scene's suggested settings over them. @throws Error when a suggestion has no such setting.
+Settings base_settings(const Scene& scene);
+
+/// The command that renders what `settings` show, with --set for everything that differs from the scene's base.
+std::string command_line(const Scene& scene, const Settings& settings, int width, int height);
+
+/// Needs a current OpenGL context all its life.
+class EditorModel {
+public:
+    /// @throws Error when the scene cannot be loaded.
+    explicit EditorModel(const EditorOptions& options);
+
+    EditorState state;
+
+    /// What draw_editor() is told. Valid until the next fulfil().
+    EditorFrame facts() const;
+    /// Does what the editor asked for and draws the scene when anything changed. Returns whether the next frame of the
+    /// editor looks different. Errors go to the log.
+    bool fulfil(const EditorActions& actions);
+    /// A file dropped on the window: a preset (.json) or a scene.
+    void open(const std::filesystem::path& path);
+    /// Whether shader files were saved since the last frame.
+    bool poll_shaders();
+
+private:
+    void load_scene(const std::string& name_or_path);
+    void load_preset_file(const std::string& name_or_path);
+    void save_preset_file(const std::filesystem::path& path);
+    bool draw_scene(const EditorActions& actions);
+    bool read_values(const EditorActions& actions, bool drawn);
+    void report(const std::string& error);
+
+    Renderer renderer_;
+    Scene scene_;
+    Settings base_;
+    std::vector<PresetEntry> presets_;
+
+    FrameRequest request_;
+    Settings drawn_settings_;
+    std::uint64_t drawn_scene_ = 0;
+    bool drawn_ = false, shaders_changed_ = false;
+    FrameResult result_;
+    std::string problem_, shader_log_;
+    std::optional<Probe> probe_;
+    std::optional<glm::ivec2> probed_pixel_;
+    FloatImage map_values_, overlay_values_;
+    glm::ivec2 map_values_of_{-1};  ///< light and face
+};
+
+}  // namespace si
