@@ -1,0 +1,179 @@
+// Presets: what is written is read back; what is wrong is refused with file, place and remedy.
+#include "app/presets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/output.h"
+#include "renderer/error.h"
+#include "renderer/param.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string with_settings(const std::string& settings) {
+    return R"({"format":"shadow-inspector-preset","version":1,"settings":{)" + settings + "}}";
+}
+
+std::string refusal(const std::string& json) {
+    try {
+        parse_preset(json, "dir/a.json");
+    } catch (const UsageError&) {
+        ADD_FAILURE() << "a bad file is no usage error";
+    } catch (const Error& e) {
+        EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << "one line";
+        return e.what();
+    }
+    return {};
+}
+
+Preset sample() {
+    Preset p;
+    p.about = "What to look at: \"edges\"";
+    p.scene = "stage";
+    set_setting(p.settings, "bias.slope", "0.1");
+    set_setting(p.settings, "filter.kernel", "hard");
+    set_setting(p.settings, "light.2.azimuth", "-33.25");
+    set_setting(p.settings, "map.reversed_z", "true");
+    set_setting(p.settings, "map.resolution", "1024");
+    set_setting(p.settings, "object.Root/Leaves.v1.2.cull", "front");
+    return p;
+}
+
+class PresetFiles : public testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = fs::path(SI_TEST_OUTPUT_DIR) / testing::UnitTest::GetInstance()->current_test_info()->name();
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    fs::path folder_;
+};
+
+TEST(Presets, RoundTrip) {
+    const Preset p = sample();
+    const std::string text = preset_text(p);
+    const Preset back = parse_preset(text, "a.json");
+    EXPECT_EQ(back.settings, p.settings);
+    EXPECT_EQ(back.about, p.about);
+    EXPECT_EQ(back.scene, p.scene);
+    EXPECT_EQ(preset_text(back), text);
+}
+
+TEST(Presets, HoldsOnlyDifferencesWithChoicesByKey) {
+    const auto json = nlohmann::json::parse(preset_text(sample()));
+    EXPECT_EQ(json["format"], "shadow-inspector-preset");
+    EXPECT_EQ(json["version"], 1);
+    EXPECT_EQ(json["settings"].size(), 6u);
+    EXPECT_EQ(json["settings"]["filter.kernel"], "hard");
+    EXPECT_EQ(json["settings"]["map.reversed_z"], true);
+    EXPECT_EQ(json["settings"]["map.resolution"], 1024);
+    EXPECT_EQ(json["settings"]["object.Root/Leaves.v1.2.cull"], "front");
+    EXPECT_TRUE(nlohmann::json::parse(preset_text(Preset{}))["settings"].empty());
+}
+
+TEST(Presets, WrongSettingsAreRefusedWithTheRemedy) {
+    EXPECT_EQ(refusal(with_settings(R"("bias.slop":1)")),
+              "dir/a.json: settings.\"bias.slop\": unknown setting; did you mean bias.slope?");
+    const struct {
+        const char *setting, *mentions;
+    } cases[] = {
+        {R"("bias.slope":"much")", "settings.\"bias.slope\": wrong type: a number is wanted"},
+        {R"("bias.slope":2000)", "0 to 1000"},
+        {R"("bias.slope":null)", "wrong type"},
+        {R"("bias.slope":true)", "wrong type"},
+        {R"("map.resolution":1024.5)", "whole number"},
+        {R"("map.resolution":1e300)", "1 to 16384"},
+        {R"("map.resolution":99999999999999999999999)", "1 to 16384"},
+        {R"("map.format":2)", "wrong type: one of its choices"},
+        {R"("map.format":"d23")", "did you mean d24?"},
+        {R"("map.reversed_z":1)", "true or false"},
+        {R"("light.16.azimuth":1)", "did you mean light.15.azimuth?"},
+        {R"("object.Floor.cul":"none")", "did you mean object.Floor.cull?"},
+        {R"("bias.slope":1,"bias.slope":2)", "\"bias.slope\" stands there twice"},
+        {R"("light.azimuth":1,"light.0.azimuth":2)", "the same setting as \"light.azimuth\""},
+        {R"("bias.slope":1e999)", "line 1, column 76: 1e999 is beyond the range"},
+    };
+    for (const auto& c : cases) {
+        const std::string message = refusal(with_settings(c.setting));
+        EXPECT_TRUE(message.starts_with("dir/a.json: ")) << message;
+        EXPECT_NE(message.find(c.mentions), std::string::npos) << c.setting << " -> " << message;
+    }
+}
+
+TEST(Presets, WrongFilesAreRefusedWithThePlace) {
+    const struct {
+        std::string text, mentions;
+    } cases[] = {
+        {"", "line 1, column 1: not JSON"},
+        {"{\n  \"format\": \"shadow-inspector-preset\",\n  \"version\": 1,,\n}", "line 3, column 16: not JSON"},
+        {"[]", "not a preset"},
+        {"{}", "\"format\" must be"},
+        {R"({"format":"other","version":1,"settings":{}})", "\"format\" must be"},
+        {R"({"format":"shadow-inspector-preset","version":2,"settings":{}})", "\"version\" is 2"},
+        {R"({"format":"shadow-inspector-preset","settings":{}})", "\"version\" is missing"},
+        {R"({"format":"shadow-inspector-preset","version":1})", "\"settings\" must be an object"},
+        {R"({"format":"shadow-inspector-preset","version":1,"settings":[]})", "\"settings\" must be an object"},
+        {R"({"format":"shadow-inspector-preset","version":1,"settings":{},"about":3})", "\"about\" must be a text"},
+        {R"({"format":"shadow-inspector-preset","version":1,"settings":{},"abuot":""})", "did you mean \"about\"?"},
+        {"{\"format\":\"\xff\"}", "not JSON"},
+        {std::string(200000, '['), "not JSON"},
+    };
+    for (const auto& c : cases) {
+        const std::string message = refusal(c.text);
+        EXPECT_TRUE(message.starts_with("dir/a.json: ")) << message;
+        EXPECT_NE(message.find(c.mentions), std::string::npos) << c.text.substr(0, 80) << " -> " << message;
+    }
+}
+
+TEST_F(PresetFiles, SavedAndLoaded) {
+    const fs::path path = folder_ / "a.json";
+    save_preset(Preset{}, path);
+    save_preset(sample(), path);
+    EXPECT_EQ(load_preset(path.string()).settings, sample().settings);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1) << "no temporary is left";
+}
+
+TEST_F(PresetFiles, NamesTheFileThatCannotBe) {
+    const auto message = [](auto&& action) -> std::string {
+        try {
+            action();
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return {};
+    };
+    EXPECT_NE(message([&] { save_preset(sample(), folder_); }).find("is a directory"), std::string::npos);
+    EXPECT_NE(message([&] { save_preset(sample(), folder_ / "no" / "a.json"); }).find("does not exist"),
+              std::string::npos);
+    EXPECT_NE(message([&] { load_preset((folder_ / "b.json").string()); }).find("b.json: no such file"),
+              std::string::npos);
+    EXPECT_NE(message([&] { load_preset(folder_.string()); }).find("is not a file"), std::string::npos);
+}
+
+TEST_F(PresetFiles, ALinkStaysALink) {
+    const fs::path real = folder_ / "real.json", link = folder_ / "link.json";
+    save_preset(Preset{}, real);
+    fs::create_symlink(real, link);
+    save_preset(sample(), link);
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(load_preset(real.string()).settings, sample().settings);
+}
+
+TEST(Presets, BuiltInOnesAreSoundAndSorted) {
+    const auto list = builtin_presets();  // parses them all
+    EXPECT_TRUE(std::is_sorted(list.begin(), list.end(), [](auto& a, auto& b) { return a.key < b.key; }));
+    for (const auto& preset : list) {
+        EXPECT_FALSE(preset.about.empty()) << preset.key;
+        EXPECT_NO_THROW(load_preset(preset.key));
+    }
+}
+
+}  // namespace
+}  // namespace si
