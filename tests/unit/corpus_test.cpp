@@ -1,0 +1,94 @@
+// Every file of the model and the broken-file collections gets its verdict, quickly. Skipped where they are absent.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <fstream>
+#include <sstream>
+
+#include "renderer/error.h"
+#include "renderer/gltf_loader.h"
+
+namespace si::test {
+namespace {
+
+struct Case {
+    std::string file, expected, also;
+};
+
+std::vector<Case> read_table(const std::filesystem::path& table) {
+    std::vector<Case> out;
+    std::ifstream in(table);
+    std::string line;
+    std::getline(in, line);  // headings
+    while (std::getline(in, line)) {
+        std::istringstream row(line);
+        Case c;
+        std::getline(row, c.file, '\t');
+        std::getline(row, c.expected, '\t');
+        std::getline(row, c.also, '\t');
+        out.push_back(c);
+    }
+    return out;
+}
+
+/// "load" or "refuse"; anything but si::Error escapes and fails the test.
+std::string verdict(const std::filesystem::path& file, std::string& why) {
+    try {
+        const Scene scene = load_gltf(file);
+        why = std::to_string(scene.triangle_count()) + " triangles";
+        return "load";
+    } catch (const Error& error) {
+        why = error.what();
+        return "refuse";
+    }
+}
+
+/// The current folder for the lifetime of this object.
+class CurrentFolder {
+public:
+    explicit CurrentFolder(const std::filesystem::path& path) : before_(std::filesystem::current_path()) {
+        std::filesystem::current_path(path);
+    }
+    CurrentFolder(const CurrentFolder&) = delete;
+    CurrentFolder& operator=(const CurrentFolder&) = delete;
+    ~CurrentFolder() { std::filesystem::current_path(before_); }
+
+private:
+    std::filesystem::path before_;
+};
+
+void run(const std::filesystem::path& folder, const char* table, std::size_t at_least) {
+    if (!std::filesystem::exists(folder / table)) GTEST_SKIP() << folder << " is not here";
+    const std::vector<Case> cases = read_table(folder / table);
+    ASSERT_GE(cases.size(), at_least);
+    for (const Case& c : cases) {
+        std::optional<CurrentFolder> current;
+        if (c.file == "uri_only_in_cwd.gltf") current.emplace(folder / "outside");
+        const auto start = std::chrono::steady_clock::now();
+        std::string why;
+        const std::string got = verdict(folder / c.file, why);
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        EXPECT_TRUE(got == c.expected || (!c.also.empty() && c.also.rfind(got, 0) == 0))
+            << c.file << ": " << got << ": " << why;
+        EXPECT_LT(seconds, 5.0) << c.file;  // a bound against hangs; one second on an idle machine
+        for (const char ch : why)
+            EXPECT_GE(static_cast<unsigned char>(ch), 0x20) << c.file << ": control character in " << why;
+        EXPECT_LT(why.size(), 1200u) << c.file;
+    }
+    rusage usage{};
+    ASSERT_EQ(getrusage(RUSAGE_SELF, &usage), 0);
+    EXPECT_LT(usage.ru_maxrss, 1 << 20) << "KiB: more than 1 GiB was taken";
+}
+
+const std::filesystem::path kShared = std::filesystem::path(SI_SOURCE_DIR) / ".." / "shared";
+
+TEST(Corpus, EveryModelLoadsOrIsRefusedWithItsReason) {
+    run(kShared / "models", "EXPECT.tsv", 70);
+}
+TEST(Corpus, EveryBrokenFileGetsItsVerdict) {
+    run(kShared / "bad-gltf", "MANIFEST.tsv", 200);
+}
+
+}  // namespace
+}  // namespace si::test

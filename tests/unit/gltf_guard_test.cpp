@@ -1,0 +1,222 @@
+// What a hostile or damaged glTF file must not achieve.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "renderer/gltf/file.h"
+#include "renderer/gltf/text.h"
+#include "tests/unit/gltf_test_file.h"
+
+namespace si::test {
+namespace {
+
+std::string error_of(const std::filesystem::path& path) {
+    try {
+        load_gltf(path);
+        return "";
+    } catch (const Error& e) {
+        return e.what();
+    }
+}
+
+/// A .gltf whose buffer is the file `uri`; `bin` gets the bytes.
+std::string external(const std::string& uri, std::string& bin) {
+    GltfFile file;
+    file.add_triangle();
+    bin = file.bin();
+    file.json["buffers"] = {{{"uri", uri}, {"byteLength", bin.size()}}};
+    return file.json.dump();
+}
+
+TEST(GltfGuard, EveryTruncationOfAGlbIsRefused) {
+    GltfFile file;
+    file.add_triangle();
+    const std::string whole = file.glb();
+    const TemporaryFolder folder;
+    EXPECT_EQ(error_of(folder.write("whole.glb", whole)), "");
+    for (std::size_t n = 0; n < whole.size(); ++n) {
+        EXPECT_NE(error_of(folder.write("cut.glb", whole.substr(0, n))), "") << n;
+    }
+}
+
+TEST(GltfGuard, EverySingleByteChangeLoadsOrIsRefused) {
+    GltfFile file;
+    file.add_triangle();
+    const std::string whole = file.glb();
+    const TemporaryFolder folder;
+    std::size_t refused = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        for (const char c : {'\0', '\xff', '9', '"', '{', '-'}) {
+            std::string changed = whole;
+            changed[i] = c;
+            refused += error_of(folder.write("changed.glb", changed)).empty() ? 0 : 1;
+        }
+    }
+    EXPECT_GT(refused, whole.size());
+}
+
+TEST(GltfGuard, ErrorsAreOneLineWithFilePlaceAndRemedy) {
+    GltfFile file;
+    file.add_triangle();
+    file.json["accessors"][0]["count"] = 4;
+    const std::string error = file.error();
+    EXPECT_NE(error.find("model.glb: accessors[0]: 4 elements end at byte 48, its buffer view has 36; "),
+              std::string::npos)
+        << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+}
+
+TEST(GltfGuard, UnsupportedRequiredExtensionsAreNamed) {
+    for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "VENDOR_thing"}) {
+        GltfFile file;
+        file.add_triangle();
+        file.json["extensionsRequired"] = {name};
+        EXPECT_NE(file.error().find(name), std::string::npos);
+        file.json["extensionsUsed"] = file.json["extensionsRequired"];
+        file.json.erase("extensionsRequired");
+        EXPECT_EQ(file.error(), "");
+    }
+}
+
+TEST(GltfGuard, VersionsOtherThanTwoAreRefused) {
+    const auto with_asset = [](const Json& asset) {
+        GltfFile file;
+        file.add_triangle();
+        file.json["asset"] = asset;
+        return file.error();
+    };
+    EXPECT_EQ(with_asset({{"version", "2.1"}, {"minVersion", "2.0"}}), "");
+    for (const char* version : {"1.0", "3.0", "2", "2.x", "", "20.0"})
+        EXPECT_NE(with_asset({{"version", version}}), "") << version;
+    EXPECT_NE(with_asset({{"version", "2.1"}, {"minVersion", "2.1"}}), "");
+}
+
+TEST(GltfGuard, DepthIsBoundedBeforeParsing) {
+    const TemporaryFolder folder;
+    const std::string deep =
+        R"({"asset":{"version":"2.0"},"extras":)" + std::string(1'000'000, '[') + std::string(1'000'000, ']') + "}";
+    EXPECT_NE(error_of(folder.write("deep.gltf", deep)).find("levels deep"), std::string::npos);
+    // Brackets inside strings are text.
+    const std::string flat = R"({"asset":{"version":"2.0","generator":"\"[[[[)" + std::string(100, '[') + "\"}}";
+    EXPECT_EQ(error_of(folder.write("flat.gltf", flat)), "");
+}
+
+TEST(GltfGuard, BuffersBesideTheModelAreRead) {
+    const TemporaryFolder folder;
+    std::string bin;
+    for (const auto& [uri, name] : {std::pair{"a b.bin", "a b.bin"},
+                                    {"c%20d.bin", "c d.bin"},
+                                    {"e+f.bin", "e+f.bin"},
+                                    {"g%41.bin", "gA.bin"},
+                                    {"h%zz.bin", "h%zz.bin"},
+                                    {"in/side.bin", "in/side.bin"},
+                                    {"in/../up.bin", "up.bin"},
+                                    {"i%20j.bin", "i%20j.bin"}}) {
+        const std::string text = external(uri, bin);
+        folder.write(name, bin);
+        folder.write("in/side.bin", bin);
+        EXPECT_EQ(error_of(folder.write("model.gltf", text)), "") << uri;
+    }
+}
+
+TEST(GltfGuard, BuffersOutsideTheFolderAreNeverRead) {
+    const TemporaryFolder folder;
+    std::string bin;
+    external("x", bin);
+    folder.write("secret.bin", bin);
+    std::filesystem::create_directories(folder.path() / "in");
+    std::filesystem::create_symlink(folder.path() / "secret.bin", folder.path() / "in" / "link.bin");
+    const std::string absolute = (folder.path() / "secret.bin").string();
+    for (const std::string& uri :
+         {std::string("../secret.bin"), std::string("%2e%2e/secret.bin"), std::string("./../secret.bin"),
+          std::string("a/../../secret.bin"), std::string("link.bin"), absolute, "file://" + absolute,
+          std::string("http://127.0.0.1/secret.bin"), std::string(""), std::string("."), std::string("/")}) {
+        EXPECT_NE(error_of(folder.write("in/model.gltf", external(uri, bin))).find("buffers[0].uri"), std::string::npos)
+            << uri;
+    }
+}
+
+TEST(GltfGuard, PipesAndDirectoriesAreRefusedAtOnce) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(mkfifo((folder.path() / "pipe.bin").c_str(), 0600), 0);
+    ASSERT_EQ(mkfifo((folder.path() / "pipe.glb").c_str(), 0600), 0);
+    std::string bin;
+    EXPECT_NE(error_of(folder.write("model.gltf", external("pipe.bin", bin))).find("not a regular file"),
+              std::string::npos);
+    EXPECT_NE(error_of(folder.path() / "pipe.glb").find("not a regular file"), std::string::npos);
+    EXPECT_NE(error_of(folder.path()).find("is a directory"), std::string::npos);
+}
+
+TEST(GltfGuard, FilesBeyondTheLimitAreRefused) {
+    GltfFile file;
+    file.add_triangle();
+    GltfOptions options;
+    options.max_file_bytes = file.glb().size();
+    EXPECT_NO_THROW(file.load(options));
+    --options.max_file_bytes;
+    EXPECT_THROW(file.load(options), Error);
+}
+
+TEST(GltfGuard, Base64IsStrict) {
+    const auto decoded = [](std::string_view data) {
+        const auto result = gltf::decode_data_uri("data:application/octet-stream;base64," + std::string(data));
+        return result.error.empty()
+                   ? std::string(reinterpret_cast<const char*>(result.bytes.data.get()), result.bytes.size)
+                   : "!";
+    };
+    EXPECT_EQ(decoded("Zm9vYmFy"), "foobar");
+    EXPECT_EQ(decoded("Zm9vYg=="), "foob");
+    EXPECT_EQ(decoded("Zm9vYmE="), "fooba");
+    EXPECT_EQ(decoded("Zm9vYg"), "foob");
+    EXPECT_EQ(decoded(""), "");
+    for (const char* bad : {"Zm9v Yg", "Zm9vY", "Zm=vYg==", "Zm9vYg===", "Zm9-", "===="})
+        EXPECT_EQ(decoded(bad), "!") << bad;
+}
+
+TEST(GltfGuard, NamesAreMadePrintable) {
+    EXPECT_EQ(gltf::printable("größe 模型 ❤"), "größe 模型 ❤");
+    EXPECT_EQ(gltf::printable("a\x1b[31m\n"), "a\\x1b[31m\\x0a");
+    EXPECT_EQ(gltf::printable("\u202e"
+                              "x\xff"),
+              "\\u202ex\\xff");
+    EXPECT_EQ(gltf::printable(std::string(1000, 'a'), 10), "aaaaaaaaaa…");
+}
+
+TEST(GltfGuard, ProgressRisesAndCanCancel) {
+    GltfFile file;
+    file.add_triangle();
+    std::vector<double> seen;
+    GltfOptions options;
+    options.progress = [&](double p) { return seen.push_back(p), true; };
+    file.load(options);
+    ASSERT_GE(seen.size(), 3u);
+    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+    EXPECT_EQ(seen.back(), 1.0);
+    for (std::size_t stop = 0; stop < seen.size(); ++stop) {
+        std::size_t calls = 0;
+        options.progress = [&](double) { return calls++ < stop; };
+        try {
+            file.load(options);
+            ADD_FAILURE() << "not cancelled at call " << stop;
+        } catch (const Error& e) {
+            EXPECT_STREQ(e.what(), "cancelled");
+        }
+    }
+}
+
+TEST(GltfGuard, TheSameBytesShownEndlesslyAreRefused) {
+    GltfFile file;
+    const int position = file.triangle_positions();
+    const int mesh = file.mesh({{"attributes", {{"POSITION", position}}}});
+    const int shown = file.accessor(file.view(std::vector<float>(3)), 5126, "VEC3", 1);
+    file.root({{"mesh", mesh}});
+    file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = shown;
+    EXPECT_EQ(file.error(), "");
+    // A thousand million instances out of twelve bytes: refused by the range check, and without bytes by the cap.
+    file.json["accessors"][shown]["count"] = 1'000'000'000;
+    EXPECT_NE(file.error(), "");
+    file.json["accessors"][shown].erase("bufferView");
+    EXPECT_NE(file.error().find("have no bufferView"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace si::test

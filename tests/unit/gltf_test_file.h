@@ -1,0 +1,142 @@
+// Builds small glTF files in a temporary folder, one piece at a time.
+#pragma once
+
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/error.h"
+#include "renderer/gltf_loader.h"
+
+namespace si::test {
+
+using Json = nlohmann::json;
+
+/// A folder that is removed with everything in it.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "si-gltf-XXXXXX").string();
+        if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
+        path_ = pattern;
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path write(const std::string& name, std::string_view bytes) const {
+        const auto file = path_ / name;
+        std::filesystem::create_directories(file.parent_path());
+        std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        return file;
+    }
+
+private:
+    std::filesystem::path path_;
+};
+
+class GltfFile {
+public:
+    Json json = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", Json::array()}}}}};
+
+    /// Appends bytes to the binary chunk as a buffer view of their own.
+    template <class T>
+    int view(const std::vector<T>& values, int stride = 0) {
+        while (bin_.size() % 4 != 0) bin_.push_back('\0');
+        Json v = {{"buffer", 0}, {"byteOffset", bin_.size()}, {"byteLength", values.size() * sizeof(T)}};
+        if (stride > 0) v["byteStride"] = stride;
+        bin_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+        return append("bufferViews", v);
+    }
+    int accessor(int view, int component, const char* type, std::size_t count, std::size_t offset = 0,
+                 bool normalized = false) {
+        Json a = {{"componentType", component}, {"type", type}, {"count", count}};
+        if (view >= 0) a["bufferView"] = view;
+        if (offset > 0) a["byteOffset"] = offset;
+        if (normalized) a["normalized"] = true;
+        return append("accessors", a);
+    }
+    int floats(const std::vector<float>& values, const char* type) {
+        const std::size_t width = std::string_view(type) == "SCALAR" ? 1
+                                  : std::string_view(type) == "MAT4" ? 16
+                                                                     : std::size_t(type[3] - '0');
+        return accessor(view(values), 5126, type, values.size() / width);
+    }
+    template <class T>
+    int indices(const std::vector<T>& values) {
+        return accessor(view(values), sizeof(T) == 1 ? 5121 : sizeof(T) == 2 ? 5123 : 5125, "SCALAR", values.size());
+    }
+    /// A mesh of one primitive; returns its index.
+    int mesh(const Json& primitive) { return append("meshes", {{"primitives", {primitive}}}); }
+    /// A root node of scene 0.
+    int root(const Json& node) {
+        const int i = append("nodes", node);
+        json["scenes"][0]["nodes"].push_back(i);
+        return i;
+    }
+    int append(const char* array, const Json& element) {
+        json[array].push_back(element);
+        return static_cast<int>(json[array].size()) - 1;
+    }
+    /// One triangle (0,0,0) (1,0,0) (0,1,0).
+    int triangle_positions() { return floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3"); }
+    /// A mesh of that triangle on a root node.
+    void add_triangle() { root({{"mesh", mesh({{"attributes", {{"POSITION", triangle_positions()}}}})}}); }
+
+    std::string glb() const {
+        Json out = json;
+        std::string bin = bin_;
+        while (bin.size() % 4 != 0) bin.push_back('\0');
+        if (!bin.empty()) out["buffers"] = {{{"byteLength", bin.size()}}};
+        std::string text = out.dump();
+        while (text.size() % 4 != 0) text.push_back(' ');
+        std::string bytes = "glTF";
+        const auto u32 = [&](std::size_t v) {
+            for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(v >> (8 * i) & 0xff));
+        };
+        u32(2);
+        u32(12 + 8 + text.size() + (bin.empty() ? 0 : 8 + bin.size()));
+        u32(text.size());
+        bytes += "JSON" + text;
+        if (!bin.empty()) {
+            u32(bin.size());
+            bytes += std::string("BIN\0", 4) + bin;
+        }
+        return bytes;
+    }
+    const std::string& bin() const { return bin_; }
+    Scene load(const GltfOptions& options = {}) const {
+        const TemporaryFolder folder;
+        return load_gltf(folder.write("model.glb", glb()), options);
+    }
+    /// The error's text; empty when it loads.
+    std::string error() const {
+        try {
+            load();
+            return "";
+        } catch (const Error& e) {
+            return e.what();
+        }
+    }
+
+private:
+    std::string bin_;
+};
+
+inline bool mentions(const std::vector<std::string>& lines, std::string_view part) {
+    for (const std::string& line : lines) {
+        if (line.find(part) != std::string::npos) return true;
+    }
+    return false;
+}
+
+}  // namespace si::test
