@@ -12,14 +12,14 @@ namespace {
 constexpr double kThigh = 0.42, kShin = 0.41, kUpperArm = 0.29, kForearm = 0.25, kHipHalf = 0.10, kShoulderHalf = 0.20;
 
 Mesh ellipsoid(double x, double y, double z) {
-    return transformed(make_sphere(1, 28, 14), scaled(x, y, z));
+    return transformed(make_sphere(1, 24, 12), scaled(x, y, z));
 }
 
 /// A limb hanging down from its joint at the origin, thinner below.
 Mesh limb(double length, double top, double bottom) {
-    Mesh mesh = transformed(make_cylinder(bottom, length, 20, top), moved(0, -length, 0));
-    append(mesh, make_sphere(top, 20, 10));
-    append(mesh, transformed(make_sphere(bottom, 20, 10), moved(0, -length, 0)));
+    Mesh mesh = transformed(make_cylinder(bottom, length, 16, top), moved(0, -length, 0));
+    append(mesh, make_sphere(top, 16, 8));
+    append(mesh, transformed(make_sphere(bottom, 16, 8), moved(0, -length, 0)));
     return mesh;
 }
 
@@ -47,7 +47,7 @@ FigureMeshes add_figure_meshes(Scene& scene, int wood, int joints) {
     m.chest = add_mesh(scene, "Chest", ellipsoid(0.175, 0.205, 0.118), wood);
     m.neck = add_mesh(scene, "Neck", transformed(make_capsule(0.048, 0.10, 20), moved(0, -0.02, 0)), joints);
     m.head = add_mesh(scene, "Head", ellipsoid(0.090, 0.125, 0.105), wood);
-    m.joint = add_mesh(scene, "Joint", make_sphere(0.058, 20, 10), joints);
+    m.joint = add_mesh(scene, "Joint", make_sphere(0.058, 16, 8), joints);
     m.upper_arm = add_mesh(scene, "Upper arm", limb(kUpperArm, 0.048, 0.036), wood);
     m.forearm = add_mesh(scene, "Forearm", limb(kForearm, 0.038, 0.026), wood);
     m.hand = add_mesh(scene, "Hand", transformed(ellipsoid(0.022, 0.085, 0.042), moved(0, -0.07, 0)), wood);

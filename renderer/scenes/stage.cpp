@@ -114,7 +114,7 @@ void add_tree(Scene& scene, int root) {
                    moved(from.x, from.y, from.z) * turn * scaled(radius, glm::length(d), radius));
     };
     const glm::dvec3 fork(0.06, 1.55, 0.02);
-    add_limb("Trunk", {0, 0, 0}, fork, 0.15);
+    add_limb("Trunk", {0, -0.02, 0}, fork, 0.15);  // leans, so its foot reaches into the ground
     const glm::dvec3 tips[] = {
         {-0.95, 2.55, 0.25}, {0.95, 2.60, 0.30}, {0.10, 2.70, -0.95}, {0.05, 2.50, 0.95}, {0.05, 3.35, 0.0}};
     for (int i = 0; i < 5; ++i)

@@ -64,7 +64,8 @@ double terrain_height(double x, double z) {
     hills *= 62 / total;
     // Mountains close the valley to the north and the sides; a lake lies east of the village.
     const double distance = std::hypot(x, z);
-    const double ridge = 1 - std::abs(smooth_noise(x / 310 + 5, z / 310 + 8, 40));
+    // The small constant rounds the crests to more than a cell.
+    const double ridge = 1 - std::hypot(smooth_noise(x / 310 + 5, z / 310 + 8, 40), 0.12);
     const double rim = smoothstep(430, 980, std::hypot(0.85 * x, std::min(z, 0.45 * z)));
     double height = hills + rim * (70 + 190 * ridge * ridge);
     height -= 46 * std::exp(-(std::pow((x - 330) / 170, 2) + std::pow((z + 130) / 120, 2)));
@@ -85,7 +86,7 @@ Mesh make_terrain(int cells) {
     for (int j = 0; j <= cells; ++j)
         for (int i = 0; i <= cells; ++i) {
             const double x = step * (i - 0.5 * cells), z = step * (j - 0.5 * cells), y = terrain_height(x, z);
-            const double d = 0.5 * step;
+            const double d = step;  // as wide as the facets that meet here
             const glm::dvec3 n = glm::normalize(glm::dvec3(terrain_height(x - d, z) - terrain_height(x + d, z), 2 * d,
                                                            terrain_height(x, z - d) - terrain_height(x, z + d)));
             mesh.positions.emplace_back(x, y, z);

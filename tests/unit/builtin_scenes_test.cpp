@@ -1,0 +1,280 @@
+// The scenes that ship with the program, and their files in assets/scenes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <ostream>
+#include <set>
+
+#include "renderer/error.h"
+#include "renderer/gltf_loader.h"
+#include "renderer/param.h"
+#include "renderer/scenes/builtin.h"
+
+namespace si {
+
+/// How GoogleTest names a row.
+void PrintTo(const BuiltinScene& row, std::ostream* out) { *out << row.key; }
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytes_of(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+fs::path scratch(const std::string& name) {
+    const fs::path folder = fs::path(testing::TempDir()) / "shadow-inspector-scenes";
+    fs::create_directories(folder);
+    return folder / name;
+}
+
+/// The landscape's numbers would be too bulky as text.
+std::string asset_name(std::string_view key) {
+    return std::string(key) + (key == "landscape" ? ".glb" : ".gltf");
+}
+
+void expect_equal_meshes(const Mesh& a, const Mesh& b) {
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.positions, b.positions);
+    EXPECT_EQ(a.normals, b.normals);
+    EXPECT_EQ(a.uv, b.uv);
+    EXPECT_EQ(a.colours, b.colours);
+    EXPECT_EQ(a.indices, b.indices);
+    EXPECT_EQ(a.material, b.material);
+}
+
+void expect_equal_materials(const Material& a, const Material& b) {
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.base_colour, b.base_colour);
+    EXPECT_EQ(a.base_colour_texture, b.base_colour_texture);
+    EXPECT_EQ(a.alpha, b.alpha);
+    EXPECT_EQ(a.alpha_cutoff, b.alpha_cutoff);
+    EXPECT_EQ(a.double_sided, b.double_sided);
+}
+
+void expect_equal_textures(const Texture& a, const Texture& b) {
+    EXPECT_EQ(a.width, b.width);
+    EXPECT_EQ(a.height, b.height);
+    EXPECT_EQ(a.rgba, b.rgba);
+    EXPECT_EQ(a.wrap_s, b.wrap_s);
+    EXPECT_EQ(a.srgb, b.srgb);
+}
+
+/// The lowest world y of the objects whose path starts with `prefix`.
+double lowest(const Scene& scene, const std::string& prefix) {
+    double y = std::numeric_limits<double>::infinity();
+    for (const Object& o : scene.objects) {
+        if (scene.nodes[o.node].path.rfind(prefix, 0) != 0) continue;
+        for (const glm::vec3& p : scene.meshes[o.mesh].positions) y = std::min(y, (o.world * glm::dvec4(p, 1)).y);
+    }
+    return y;
+}
+
+class BuiltinScenes : public testing::TestWithParam<BuiltinScene> {};
+
+TEST_P(BuiltinScenes, AreCleanAndSound) {
+    const Scene scene = GetParam().make();
+    EXPECT_EQ(scene.name, GetParam().key);
+    EXPECT_FALSE(scene.about.empty());
+    EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
+    EXPECT_EQ(scene.dropped_triangles, 0u);
+    ASSERT_FALSE(scene.bounds.empty());
+    EXPECT_TRUE(std::isfinite(scene.bounds.radius()));
+    std::set<std::string> paths, materials;
+    for (const Node& n : scene.nodes) EXPECT_TRUE(paths.insert(n.path).second) << n.path;
+    for (const Node& n : scene.nodes) EXPECT_EQ(n.path.find('#'), std::string::npos) << n.path;
+    for (const Material& m : scene.materials) EXPECT_TRUE(materials.insert(m.name).second) << m.name;
+}
+
+TEST_P(BuiltinScenes, HaveNormalsOnTheSideOfTheirFronts) {
+    for (const Mesh& mesh : GetParam().make().meshes) {
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const auto p = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.indices[i + k]]); };
+            const glm::dvec3 cross = glm::cross(p(1) - p(0), p(2) - p(0));
+            for (std::size_t k = 0; k < 3; ++k) {
+                const glm::dvec3 n(mesh.normals[mesh.indices[i + k]]);
+                wrong += !(glm::dot(n, cross) > 0) || std::abs(glm::length(n) - 1) > 1e-5;
+            }
+        }
+        EXPECT_EQ(wrong, 0u) << mesh.name;
+    }
+}
+
+TEST_P(BuiltinScenes, AreTheSameEachTime) {
+    const Scene a = GetParam().make(), b = GetParam().make();
+    EXPECT_NE(a.id, b.id);
+    ASSERT_EQ(a.meshes.size(), b.meshes.size());
+    for (std::size_t i = 0; i < a.meshes.size(); ++i) expect_equal_meshes(a.meshes[i], b.meshes[i]);
+    ASSERT_EQ(a.objects.size(), b.objects.size());
+    for (std::size_t i = 0; i < a.objects.size(); ++i) EXPECT_EQ(a.objects[i].world, b.objects[i].world);
+    for (std::size_t i = 0; i < a.textures.size(); ++i) expect_equal_textures(a.textures[i], b.textures[i]);
+}
+
+TEST_P(BuiltinScenes, HaveACameraThatSeesThem) {
+    const Scene scene = GetParam().make();
+    ASSERT_FALSE(scene.cameras.empty());
+    const SceneCamera& camera = scene.cameras[0];
+    const glm::dmat4 view = glm::inverse(camera.world);
+    const double half = std::tan(glm::radians(camera.fov_y_deg) / 2);
+    std::size_t seen = 0;
+    for (const Object& o : scene.objects) {
+        const glm::dvec4 p = view * o.world * glm::dvec4(scene.meshes[o.mesh].bounds.centre(), 1);
+        seen += p.z < 0 && std::abs(p.y) < -p.z * half && std::abs(p.x) < -p.z * half * 16 / 9;
+    }
+    EXPECT_GE(seen * 5, scene.objects.size()) << "fewer than a fifth of the objects are in the picture";
+}
+
+TEST_P(BuiltinScenes, SuggestSettingsThatExist) {
+    const Scene scene = GetParam().make();
+    EXPECT_FALSE(scene.suggested.empty());
+    Settings settings;
+    for (const auto& [key, value] : scene.suggested) EXPECT_NO_THROW(set_setting(settings, key, value)) << key;
+    EXPECT_NE(settings, Settings{});
+}
+
+TEST_P(BuiltinScenes, LoadFromTheirFilesUnchanged) {
+    const Scene made = GetParam().make();
+    for (const char* extension : {".gltf", ".glb"}) {
+        const fs::path path = scratch("round-trip-" + std::string(GetParam().key) + extension);
+        save_gltf(made, path);
+        const Scene read = load_scene(path.string());
+        EXPECT_TRUE(read.warnings.empty()) << read.warnings.front();
+        ASSERT_EQ(read.objects.size(), made.objects.size());
+        EXPECT_EQ(read.triangle_count(), made.triangle_count());
+        ASSERT_EQ(read.materials.size(), made.materials.size());
+        for (std::size_t i = 0; i < made.materials.size(); ++i)
+            expect_equal_materials(read.materials[i], made.materials[i]);
+        ASSERT_EQ(read.textures.size(), made.textures.size());
+        for (std::size_t i = 0; i < made.textures.size(); ++i)
+            expect_equal_textures(read.textures[i], made.textures[i]);
+        // Loaders may order objects and meshes as they like: compare by the path of the node.
+        std::map<std::string, const Object*> by_path;
+        for (const Object& o : read.objects) by_path[read.nodes[o.node].path] = &o;
+        for (const Object& o : made.objects) {
+            const std::string& path_of_node = made.nodes[o.node].path;
+            ASSERT_TRUE(by_path.count(path_of_node)) << path_of_node;
+            const Object& other = *by_path[path_of_node];
+            EXPECT_EQ(other.world, o.world) << path_of_node;
+            if (&o - made.objects.data() > 80) continue;  // their meshes are shared: enough seen
+            expect_equal_meshes(read.meshes[other.mesh], made.meshes[o.mesh]);
+        }
+        ASSERT_FALSE(read.cameras.empty());
+        EXPECT_EQ(read.cameras[0].world, made.cameras[0].world);
+        EXPECT_NEAR(read.cameras[0].fov_y_deg, made.cameras[0].fov_y_deg, 1e-12);
+        fs::remove(path);
+    }
+}
+
+// Write the files anew after a change of a scene with
+//   SI_UPDATE_ASSETS=1 test_unit --gtest_filter='*AreShippedAsFiles*'
+TEST_P(BuiltinScenes, AreShippedAsFiles) {
+    const std::string name = asset_name(GetParam().key);
+    const fs::path shipped = fs::path(SI_SOURCE_DIR) / "assets/scenes" / name;
+    if (std::getenv("SI_UPDATE_ASSETS")) {
+        fs::create_directories(shipped.parent_path());
+        save_gltf(GetParam().make(), shipped);
+    }
+    const fs::path fresh = scratch(name);
+    save_gltf(GetParam().make(), fresh);
+    ASSERT_TRUE(fs::exists(shipped)) << shipped;
+    EXPECT_LT(fs::file_size(shipped), 4u << 20);
+    EXPECT_TRUE(bytes_of(fresh) == bytes_of(shipped)) << shipped << " is out of date";
+    fs::remove(fresh);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BuiltinScenes, testing::ValuesIn(builtin_scenes().begin(), builtin_scenes().end()),
+                         [](const auto& row) { return std::string(row.param.key); });
+
+TEST(LoadScene, KnowsTheKeysAndTheDefault) {
+    EXPECT_EQ(builtin_scenes()[0].key, "stage");
+    EXPECT_EQ(load_scene("teapot").name, "teapot");
+}
+
+TEST(LoadScene, NamesTheNearestKeyAndTheExtensions) {
+    try {
+        load_scene("teepot");
+        FAIL() << "loaded a scene that does not exist";
+    } catch (const Error& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("'teepot'"), std::string::npos) << text;
+        EXPECT_NE(text.find("'teapot'"), std::string::npos) << text;
+        EXPECT_NE(text.find(".gltf or .glb"), std::string::npos) << text;
+    }
+}
+
+TEST(LoadScene, TakesExtensionsInAnyCase) {
+    const fs::path path = scratch("CASE.GlTf");
+    save_gltf(load_scene("boxes"), path);
+    EXPECT_EQ(load_scene(path.string()).triangle_count(), load_scene("boxes").triangle_count());
+    fs::remove(path);
+}
+
+TEST(SaveGltf, RefusesOtherExtensionsAndFoldersThatDoNotExist) {
+    const Scene scene = load_scene("boxes");
+    EXPECT_THROW(save_gltf(scene, scratch("scene.obj")), Error);
+    EXPECT_FALSE(fs::exists(scratch("scene.obj")));
+    EXPECT_THROW(save_gltf(scene, scratch("") / "missing" / "scene.gltf"), Error);
+}
+
+TEST(SaveGltf, KeepsTheOldFileWhenItCannotReplaceIt) {
+    const fs::path path = scratch("occupied") / "folder.gltf";
+    fs::create_directories(path / "inside");
+    EXPECT_THROW(save_gltf(load_scene("boxes"), path), Error);
+    EXPECT_TRUE(fs::exists(path / "inside"));
+    std::size_t leftovers = 0;
+    for (const auto& entry : fs::directory_iterator(path.parent_path()))
+        leftovers += entry.path().extension() == ".tmp";
+    EXPECT_EQ(leftovers, 0u);
+    fs::remove_all(path.parent_path());
+}
+
+TEST(Stage, HasWhatItPromises) {
+    const Scene scene = load_scene("stage");
+    bool mask = false, sheet = false;
+    for (const Mesh& mesh : scene.meshes) {
+        const Material& m = scene.materials[mesh.material];
+        if (m.alpha == AlphaMode::Mask && m.base_colour_texture >= 0) {
+            const Texture& t = scene.textures[m.base_colour_texture];
+            std::size_t solid = 0;
+            for (std::size_t i = 3; i < t.rgba.size(); i += 4) solid += t.rgba[i] >= 128;
+            const double share = double(solid) / double(t.width * t.height);
+            mask = mask || (share > 0.1 && share < 0.9 && m.double_sided);
+        }
+        sheet = sheet || (mesh.indices.size() == 6 && m.double_sided && m.alpha == AlphaMode::Opaque);
+    }
+    EXPECT_TRUE(mask) << "no leaves with holes";
+    EXPECT_TRUE(sheet) << "no single-plane wall";
+    for (const char* standing : {"Stage/Figure", "Stage/Wall", "Stage/Ramp", "Stage/Sphere", "Stage/Distant box",
+                                 "Stage/Pedestal", "Stage/Fence/Post", "Stage/Rods"})
+        EXPECT_NEAR(lowest(scene, standing), 0, 1e-6) << standing;
+}
+
+TEST(Figures, StandOnTheFloor) {
+    const Scene scene = load_scene("figures");
+    for (const char* figure : {"Room/Walking figure", "Room/Reaching figure", "Room/Kneeling figure"})
+        EXPECT_NEAR(lowest(scene, figure), 0, 1e-6) << figure;
+}
+
+TEST(PlaneScene, ReachesFromOneToAHundredMetres) {
+    const Scene scene = load_scene("plane");
+    ASSERT_EQ(scene.cameras[0].world, glm::dmat4(1.0));
+    EXPECT_EQ(scene.bounds.hi.z, -1);
+    EXPECT_EQ(scene.bounds.lo.z, -100);
+    EXPECT_EQ(scene.cameras[0].near, 1);
+    EXPECT_EQ(scene.cameras[0].far, 100);
+    const Mesh& mesh = scene.meshes[0];
+    for (const glm::vec3& p : mesh.positions)
+        EXPECT_NEAR(glm::dot(glm::dvec3(p) - glm::dvec3(mesh.positions[0]), glm::dvec3(mesh.normals[0])), 0, 1e-5);
+}
+
+}  // namespace
+}  // namespace si
