@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/panels.h"
 #include "ui/setting_widgets.h"
@@ -46,7 +47,9 @@ void header(EditorState& state, const FrameResult* result) {
     setting_widget(s, bands ? "view.band_high" : "view.map_white", em * 4.6f);
 }
 
-std::string title(const Settings& s, const FrameResult& result, const FittedLight& fitted, const LightView& view) {
+/// What the map is, and what its texels mean.
+std::pair<std::string, std::string> title(const Settings& s, const FrameResult& result, const FittedLight& fitted,
+                                          const LightView& view) {
     std::string format = "?";
     if (const auto ref = find_setting("map.format")) format = ref->param->choices()[std::size_t(s.map.format)].label;
     const int n = result.map_resolution;
@@ -56,9 +59,9 @@ std::string title(const Settings& s, const FrameResult& result, const FittedLigh
                                   : metres_text(far_texel);
     constexpr const char* kFaces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
     const int face = shown_face(s, result);
-    return fmt::format("light {}{}   {}×{}   {}   texel {}   depth {} to {}", shown_light(s),
-                       fitted.views.size() > 1 ? fmt::format(" {}", kFaces[face]) : "", n, n, format, texel,
-                       metres_text(view.curve.near), metres_text(view.curve.far));
+    return {fmt::format("light {}{}   {}×{}   {}", shown_light(s),
+                        fitted.views.size() > 1 ? fmt::format(" {}", kFaces[face]) : "", n, n, format),
+            fmt::format("texel {}   depth {} to {}", texel, metres_text(view.curve.near), metres_text(view.curve.far))};
 }
 
 /// The square on screen that the whole map covers.
@@ -109,16 +112,16 @@ void outline_texel(const Square& square, glm::ivec2 texel, int n, ImU32 colour) 
     list.AddRect(lo, hi, colour, 0, 0, em * 0.1f);
 }
 
-std::string readout(const EditorFrame& frame, const LightView& view, glm::ivec2 texel, int n) {
-    std::string text = fmt::format("texel {}, {}", texel.x, texel.y);
+std::pair<std::string, std::string> readout(const EditorFrame& frame, const LightView& view, glm::ivec2 texel, int n) {
+    const std::string where = fmt::format("texel {}, {}", texel.x, texel.y);
     const FloatImage* values = frame.map_values;
-    if (!values || values->width != n || values->height != n) return text;
+    if (!values || values->width != n || values->height != n) return {where, {}};
     const double stored = values->at(texel.x, n - 1 - texel.y);
-    text += fmt::format("   stored {:.7f}", stored);
-    if (stored == view.curve.convention.far_depth()) return text + "   nothing drawn (far plane)";
+    const std::string depth = fmt::format("stored {:.7f}", stored);
+    if (stored == view.curve.convention.far_depth()) return {where + "   " + depth, "nothing drawn (far plane)"};
     const double z = view.curve.distance(stored);
     const double share = (z - view.curve.near) / (view.curve.far - view.curve.near);
-    return text + fmt::format("   linear {:.5f}   {}", share, metres_text(z));
+    return {where + "   " + depth, fmt::format("linear {:.5f}   {}", share, metres_text(z))};
 }
 
 }  // namespace
@@ -137,7 +140,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     header(state, frame.result);
     const float em = ImGui::GetFontSize();
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
-    const float caption = em * 1.7f;
+    const float line = theme::small()->FontSize * 1.25f, caption = 2 * line + em * 0.2f;
     const ImVec2 size(std::max(available.x, 16.0f), std::max(available.y - caption, 16.0f));
     const ImVec2 end(origin.x + size.x, origin.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -175,7 +178,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         for (const Probe::PerLight& p : frame.probe->lights)
             if (p.casts && p.light == light && p.face == shown_face(state.settings, result) && p.where == "inside")
                 outline_texel(square, p.texel, n, theme::kAccent);
-    std::string text = title(state.settings, result, fitted, view);
+    auto text = title(state.settings, result, fitted, view);
     if (hovered) {
         actions.want_map_values = true;
         const glm::vec2 uv = square.uv(ImGui::GetIO().MousePos);
@@ -186,8 +189,9 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         }
     }
     list.PopClipRect();
-    list.AddText(theme::small(), theme::small()->FontSize, {origin.x, end.y + caption * 0.25f}, theme::kMuted,
-                 text.c_str());
+    ImFont* font = theme::small();
+    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.25f}, theme::kText, text.first.c_str());
+    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.25f + line}, theme::kMuted, text.second.c_str());
     if (fitted.clipped_casters > 0) {
         const std::string lost = fmt::format("{} object(s) reach in front of the near plane", fitted.clipped_casters);
         list.AddText({origin.x + em * 0.8f, origin.y + em * 0.6f}, theme::kWarning, lost.c_str());

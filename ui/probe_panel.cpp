@@ -41,7 +41,8 @@ void draw_light(const Probe::PerLight& p) {
     }
     verdict(p.verdict);
     const float width = ImGui::GetContentRegionAvail().x;
-    const int columns = width > ImGui::GetFontSize() * 58 ? 3 : width > ImGui::GetFontSize() * 40 ? 2 : 1;
+    const float em = ImGui::GetFontSize();
+    const int columns = width > em * 84 ? 3 : width > em * 54 ? 2 : 1;
     if (!ImGui::BeginTable("blocks", columns, ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings))
         return;
     ImGui::TableNextColumn();
@@ -49,7 +50,7 @@ void draw_light(const Probe::PerLight& p) {
         row("light clip space", fmt::format("({:.5f}, {:.5f}, {:.5f}, {:.5f})", p.clip.x, p.clip.y, p.clip.z, p.clip.w),
             "Position times the light's view and projection");
         row("divided by w", vec(p.ndc, 5));
-        row("map coordinates and depth", vec(p.uvd, 6), "From clip range to [0,1]");
+        row("map coordinates and depth", vec(p.uvd, 5), "From clip range to [0,1]");
         row("place in the map", p.where);
         row("texel", fmt::format("{}, {}   {} wide", p.texel.x, p.texel.y, metres_text(p.texel_m)));
         ImGui::EndTable();
@@ -62,7 +63,7 @@ void draw_light(const Probe::PerLight& p) {
         row("normal offset", metres_text(p.normal_offset_m));
         ImGui::EndTable();
     }
-    ImGui::TableNextColumn();
+    if (columns == 3) ImGui::TableNextColumn();
     if (begin_steps("depths")) {
         row("stored depth", fmt::format("{:.7f}   {}", p.stored, metres_text(p.stored_m)), "Nearest texel");
         row("own depth", fmt::format("{:.7f}   {}", p.own, metres_text(p.own_m)), "Before any bias");

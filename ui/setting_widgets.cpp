@@ -16,7 +16,9 @@ namespace {
 constexpr double kWide = 1e5;  ///< ranges beyond this are dragged: a slider would be too coarse
 
 /// The unit as a person writes it after a number.
-std::string unit_suffix(std::string_view unit) {
+std::string unit_suffix(const Param& p) {
+    const std::string_view unit = p.unit;
+    if (unit == "lights") return {};  // the label says it, and "1 lights" reads badly
     if (unit.empty() || unit == "overlay's") return {};
     if (unit == "deg") return "°";
     if (unit == "%") return " %%";
@@ -29,7 +31,7 @@ std::string number_text(const Param& p, const Value& v) {
         const int i = std::get<int>(v);
         return i >= 0 && std::size_t(i) < list.size() ? std::string(list[std::size_t(i)].label) : value_text(p, v);
     }
-    std::string unit = unit_suffix(p.unit);
+    std::string unit = unit_suffix(p);
     if (unit == " %%") unit = " %";
     return value_text(p, v) + unit;
 }
@@ -106,7 +108,7 @@ bool integer(const Param& p, int& value) {
     const int lo = int(p.min), hi = int(p.max);
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (p.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-    const std::string format = "%d" + unit_suffix(p.unit);
+    const std::string format = "%d" + unit_suffix(p);
     if (!ImGui::SliderInt("##value", &value, lo, hi, format.c_str(), flags)) return false;
     // Sizes are powers of two by habit: dragging finds those, typing gives any.
     if (p.logarithmic && ImGui::IsMouseDown(ImGuiMouseButton_Left) && value > 0) {
@@ -117,7 +119,7 @@ bool integer(const Param& p, int& value) {
 }
 
 bool real(const Param& p, double& value) {
-    const std::string format = "%.4g" + unit_suffix(p.unit);
+    const std::string format = "%.4g" + unit_suffix(p);
     if (p.max - p.min > kWide) {
         const float speed = float(std::max(std::abs(value) * 0.004, 0.004));
         return ImGui::DragScalar("##value", ImGuiDataType_Double, &value, speed, &p.min, &p.max, format.c_str(),

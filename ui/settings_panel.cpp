@@ -20,9 +20,10 @@ struct Group {
 };
 
 // Headings for the groups there are; a group that is missing here is called by its prefix.
+// Most turned first.
 constexpr Group kGroups[] = {
-    {"light", "Lights", true},   {"map", "Shadow map", true}, {"bias", "Bias", true},        {"filter", "Filter", true},
-    {"caster", "Casters", true}, {"camera", "Camera", false}, {"shading", "Shading", false}, {"view", "View", false},
+    {"bias", "Bias", true},    {"filter", "Filter", true},  {"map", "Shadow map", true},   {"caster", "Casters", true},
+    {"light", "Lights", true}, {"camera", "Camera", false}, {"shading", "Shading", false}, {"view", "View", false},
 };
 
 std::string_view prefix_of(std::string_view key) {
@@ -55,9 +56,8 @@ std::vector<SettingRef> rows_of(const EditorState& state, std::string_view prefi
     return rows;
 }
 
-bool begin_rows() {
-    if (!ImGui::BeginTable("rows", 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings))
-        return false;
+bool begin_rows(const char* id) {
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) return false;
     ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch, 0.44f);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.56f);
     return true;
@@ -116,9 +116,7 @@ void draw_group(EditorState& state, const Group& group) {
             light_tabs(state.settings);
         }
         if (!table) {
-            ImGui::PushID(ref.param->scope == Scope::Light);
-            table = begin_rows();
-            ImGui::PopID();
+            table = begin_rows(ref.param->scope == Scope::Light ? "of one light" : "rows");
             if (!table) break;
         }
         setting_row(state.settings, ref);

@@ -11,7 +11,7 @@ constexpr float kBodyPixels = 15.0f, kSmallPixels = 13.0f;
 
 // Latin, punctuation, super- and subscripts, arrows, mathematics, geometric shapes. Digits are left out: they are
 // added apart, all of one width, so that changing numbers do not jitter.
-constexpr ImWchar kLetters[] = {0x20,   0x2f,   0x3a,   0xff,   0x100,  0x17f,  0x370,  0x3ff,  0x2010, 0x2027,
+constexpr ImWchar kLetters[] = {0x20,   0x2f,   0x3a,   0xff,   0x100,  0x17f,  0x370,  0x3ff,  0x2000, 0x2027,
                                 0x2070, 0x209f, 0x2190, 0x21ff, 0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
 constexpr ImWchar kDigits[] = {0x30, 0x39, 0};
 
@@ -31,7 +31,7 @@ void add_font(std::span<const unsigned char> data, float pixels) {
     void* bytes = const_cast<unsigned char*>(data.data());  // ImGui takes a mutable pointer and only reads
     atlas.AddFontFromMemoryTTF(bytes, int(data.size()), pixels, &config, kLetters);
     config.MergeMode = true;
-    config.GlyphMinAdvanceX = config.GlyphMaxAdvanceX = std::round(pixels * 0.61f);
+    config.GlyphMinAdvanceX = config.GlyphMaxAdvanceX = std::round(pixels * 0.53f);
     atlas.AddFontFromMemoryTTF(bytes, int(data.size()), pixels, &config, kDigits);
 }
 
@@ -65,7 +65,7 @@ void apply(float scale) {
     style.ItemInnerSpacing = {6, 4};
     style.CellPadding = {6, 3};
     style.ScrollbarSize = 11;
-    style.GrabMinSize = 9;
+    style.GrabMinSize = 8;
     style.WindowRounding = 0;
     style.ChildRounding = 0;
     style.FrameRounding = 3;
@@ -76,10 +76,11 @@ void apply(float scale) {
     style.WindowBorderSize = 0;
     style.ChildBorderSize = 0;
     style.PopupBorderSize = 1;
+    style.FrameBorderSize = 1;
     style.IndentSpacing = 12;
-    style.DisabledAlpha = 0.42f;
+    style.DisabledAlpha = 0.5f;
     style.ScaleAllSizes(scale);
-    style.PopupBorderSize = 1;
+    style.PopupBorderSize = style.FrameBorderSize = 1;
 
     ImVec4* c = style.Colors;
     const auto of = ImGui::ColorConvertU32ToFloat4;
@@ -98,8 +99,8 @@ void apply(float scale) {
     c[ImGuiCol_ScrollbarGrabHovered] = grey(0.38f);
     c[ImGuiCol_ScrollbarGrabActive] = grey(0.46f);
     c[ImGuiCol_CheckMark] = grey(0.88f);
-    c[ImGuiCol_SliderGrab] = grey(0.50f);
-    c[ImGuiCol_SliderGrabActive] = grey(0.78f);
+    c[ImGuiCol_SliderGrab] = grey(0.31f);
+    c[ImGuiCol_SliderGrabActive] = grey(0.42f);
     c[ImGuiCol_Button] = grey(0.205f);
     c[ImGuiCol_ButtonHovered] = grey(0.26f);
     c[ImGuiCol_ButtonActive] = grey(0.32f);
