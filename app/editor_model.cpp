@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "app/presets.h"
+#include "app/session.h"
 #include "renderer/error.h"
 #include "renderer/param.h"
 #include "renderer/scenes/builtin.h"
@@ -50,7 +51,7 @@ Settings rebased(const Settings& settings, const Settings& from, const Settings&
 
 Settings base_settings(const Scene& scene) {
     Settings s;
-    for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
+    apply_suggested(scene, s);
     return s;
 }
 

@@ -17,8 +17,15 @@ void row(const char* name, const std::string& value, const char* about = nullptr
     if (about && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
 }
 
+/// With that many digits after the point; never "-0".
+std::string fixed(double value, int digits) {
+    std::string text = fmt::format("{:.{}f}", value, digits);
+    if (text.find_first_not_of("-0.") == std::string::npos && text[0] == '-') text.erase(0, 1);
+    return text;
+}
+
 std::string vec(const glm::dvec3& v, int digits) {
-    return fmt::format("({:.{}f}, {:.{}f}, {:.{}f})", v.x, digits, v.y, digits, v.z, digits);
+    return fmt::format("({}, {}, {})", fixed(v.x, digits), fixed(v.y, digits), fixed(v.z, digits));
 }
 
 bool begin_steps(const char* id) {

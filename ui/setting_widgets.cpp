@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "renderer/techniques.h"
 #include "ui/theme.h"
 
 namespace si {
@@ -15,25 +16,42 @@ namespace {
 
 constexpr double kWide = 1e5;  ///< ranges beyond this are dragged: a slider would be too coarse
 
-/// The unit as a person writes it after a number.
-std::string unit_suffix(const Param& p) {
-    const std::string_view unit = p.unit;
-    if (unit == "lights") return {};  // the label says it, and "1 lights" reads badly
-    if (unit.empty() || unit == "overlay's") return {};
+/// What a number of this row counts in. A unit that names another setting is that setting's present choice.
+std::string_view unit_of(const Settings& settings, const Param& p) {
+    if (p.unit == "lights") return {};  // the label says it, and "1 lights" reads badly
+    if (p.unit == "overlay's") {
+        const int overlay = settings.view.overlay - 1;
+        return overlay >= 0 && std::size_t(overlay) < overlays().size() ? overlays()[std::size_t(overlay)].unit : "";
+    }
+    if (p.unit.find('.') == std::string_view::npos) return p.unit;
+    const auto named = find_setting(p.unit);
+    if (!named || !named->param->choices) return p.unit;
+    const auto choices = named->param->choices();
+    const auto index = std::size_t(std::get<int>(get_value(settings, *named)));
+    return index < choices.size() ? choices[index].label : std::string_view();
+}
+
+/// The unit as it stands after a number.
+std::string unit_suffix(std::string_view unit) {
+    if (unit.empty()) return {};
     if (unit == "deg") return "°";
-    if (unit == "%") return " %%";
     return fmt::format(" {}", unit);
 }
 
-std::string number_text(const Param& p, const Value& v) {
+/// As part of a printf format.
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) out += c == '%' ? std::string("%%") : std::string(1, c);
+    return out;
+}
+
+std::string number_text(const Settings& settings, const Param& p, const Value& v) {
     if (p.choices) {
         const auto list = p.choices();
         const int i = std::get<int>(v);
         return i >= 0 && std::size_t(i) < list.size() ? std::string(list[std::size_t(i)].label) : value_text(p, v);
     }
-    std::string unit = unit_suffix(p);
-    if (unit == " %%") unit = " %";
-    return value_text(p, v) + unit;
+    return value_text(p, v) + unit_suffix(unit_of(settings, p));
 }
 
 void tooltip(const Settings& settings, const SettingRef& ref) {
@@ -46,7 +64,7 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     ImGui::TextUnformatted(p.help.data(), p.help.data() + p.help.size());
     ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
     ImGui::TextUnformatted(
-        fmt::format("{}   default {}", setting_key(ref), number_text(p, default_value(ref))).c_str());
+        fmt::format("{}   default {}", setting_key(ref), number_text(settings, p, default_value(ref))).c_str());
     if (!p.choices && !std::holds_alternative<bool>(default_value(ref)))
         ImGui::TextUnformatted("Ctrl+click to type, right-click to reset");
     else
@@ -67,7 +85,7 @@ bool reset_menu(Settings& settings, const SettingRef& ref) {
     bool changed = false;
     if (!ImGui::BeginPopup("row menu")) return false;
     const Value preset = default_value(ref);
-    const std::string label = fmt::format("Reset to {}", number_text(*ref.param, preset));
+    const std::string label = fmt::format("Reset to {}", number_text(settings, *ref.param, preset));
     if (ImGui::MenuItem(label.c_str(), nullptr, false, setting_changed(settings, ref)))
         set_value(settings, ref, preset), changed = true;
     if (ImGui::MenuItem("Copy as --set")) {
@@ -104,11 +122,11 @@ bool combo(const Param& p, int& value) {
     return changed;
 }
 
-bool integer(const Param& p, int& value) {
+bool integer(const Param& p, int& value, const std::string& unit) {
     const int lo = int(p.min), hi = int(p.max);
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (p.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-    const std::string format = "%d" + unit_suffix(p);
+    const std::string format = "%d" + unit;
     if (!ImGui::SliderInt("##value", &value, lo, hi, format.c_str(), flags)) return false;
     // Sizes are powers of two by habit: dragging finds those, typing gives any.
     if (p.logarithmic && ImGui::IsMouseDown(ImGuiMouseButton_Left) && value > 0) {
@@ -118,8 +136,8 @@ bool integer(const Param& p, int& value) {
     return true;
 }
 
-bool real(const Param& p, double& value) {
-    const std::string format = "%.4g" + unit_suffix(p);
+bool real(const Param& p, double& value, const std::string& unit) {
+    const std::string format = "%.4g" + unit;
     if (p.max - p.min > kWide) {
         const float speed = float(std::max(std::abs(value) * 0.004, 0.004));
         return ImGui::DragScalar("##value", ImGuiDataType_Double, &value, speed, &p.min, &p.max, format.c_str(),
@@ -136,14 +154,16 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width) {
     const bool idle = !idle_reason(settings, ref).empty();
     Value value = get_value(settings, ref);
     bool changed = false;
+    const bool narrow = width > 0 && width < ImGui::GetFontSize() * 7;  // no room for the unit
+    const std::string unit = narrow ? std::string() : escaped(unit_suffix(unit_of(settings, p)));
     if (idle) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * ImGui::GetStyle().DisabledAlpha);
     ImGui::SetNextItemWidth(width > 0 ? width : -FLT_MIN);
     if (auto* b = std::get_if<bool>(&value))
         changed = ImGui::Checkbox("##value", b);
     else if (auto* i = std::get_if<int>(&value))
-        changed = p.choices ? combo(p, *i) : integer(p, *i);
+        changed = p.choices ? combo(p, *i) : integer(p, *i, unit);
     else
-        changed = real(p, std::get<double>(value));
+        changed = real(p, std::get<double>(value), unit);
     if (idle) ImGui::PopStyleVar();
     if (changed) set_value(settings, ref, value);
     ImGui::OpenPopupOnItemClick("row menu", ImGuiPopupFlags_MouseButtonRight);
