@@ -1,0 +1,101 @@
+// Contexts without a display: what they offer, that they follow one another, that nothing piles up.
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "app/headless_context.h"
+#include "app/window_context.h"
+#include "renderer/error.h"
+
+namespace si {
+namespace {
+
+std::ptrdiff_t open_files() {
+    const std::filesystem::directory_iterator list("/proc/self/fd");
+    return std::distance(begin(list), end(list));
+}
+
+long resident_kib() {
+    std::ifstream file("/proc/self/statm");
+    long total = 0, resident = 0;
+    file >> total >> resident;
+    return resident * 4;
+}
+
+TEST(HeadlessContext, IsACoreDebugContextOfVersion45) {
+    const HeadlessContext context;
+    GLint major = 0, minor = 0, profile = 0, flags = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+    glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
+    EXPECT_GE(major * 10 + minor, 45);
+    EXPECT_EQ(profile, GL_CONTEXT_CORE_PROFILE_BIT);
+    EXPECT_TRUE(flags & GL_CONTEXT_FLAG_DEBUG_BIT);
+    EXPECT_EQ(context.description().rfind("EGL ", 0), 0u) << context.description();
+}
+
+TEST(HeadlessContext, TwoLiveSideBySideAndSwitch) {
+    HeadlessContext first;
+    GLuint made = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &made);
+    {
+        const HeadlessContext second;
+        EXPECT_FALSE(glIsTexture(made)) << "the contexts share objects";
+    }
+    first.make_current();
+    EXPECT_TRUE(glIsTexture(made)) << "destroying the second context broke the first";
+    glDeleteTextures(1, &made);
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+TEST(HeadlessContext, FiftyOnesLeaveNothingBehind) {
+    const auto cycle = [] {
+        const HeadlessContext context;
+        GLuint texture = 0;  // 16 MiB, cleared so that it is really there
+        glCreateTextures(GL_TEXTURE_2D, 1, &texture);
+        glTextureStorage2D(texture, 1, GL_RGBA8, 2048, 2048);
+        glClearTexImage(texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glFinish();
+    };
+    for (int i = 0; i < 5; ++i) cycle();
+    const auto files = open_files();
+    const long memory = resident_kib();
+    for (int i = 0; i < 50; ++i) cycle();
+    EXPECT_EQ(open_files(), files);
+    // A context that were kept would hold its texture: 50 of them 800 MiB.
+    EXPECT_LT(resident_kib() - memory, 100 * 1024);
+}
+
+TEST(HeadlessContext, NeedsNoDisplay) {
+    const char* display = std::getenv("DISPLAY");
+    const std::string before = display ? display : "";
+    setenv("DISPLAY", ":nowhere", 1);
+    EXPECT_NO_THROW(HeadlessContext());
+    if (display)
+        setenv("DISPLAY", before.c_str(), 1);
+    else
+        unsetenv("DISPLAY");
+}
+
+TEST(WindowContext, SaysWhatToDoWithoutADisplay) {
+    unsetenv("WAYLAND_DISPLAY");
+    setenv("DISPLAY", ":nowhere", 1);
+    try {
+        const WindowContext window("test", 320, 200);
+        FAIL() << "a window opened on a display that does not exist";
+    } catch (const Error& e) {
+        const std::string text = e.what();
+        EXPECT_NE(text.find("glfwInit"), std::string::npos) << text;
+        EXPECT_NE(text.find("--headless"), std::string::npos) << text;
+    }
+    unsetenv("DISPLAY");
+    EXPECT_FALSE(WindowContext::display_available());
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,140 @@
+// What the mouse does to camera and light, and the lines of a frustum, against projection by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/box_scene.h"
+#include "ui/camera_gesture.h"
+#include "ui/light_lines.h"
+
+namespace si {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 400;
+
+Settings manual(bool orthographic) {
+    Settings s;
+    s.camera.source = int(CameraSource::Manual);
+    s.camera.orthographic = orthographic;
+    s.camera.target_x = 3;
+    s.camera.target_y = 1;
+    s.camera.distance = 12;
+    s.camera.height = 9;
+    return s;
+}
+
+glm::dvec3 target(const CameraSettings& c) {
+    return {c.target_x, c.target_y, c.target_z};
+}
+
+TEST(Gesture, PanKeepsTheFocusUnderTheCursor) {
+    const Scene scene = test::box_scene({{}});
+    for (const bool orthographic : {false, true}) {
+        Settings s = manual(orthographic);
+        const Camera before = make_camera(scene, s, double(kWidth) / kHeight);
+        const glm::dvec3 point = target(s.camera);
+        const glm::dvec4 p = before.project(point, kWidth, kHeight);
+        pan(s.camera, before, 37, -21, kHeight);
+        const glm::dvec4 q = make_camera(scene, s, double(kWidth) / kHeight).project(point, kWidth, kHeight);
+        EXPECT_NEAR(q.x - p.x, 37, 1e-6);
+        EXPECT_NEAR(q.y - p.y, -21, 1e-6);
+    }
+}
+
+TEST(Gesture, OrbitTurnsAboutTheTargetAndStopsAtThePoles) {
+    const Scene scene = test::box_scene({{}});
+    Settings s = manual(false);
+    const Camera before = make_camera(scene, s, 1.6);
+    // A point in front of the target moves with the mouse.
+    const glm::dvec3 front = target(s.camera) + before.axes[2];
+    const double x = before.project(front, kWidth, kHeight).x;
+    orbit(s.camera, 20, 0);
+    const Camera after = make_camera(scene, s, 1.6);
+    EXPECT_GT(after.project(front, kWidth, kHeight).x, x + 1);
+    EXPECT_NEAR(glm::distance(after.eye, target(s.camera)), 12, 1e-9);
+    orbit(s.camera, 0, 1e6);
+    EXPECT_EQ(s.camera.elevation, 90);
+    orbit(s.camera, 0, -1e7);
+    EXPECT_EQ(s.camera.elevation, -90);
+    EXPECT_GE(s.camera.azimuth, -180);
+    EXPECT_LE(s.camera.azimuth, 180);
+}
+
+TEST(Gesture, ZoomUndoesItself) {
+    Settings s = manual(false);
+    zoom(s.camera, 3);
+    EXPECT_LT(s.camera.distance, 12);
+    EXPECT_LT(s.camera.height, 9);
+    zoom(s.camera, -3);
+    EXPECT_NEAR(s.camera.distance, 12, 1e-9);
+}
+
+TEST(Gesture, FramingShowsAllOfTheBoundsAndNotTooSmall) {
+    const Scene scene = test::box_scene({{{-4, 0, -1}, {9, 3, 5}}}, {1e4, 0, -300});
+    for (const bool orthographic : {false, true})
+        for (const double aspect : {0.5, 1.6}) {
+            Settings s = manual(orthographic);
+            look_at_bounds(s.camera, scene.bounds, aspect);
+            const int w = int(aspect * kHeight);
+            const Camera c = make_camera(scene, s, aspect);
+            double reach = 0;
+            for (int i = 0; i < 8; ++i) {
+                const Bounds& b = scene.bounds;
+                const glm::dvec3 corner(i & 1 ? b.hi.x : b.lo.x, i & 2 ? b.hi.y : b.lo.y, i & 4 ? b.hi.z : b.lo.z);
+                const glm::dvec4 p = c.project(corner, w, kHeight);
+                EXPECT_GT(p.w, 0);
+                reach = std::max({reach, std::abs((p.x + 0.5) / w * 2 - 1), std::abs((p.y + 0.5) / kHeight * 2 - 1)});
+            }
+            EXPECT_LE(reach, 1.0) << "orthographic " << orthographic << " aspect " << aspect;
+            EXPECT_GT(reach, 0.4);
+        }
+}
+
+TEST(Gesture, TheLightFollowsTheMouseOnEitherSide) {
+    const Scene scene = test::box_scene({{}});
+    const Settings s = manual(false);
+    const Camera c = make_camera(scene, s, 1.6);
+    for (const double azimuth : {s.camera.azimuth + 40, s.camera.azimuth + 170}) {
+        LightSettings light;
+        light.azimuth = azimuth;
+        light.elevation = 30;
+        const auto x_of = [&] { return glm::dot(direction_from_angles(light.azimuth, light.elevation), c.axes[0]); };
+        const double before = x_of();
+        turn_light(light, c, 10, -10);
+        EXPECT_GT(x_of(), before);
+        EXPECT_GT(light.elevation, 30);
+    }
+}
+
+TEST(LightLines, EdgesEndAtTheCornersOfClipSpace) {
+    const Scene scene = test::box_scene({{}});
+    for (const int type : {0, 1, 2}) {
+        Settings s;
+        s.lights[0].type = type;
+        for (const FittedLight& light : fit_lights(scene, s))
+            for (const LightView& view : light.views) {
+                const auto edges = frustum_edges(view);
+                ASSERT_EQ(edges.size(), 12u);
+                for (const Segment& e : edges)
+                    for (const glm::dvec3& p : {e.from, e.to}) {
+                        const glm::dvec4 clip = view.clip_from_relative(p) * glm::dvec4(0, 0, 0, 1);
+                        EXPECT_NEAR(std::abs(clip.x / clip.w), 1, 1e-6);
+                        EXPECT_NEAR(std::abs(clip.y / clip.w), 1, 1e-6);
+                    }
+            }
+    }
+}
+
+TEST(LightLines, ASegmentThroughTheCameraKeepsOnlyWhatIsInFront) {
+    const Scene scene = test::box_scene({{}});
+    const Camera c = make_camera(scene, manual(false), 1.6);
+    const glm::dvec3 front = c.eye - 5.0 * c.axes[2] + c.axes[0], behind = c.eye + 5.0 * c.axes[2] + c.axes[0];
+    const auto on = project_segment(c, front, behind, kWidth, kHeight);
+    ASSERT_TRUE(on);
+    EXPECT_NEAR(on->first.x, c.project(front, kWidth, kHeight).x, 1e-9);
+    EXPECT_GT(on->second.x, on->first.x) << "both points lie to the right, the nearer one further out";
+    EXPECT_FALSE(project_segment(c, behind, behind + c.axes[1], kWidth, kHeight));
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,69 @@
+// Undo and redo of gestures, and the log.
+#include "ui/history.h"
+
+#include <gtest/gtest.h>
+
+#include "ui/log.h"
+
+namespace si {
+namespace {
+
+Settings with_bias(double constant) {
+    Settings s;
+    s.bias.constant = constant;
+    return s;
+}
+
+TEST(History, AGestureIsOneStep) {
+    History h;
+    h.reset(with_bias(1));
+    h.observe(with_bias(2), true);
+    h.observe(with_bias(3), true);
+    h.observe(with_bias(4), false);
+    h.observe(with_bias(4), false);
+    EXPECT_EQ(h.undo().bias.constant, 1);
+    EXPECT_FALSE(h.can_undo());
+    EXPECT_EQ(h.redo().bias.constant, 4);
+    EXPECT_FALSE(h.can_redo());
+}
+
+TEST(History, AChangeAfterUndoDropsWhatWasUndone) {
+    History h;
+    h.reset(with_bias(1));
+    h.observe(with_bias(2), false);
+    h.observe(with_bias(3), false);
+    h.undo();
+    h.observe(with_bias(9), false);
+    EXPECT_FALSE(h.can_redo());
+    EXPECT_EQ(h.undo().bias.constant, 2);
+    EXPECT_EQ(h.undo().bias.constant, 1);
+    EXPECT_EQ(h.undo().bias.constant, 1) << "the oldest value stays";
+}
+
+TEST(History, IsBoundedAndKeepsTheNewest) {
+    History h;
+    h.reset(with_bias(0));
+    for (int i = 1; i <= 2000; ++i) h.observe(with_bias(i), false);
+    int steps = 0;
+    while (h.can_undo()) h.undo(), ++steps;
+    EXPECT_GT(steps, 100);
+    EXPECT_LT(steps, 1000);
+    while (h.can_redo()) h.redo();
+    h.observe(with_bias(2000), false);
+    EXPECT_FALSE(h.can_redo());
+}
+
+TEST(Log, CountsRepeatsAndUnseenErrors) {
+    Log log;
+    log.add(LogKind::Error, "no such file");
+    log.add(LogKind::Error, "no such file");
+    log.add(LogKind::Info, "saved");
+    ASSERT_EQ(log.lines().size(), 2u);
+    EXPECT_EQ(log.lines()[0].count, 2);
+    EXPECT_EQ(log.unseen_errors(), 2);
+    log.seen();
+    EXPECT_EQ(log.unseen_errors(), 0);
+}
+
+}  // namespace
+}  // namespace si
