@@ -113,8 +113,10 @@ const Json& Writer::primitive(int index) {
     Json attributes = {{"POSITION", add_vectors(mesh.positions, true)}};
     if (!mesh.normals.empty()) attributes["NORMAL"] = add_vectors(mesh.normals);
     if (!mesh.tangents.empty()) attributes["TANGENT"] = add_vectors(mesh.tangents);
-    if (!mesh.uv.empty()) attributes["TEXCOORD_0"] = add_vectors(mesh.uv);
-    if (mesh.material >= 0 && second_uv_[mesh.material]) {
+    const Material* material = mesh.material >= 0 ? &scene_.materials[mesh.material] : nullptr;
+    const bool textured = material && (material->base_colour_texture >= 0 || material->normal_texture >= 0);
+    if (!mesh.uv.empty() && textured) attributes["TEXCOORD_0"] = add_vectors(mesh.uv);
+    if (textured && second_uv_[mesh.material]) {
         const auto& second = mesh.uv_normal.empty() ? mesh.uv : mesh.uv_normal;
         if (!second.empty()) attributes["TEXCOORD_1"] = add_vectors(second);
     }
