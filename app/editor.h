@@ -11,6 +11,8 @@ namespace si {
 struct EditorOptions {
     std::string scene;             ///< built-in key or path; empty: the default scene
     Settings settings;             ///< already composed of scene suggestions, preset and --set
+    bool use_suggested = true;     ///< `settings` began with the scene's suggestions; false: with a preset, whose
+                                   ///< values all count as chosen when another scene is opened
     std::filesystem::path preset;  ///< where Ctrl+S saves; may be empty
     bool headless = false;         ///< draw through EGL and write `screenshot`; needs no display
     std::filesystem::path screenshot;

@@ -70,7 +70,7 @@ std::string command_line(const Scene& scene, const Settings& settings, int width
 EditorModel::EditorModel(const EditorOptions& options) {
     const std::string scene = options.scene.empty() ? std::string(builtin_scenes().front().key) : options.scene;
     scene_ = si::load_scene(scene);
-    base_ = base_settings(scene_);
+    base_ = options.use_suggested ? base_settings(scene_) : Settings{};
     state.scene_name = scene;
     state.settings = options.settings;
     state.history.reset(state.settings);
