@@ -1,0 +1,174 @@
+// The renderer against the least OpenGL that draws the same, frame by frame in turn, so that drift of the machine falls
+// on both alike. Read the ratio; the milliseconds hold for this machine and minute only.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "app/headless_context.h"
+#include "renderer/param.h"
+#include "renderer/renderer.h"
+#include "renderer/scenes/builtin.h"
+#include "tests/bench/bare.h"
+
+namespace si {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr int kWidth = 1280, kHeight = 720;
+
+Scene bench_scene(const char* file) {
+    const auto shared = std::filesystem::path(SI_SOURCE_DIR) / "../shared/perf" / file;
+    return std::filesystem::exists(shared) ? load_scene(shared.string()) : load_scene("stage");
+}
+
+struct Machine {
+    HeadlessContext context;
+    Renderer renderer;
+    Scene scene;
+    explicit Machine(const char* file) : scene(bench_scene(file)) {}
+    static Machine& get(const char* file) {
+        static std::map<std::string, std::unique_ptr<Machine>> machines;
+        auto& m = machines[file];
+        if (!m) m = std::make_unique<Machine>(file);
+        m->context.make_current();
+        return *m;
+    }
+};
+
+template <typename F>
+double finished_ms(F&& draw) {
+    glFinish();
+    const auto start = Clock::now();
+    draw();
+    glFinish();
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+double median(std::vector<double> v) {
+    std::sort(v.begin(), v.end());
+    return v[v.size() / 2];
+}
+
+/// Alternates two ways of drawing; the benchmark's own time is the second's.
+template <typename A, typename B>
+void pair(benchmark::State& state, A&& bare, B&& ours) {
+    for (int i = 0; i < 3; ++i) bare(), ours();  // first use compiles
+    std::vector<double> bare_ms, ours_ms;
+    for (auto _ : state) {
+        bare_ms.push_back(finished_ms(bare));
+        ours_ms.push_back(finished_ms(ours));
+        state.SetIterationTime(ours_ms.back() / 1000);
+    }
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < bare_ms.size(); ++i) ratios.push_back(ours_ms[i] / bare_ms[i]);
+    std::sort(ratios.begin(), ratios.end());
+    state.counters["bare_ms"] = median(bare_ms);
+    state.counters["ours_ms"] = median(ours_ms);
+    state.counters["ratio"] = median(ratios);
+    state.counters["ratio_p25"] = ratios[ratios.size() / 4];
+    state.counters["ratio_p75"] = ratios[ratios.size() * 3 / 4];
+}
+
+void whole_frame(benchmark::State& state, const char* file, const char* kernel, int size, int resolution,
+                 bool separate) {
+    Machine& m = Machine::get(file);
+    Settings s;
+    set_setting(s, "filter.kernel", kernel == std::string("none") ? "hard" : kernel);
+    set_setting(s, "map.resolution", std::to_string(resolution));
+    if (size == 0) s.lights[0].cast = false;
+    s.shading.separate_visibility = separate;
+    FrameRequest request{.width = kWidth, .height = kHeight};
+    request.force = true;
+    const FrameResult facts = m.renderer.render(m.scene, s, request);
+    Settings casting = s;
+    casting.lights[0].cast = true;
+    const FittedLight light = fit_lights(m.scene, casting)[0];
+    BareForward bare(m.scene, size, resolution, kWidth, kHeight);
+    pair(state, [&] { bare.draw(facts.camera, light); }, [&] { m.renderer.render(m.scene, s, request); });
+}
+
+void depth_pass(benchmark::State& state, const char* file) {
+    Machine& m = Machine::get(file);
+    const Settings s;
+    FrameRequest request{.width = kWidth, .height = kHeight};
+    request.outputs = {.colour = false, .shadow_map = true};
+    request.force = true;
+    request.timing = true;
+    const FrameResult facts = m.renderer.render(m.scene, s, request);
+    BareForward bare(m.scene, 1, 2048, kWidth, kHeight);
+    std::vector<double> bare_ms, ratios;
+    for (auto _ : state) {
+        bare_ms.push_back(finished_ms([&] { bare.draw(facts.camera, facts.lights[0], true, false); }));
+        const double ours = m.renderer.render(m.scene, s, request).passes[0].gpu_ms;
+        ratios.push_back(ours / bare_ms.back());
+        state.SetIterationTime(ours / 1000);
+    }
+    state.counters["bare_ms"] = median(bare_ms);
+    state.counters["ratio"] = median(ratios);
+}
+
+void unchanged_frame(benchmark::State& state) {
+    Machine& m = Machine::get("scene100k.glb");
+    const Settings s;
+    FrameRequest forced{.width = kWidth, .height = kHeight}, cached = forced;
+    forced.force = true;
+    pair(state, [&] { m.renderer.render(m.scene, s, forced); }, [&] { m.renderer.render(m.scene, s, cached); });
+}
+
+void first_frame_of_a_scene(benchmark::State& state, const char* name) {
+    for (auto _ : state) {
+        HeadlessContext context;
+        Renderer renderer;
+        const Scene scene = load_scene(name);
+        state.SetIterationTime(
+            finished_ms([&] { renderer.render(scene, Settings{}, {.width = kWidth, .height = kHeight}); }) / 1000);
+    }
+}
+
+/// Rounds per benchmark: SI_BENCH_ROUNDS, 30 unless told.
+int rounds() {
+    const char* text = std::getenv("SI_BENCH_ROUNDS");
+    return text ? std::clamp(std::atoi(text), 1, 10000) : 30;
+}
+
+struct Row {
+    const char* kernel;
+    int size;
+};
+constexpr Row kRows[] = {{"none", 0}, {"hard", -1}, {"hw2x2", 1}, {"pcf3", 3}, {"pcf5", 5}, {"pcf7", 7}};
+
+void register_all() {
+    const auto add = [](std::string name, auto function) {
+        benchmark::RegisterBenchmark(name.c_str(), function)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(rounds());
+    };
+    for (const Row& row : kRows) {
+        for (const int resolution : {1024, 2048, 4096})
+            add(fmt::format("fused/{}/{}", row.kernel, resolution), [row, resolution](benchmark::State& s) {
+                whole_frame(s, "scene100k.glb", row.kernel, row.size, resolution, false);
+            });
+        add(fmt::format("fused_1M/{}/2048", row.kernel),
+            [row](benchmark::State& s) { whole_frame(s, "scene1m.glb", row.kernel, row.size, 2048, false); });
+    }
+    add("separate/pcf3/2048", [](benchmark::State& s) { whole_frame(s, "scene100k.glb", "pcf3", 3, 2048, true); });
+    add("depth_pass/100k", [](benchmark::State& s) { depth_pass(s, "scene100k.glb"); });
+    add("depth_pass/1M", [](benchmark::State& s) { depth_pass(s, "scene1m.glb"); });
+    add("unchanged_frame", unchanged_frame);
+    add("first_frame/landscape", [](benchmark::State& s) { first_frame_of_a_scene(s, "landscape"); });
+}
+
+}  // namespace
+}  // namespace si
+
+int main(int argc, char** argv) {
+    si::register_all();
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+}
