@@ -18,6 +18,11 @@ constexpr double kFarthest_m = 1e18;
 /// Paths of deeper nodes are cut, so that a chain of n nodes costs O(n) memory, not O(n^2).
 constexpr std::size_t kLongestPath = 400;
 
+std::uint64_t next_scene_id() {
+    static std::atomic<std::uint64_t> next{1};
+    return next.fetch_add(1);
+}
+
 bool finite(const glm::dmat4& m) {
     double sum = 0;
     for (int c = 0; c < 4; ++c)
@@ -283,14 +288,29 @@ std::size_t Scene::triangle_count() const {
 }
 
 void finalise(Scene& scene) {
-    static std::atomic<std::uint64_t> next_id{1};
     check_references(scene);
     place_nodes(scene.nodes);
     finalise_meshes(scene);
     place_objects(scene);
     drop_unplaced(scene.cameras, "camera", scene);
     drop_unplaced(scene.lights, "light", scene);
-    scene.id = next_id.fetch_add(1);
+    scene.id = next_scene_id();
+}
+
+void refresh(Scene& scene) {
+    for (Node& node : scene.nodes)
+        node.world = node.parent >= 0 ? scene.nodes[node.parent].world * node.local : node.local;
+    for (Mesh& mesh : scene.meshes) {
+        if (!mesh.deformer) continue;
+        if (!all_finite(mesh.positions)) mesh.indices.clear();
+        drop_degenerate(mesh);
+    }
+    scene.bounds = {};
+    for (Object& o : scene.objects) {
+        o.world = scene.nodes[o.node].world * o.instance;
+        if (finite(o.world)) scene.bounds.add(scene.meshes[o.mesh].bounds.transformed(o.world));
+    }
+    scene.id = next_scene_id();
 }
 
 }  // namespace si

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +50,9 @@ struct Material {
     bool unlit = false;
 };
 
+struct Deformer;  // renderer/animation.h
+struct Rig;
+
 /// Triangles of one material. All attribute arrays are empty or as long as `positions`.
 struct Mesh {
     std::string name;
@@ -61,6 +65,7 @@ struct Mesh {
     std::vector<std::uint32_t> indices; ///< triangle list
     int material = -1;                  ///< -1: the default material
     Bounds bounds;                      ///< local; set by finalise()
+    std::shared_ptr<const Deformer> deformer;  ///< morph targets and skin; null: rigid
 };
 
 struct Node {
@@ -114,6 +119,7 @@ struct Scene {
     Bounds bounds;                      ///< world; set by finalise()
     std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys
     std::size_t dropped_triangles = 0;  ///< degenerate, set by finalise()
+    std::shared_ptr<const Rig> rig;     ///< animations; null: nothing moves
 
     std::size_t triangle_count() const;  ///< over objects, instances counted
 };
@@ -122,5 +128,9 @@ struct Scene {
 /// world transforms, unique node paths and bounds. Loaders and built-in scenes end with it.
 /// @throws Error when an index, material, node or mesh reference is out of range.
 void finalise(Scene& scene);
+
+/// After Node::local or vertices of deformed meshes changed: world transforms and bounds again, degenerate triangles of
+/// deformed meshes dropped, and a new id. Nothing else changes; no warnings are added.
+void refresh(Scene& scene);
 
 }  // namespace si

@@ -13,8 +13,9 @@ namespace si::gltf {
 namespace {
 
 constexpr std::string_view kRepair = "repair the file or export it again";
-/// What a file may decode to: ample for sharing and quantisation, far below what a hostile file could ask for.
-constexpr std::size_t kMostDecodedBytes = std::size_t{8} << 30;
+/// What a file may decode to for each of its bytes: ample for sharing and quantisation, far below what a hostile file,
+/// which shows the same bytes again and again, could ask for.
+constexpr std::size_t kMostDecodedPerByte = 32, kAlwaysAllowedBytes = std::size_t{256} << 20;
 
 struct Source {
     const std::uint8_t* data = nullptr;
@@ -127,10 +128,16 @@ void Accessors::expect_width(int accessor, int expected, const Place& place) con
                   kRepair);
 }
 
-void Accessors::spend(std::size_t bytes, const Place& place) {
+void Accessors::spend(int accessor, std::size_t bytes, const Place& place) {
+    // Have the buffer loaded, so that its size counts.
+    if (const int view = model_.accessors[static_cast<std::size_t>(accessor)].bufferView; view >= 0) {
+        buffers_.view(static_cast<std::size_t>(view));
+    }
     decoded_bytes_ += bytes;
-    if (decoded_bytes_ > kMostDecodedBytes)
-        context_.fail(place, "the model decodes to more than 8 GiB", "split the model");
+    if (decoded_bytes_ > kAlwaysAllowedBytes + kMostDecodedPerByte * buffers_.bytes_loaded()) {
+        context_.fail(place, "the model decodes to more than 32 times the size of its buffers",
+                      "remove repeated primitives");
+    }
     context_.progress(0.5);
 }
 
@@ -172,7 +179,7 @@ void Accessors::read(int accessor, const Place& place, int width, std::span<cons
     const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
     const std::size_t n = static_cast<std::size_t>(width);
     if (a.sparse.isSparse && !pick.empty()) {
-        spend(a.count * n * sizeof(float), place);
+        spend(accessor, a.count * n * sizeof(float), place);
         std::vector<float> all(a.count * n);
         read(accessor, place, width, {}, all.data());
         for (std::size_t i = 0; i < pick.size(); ++i) std::copy_n(all.data() + pick[i] * n, n, out + i * n);
@@ -197,7 +204,7 @@ std::vector<glm::vec<N, float>> Accessors::floats(int accessor, const Place& pla
     static_assert(sizeof(glm::vec<N, float>) == N * sizeof(float));
     expect_width(accessor, N, place);
     const std::size_t elements = pick.empty() ? count(accessor) : pick.size();
-    spend(elements * sizeof(glm::vec<N, float>), place);
+    spend(accessor, elements * sizeof(glm::vec<N, float>), place);
     std::vector<glm::vec<N, float>> out(elements);
     read(accessor, place, N, pick, &out[0][0]);
     return out;
@@ -209,7 +216,7 @@ template std::vector<glm::vec4> Accessors::floats<4>(int, const Place&, std::spa
 
 std::vector<float> Accessors::scalars(int accessor, const Place& place) {
     expect_width(accessor, 1, place);
-    spend(count(accessor) * sizeof(float), place);
+    spend(accessor, count(accessor) * sizeof(float), place);
     std::vector<float> out(count(accessor));
     read(accessor, place, 1, {}, out.data());
     return out;
@@ -220,7 +227,7 @@ std::vector<glm::mat4> Accessors::matrices(int accessor, const Place& place) {
     if (a.type != TINYGLTF_TYPE_MAT4 || a.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
         context_.fail(place, fmt::format("accessor {} is not of float matrices (MAT4)", accessor), kRepair);
     }
-    spend(a.count * sizeof(glm::mat4), place);
+    spend(accessor, a.count * sizeof(glm::mat4), place);
     std::vector<glm::mat4> out(a.count);
     read(accessor, place, 16, {}, &out[0][0][0]);
     return out;
@@ -229,7 +236,7 @@ std::vector<glm::mat4> Accessors::matrices(int accessor, const Place& place) {
 std::vector<std::uint32_t> Accessors::indices(int accessor, const Place& place, std::size_t limit) {
     const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
     expect_width(accessor, 1, place);
-    spend(a.count * sizeof(std::uint32_t), place);
+    spend(accessor, a.count * sizeof(std::uint32_t), place);
     std::vector<std::uint32_t> out(a.count);
     const std::size_t component = bytes_per_component(a.componentType);
     if (a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&

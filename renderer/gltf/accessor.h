@@ -35,7 +35,7 @@ private:
     void overlay_sparse(int accessor, const Place& place, int width, float* out);
     std::vector<std::uint32_t> sparse_positions(int accessor, const Place& place);
     /// Counts decoded bytes, so that a small file that shows the same data a million times is refused.
-    void spend(std::size_t bytes, const Place& place);
+    void spend(int accessor, std::size_t bytes, const Place& place);
     void expect_width(int accessor, int width, const Place& place) const;
 
     Context& context_;

@@ -53,6 +53,7 @@ std::span<const std::uint8_t> Buffers::buffer(std::size_t i) {
         context_.fail(place, fmt::format("byteLength is {} but only {} bytes are there", wanted, all.size()),
                       "the data is cut, export or copy the model again");
     }
+    bytes_loaded_ += static_cast<std::size_t>(wanted);
     return spans_[i] = all.first(static_cast<std::size_t>(wanted));
 }
 

@@ -20,6 +20,8 @@ public:
     std::span<const std::uint8_t> view(std::size_t i);
     /// Bytes that files and data URIs may still take.
     std::size_t bytes_left() const { return bytes_left_; }
+    /// Bytes of all buffers used so far.
+    std::size_t bytes_loaded() const { return bytes_loaded_; }
     void spend(std::size_t bytes) { bytes_left_ -= std::min(bytes, bytes_left_); }
 
 private:
@@ -30,7 +32,7 @@ private:
     const Container& container_;
     std::vector<Bytes> loaded_;
     std::vector<std::span<const std::uint8_t>> spans_;
-    std::size_t bytes_left_ = 0;
+    std::size_t bytes_left_ = 0, bytes_loaded_ = 0;
 };
 
 }  // namespace si::gltf

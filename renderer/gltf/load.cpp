@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "renderer/error.h"
-#include "renderer/gltf/nodes.h"
+#include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
 #include "renderer/gltf/text.h"
 #include "renderer/settings.h"
@@ -44,7 +44,8 @@ void load(Context& context, Scene& scene) {
     Textures textures(context, root, model, buffers, scene);
     Materials materials(context, root, model, textures, scene);
     Primitives primitives(context, model, accessors, materials, scene);
-    place_nodes(context, root, model, accessors, primitives, context.options().scene, scene);
+    const Placed placed = place_nodes(context, root, model, accessors, primitives, context.options().scene, scene);
+    add_rig(context, root, model, accessors, primitives, placed, scene);
     textures.decode();
     if (scene.objects.empty()) context.warn("the file has no triangles to show");
     if (scene.lights.size() > static_cast<std::size_t>(kMaxLights)) {

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
 #include "renderer/gltf/text.h"
 
@@ -51,6 +52,10 @@ bool is_usable(const glm::dmat4& m) {
         }
     }
     return true;
+}
+
+bool deforms(const tinygltf::Model& model, const tinygltf::Node& node) {
+    return node.skin >= 0 || target_count(model, node.mesh) > 0;
 }
 
 void place_meshes(Context& context, const Place& place, int node, const std::vector<int>& meshes,
@@ -101,13 +106,14 @@ glm::dmat4 local_transform(Context& context, const tinygltf::Node& node, const P
     return m;
 }
 
-std::vector<int> place_nodes(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
-                             Primitives& primitives, int scene_index, Scene& scene) {
+Placed place_nodes(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
+                   Primitives& primitives, int scene_index, Scene& scene) {
     struct Visit {
         int node;
         int parent;
     };
-    std::vector<int> scene_node(model.nodes.size(), -1);
+    Placed placed;
+    placed.scene_node.assign(model.nodes.size(), -1);
     std::vector<Visit> stack;
     const auto push_reversed = [&](const std::vector<int>& nodes, int parent) {
         for (auto it = nodes.rbegin(); it != nodes.rend(); ++it) stack.push_back({*it, parent});
@@ -130,18 +136,23 @@ std::vector<int> place_nodes(Context& context, const Json& root, const tinygltf:
         if (!is_usable(world.back()))
             context.fail(place, "its transform exceeds 1e18", "bring the scene to a usable scale");
         const int index = static_cast<int>(scene.nodes.size());
-        scene_node[at] = index;
+        placed.scene_node[at] = index;
         scene.nodes.push_back(std::move(node));
 
         if (from.mesh >= 0) {
             const auto instances = instance_transforms(context, json, place, accessors, model.accessors.size());
-            place_meshes(context, place, index, primitives.of_mesh(from.mesh), instances, scene);
+            if (!instances && deforms(model, from))
+                placed.deformed.push_back(visit.node);
+            else
+                place_meshes(context, place, index, primitives.of_mesh(from.mesh), instances, scene);
         }
         place_camera(context, root, json, place, world.back(), scene);
         place_light(context, root, json, place, world.back(), scene);
+        placed.camera_nodes.resize(scene.cameras.size(), index);
+        placed.light_nodes.resize(scene.lights.size(), index);
         push_reversed(from.children, index);
     }
-    return scene_node;
+    return placed;
 }
 
 std::optional<std::vector<glm::dmat4>> instance_transforms(Context& context, const Json& node, const Place& node_place,

@@ -5,10 +5,16 @@
 
 namespace si::gltf {
 
-/// Appends nodes (parents first), objects, cameras and lights of glTF scene `scene_index` (-1: the default one).
-/// Returns the scene's node for each glTF node, -1 for those outside.
-std::vector<int> place_nodes(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
-                             Primitives& primitives, int scene_index, Scene& scene);
+/// Where things of the file came to lie in the scene.
+struct Placed {
+    std::vector<int> scene_node;                 ///< for each glTF node; -1: not in this scene
+    std::vector<int> camera_nodes, light_nodes;  ///< scene node of each of the scene's cameras and lights
+    std::vector<int> deformed;  ///< glTF nodes whose mesh has a skin or morph targets; they still lack their objects
+};
+
+/// Appends nodes (parents first), rigid objects, cameras and lights of glTF scene `scene_index` (-1: the default one).
+Placed place_nodes(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
+                   Primitives& primitives, int scene_index, Scene& scene);
 
 /// Local transform of a glTF node: its matrix, or translation * rotation * scale.
 glm::dmat4 local_transform(Context& context, const tinygltf::Node& node, const Place& place);

@@ -91,14 +91,23 @@ std::vector<std::uint32_t> Primitives::compact(std::vector<std::uint32_t>& indic
 }
 
 int Primitives::build(const tinygltf::Primitive& primitive, const Place& place, const std::string& name) {
+    std::vector<std::uint32_t> pick;
+    std::optional<Mesh> mesh = make(primitive, place, name, pick);
+    if (!mesh) return -1;
+    scene_.meshes.push_back(std::move(*mesh));
+    return static_cast<int>(scene_.meshes.size()) - 1;
+}
+
+std::optional<Mesh> Primitives::make(const tinygltf::Primitive& primitive, const Place& place, const std::string& name,
+                                     std::vector<std::uint32_t>& pick) {
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
         context_.warn(place, primitive.mode == TINYGLTF_MODE_POINTS ? "points are not drawn" : "lines are not drawn");
-        return -1;
+        return std::nullopt;
     }
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) {
         context_.warn(place, "has no POSITION and is not drawn");
-        return -1;
+        return std::nullopt;
     }
     const std::size_t vertex_count = accessors_.count(position->second);
     if (vertex_count > kUnused) context_.fail(place, "has more vertices than 32-bit indices reach", "split the mesh");
@@ -121,22 +130,20 @@ int Primitives::build(const tinygltf::Primitive& primitive, const Place& place, 
     }
     if (mesh.indices.empty()) {
         context_.warn(place, "has no triangles");
-        return -1;
+        return std::nullopt;
     }
     // Several primitives may show parts of one big vertex array: take only the vertices in use.
-    std::vector<std::uint32_t> pick;
     if (mesh.indices.size() < vertex_count) pick = compact(mesh.indices, vertex_count);
     read_attributes(primitive, place, pick, mesh);
     if (!all_finite(mesh.positions)) {
         context_.warn(place, "has positions that are not finite; it is not drawn");
-        return -1;
+        return std::nullopt;
     }
     if (!within_float_range(mesh.positions)) {
         context_.warn(place, "has positions beyond 1e18; it is not drawn");
-        return -1;
+        return std::nullopt;
     }
-    scene_.meshes.push_back(std::move(mesh));
-    return static_cast<int>(scene_.meshes.size()) - 1;
+    return mesh;
 }
 
 std::vector<glm::vec2> Primitives::coordinates(const tinygltf::Primitive& primitive, const Place& place,

@@ -15,6 +15,11 @@ public:
     /// The scene's meshes for glTF mesh `mesh`, built on first use; points, lines and unusable primitives left out.
     const std::vector<int>& of_mesh(int mesh);
 
+    /// A primitive as a mesh of its own; `pick` gets the vertices of the file that it took, empty: all, in order.
+    /// Nothing, with a warning, when there is nothing to draw.
+    std::optional<Mesh> make(const tinygltf::Primitive& primitive, const Place& place, const std::string& name,
+                             std::vector<std::uint32_t>& pick);
+
 private:
     int build(const tinygltf::Primitive& primitive, const Place& place, const std::string& name);
     /// The scene mesh of a primitive, -1 when there is nothing to draw; equal primitives share one.

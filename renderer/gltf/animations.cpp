@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/gltf/rig.h"
+#include "renderer/gltf/text.h"
+
+namespace si::gltf {
+namespace {
+
+std::optional<std::size_t> index_of(const Json& object, const char* key, std::size_t size) {
+    if (!object.is_object()) return std::nullopt;
+    const auto it = object.find(key);
+    if (it == object.end() || !it->is_number_unsigned() || it->get<std::uint64_t>() >= size) return std::nullopt;
+    return it->get<std::size_t>();
+}
+
+std::string string_of(const Json& object, const char* key) {
+    if (!object.is_object()) return "";
+    const auto it = object.find(key);
+    return it != object.end() && it->is_string() ? it->get<std::string>() : std::string();
+}
+
+const Json* array_of(const Json& object, const char* key) {
+    const auto it = object.find(key);
+    return it != object.end() && it->is_array() ? &*it : nullptr;
+}
+
+class Reader {
+public:
+    Reader(const tinygltf::Model& model, Accessors& accessors, const std::vector<int>& scene_node)
+        : model_(model), accessors_(accessors), scene_node_(scene_node) {}
+
+    /// Adds the channels of `json`; a reason when one of them is broken.
+    std::string read(const Json& json, const Place& place, Animation& out) {
+        const Json *channels = array_of(json, "channels"), *samplers = array_of(json, "samplers");
+        if (!channels || !samplers || channels->empty()) return "has no channels or no samplers";
+        for (const Json& channel : *channels) {
+            const std::string broken = read_channel(channel, *samplers, place, out);
+            if (!broken.empty()) return broken;
+        }
+        return "";
+    }
+
+private:
+    std::string read_channel(const Json& json, const Json& samplers, const Place& place, Animation& out) {
+        const auto sampler = index_of(json, "sampler", samplers.size());
+        if (!sampler) return "a channel has no valid sampler";
+        const auto target = json.find("target");
+        if (target == json.end() || !target->is_object()) return "a channel has no target";
+        if (!target->contains("node")) return "";  // left to extensions
+        const auto node = index_of(*target, "node", model_.nodes.size());
+        if (!node) return "a channel's node does not exist";
+        AnimationChannel channel;
+        if (!set_property(string_of(*target, "path"), *node, channel)) return "";
+        const std::string broken = read_sampler(samplers[*sampler], place, channel);
+        if (!broken.empty()) return broken;
+        channel.node = scene_node_[*node];
+        // Nodes of other scenes, nodes placed by a matrix, and weights of a mesh without targets stay as they are.
+        if (channel.node < 0 || channel.width == 0) return "";
+        if (channel.property != AnimatedProperty::Weights && model_.nodes[*node].matrix.size() == 16) return "";
+        out.duration_s = std::max(out.duration_s, static_cast<double>(channel.times_s.back()));
+        out.channels.push_back(std::move(channel));
+        return "";
+    }
+
+    bool set_property(const std::string& path, std::size_t node, AnimationChannel& channel) const {
+        if (path == "translation")
+            channel.property = AnimatedProperty::Translation;
+        else if (path == "scale")
+            channel.property = AnimatedProperty::Scale;
+        else if (path == "rotation")
+            channel.property = AnimatedProperty::Rotation;
+        else if (path == "weights")
+            channel.property = AnimatedProperty::Weights;
+        else
+            return false;
+        channel.width = 3;
+        if (path == "rotation") channel.width = 4;
+        if (path == "weights") channel.width = target_count(model_, model_.nodes[node].mesh);
+        return true;
+    }
+
+    std::string read_sampler(const Json& json, const Place& place, AnimationChannel& channel) {
+        const auto input = index_of(json, "input", model_.accessors.size());
+        const auto output = index_of(json, "output", model_.accessors.size());
+        if (!input || !output) return "a sampler has no valid input or output";
+        const std::string interpolation = string_of(json, "interpolation");
+        if (interpolation == "STEP")
+            channel.interpolation = Interpolation::Step;
+        else if (interpolation == "CUBICSPLINE")
+            channel.interpolation = Interpolation::Cubic;
+        else if (!interpolation.empty() && interpolation != "LINEAR")
+            return "a sampler's interpolation is unknown";
+
+        const int in = static_cast<int>(*input), out = static_cast<int>(*output);
+        const int element = channel.property == AnimatedProperty::Weights ? 1 : static_cast<int>(channel.width);
+        if (accessors_.width(in) != 1 || accessors_.width(out) != element)
+            return "a sampler's accessors have wrong types";
+        const std::size_t keys = accessors_.count(in), parts = channel.interpolation == Interpolation::Cubic ? 3 : 1;
+        if (channel.width > 0 &&
+            accessors_.count(out) * static_cast<std::size_t>(element) != keys * parts * channel.width) {
+            return "a sampler's output does not fit its input";
+        }
+        channel.times_s = accessors_.scalars(in, place);
+        const auto& t = channel.times_s;
+        for (std::size_t i = 0; i < t.size(); ++i) {
+            if (!std::isfinite(t[i]) || t[i] < 0 || (i > 0 && !(t[i] > t[i - 1])))
+                return "a sampler's times do not rise";
+        }
+        channel.values = read_values(out, element, place);
+        const bool finite =
+            std::all_of(channel.values.begin(), channel.values.end(), [](float v) { return std::abs(v) <= 1e18f; });
+        return finite ? "" : "a sampler's values are not finite";
+    }
+
+    std::vector<float> read_values(int accessor, int width, const Place& place) {
+        if (width == 1) return accessors_.scalars(accessor, place);
+        std::vector<float> out;
+        const auto append = [&](const auto& vectors) {
+            out.reserve(vectors.size() * static_cast<std::size_t>(width));
+            for (const auto& v : vectors) {
+                for (int i = 0; i < width; ++i) out.push_back(v[i]);
+            }
+        };
+        if (width == 3)
+            append(accessors_.floats<3>(accessor, place));
+        else
+            append(accessors_.floats<4>(accessor, place));
+        return out;
+    }
+
+    const tinygltf::Model& model_;
+    Accessors& accessors_;
+    const std::vector<int>& scene_node_;
+};
+
+}  // namespace
+
+std::vector<Animation> read_animations(Context& context, const Json& root, const tinygltf::Model& model,
+                                       Accessors& accessors, const std::vector<int>& scene_node) {
+    std::vector<Animation> out;
+    const auto all = root.find("animations");
+    if (all == root.end()) return out;
+    Reader reader(model, accessors, scene_node);
+    for (std::size_t i = 0; i < all->size(); ++i) {
+        const Place place("animations", static_cast<std::int64_t>(i));
+        Animation animation;
+        animation.name = printable(string_of((*all)[i], "name"));
+        if (animation.name.empty()) animation.name = fmt::format("animation {}", i);
+        const std::string broken = reader.read((*all)[i], place, animation);
+        if (!broken.empty()) {
+            context.warn(place, broken + "; left out");
+        } else if (!animation.channels.empty()) {
+            out.push_back(std::move(animation));
+        }
+    }
+    return out;
+}
+
+}  // namespace si::gltf

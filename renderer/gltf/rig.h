@@ -1,0 +1,21 @@
+// What moves in a glTF file: skins, morph targets and animations, as the scene's rig.
+#pragma once
+
+#include "renderer/animation.h"
+#include "renderer/gltf/nodes.h"
+
+namespace si::gltf {
+
+/// Adds the deformed meshes of `placed`, reads the animations and poses the scene at rest. A scene in which nothing
+/// moves gets no rig.
+void add_rig(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
+             Primitives& primitives, const Placed& placed, Scene& scene);
+
+/// The animations of the file; one that is broken is left out with a warning.
+std::vector<Animation> read_animations(Context& context, const Json& root, const tinygltf::Model& model,
+                                       Accessors& accessors, const std::vector<int>& scene_node);
+
+/// How many morph targets mesh `mesh` has.
+std::size_t target_count(const tinygltf::Model& model, int mesh);
+
+}  // namespace si::gltf
