@@ -98,7 +98,7 @@ TEST(Presets, WrongSettingsAreRefusedWithTheRemedy) {
         {R"("object.Floor.cul":"none")", "did you mean object.Floor.cull?"},
         {R"("bias.slope":1,"bias.slope":2)", "\"bias.slope\" stands there twice"},
         {R"("light.azimuth":1,"light.0.azimuth":2)", "the same setting as \"light.azimuth\""},
-        {R"("bias.slope":1e999)", "line 1, column 76: 1e999 is beyond the range"},
+        {R"("bias.slope":1e999)", "line 1, column 74: 1e999 is beyond the range"},
     };
     for (const auto& c : cases) {
         const std::string message = refusal(with_settings(c.setting));

@@ -1,0 +1,275 @@
+#include "app/cli.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <new>
+#include <tuple>
+
+#include "app/commands/commands.h"
+#include "app/editor.h"
+#include "app/notes.h"
+#include "app/output.h"
+#include "renderer/error.h"
+#include "renderer/param.h"
+
+namespace si {
+namespace {
+
+constexpr const char* kSceneHelp = "A .gltf or .glb file, or a built-in scene (`list scenes`)";
+
+/// Everything that the options of all commands are written to.
+struct Options {
+    SessionOptions session;
+    std::string size, output, file;
+    RenderOptions render;
+    ProbeOptions probe;
+    ListOptions list;
+    OverviewOptions overview;
+    EditorOptions editor;
+    bool json = false, check = false;
+};
+
+void add_session_options(CLI::App& command, Options& o, bool scene_required) {
+    auto* scene = command.add_option("SCENE", o.session.scene, kSceneHelp);
+    if (scene_required) scene->required();
+    command.add_option("--preset", o.session.preset, "Start from a preset: a file or a built-in one (`list presets`)")
+        ->type_name("F");
+    command.add_option("--set", o.session.sets, "Set one setting; may be repeated, the last one wins")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command.footer([] { return settings_help(); });
+}
+
+void add_size(CLI::App& command, Options& o, const char* standard) {
+    o.size = "";
+    command.add_option("--size", o.size, fmt::format("Size of the picture in pixels (default {})", standard))
+        ->type_name("WxH");
+}
+
+PictureSize size_of(const Options& o) {
+    return o.size.empty() ? PictureSize{} : parse_size(o.size);
+}
+
+void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("render", "Draw a scene into a file");
+    add_session_options(*c, o, true);
+    c->add_option("-o,--output", o.output, "The file: .png (8 bit), or .pfm (float) for views of one number a pixel")
+        ->required()
+        ->type_name("OUT");
+    auto* view = c->add_option("--view", o.render.view,
+                               "shaded, visibility, shadow-map or an overlay (`list views`); "
+                               "without it the picture with the overlay of view.overlay")
+                     ->type_name("V");
+    add_size(*c, o, "1280x720");
+    c->add_option("--report", o.render.report, "Write facts of the frame as JSON: fit, settings, passes and times")
+        ->type_name("F.json");
+    c->callback([&o, &run, view] {
+        run = [&o, view] {
+            o.render.session = o.session;
+            o.render.output = o.output;
+            o.render.size = size_of(o);
+            o.render.view_given = view->count() > 0;
+            run_render(o.render);
+        };
+    });
+}
+
+void add_probe(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("probe", "Write out the shadow test of one pixel, step by step");
+    add_session_options(*c, o, true);
+    c->add_option("--pixel", o.probe.pixel, "The pixel, counted from the top left")->required()->type_name("X,Y");
+    add_size(*c, o, "1280x720");
+    c->add_flag("--json", o.json, "All numbers as JSON");
+    c->callback([&o, &run] {
+        run = [&o] {
+            o.probe.session = o.session;
+            o.probe.size = size_of(o);
+            o.probe.json = o.json;
+            run_probe(o.probe);
+        };
+    });
+}
+
+void add_list(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("list", "List what there is, with explanations");
+    c->add_option("WHAT", o.list.kind, "settings, filters, views, overlays, scenes or presets")->required();
+    c->add_option("KEY", o.list.prefix, "Only keys that start with this, such as bias or bias.slope");
+    c->add_flag("--json", o.json, "An array of rows as JSON");
+    c->callback([&o, &run] {
+        run = [&o] {
+            o.list.json = o.json;
+            run_list(o.list);
+        };
+    });
+}
+
+void add_presets(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("preset", "Look at preset files");
+    c->require_subcommand(1);
+    auto* check = c->add_subcommand("check", "Say whether a preset can be loaded, and if not, what is wrong where");
+    check->add_option("FILE", o.file, "A preset file, or a built-in preset")->required();
+    check->callback([&o, &run] { run = [&o] { run_preset_check(o.file); }; });
+    auto* show = c->add_subcommand("show", "List what a preset changes");
+    show->add_option("FILE", o.file, "A preset file, or a built-in preset")->required();
+    show->callback([&o, &run] { run = [&o] { run_preset_show(o.file); }; });
+}
+
+int start_editor(Options& o) {
+    EditorOptions& e = o.editor;
+    if (e.headless && e.screenshot.empty()) throw UsageError("edit --headless: --screenshot F.png is missing");
+    if (!e.headless && !e.screenshot.empty()) throw UsageError("edit --screenshot: only together with --headless");
+    if (!e.screenshot.empty()) {
+        if (lower_extension(e.screenshot) != ".png") {
+            throw UsageError(fmt::format("{}: the screenshot must end in .png", e.screenshot.string()));
+        }
+        require_writable(e.screenshot);
+    }
+    if (!o.size.empty()) {
+        const PictureSize size = parse_size(o.size);
+        e.width = size.width, e.height = size.height;
+    }
+    static const std::vector<std::string> kTabs = {"passes", "probe", "objects", "log"};
+    if (!e.tab.empty() && std::find(kTabs.begin(), kTabs.end(), e.tab) == kTabs.end()) {
+        throw UsageError(fmt::format("--tab {}: it is one of {}", e.tab, fmt::join(kTabs, ", ")));
+    }
+    if (!o.probe.pixel.empty())
+        std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe.pixel, {e.width, e.height}, "--probe");
+    const Session session = open_session(o.session);
+    e.scene = session.scene_name;
+    e.settings = session.settings;
+    if (lower_extension(o.session.preset) == ".json") e.preset = o.session.preset;
+    const int code = run_editor(e);
+    print_notes(session.notes);
+    return code;
+}
+
+void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("edit", "Open the editor, or draw it into a file");
+    add_session_options(*c, o, false);
+    c->add_flag("--headless", o.editor.headless, "Draw the editor through EGL, without a display");
+    c->add_option("--screenshot", o.editor.screenshot, "Where --headless writes the picture")->type_name("F.png");
+    add_size(*c, o, "1600x900");
+    c->add_option("--probe", o.probe.pixel, "Probe this pixel of the scene's picture at the start")->type_name("X,Y");
+    c->add_option("--tab", o.editor.tab, "The tab in front at the start: passes, probe, objects or log");
+    c->callback([&o, &run] {
+        run = [&o] {
+            if (start_editor(o) != 0) throw Error("the editor ended with an error");
+        };
+    });
+}
+
+void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* info = app.add_subcommand("info", "Say which driver draws, what it can do, and how time is measured");
+    info->add_flag("--json", o.json, "As JSON");
+    info->callback([&o, &run] { run = [&o] { run_info(o.json); }; });
+
+    auto* out = app.add_subcommand("export", "Write a scene as glTF");
+    out->add_option("SCENE", o.session.scene, kSceneHelp)->required();
+    out->add_option("-o,--output", o.output, "The file: .gltf (one file, buffers inside) or .glb")
+        ->required()
+        ->type_name("FILE");
+    out->callback([&o, &run] { run = [&o] { run_export(o.session, o.output); }; });
+
+    auto* overview = app.add_subcommand("overview",
+                                        "Draw editor, scene, shadow map and visibility into a folder, and "
+                                        "print passes and times");
+    add_session_options(*overview, o, false);
+    overview->add_option("-o,--output", o.overview.folder, "The folder; made if missing (default out)")
+        ->type_name("DIR");
+    add_size(*overview, o, "1280x720");
+    overview->callback([&o, &run] {
+        run = [&o] {
+            o.overview.session = o.session;
+            o.overview.size = size_of(o);
+            run_overview(o.overview);
+        };
+    });
+
+    auto* docs = app.add_subcommand("docs", "Write the page of settings (docs/settings.md) from the table");
+    auto* page = docs->add_option("-o,--output", o.output, "The file (default: standard output)")->type_name("FILE");
+    docs->add_flag("--check", o.check, "Compare instead of writing; fails when the file is out of date")->needs(page);
+    docs->callback([&o, &run] { run = [&o] { run_docs(o.output, o.check); }; });
+}
+
+bool has_display() {
+    const auto set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
+    return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
+/// Without a command: the editor where there is a display, else pictures of everything.
+void run_default(Options& o) {
+    if (has_display()) {
+        start_editor(o);
+        return;
+    }
+    fmt::print(
+        "There is no display (DISPLAY and WAYLAND_DISPLAY are not set): drawing into {}/ instead of opening the "
+        "editor.\n",
+        o.overview.folder);
+    run_overview(o.overview);
+}
+
+int fail(int code, const std::string& message) {
+    std::fflush(stdout);
+    fmt::print(stderr, "shadow-inspector: {}\n", one_line(message));
+    return code;
+}
+
+/// What CLI11 says, with the nearest command where a command is unknown.
+std::string usage_message(const CLI::App& app, const CLI::ParseError& e, int argc, const char* const* argv) {
+    std::string message = e.what();
+    if (argc > 1 && app.get_subcommands().empty() && argv[1][0] != '-') {
+        std::vector<std::string> names;
+        for (const CLI::App* c : app.get_subcommands({})) names.push_back(c->get_name());
+        message = fmt::format("no command '{}'; did you mean {}?", argv[1], nearest_name(argv[1], names));
+    }
+    std::string path = "shadow-inspector";
+    for (const CLI::App* c = &app; !c->get_subcommands().empty();) {
+        c = c->get_subcommands().front();
+        path += " " + c->get_name();
+    }
+    return fmt::format("{} (see {} --help)", message, path);
+}
+
+}  // namespace
+
+int run_cli(int argc, const char* const* argv) {
+    CLI::App app(
+        "Shadow Inspector: a scene beside its live shadow map.\n"
+        "Without a command: opens the editor, or, without a display, draws everything into out/.",
+        "shadow-inspector");
+    app.set_version_flag("--version", std::string("shadow-inspector ") + SI_VERSION);
+    app.require_subcommand(0, 1);
+    app.get_formatter()->column_width(34);
+    Options options;
+    std::function<void()> run = [&options] { run_default(options); };
+    add_edit(app, options, run);
+    add_render(app, options, run);
+    add_probe(app, options, run);
+    add_list(app, options, run);
+    add_presets(app, options, run);
+    add_others(app, options, run);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        if (e.get_exit_code() == 0) return app.exit(e);
+        return fail(2, usage_message(app, e, argc, argv));
+    }
+    try {
+        run();
+        finish_stdout();
+        return 0;
+    } catch (const UsageError& e) {
+        return fail(2, e.what());
+    } catch (const std::bad_alloc&) {
+        return fail(1, "out of memory; try a smaller picture or map.resolution");
+    } catch (const std::exception& e) {
+        return fail(1, e.what());
+    }
+}
+
+}  // namespace si

@@ -1,0 +1,67 @@
+// The commands, as the command line calls them. Each throws Error or UsageError with one line.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/session.h"
+
+namespace si {
+
+struct PictureSize {
+    int width = 1280, height = 720;
+};
+
+/// "1280x720". @throws UsageError
+PictureSize parse_size(const std::string& text);
+
+/// "X,Y" within a picture of `size`. @param option its name, for the message. @throws UsageError
+std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size, const char* option = "--pixel");
+
+struct RenderOptions {
+    SessionOptions session;
+    std::string output, view = "shaded", report;
+    bool view_given = false;
+    PictureSize size;
+};
+void run_render(const RenderOptions& options);
+
+struct ProbeOptions {
+    SessionOptions session;
+    std::string pixel;  ///< "X,Y" from the top left
+    PictureSize size;
+    bool json = false;
+};
+void run_probe(const ProbeOptions& options);
+
+struct ListOptions {
+    std::string kind;    ///< settings, filters, views, overlays, scenes, presets
+    std::string prefix;  ///< of the keys to list
+    bool json = false;
+};
+void run_list(const ListOptions& options);
+const std::vector<std::string>& list_kinds();
+
+void run_info(bool json);
+void run_preset_check(const std::string& file);
+void run_preset_show(const std::string& file);
+void run_export(const SessionOptions& session, const std::string& output);
+
+/// docs/settings.md: to `output`, or to stdout when empty; `check` compares and throws when they differ.
+void run_docs(const std::string& output, bool check);
+/// The text of docs/settings.md.
+std::string settings_page();
+/// The table of settings as --help shows it.
+std::string settings_help();
+
+struct OverviewOptions {
+    SessionOptions session;
+    std::string folder = "out";
+    PictureSize size;
+};
+/// The editor, the scene, its shadow map and visibility as pictures, and a table of passes and times.
+void run_overview(const OverviewOptions& options);
+
+}  // namespace si

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <map>
+
+#include "app/commands/commands.h"
+#include "app/output.h"
+#include "app/setting_json.h"
+#include "renderer/error.h"
+#include "renderer/param.h"
+
+namespace si {
+namespace {
+
+constexpr std::string_view kIntro =
+    "# Settings\n\n"
+    "Written by `shadow-inspector docs -o docs/settings.md` from the table of settings; do not edit by hand.\n\n"
+    "Every setting can be moved in the editor, given as `--set KEY=VALUE`, and saved in a preset. `light.X` means\n"
+    "`light.0.X`; lights 0 to 15 have the same settings. `object.PATH.X` is for the object at a node path, such as\n"
+    "`object.Root/Fence.cull`.\n";
+
+std::string cell(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '|') out += '\\';
+        out += c;
+    }
+    return out;
+}
+
+std::string allowed(const SettingRef& ref) {
+    const Param& p = *ref.param;
+    if (p.choices) {
+        std::vector<std::string> keys;
+        for (const Choice& c : p.choices()) keys.push_back(fmt::format("`{}`", c.key));
+        return fmt::format("{}", fmt::join(keys, " "));
+    }
+    if (setting_type(ref) == "bool") return "`true` `false`";
+    return fmt::format("{} to {}{}{}", value_text(p, p.min), value_text(p, p.max), p.unit.empty() ? "" : " ", p.unit);
+}
+
+std::string setting_section(const Param& p) {
+    static const std::map<Cost, std::string_view> kCosts = {{Cost::Uniform, ""},
+                                                            {Cost::Program, " A change compiles shaders."},
+                                                            {Cost::Target, " A change allocates the maps anew."}};
+    const SettingRef ref{&p, 0, p.scope == Scope::Object ? "PATH" : ""};
+    std::string text = fmt::format("\n### {}\n\n{}. Allowed: {}. Default: `{}`.{}\n\n{}\n", setting_key(ref), p.label,
+                                   allowed(ref), value_text(p, default_value(ref)), kCosts.at(p.cost), p.help);
+    if (!p.choices) return text;
+    text += "\n| choice | name | meaning |\n|---|---|---|\n";
+    for (const Choice& c : p.choices()) {
+        text += fmt::format("| `{}` | {} | {} |\n", c.key, cell(c.label), cell(c.help));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string settings_page() {
+    std::string text(kIntro), group;
+    for (const Param& p : params()) {
+        const std::string this_group(p.key.substr(0, p.key.find('.')));
+        if (this_group != group) text += fmt::format("\n## {}\n", group = this_group);
+        text += setting_section(p);
+    }
+    return text;
+}
+
+void run_docs(const std::string& output, bool check) {
+    const std::string page = settings_page();
+    if (check) {
+        if (read_text_file(output) == page) return;
+        throw Error(fmt::format("{}: differs from the table of settings; write it with `docs -o {}`", output, output));
+    }
+    if (output.empty()) {
+        fmt::print("{}", page);
+    } else {
+        write_file(output, page);
+    }
+}
+
+}  // namespace si

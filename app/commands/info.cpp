@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include "app/commands/commands.h"
+#include "app/headless_context.h"
+#include "app/notes.h"
+#include "app/output.h"
+#include "app/report.h"
+#include "renderer/error.h"
+#include "renderer/gltf_loader.h"
+#include "renderer/param.h"
+#include "renderer/renderer.h"
+
+namespace si {
+
+void run_info(bool json) {
+    const HeadlessContext context;
+    const Renderer renderer;
+    const DriverInfo& d = renderer.driver();
+    if (json) {
+        nlohmann::ordered_json facts = {
+            {"program", "shadow-inspector"}, {"version", SI_VERSION}, {"context", context.description()}};
+        facts["driver"] = driver_json(d);
+        fmt::print("{}", json_text(facts));
+        return;
+    }
+    fmt::print("shadow-inspector {}\n", SI_VERSION);
+    fmt::print("context        {}\n", context.description());
+    fmt::print("driver         {} ({})\n", d.renderer, d.vendor);
+    fmt::print("OpenGL         {}, GLSL {}\n", d.version, d.glsl);
+    fmt::print("kind           {}\n", d.software ? "a CPU rasteriser: times are not those of a GPU" : "hardware");
+    fmt::print("clock          {} (queries show {:.0f} % of wall time)\n", d.clock, d.query_share * 100);
+    fmt::print("limits         textures {0} x {0}, {1} samples, {2} sub-pixel bits\n", d.max_texture_size,
+               d.max_samples, d.subpixel_bits);
+    fmt::print("extensions     glPolygonOffsetClamp {}, anisotropic filtering {}\n",
+               d.polygon_offset_clamp ? "yes" : "no", d.anisotropy ? "yes" : "no");
+}
+
+void run_preset_check(const std::string& file) {
+    const Preset preset = load_preset(file);
+    fmt::print("{}: good, {} settings differ from the defaults\n", file, changed_settings(preset.settings).size());
+}
+
+void run_preset_show(const std::string& file) {
+    const Preset preset = load_preset(file);
+    if (!preset.about.empty()) fmt::print("{}\n", preset.about);
+    if (!preset.scene.empty()) fmt::print("scene {}\n", preset.scene);
+    for (const SettingRef& ref : changed_settings(preset.settings)) {
+        const auto idle = idle_reason(preset.settings, ref);
+        fmt::print("{} = {}  (default {}){}{}\n", setting_key(ref),
+                   value_text(*ref.param, get_value(preset.settings, ref)), value_text(*ref.param, default_value(ref)),
+                   idle.empty() ? "" : "  ", idle);
+    }
+}
+
+void run_export(const SessionOptions& options, const std::string& output) {
+    const std::string extension = lower_extension(output);
+    if (extension != ".gltf" && extension != ".glb") {
+        throw UsageError(fmt::format("{}: the file must end in .gltf or .glb", output));
+    }
+    require_writable(output);
+    const Session session = open_session(options);
+    save_gltf(session.scene, output);
+    print_notes(session.notes);
+}
+
+}  // namespace si

@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/commands.h"
+#include "app/presets.h"
+#include "app/report.h"
+#include "app/setting_json.h"
+#include "app/views.h"
+#include "renderer/error.h"
+#include "renderer/param.h"
+#include "renderer/scenes/builtin.h"
+#include "renderer/techniques.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json row(std::string_view key, std::string_view label, std::string_view help) {
+    return {{"key", key}, {"label", label}, {"help", help}};
+}
+
+Json setting_rows() {
+    static constexpr const char* kScopes[] = {"scene", "light", "object"};
+    static constexpr const char* kCosts[] = {"uniform", "program", "target"};
+    Json list = Json::array();
+    for (const Param& p : params()) {
+        const SettingRef ref{&p, 0, p.scope == Scope::Object ? "PATH" : ""};
+        Json json = row(setting_key(ref), p.label, p.help);
+        const auto type = setting_type(ref);
+        const bool number = type == "int" || type == "float";
+        json["type"] = type;
+        json["unit"] = p.unit;
+        json["min"] = number ? Json(p.min) : Json();
+        json["max"] = number ? Json(p.max) : Json();
+        json["default"] = setting_to_json(ref, default_value(ref));
+        json["choices"] = Json::array();
+        if (p.choices) {
+            for (const Choice& c : p.choices()) json["choices"].push_back(row(c.key, c.label, c.help));
+        }
+        json["logarithmic"] = p.logarithmic;
+        json["scope"] = kScopes[std::size_t(p.scope)];
+        json["cost"] = kCosts[std::size_t(p.cost)];
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Json filter_rows() {
+    Json list = Json::array();
+    for (const Filter& f : filters()) {
+        Json json = row(f.key, f.label, f.help);
+        json["file"] = f.file;
+        json["size"] = f.size;
+        json["bilinear"] = f.bilinear;
+        json["reach_texels"] = f.reach_texels;
+        json["gathers"] = f.gathers;
+        json["sampler_taps"] = f.sampler_taps;
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Json overlay_rows() {
+    Json list = Json::array();
+    for (const Overlay& o : overlays()) {
+        Json json = row(o.key, o.label, o.help);
+        json["unit"] = o.unit;
+        json["scalar"] = o.scalar;
+        json["min"] = o.min;
+        json["max"] = o.max;
+        json["diverging"] = o.diverging;
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Json view_rows() {
+    Json list = Json::array();
+    for (const View& v : views()) {
+        Json json = row(v.key, v.label, v.help);
+        json["scalar"] = v.scalar;
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Json scene_rows() {
+    Json list = Json::array();
+    for (const BuiltinScene& s : builtin_scenes()) list.push_back(row(s.key, s.label, s.help));
+    return list;
+}
+
+Json preset_rows() {
+    Json list = Json::array();
+    for (const BuiltinPreset& p : builtin_presets()) {
+        Json json = row(p.key, p.key, p.about);
+        json["scene"] = p.scene;
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+std::string range_text(const Json& setting) {
+    if (setting["type"] == "bool") return "true false";
+    if (setting["type"] == "choice") {
+        std::vector<std::string> keys;
+        for (const Json& c : setting["choices"]) keys.push_back(c["key"]);
+        return fmt::format("{}", fmt::join(keys, " "));
+    }
+    const std::string unit = setting["unit"];
+    return fmt::format("{:g} to {:g}{}{}", setting["min"].get<double>(), setting["max"].get<double>(),
+                       unit.empty() ? "" : " ", unit);
+}
+
+std::string plain(const Json& value) {
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+void print_rows(const Json& list) {
+    for (const Json& r : list) {
+        if (!r.contains("type")) {
+            fmt::print("{:<18} {}\n", r["key"].get<std::string>(), r["help"].get<std::string>());
+            continue;
+        }
+        fmt::print("{}  ({}; default {})\n    {}\n", r["key"].get<std::string>(), range_text(r), plain(r["default"]),
+                   r["help"].get<std::string>());
+        for (const Json& c : r["choices"]) {
+            fmt::print("      {:<14} {}\n", c["key"].get<std::string>(), c["help"].get<std::string>());
+        }
+    }
+}
+
+}  // namespace
+
+const std::vector<std::string>& list_kinds() {
+    static const std::vector<std::string> kinds = {"settings", "filters", "views", "overlays", "scenes", "presets"};
+    return kinds;
+}
+
+void run_list(const ListOptions& options) {
+    const std::string& kind = options.kind;
+    Json list = kind == "settings"   ? setting_rows()
+                : kind == "filters"  ? filter_rows()
+                : kind == "views"    ? view_rows()
+                : kind == "overlays" ? overlay_rows()
+                : kind == "scenes"   ? scene_rows()
+                : kind == "presets"  ? preset_rows()
+                                     : Json();
+    if (list.is_null()) {
+        throw UsageError(fmt::format("list {}: it is one of {}; did you mean {}?", kind, fmt::join(list_kinds(), ", "),
+                                     nearest_name(kind, list_kinds())));
+    }
+    Json chosen = Json::array();
+    for (Json& r : list) {
+        if (r["key"].get<std::string>().starts_with(options.prefix)) chosen.push_back(std::move(r));
+    }
+    if (chosen.empty() && !options.prefix.empty()) {
+        const std::string nearest =
+            kind == "settings" ? fmt::format("; did you mean {}?", nearest_key(options.prefix)) : "";
+        throw UsageError(fmt::format("list {}: no key starts with '{}'{}", kind, options.prefix, nearest));
+    }
+    if (options.json) {
+        fmt::print("{}", json_text(chosen));
+    } else {
+        print_rows(chosen);
+    }
+}
+
+std::string settings_help() {
+    std::string text = "Settings (--set KEY=VALUE; `list settings [KEY]` explains each):\n";
+    for (const Json& r : setting_rows()) {
+        text += fmt::format("  {:<26} {}  [{}]\n", r["key"].get<std::string>(), range_text(r), plain(r["default"]));
+    }
+    return text;
+}
+
+}  // namespace si

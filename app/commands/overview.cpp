@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "app/commands/commands.h"
+#include "app/editor.h"
+#include "app/headless_context.h"
+#include "app/notes.h"
+#include "app/views.h"
+#include "renderer/error.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+void print_passes(const FrameResult& frame, const DriverInfo& driver) {
+    static constexpr const char* kStates[] = {"ran", "reused", "skipped"};
+    fmt::print("\n{:<32} {:<8} {:>10} {:>7} {:>11}  {}\n", "pass", "state", "ms", "draws", "triangles", "why");
+    for (const PassInfo& p : frame.passes) {
+        const std::string ms = p.state == PassState::Ran ? fmt::format("{:.2f}", p.gpu_ms) : "-";
+        fmt::print("{:<32} {:<8} {:>10} {:>7} {:>11}  {}\n", p.name, kStates[std::size_t(p.state)], ms, p.draws,
+                   p.triangles, p.reason);
+    }
+    fmt::print("\nmeasured with {} on {}\n", frame.clock, driver.renderer);
+}
+
+void draw_editor(const OverviewOptions& options, const Session& session, const std::string& path) {
+    EditorOptions editor;
+    editor.scene = session.scene_name;
+    editor.settings = session.settings;
+    editor.headless = true;
+    editor.screenshot = path;
+    if (fs::path(options.session.preset).extension() == ".json") editor.preset = options.session.preset;
+    if (run_editor(editor) != 0) throw Error(fmt::format("{}: the editor could not be drawn", path));
+}
+
+}  // namespace
+
+void run_overview(const OverviewOptions& options) {
+    std::error_code error;
+    fs::create_directories(options.folder, error);
+    if (error) throw Error(fmt::format("{}: cannot be made: {}", options.folder, error.message()));
+    const auto file = [&](const std::string& name) { return (fs::path(options.folder) / name).string(); };
+    const Session session = open_session(options.session);
+    FrameResult frame;
+    DriverInfo driver;
+    {
+        const HeadlessContext context;
+        Renderer renderer;
+        FrameRequest request;
+        request.width = options.size.width, request.height = options.size.height;
+        for (const char* view : {"shaded", "shadow-map", "visibility"}) {
+            const std::string path = file(view == std::string("shaded") ? "scene.png" : fmt::format("{}.png", view));
+            write_view(renderer, session.scene, session.settings, request, find_view(view), path);
+            fmt::print("wrote {}\n", path);
+        }
+        // All of it once more, now that programs are compiled, for the clock.
+        request.outputs = {.colour = true, .shadow_map = true, .visibility = true};
+        request.timing = request.force = true;
+        frame = renderer.render(session.scene, session.settings, request);
+        driver = renderer.driver();
+    }
+    // The editor has a context of its own, so this one has to be gone.
+    draw_editor(options, session, file("editor.png"));
+    fmt::print("wrote {}\n", file("editor.png"));
+    print_passes(frame, driver);
+    print_notes(session.notes);
+    print_notes(frame.notes);
+}
+
+}  // namespace si
