@@ -35,14 +35,20 @@ double depth_quantum(MapFormat format, double depth) {
     return std::ldexp(1.0, std::max(std::ilogb(d), -126) - 23);
 }
 
-LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum,
-                     int subpixel_bits) {
+LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum, int subpixel_bits,
+                     double rounding) {
     const double per_texel = (std::abs(gradient.x) + std::abs(gradient.y)) / resolution;
     LeastBias b;
     b.kernel = kappa_texels * per_texel;
     b.quantum = quantum;
+    b.rounding = rounding;
     b.snapping = subpixel_bits > 0 ? std::ldexp(per_texel, -(subpixel_bits + 1)) : 0;
     return b;
+}
+
+double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m) {
+    const double z = glm::dot(view.eye - point_ws, view.axes[2]);
+    return 4 * 0x1p-23 * std::max(extent_m * view.curve.slope(z), view.curve.depth(z));
 }
 
 double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws,

@@ -29,17 +29,24 @@ struct LeastBias {
     double kernel = 0;    ///< taps read texels up to kappa away on a tilted plane
     double quantum = 0;   ///< storing rounds
     double snapping = 0;  ///< vertices snap to the rasteriser's sub-pixel grid
-    double total() const { return kernel + quantum + snapping; }
+    double rounding = 0;  ///< shaders compute in single precision
+    double total() const { return kernel + quantum + snapping + rounding; }
 };
 
 /// The least depth bias under which a plane does not shadow itself:
-///   b_min = kappa (|g_u| + |g_v|) / N + q c_q + 2^-(B+1) (|g_u| + |g_v|) / N.
+///   b_min = kappa (|g_u| + |g_v|) / N + q c_q + 2^-(B+1) (|g_u| + |g_v|) / N + e_fp.
 /// @param kappa_texels how far a tap's texel centre may lie from the receiver, per axis: 0.5 nearest, 1 filtered 2x2,
 ///        R + 0.5 for (2R+1)^2 nearest and R + 1 for (2R+1)^2 bilinear taps
 /// @param quantum step of the stored depth; c_q = 1, as a driver may truncate
 /// @param subpixel_bits GL_SUBPIXEL_BITS; 0 or less leaves the snapping out
-LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum,
-                     int subpixel_bits);
+/// @param rounding e_fp, see rounding_bias()
+LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum, int subpixel_bits,
+                     double rounding = 0);
+
+/// What float roundings in the shaders are worth in depth at a point: 4 2^-23 max(|P| |d'|, d). The first is that of
+/// the coordinates (up to `extent_m` metres), the second that of the depth itself, which is what remains in a
+/// perspective map whose depths crowd at 1.
+double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m);
 
 /// The least offset along the normal (metres) that does the work of a depth bias `b_min`: moving a plane by h along n
 /// moves it by h / |n . r| along the light's ray r, so h = b_min / (d depth / d z) |n . r|. For an orthographic light

@@ -22,10 +22,11 @@ bool finite(const Box& box) {
     });
 }
 
-bool casts(const Scene& scene, const Settings& settings, const Object& object) {
-    if (settings.objects.empty() || object.node < 0 || std::size_t(object.node) >= scene.nodes.size()) return true;
+/// What the settings say of an object; the defaults where they say nothing.
+ObjectSettings settings_of(const Scene& scene, const Settings& settings, const Object& object) {
+    if (settings.objects.empty() || object.node < 0 || std::size_t(object.node) >= scene.nodes.size()) return {};
     const auto it = settings.objects.find(scene.nodes[object.node].path);
-    return it == settings.objects.end() || it->second.cast;
+    return it == settings.objects.end() ? ObjectSettings() : it->second;
 }
 
 bool clipped(const Box& box, const LightView& view) {
@@ -44,11 +45,12 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
         const Mesh& mesh = scene.meshes[o.mesh];
         if (mesh.indices.size() < 3 || mesh.bounds.empty()) continue;
         s.triangles = true;
-        const bool caster = casts(scene, settings, o);
-        s.casters = s.casters || caster;
+        const ObjectSettings own = settings_of(scene, settings, o);
+        s.casters = s.casters || own.cast;
+        s.receivers = s.receivers || own.receive;
         if (scene.objects.size() > kMaxFitObjects) continue;
         const Box box = corners(mesh.bounds, o.world);
-        if (finite(box)) s.boxes.push_back(box), s.box_casts.push_back(caster);
+        if (finite(box)) s.boxes.push_back(box), s.box_casts.push_back(own.cast);
     }
     Bounds bounds = scene.bounds;
     if (bounds.empty() || !std::isfinite(bounds.radius())) {

@@ -22,6 +22,7 @@ struct SceneShape {
     std::vector<bool> box_casts;  ///< as long as `boxes`
     bool triangles = false;       ///< the scene has any
     bool casters = false;         ///< an object with triangles casts
+    bool receivers = false;       ///< an object with triangles receives shadows
 };
 
 /// Boxes of all objects; above 20000 objects the scene's box stands for them. Always finite, also for empty scenes.

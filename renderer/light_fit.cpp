@@ -309,6 +309,8 @@ std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings
             light.reason = "the scene has no triangles";
         else if (!shape.casters)
             light.reason = "no object casts";
+        else if (!shape.receivers)
+            light.reason = "no object receives shadows";
         light.casts = light.reason.empty();
         if (light.casts) light.clipped_casters = count_clipped(shape, light.views);
     }

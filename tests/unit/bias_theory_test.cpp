@@ -142,6 +142,16 @@ TEST(BiasTheory, PartsAddUp) {
     EXPECT_DOUBLE_EQ(b.total(), b.kernel + b.snapping + 1e-5);
 }
 
+TEST(BiasTheory, RoundingIsOfCoordinatesOrOfTheDepth) {
+    LightView view;
+    view.curve = {false, 0, 10, {}};
+    EXPECT_DOUBLE_EQ(rounding_bias(view, {0, 0, -1}, 50), 4 * 0x1p-23 * 50 / 10);
+    view.curve = {true, 1e-3, 10, {}};
+    EXPECT_NEAR(rounding_bias(view, {0, 0, -9}, 10), 4 * 0x1p-23, 1e-10);  // depths crowd at 1
+    view.curve.convention.reversed = true;
+    EXPECT_LT(rounding_bias(view, {0, 0, -9}, 10), 1e-3 * 4 * 0x1p-23);
+}
+
 TEST(BiasTheory, EdgeOnIsInfiniteNotNan) {
     LightView view;
     view.curve = {false, 0, 10, {}};

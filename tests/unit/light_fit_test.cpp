@@ -302,6 +302,8 @@ TEST(LightFit, WhyNothingCasts) {
     s.objects["box0"].cast = false;
     EXPECT_EQ(fit_lights(scene, s)[0].reason, "no object casts");
     EXPECT_FALSE(fit_lights(scene, s)[0].casts);
+    s.objects["box0"] = {.receive = false};
+    EXPECT_EQ(fit_lights(scene, s)[0].reason, "no object receives shadows");
     s.lights[0].cast = false;
     EXPECT_EQ(fit_lights(scene, s)[0].reason, "light.cast is off");
     s.lights[0].cast = true;

@@ -1,0 +1,124 @@
+// The shadow of a box on a plane, whose outline is known exactly.
+#include <cmath>
+
+#include "renderer/techniques.h"
+#include "support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+/// Whether the segment or ray from `p` along `d` (to the parameter `most`) meets the box; the slab test.
+bool meets_box(const glm::dvec3& p, const glm::dvec3& d, double most, const glm::dvec3& lo, const glm::dvec3& hi) {
+    double from = 0, to = most;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (d[axis] == 0) {
+            if (p[axis] < lo[axis] || p[axis] > hi[axis]) return false;
+            continue;
+        }
+        double a = (lo[axis] - p[axis]) / d[axis], b = (hi[axis] - p[axis]) / d[axis];
+        if (a > b) std::swap(a, b);
+        from = std::max(from, a), to = std::min(to, b);
+    }
+    return from <= to;
+}
+
+struct OutlineCase {
+    const char* name;
+    LightType type;
+    const char* filter;
+    int resolution;
+};
+
+class BoxShadow : public testing::TestWithParam<OutlineCase> {};
+
+TEST_P(BoxShadow, EdgeWithinATexel) {
+    const OutlineCase& c = GetParam();
+    const glm::dvec3 box(1.5, 1, 2);
+    const double gap = 0.4;
+    const glm::dvec3 lo(-0.5 * box.x, gap, -0.5 * box.z), hi(0.5 * box.x, gap + box.y, 0.5 * box.z);
+    const Scene scene = floor_and_box(10, box, gap);
+    Settings s = hard_settings();
+    s.lights[0].type = int(c.type);
+    s.lights[0].distance = 9;
+    s.lights[0].cone = 80;
+    s.map.resolution = c.resolution;
+    s.filter.kernel = kernel(c.filter);
+    // Along the light only, so that the outline does not move; what the kernel needs on the floor.
+    s.bias = no_bias();
+    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.constant = 4 * filters()[std::size_t(s.filter.kernel)].reach_texels;
+    const Shot shot = shoot(scene, s, 320, 240);
+    const FittedLight& light = shot.light();
+    const RayTruth rays(scene);
+    const auto in_shadow = [&](const glm::dvec3& p) {
+        const bool directional = light.type == LightType::Directional;
+        return meets_box(p, directional ? light.to_light : light.position - p, directional ? 1e9 : 1, lo, hi);
+    };
+    int inside = 0, outside = 0, edge = 0, wrong = 0;
+    for (int y = 0; y < shot.height; ++y)
+        for (int x = 0; x < shot.width; ++x) {
+            glm::dvec3 origin, dir;
+            shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
+            const auto hit = rays.first_hit(origin, dir);
+            if (!hit || hit->normal.y < 0.5 || hit->position.y > 1e-6) continue;
+            const LightView& view = view_of(light, hit->position);
+            const glm::dvec4 p = uvdw(view, hit->position);
+            if (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1) continue;
+            // One texel to each side on the floor, along the map's axes.
+            const double z = glm::dot(view.eye - hit->position, view.axes[2]);
+            const double texel = view.texel_size(z, shot.frame.map_resolution);
+            const bool dark = in_shadow(hit->position);
+            bool near_edge = false;
+            for (int i = -4; i <= 4; ++i)
+                for (int j = -4; j <= 4; ++j) {
+                    glm::dvec3 q = hit->position + texel * 0.25 * (double(i) * view.axes[0] + double(j) * view.axes[1]);
+                    const glm::dvec3 ray = view.curve.perspective ? q - view.eye : -view.axes[2];
+                    q -= ray * (q.y / ray.y);  // back onto the floor, along the light
+                    near_edge = near_edge || in_shadow(q) != dark;
+                }
+            if (near_edge) {
+                ++edge;
+                continue;
+            }
+            ++(dark ? inside : outside);
+            wrong += (shot.visibility.at(x, y) < 0.5f) != dark;
+        }
+    EXPECT_GT(inside, 500) << "the box must cast";
+    EXPECT_GT(outside, 5000);
+    EXPECT_GT(edge, 20);
+    EXPECT_LT(edge, inside + outside) << "most pixels must be judged";
+    EXPECT_EQ(wrong, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BoxShadow,
+                         testing::Values(OutlineCase{"directional_hard", LightType::Directional, "hard", 256},
+                                         OutlineCase{"directional_pcf3", LightType::Directional, "pcf3", 256},
+                                         OutlineCase{"directional_fine", LightType::Directional, "hw2x2", 1024},
+                                         OutlineCase{"spot_hard", LightType::Spot, "hard", 256},
+                                         OutlineCase{"spot_pcf3", LightType::Spot, "pcf3", 256},
+                                         OutlineCase{"point_hard", LightType::Point, "hard", 512}),
+                         [](const auto& named) { return std::string(named.param.name); });
+
+// The seams between a point light's faces: no error beside them.
+TEST(PointLight, SeamsShowNoError) {
+    const Scene scene = floor_and_box(10, {3, 0.2, 3}, 1.2);
+    for (const char* filter : {"hard", "pcf5"}) {
+        Settings s = hard_settings();
+        s.lights[0].type = int(LightType::Point);
+        s.lights[0].elevation = 90;
+        s.lights[0].distance = 2.5;  // faces meet on the floor
+        s.filter.kernel = kernel(filter);
+        s.bias = no_bias();
+        s.bias.unit = int(BiasUnit::Texels);
+        // Near a face's rim the floor is tilted by 45 to 60 degrees against its axis.
+        s.bias.constant = 4 * filters()[std::size_t(s.filter.kernel)].reach_texels;
+        const TruthErrors e = compare(shoot(scene, s), scene, filters()[std::size_t(s.filter.kernel)].reach_texels + 1);
+        EXPECT_GT(e.shadow, 200) << filter;
+        EXPECT_EQ(e.false_shadow, 0) << filter;
+        EXPECT_EQ(e.any_acne, 0) << filter;
+        EXPECT_EQ(e.false_light, 0) << filter;
+    }
+}
+
+}  // namespace
+}  // namespace si::test

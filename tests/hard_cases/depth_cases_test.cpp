@@ -1,0 +1,206 @@
+// Hard cases 3 to 5: what the maps store, against distances computed in double.
+#include <cmath>
+
+#include "renderer/bias_theory.h"
+#include "renderer/scenes/shapes.h"
+#include "support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+std::string format_name(MapFormat format) {
+    const char* names[] = {"d16", "d24", "d32f", "colour"};
+    return names[int(format)];
+}
+
+struct StoredCase {
+    LightType type;
+    LightProjection projection;
+    MapFormat format;
+    bool reversed;
+    double ratio;  ///< far / near; 0 leaves the fit
+};
+
+std::vector<StoredCase> stored_cases() {
+    std::vector<StoredCase> cases;
+    for (MapFormat format : {MapFormat::D16, MapFormat::D24, MapFormat::D32F, MapFormat::Colour})
+        for (bool reversed : {false, true}) {
+            cases.push_back({LightType::Directional, LightProjection::Automatic, format, reversed, 0});
+            cases.push_back({LightType::Directional, LightProjection::Perspective, format, reversed, 0});
+            cases.push_back({LightType::Spot, LightProjection::Orthographic, format, reversed, 0});
+            cases.push_back({LightType::Point, LightProjection::Automatic, format, reversed, 0});
+            for (double ratio : {10.0, 1e3, 1e5})
+                cases.push_back({LightType::Spot, LightProjection::Automatic, format, reversed, ratio});
+        }
+    return cases;
+}
+
+std::string case_name(const StoredCase& c) {
+    const char* types[] = {"directional", "spot", "point"};
+    const char* projections[] = {"", "_ortho", "_persp"};
+    return types[int(c.type)] + std::string(projections[int(c.projection)]) + "_" + format_name(c.format) +
+           (c.reversed ? "_reversed" : "_standard") + (c.ratio > 0 ? "_" + std::to_string(int(c.ratio)) : "");
+}
+
+class StoredDepth : public testing::TestWithParam<StoredCase> {};
+
+// Case 3 and 4: the linearised depth is the metric distance within the format's step.
+TEST_P(StoredDepth, IsTheMetricDistanceWithinAStep) {
+    const StoredCase& c = GetParam();
+    const Scene scene = make_scene(make_plane(10, 10));
+    Settings s = hard_settings();
+    s.bias = no_bias();
+    s.map.format = int(c.format);
+    s.map.reversed_z = c.reversed;
+    s.map.resolution = 256;
+    LightSettings& light = s.lights[0];
+    light.type = int(c.type);
+    light.projection = int(c.projection);
+    light.elevation = 60;
+    light.distance = 20;
+    if (c.ratio > 0) {
+        light.fit = int(LightFit::Manual);
+        light.far = 30;
+        light.near = light.far / c.ratio;
+    }
+    const Shot shot = shoot(scene, s, 64, 48);
+    const glm::dvec3 n(0, 1, 0);
+    int seen = 0;
+    double worst = 0, mean_steps = 0;
+    for (std::size_t face = 0; face < shot.maps.size(); ++face) {
+        const LightView& view = shot.view(face);
+        const FloatImage& map = shot.maps[face];
+        for (int y = 0; y < map.height; ++y)
+            for (int x = 0; x < map.width; ++x) {
+                const float stored = map.at(x, y);
+                // The plane under the texel's centre; row 0 is the top of the map.
+                const double u = (2 * (x + 0.5) / map.width - 1) * view.half_width;
+                const double v = (1 - 2 * (y + 0.5) / map.height) * view.half_width;
+                const glm::dvec3 aside = u * view.axes[0] + v * view.axes[1];
+                const bool p = view.curve.perspective;
+                const glm::dvec3 origin = p ? view.eye : view.eye + aside;
+                const glm::dvec3 dir = p ? aside - view.axes[2] : -view.axes[2];
+                const double z = -glm::dot(origin, n) / glm::dot(dir, n);
+                const glm::dvec3 at = origin + z * dir;
+                // Texels that the plane covers wholly.
+                if (!(z > view.curve.near && z < view.curve.far && std::abs(at.x) < 4.7 && std::abs(at.z) < 4.7))
+                    continue;
+                const double own = view.curve.depth(z);
+                const double step = depth_quantum(MapFormat(s.map.format), own);
+                const ReceiverPlane plane = receiver_plane(view, at, n);
+                const LeastBias parts = least_bias(plane.gradient, 0, map.width, step,
+                                                   hard_renderer().driver().subpixel_bits, rounding_bias(view, at, 20));
+                const double error = std::abs(stored - own);
+                worst = std::max(worst, error / parts.total());
+                mean_steps += error / step;
+                ++seen;
+                // In metres, as a person reads it: the step over the curve's slope, bent a little at coarse steps.
+                const double metres = std::abs(view.curve.distance(stored) - z);
+                ASSERT_LE(metres, 1.5 * parts.total() / view.curve.slope(z) + 1e-9) << x << ", " << y;
+            }
+    }
+    ASSERT_GT(seen, 2000);
+    EXPECT_LE(worst, 1) << "of what step, vertex snapping and float rounding allow";
+    // Table of steps: a fixed-point format that hits its step loses a quarter of it on average (or half, truncating).
+    if (c.format == MapFormat::D16) {
+        EXPECT_GT(mean_steps / seen, 0.125);
+        EXPECT_LT(mean_steps / seen, 1.0);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, StoredDepth, testing::ValuesIn(stored_cases()),
+                         [](const auto& named) { return case_name(named.param); });
+
+// Case 4: reversed depth in a float map keeps 2^-22 of the distance, over whatever range; standard depth does not.
+TEST(HardCase4, ReversedFloatResolvesEveryDistance) {
+    for (double ratio : {1e2, 1e4, 1e6})
+        for (bool reversed : {true, false}) {
+            DepthCurve curve{true, 100 / ratio, 100, {true, reversed}};
+            double worst = 0;
+            for (int i = 1; i < 1000; ++i) {
+                const double z = curve.near * std::pow(ratio, i / 1000.0);
+                worst = std::max(worst, std::abs(curve.distance(float(curve.depth(z))) - z) / z);
+            }
+            if (reversed) {
+                EXPECT_LE(worst, 0x1p-22);
+            } else {
+                EXPECT_GT(worst, 0x1p-22) << "standard depth must lose more, or the case says nothing";
+            }
+        }
+}
+
+TEST(HardCase4, ReversedMapsGiveTheSameShadows) {
+    const Scene scene = floor_and_box();
+    for (LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
+        for (MapFormat format : {MapFormat::D16, MapFormat::D24, MapFormat::D32F, MapFormat::Colour}) {
+            Settings s = hard_settings();
+            s.lights[0].type = int(type);
+            s.map.format = int(format);
+            const Shot standard = shoot(scene, s);
+            s.map.reversed_z = true;
+            const Shot reversed = shoot(scene, s);
+            EXPECT_GT(shadow_share(standard), 0.01) << "the box must cast";
+            // Two roundings of one depth may fall to either side on a few boundary pixels.
+            EXPECT_LE(differing_share(standard, reversed), 5e-4) << int(type) << format_name(format);
+            // The reversed map holds the mirrored depths: the setting does act.
+            double worst = 0, largest = 0;
+            for (std::size_t face = 0; face < standard.maps.size(); ++face) {
+                const FloatImage &a = standard.maps[face], &b = reversed.maps[face];
+                for (std::size_t k = 0; k < a.data.size(); ++k) {
+                    worst = std::max(worst, std::abs(1.0 - a.data[k] - b.data[k]));
+                    largest = std::max(largest, double(b.data[k]));
+                }
+            }
+            EXPECT_LE(worst, 2.5 * depth_quantum(MapFormat(format), 1.0) + 4 * 0x1p-23) << format_name(format);
+            EXPECT_GT(largest, 0.1);
+        }
+}
+
+/// Largest change of stored depth between two maps, over texels that both drew.
+double largest_change(const FloatImage& a, const FloatImage& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < a.data.size(); ++i)
+        if (a.data[i] < 1 && b.data[i] < 1) most = std::max(most, double(b.data[i]) - a.data[i]);
+    return most;
+}
+
+// Case 5: units of the polygon offset differ by format and driver. Recorded: Mesa llvmpipe 22.3.
+TEST(HardCase5, PolygonOffset) {
+    const Scene scene = make_scene(make_plane(10, 10));
+    const bool recorded = hard_renderer().driver().renderer.find("llvmpipe") != std::string::npos;
+    for (MapFormat format : {MapFormat::D16, MapFormat::D24, MapFormat::D32F}) {
+        SCOPED_TRACE(format_name(format));
+        Settings s = hard_settings();
+        s.bias = no_bias();
+        s.map.format = int(format);
+        LightSettings& light = s.lights[0];
+        light.elevation = 90;
+        light.fit = int(LightFit::Manual);
+        light.distance = 6, light.near = 1e-9, light.far = 10, light.extent = 6;
+        const Shot flat = shoot(scene, s, 64, 48);
+        const double step = depth_quantum(format, 0.6);
+        s.bias.raster_units = format == MapFormat::D16 ? 100 : 1000;
+        const double r = largest_change(flat.maps[0], shoot(scene, s, 64, 48).maps[0]) / s.bias.raster_units;
+        EXPECT_GE(r, 0.49 * step);
+        EXPECT_LE(r, 4.01 * step);
+        if (recorded) {
+            const double known = format == MapFormat::D16 ? 0x1p-15 : format == MapFormat::D24 ? 0x1p-23 : 0x1p-24;
+            EXPECT_NEAR(r / known, 1, 0.01);
+        }
+        // The factor's slope: |dz/dx| of the window for a plane that tilts along one axis of the map.
+        s.bias.raster_units = 0;
+        light.elevation = 60, light.azimuth = 0;
+        const Shot tilted = shoot(scene, s, 64, 48);
+        const ReceiverPlane plane = receiver_plane(tilted.view(), {0, 0, 0}, {0, 1, 0});
+        const glm::dvec2 g = glm::abs(plane.gradient) / double(tilted.frame.map_resolution);
+        s.bias.raster_slope = 20;
+        const double m = largest_change(tilted.maps[0], shoot(scene, s, 64, 48).maps[0]) / s.bias.raster_slope;
+        const double largest = std::max(g.x, g.y), length = std::sqrt(g.x * g.x + g.y * g.y);
+        EXPECT_GE(m, 0.99 * largest - 2 * step);
+        EXPECT_LE(m, 1.01 * length + 2 * step);
+        EXPECT_GT(largest, 20 * step) << "the slope must stand out of the steps";
+    }
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,125 @@
+// Hard cases 6 to 9: lights in awkward places.
+#include <cmath>
+
+#include "renderer/scenes/shapes.h"
+#include "support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+// Case 6: with the light parallel to "up", a basis from a cross product is 0/0 at exactly 0 degrees.
+TEST(HardCase6, LightStraightAbove) {
+    // A thin plate: its sides, where N.L changes sign under any tilt, fill no pixel.
+    const Scene scene = floor_and_box(10, {3, 1e-3, 3}, 1.0);
+    for (LightType type : {LightType::Directional, LightType::Spot}) {
+        Settings s = hard_settings();
+        s.camera.elevation = 30;
+        s.lights[0].type = int(type);
+        s.lights[0].elevation = 90;
+        const Shot exact = shoot(scene, s);
+        EXPECT_GT(shadow_share(exact), 0.01) << "the box must cast";
+        s.lights[0].elevation = 90 - 1e-4 * 180 / M_PI;
+        // 1e-4 rad move the shadow by 0.1 mm: only pixels on its edge may change.
+        EXPECT_LE(differing_share(exact, shoot(scene, s), 0.5), 1e-3) << int(type);
+        s.lights[0].elevation = -90;
+        shoot(scene, s);
+    }
+}
+
+// Case 7: a light inside the geometry would need near <= 0.
+TEST(HardCase7, LightInsideTheBox) {
+    const Scene scene = floor_and_box(10, {1.5, 1, 2}, 0.25);
+    for (LightType type : {LightType::Spot, LightType::Point})
+        for (double distance : {1e-9, 0.05, 0.2, 0.5}) {
+            Settings s = hard_settings();
+            s.lights[0].type = int(type);
+            s.lights[0].distance = distance;
+            s.lights[0].elevation = 90;
+            const Shot shot = shoot(scene, s);
+            for (const LightView& view : shot.light().views) EXPECT_GT(view.curve.near, 0);
+            EXPECT_GE(shot.light().clipped_casters, 1) << int(type) << " at " << distance;
+        }
+    // From outside nothing is clipped, so the count says something.
+    Settings s = hard_settings();
+    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].distance = 20;
+    EXPECT_EQ(shoot(scene, s).light().clipped_casters, 0);
+}
+
+// Case 8: behind a spot the division by w mirrors the map onto the floor.
+TEST(HardCase8, NothingIsMirroredBehindASpot) {
+    Scene scene;
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(20, 20), -1));
+    add_object(scene, "wall", -1, add_mesh(scene, "wall", make_box({3, 3, 0.2}), -1), moved(0, 1.5, -4));
+    finalise(scene);
+    Settings s = hard_settings();
+    s.camera.distance = 24;
+    s.camera.elevation = 80;
+    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].azimuth = 0;
+    s.lights[0].elevation = 2;
+    s.lights[0].cone = 100;
+    s.lights[0].distance = 1.5;
+    const Shot shot = shoot(scene, s);
+    ASSERT_EQ(shot.light().views.size(), 1u);
+    const RayTruth rays(scene);
+    const LightView& view = shot.view();
+    const FloatImage& map = shot.maps.at(0);
+    int behind = 0, affected = 0, mirrored = 0;
+    for (int y = 0; y < shot.height; ++y)
+        for (int x = 0; x < shot.width; ++x) {
+            glm::dvec3 origin, dir;
+            shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
+            const auto hit = rays.first_hit(origin, dir);
+            if (!hit || glm::dot(hit->normal, direction_to(shot.light(), hit->position)) <= 0) continue;
+            const glm::dvec4 p = uvdw(view, hit->position);
+            if (p.w > 0) continue;
+            ++behind;
+            affected += shot.visibility.at(x, y) != 1;
+            if (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1) continue;
+            // What a test without the guard would compare: rows of the map are read back from the top.
+            const int u = std::min(int(p.x * map.width), map.width - 1);
+            const int v = std::min(int((1 - p.y) * map.height), map.height - 1);
+            mirrored += p.z > map.at(u, v);
+        }
+    EXPECT_GT(behind, 500) << "the case must show the floor behind the light";
+    EXPECT_GT(mirrored, 50) << "without the guard there must be a mirrored shadow";
+    EXPECT_EQ(affected, 0);
+}
+
+// Case 9: tan() of half the cone is 0 or enormous at the ends.
+class HardCase9 : public testing::TestWithParam<double> {};
+
+TEST_P(HardCase9, SpotAngle) {
+    const Scene scene = floor_and_box(10, {1.5, 1, 2}, 0.5);
+    Settings s = hard_settings();
+    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].cone = GetParam();
+    s.lights[0].distance = 6;
+    const Shot shot = shoot(scene, s);
+    EXPECT_TRUE(shot.light().casts);
+    for (const LightView& view : shot.light().views) EXPECT_LE(view.half_width, std::tan(1.5) * 1.05);
+    const bool meaningful = GetParam() >= 60 && GetParam() <= 171;
+    if (meaningful) {
+        EXPECT_GT(shadow_share(shot), 0.01) << "the box must still cast";
+    } else {
+        EXPECT_FALSE(shot.frame.notes.empty()) << "a clamped cone must be said";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HardCase9,
+                         testing::Values(0.0, 1e-4, 89.9, 90.0, 120.0, 170.0, 179.8, 180.0, 360.0, -30.0, double(NAN),
+                                         double(INFINITY)),
+                         [](const auto& named) {
+                             std::string name;
+                             for (char c : testing::PrintToString(named.param))
+                                 name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+                             return name;
+                         });
+
+TEST(HardCase9Vacuity, FloatTangentOfARightAngleIsNegative) {
+    EXPECT_LT(std::tan(float(M_PI) / 2), 0);  // what an unclamped fit would use
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,164 @@
+// Hard cases 19, 20 and 29: bad settings, extreme resolutions, the map's border.
+#include <cmath>
+
+#include "renderer/scenes/shapes.h"
+#include "renderer/techniques.h"
+#include "support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+// Case 19: sliders that hold NaN, infinities or near >= far.
+TEST(HardCase19, BadSettings) {
+    const Scene scene = floor_and_box();
+    for (LightType type : {LightType::Directional, LightType::Spot, LightType::Point}) {
+        for (auto [near, far] : {std::pair{5.0, 5.0}, {20.0, 2.0}, {1e30, 1e-30}, {-4.0, -9.0}}) {
+            Settings s = hard_settings();
+            s.lights[0].type = int(type);
+            s.lights[0].fit = int(LightFit::Manual);
+            s.lights[0].near = near;
+            s.lights[0].far = far;
+            const Shot shot = shoot(scene, s);
+            EXPECT_FALSE(shot.frame.notes.empty()) << near << " " << far;
+        }
+        for (double bad : {double(NAN), double(INFINITY), -double(INFINITY)}) {
+            Settings s = hard_settings();
+            LightSettings& l = s.lights[0];
+            l.type = int(type);
+            l.azimuth = l.elevation = l.distance = l.target_x = l.target_y = l.size = l.cone = bad;
+            l.intensity = l.red = l.near = l.far = l.extent = bad;
+            s.bias.constant = s.bias.slope = s.bias.normal = s.bias.raster_slope = s.bias.raster_units = bad;
+            s.camera.azimuth = s.camera.distance = s.camera.fov = s.camera.near = s.camera.far = bad;
+            s.shading.ambient = s.shading.shininess = s.view.map_black = s.view.overlay_opacity = bad;
+            const Shot shot = shoot(scene, s);
+            EXPECT_FALSE(shot.frame.notes.empty()) << bad;
+        }
+        Settings s = hard_settings();
+        s.lights[0].type = 77;
+        s.map.format = s.map.wrap = s.map.compare = s.filter.kernel = s.bias.unit = s.view.overlay = -3;
+        s.map.resolution = -5;
+        s.light_count = 99;
+        EXPECT_FALSE(shoot(scene, s).frame.notes.empty());
+    }
+    EXPECT_TRUE(shoot(scene, hard_settings()).frame.notes.empty()) << "good settings need no repair";
+}
+
+// Case 20: maps of one texel, and beyond what the driver can do.
+TEST(HardCase20, ErrorsFallWithResolution) {
+    const Scene scene = floor_and_box(10, {2, 1.5, 2}, 0.3);
+    double before = 2;
+    std::vector<double> shares;
+    for (int n : {1, 4, 16, 64, 256, 1024}) {
+        Settings s = hard_settings();
+        s.map.resolution = n;
+        s.filter.kernel = kernel("hard");
+        const Shot shot = shoot(scene, s);
+        EXPECT_EQ(shot.frame.map_resolution, n);
+        EXPECT_EQ(shot.maps.at(0).width, n);
+        const TruthErrors e = compare(shot, scene, 0);
+        const double wrong = double(e.false_light + e.false_shadow) / e.domain;
+        // Half a percent of slack: a coarse map may be lucky where its texels fall.
+        EXPECT_LE(wrong, before + 0.005) << n;
+        before = wrong;
+        shares.push_back(wrong);
+    }
+    EXPECT_GT(shares.front(), 0.02) << "one texel cannot hold the shadow";
+    EXPECT_LT(shares.back(), 0.01);
+}
+
+TEST(HardCase20, KernelsWiderThanTheMap) {
+    const Scene scene = floor_and_box();
+    for (int n : {1, 2, 3})
+        for (std::size_t row = 0; row < filters().size(); ++row)
+            for (LightType type : {LightType::Directional, LightType::Point}) {
+                Settings s = hard_settings();
+                s.lights[0].type = int(type);
+                s.map.resolution = n;
+                s.filter.kernel = int(row);
+                shoot(scene, s, 32, 24);
+            }
+}
+
+TEST(HardCase20, BeyondTheDriversLimit) {
+    Settings s = hard_settings();
+    s.map.resolution = 1 << 30;
+    s.map.format = int(MapFormat::D16);
+    FrameRequest request;
+    request.width = 32, request.height = 24;
+    Renderer& renderer = hard_renderer();
+    const FrameResult frame = renderer.render(floor_and_box(), s, request);
+    EXPECT_LE(frame.map_resolution, renderer.driver().max_texture_size);
+    EXPECT_GE(frame.map_resolution, 4096);
+    EXPECT_FALSE(frame.notes.empty());
+    EXPECT_TRUE(renderer.take_gl_messages().empty());
+}
+
+// Case 29: outside of the map, and at its border.
+TEST(HardCase29, OutsideOfTheMapIsLit) {
+    const Scene scene = floor_and_box(10, {6, 1, 0.5}, 0.2);
+    for (const char* filter : {"hard", "hw2x2", "pcf5"}) {
+        Settings s = hard_settings();
+        s.camera.elevation = 70;
+        s.camera.distance = 14;
+        s.map.resolution = 128;
+        s.filter.kernel = kernel(filter);
+        // A map of 4 x 4 m amid 10 x 10 m of floor: the bar's shadow crosses its border.
+        s.lights[0].fit = int(LightFit::Manual);
+        s.lights[0].extent = 2;
+        const Filter& row = filters()[std::size_t(s.filter.kernel)];
+        const auto wrong_outside = [&](const Shot& shot) {
+            const RayTruth rays(scene);
+            int wrong = 0, outside = 0;
+            for (int y = 0; y < shot.height; ++y)
+                for (int x = 0; x < shot.width; ++x) {
+                    glm::dvec3 origin, dir;
+                    shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
+                    const auto hit = rays.first_hit(origin, dir);
+                    if (!hit || glm::dot(hit->normal, shot.light().to_light) <= 1e-3) continue;
+                    const glm::dvec4 p = uvdw(shot.view(), hit->position);
+                    // Beyond the reach of kernel and normal offset.
+                    const double pad = (row.reach_texels + 4) / s.map.resolution;
+                    if (p.x > -pad && p.x < 1 + pad && p.y > -pad && p.y < 1 + pad) continue;
+                    ++outside;
+                    wrong += shot.visibility.at(x, y) < 1 - 1e-5f;  // a mean of weights rounds
+                }
+            EXPECT_GT(outside, 1000);
+            return wrong;
+        };
+        for (MapWrap wrap : {MapWrap::Border, MapWrap::Range}) {
+            s.map.wrap = int(wrap);
+            EXPECT_EQ(wrong_outside(shoot(scene, s)), 0) << filter << " wrap " << int(wrap);
+        }
+        s.map.wrap = int(MapWrap::Clamp);
+        EXPECT_GT(wrong_outside(shoot(scene, s)), 50) << "clamping must draw streaks, or the case says nothing";
+        s.map.wrap = int(MapWrap::Repeat);
+        EXPECT_GT(wrong_outside(shoot(scene, s)), 50) << "repeating must draw copies";
+    }
+}
+
+// Inside, along the border, the fitted map's margin keeps every kernel right.
+TEST(HardCase29, NoErrorAlongTheBorder) {
+    // The bar touches the edge of the scene, and so of the map.
+    Scene scene;
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), -1));
+    add_object(scene, "bar", -1, add_mesh(scene, "bar", make_box({10, 1, 0.5}), -1), moved(0, 0.8, 4.75));
+    finalise(scene);
+    for (const char* filter : {"hard", "pcf3", "pcf9"}) {
+        Settings s = hard_settings();
+        s.camera.elevation = 70;
+        s.camera.distance = 14;
+        s.map.resolution = 256;
+        s.filter.kernel = kernel(filter);
+        s.bias = no_bias();
+        s.bias.unit = int(BiasUnit::Texels);
+        s.bias.constant = 2.5 * filters()[std::size_t(s.filter.kernel)].reach_texels;
+        const double reach = filters()[std::size_t(s.filter.kernel)].reach_texels + 1;
+        const TruthErrors e = compare(shoot(scene, s), scene, reach);
+        EXPECT_GT(e.shadow, 100) << filter;
+        EXPECT_EQ(e.false_shadow, 0) << filter;
+        EXPECT_EQ(e.false_light, 0) << filter;
+    }
+}
+
+}  // namespace
+}  // namespace si::test

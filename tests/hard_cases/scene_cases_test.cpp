@@ -1,0 +1,167 @@
+// Hard cases 13, 17, 18 and 34: degenerate triangles, nothing to do, flat bounds, large indices.
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/scenes/shapes.h"
+#include "support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+constexpr LightType kTypes[] = {LightType::Directional, LightType::Spot, LightType::Point};
+
+const PassInfo* shadow_pass(const FrameResult& frame) {
+    const auto it = std::find_if(frame.passes.begin(), frame.passes.end(),
+                                 [](const PassInfo& p) { return p.name.rfind("shadow map", 0) == 0; });
+    return it == frame.passes.end() ? nullptr : &*it;
+}
+
+// Case 13: triangles without area rasterise to depths out of range on some drivers.
+TEST(HardCase13, DegenerateTriangles) {
+    Scene clean, dirty;
+    for (Scene* scene : {&clean, &dirty}) {
+        Mesh box = make_box({1.5, 1, 2});
+        if (scene == &dirty) {
+            const auto a = std::uint32_t(box.positions.size());
+            // A point, a line twice over, and a line of three points, far outside of the box among others.
+            const glm::vec3 extra[] = {{0, 0, 0}, {0.5f, 0.4f, 0.7f}, {-0.7f, 0.3f, 0.9f}, {0.25f, 0.2f, 0.35f}};
+            for (const glm::vec3& p : extra) {
+                box.positions.push_back(p);
+                if (!box.normals.empty()) box.normals.push_back({0, 1, 0});
+                if (!box.uv.empty()) box.uv.push_back({0, 0});
+            }
+            for (std::uint32_t i : {0u, 0u, 0u, 1u, 1u, 2u, 2u, 1u, 2u, 0u, 3u, 1u}) box.indices.push_back(a + i);
+        }
+        add_object(*scene, "floor", -1, add_mesh(*scene, "floor", make_plane(10, 10), -1));
+        add_object(*scene, "box", -1, add_mesh(*scene, "box", box, -1), moved(0, 0.5, 0));
+        finalise(*scene);
+    }
+    EXPECT_EQ(dirty.dropped_triangles, 4u);
+    EXPECT_FALSE(dirty.warnings.empty());
+    EXPECT_EQ(clean.dropped_triangles, 0u);
+    for (LightType type : kTypes) {
+        Settings s = hard_settings();
+        s.lights[0].type = int(type);
+        const Shot a = shoot(clean, s), b = shoot(dirty, s);
+        EXPECT_EQ(differing_share(a, b, 0), 0) << int(type);
+        EXPECT_EQ(a.maps.at(0).data, b.maps.at(0).data);
+    }
+}
+
+// Slivers that keep some area stay, and must not harm anything.
+TEST(HardCase13, Slivers) {
+    Scene scene = floor_and_box();
+    Mesh slivers;
+    for (int i = 0; i < 50; ++i) {
+        const float x = -2 + 0.08f * float(i), thin = std::ldexp(1.0f, -10 - i % 20);
+        const auto a = std::uint32_t(slivers.positions.size());
+        slivers.positions.insert(slivers.positions.end(),
+                                 {{x, 0.1f, -3}, {x + thin, 2, 3}, {x + 0.5f * thin, 0.1f, 3}});
+        slivers.indices.insert(slivers.indices.end(), {a, a + 1, a + 2});
+    }
+    add_object(scene, "slivers", -1, add_mesh(scene, "slivers", slivers, -1));
+    finalise(scene);
+    for (LightType type : kTypes) {
+        Settings s = hard_settings();
+        s.lights[0].type = int(type);
+        shoot(scene, s);
+    }
+}
+
+// Case 17: when nothing casts or receives, or nothing is there, no shadow pass runs and all is lit.
+void expect_no_shadow(const Scene& scene, const Settings& s, const char* what) {
+    SCOPED_TRACE(what);
+    const Shot shot = shoot(scene, s);
+    for (float v : shot.visibility.data) ASSERT_EQ(v, 1);
+    const PassInfo* pass = shadow_pass(shot.frame);
+    ASSERT_NE(pass, nullptr) << "the plan must say why there is no shadow pass";
+    EXPECT_EQ(pass->state, PassState::Skipped);
+    EXPECT_EQ(pass->draws, 0u);
+    EXPECT_FALSE(pass->reason.empty());
+}
+
+TEST(HardCase17, NothingToDo) {
+    const Scene scene = floor_and_box();
+    Settings s = hard_settings();
+    const Shot with = shoot(scene, s);
+    EXPECT_GT(shadow_share(with), 0.01);
+    ASSERT_NE(shadow_pass(with.frame), nullptr);
+    EXPECT_GT(shadow_pass(with.frame)->draws, 0u) << "with casters the pass must run";
+
+    s.lights[0].cast = false;
+    expect_no_shadow(scene, s, "light.cast off");
+    s = hard_settings();
+    s.light_count = 0;
+    expect_no_shadow(scene, s, "no lights");
+    s = hard_settings();
+    s.objects["floor"].cast = s.objects["box"].cast = false;
+    expect_no_shadow(scene, s, "no object casts");
+    s = hard_settings();
+    s.objects["floor"].receive = s.objects["box"].receive = false;
+    expect_no_shadow(scene, s, "no object receives");
+    Scene empty;
+    finalise(empty);
+    for (LightType type : kTypes) {
+        s = hard_settings();
+        s.lights[0].type = int(type);
+        expect_no_shadow(empty, s, "empty scene");
+    }
+}
+
+// Case 18: a plane straight under the light has a depth range of zero.
+TEST(HardCase18, ZeroThicknessBounds) {
+    const Scene scene = make_scene(make_plane(10, 10));
+    ASSERT_EQ(scene.bounds.hi.y - scene.bounds.lo.y, 0) << "far - near of a fit without a least range";
+    for (LightType type : kTypes)
+        for (bool reversed : {false, true}) {
+            Settings s = hard_settings();
+            s.lights[0].type = int(type);
+            s.lights[0].elevation = 90;
+            s.map.reversed_z = reversed;
+            const Shot shot = shoot(scene, s);
+            const LightView& view = shot.view();
+            // Two texels at the plane; at the far end of the range they are a little larger.
+            EXPECT_GE(view.curve.far - view.curve.near, 2 * view.texel_size(view.curve.near, 512));
+            EXPECT_EQ(compare(shot, scene, 0).any_acne, 0) << int(type);
+            // Edge-on: the plane is a line in the map.
+            s.lights[0].elevation = 0;
+            shoot(scene, s);
+        }
+    // It still casts and receives.
+    Scene two;
+    add_object(two, "floor", -1, add_mesh(two, "floor", make_plane(10, 10), -1));
+    add_object(two, "plate", -1, add_mesh(two, "plate", make_plane(2, 2), -1), moved(0, 1e-2, 0));
+    finalise(two);
+    Settings s = hard_settings();
+    s.map.resolution = 4096;
+    s.bias = no_bias();
+    s.bias.constant = 1e-3;
+    s.filter.kernel = kernel("hard");
+    const TruthErrors e = compare(shoot(two, s), two, 1);
+    EXPECT_EQ(e.false_light, 0);
+    EXPECT_EQ(e.false_shadow, 0);
+}
+
+// Case 34: more than 65535 vertices, and index 65535, which 16-bit indices read as "restart".
+TEST(HardCase34, LargeIndices) {
+    const auto scene_with = [](int cells) {
+        Scene scene;
+        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), -1));
+        add_object(scene, "plate", -1, add_mesh(scene, "plate", make_plane(4, 3, cells, cells), -1), moved(0, 1.5, 0));
+        finalise(scene);
+        return scene;
+    };
+    const Scene fine = scene_with(260), coarse = scene_with(1);
+    const Mesh& mesh = fine.meshes[1];
+    ASSERT_GT(mesh.positions.size(), 65536u);
+    EXPECT_TRUE(std::find(mesh.indices.begin(), mesh.indices.end(), 65535u) != mesh.indices.end());
+    const auto beyond = std::count_if(mesh.indices.begin(), mesh.indices.end(), [](auto i) { return i > 65535u; });
+    EXPECT_GT(beyond, 1000) << "16-bit indices would lose these";
+    Settings s = hard_settings();
+    const Shot a = shoot(fine, s), b = shoot(coarse, s);
+    EXPECT_GT(shadow_share(a), 0.01);
+    EXPECT_LE(differing_share(a, b), 5e-4);
+}
+
+}  // namespace
+}  // namespace si::test

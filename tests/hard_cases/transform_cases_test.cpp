@@ -1,0 +1,185 @@
+// Hard cases 10, 11, 14, 15 and 16: far-off, tiny, huge, stretched, mirrored and flattened scenes.
+#include <cmath>
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include "renderer/scenes/shapes.h"
+#include "renderer/techniques.h"
+#include "support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+/// floor_and_box() below a node that moves, turns, scales or mirrors all of it.
+Scene placed_scene(const glm::dmat4& placed) {
+    Scene scene;
+    const int root = add_node(scene, "root", -1, placed);
+    add_object(scene, "floor", root, add_mesh(scene, "floor", make_plane(10, 10), -1));
+    add_object(scene, "box", root, add_mesh(scene, "box", make_box({1.5, 1, 2}), -1), moved(0.3, 0.5, 0.2));
+    add_object(scene, "ball", root, add_mesh(scene, "ball", make_sphere(0.6, 24, 12), -1), moved(-2, 1.4, 1));
+    finalise(scene);
+    return scene;
+}
+
+Settings seen_from(Settings s, const glm::dvec3& target, double scale = 1) {
+    s.camera.target_x = target.x, s.camera.target_y = target.y, s.camera.target_z = target.z;
+    s.camera.distance *= scale;
+    return s;
+}
+
+constexpr LightType kTypes[] = {LightType::Directional, LightType::Spot, LightType::Point};
+
+// Case 10: a million metres from the origin.
+TEST(HardCase10, FarFromTheOrigin) {
+    for (LightType type : kTypes) {
+        Settings s = hard_settings();
+        s.lights[0].type = int(type);
+        const Shot here = shoot(placed_scene(glm::dmat4(1)), seen_from(s, {0, 0.5, 0}));
+        EXPECT_GT(shadow_share(here), 0.01);
+        for (double offset : {1e4, 1e6}) {
+            const glm::dvec3 at(offset, -0.5 * offset, offset);
+            const Shot there = shoot(placed_scene(moved(at.x, at.y, at.z)), seen_from(s, at + glm::dvec3(0, 0.5, 0)));
+            EXPECT_LE(differing_share(here, there), 5e-4) << int(type) << " at " << offset;
+        }
+    }
+}
+
+TEST(HardCase10Vacuity, AbsoluteFloatMatricesAreTexelsOff) {
+    const glm::dvec3 at(1e6, -5e5, 1e6);
+    const Shot there = shoot(placed_scene(moved(at.x, at.y, at.z)), seen_from(hard_settings(), at));
+    const LightView& view = there.view();
+    const glm::mat4 absolute(view.clip_from_relative(glm::dvec3(0)));
+    double worst_texels = 0;
+    for (int i = 0; i < 100; ++i) {
+        const glm::dvec3 p = at + glm::dvec3(0.037 * i, 0, 0.021 * i);
+        const glm::dvec4 exact = view.clip_from_relative(p)[3];
+        const glm::vec4 naive = absolute * glm::vec4(glm::vec3(p), 1);
+        worst_texels = std::max(worst_texels, std::abs(naive.x - exact.x) * 0.5 * there.frame.map_resolution);
+    }
+    EXPECT_GT(worst_texels, 1);
+}
+
+// Case 11: biases and epsilons without a unit fail away from a scale of 1.
+TEST(HardCase11, EveryScaleLooksTheSame) {
+    for (LightType type : kTypes) {
+        Settings s = hard_settings();
+        s.lights[0].type = int(type);
+        const Shot one = shoot(placed_scene(glm::dmat4(1)), seen_from(s, {0, 0.5, 0}));
+        for (double scale : {1e-3, 1e-1, 1e3, 1e6}) {
+            const Shot other =
+                shoot(placed_scene(scaled(scale, scale, scale)), seen_from(s, glm::dvec3(0, 0.5, 0) * scale, scale));
+            EXPECT_LE(differing_share(one, other), 5e-4) << int(type) << " at " << scale;
+        }
+    }
+    // A bias in metres does see the scale: the comparison is not blind.
+    Settings s = hard_settings();
+    s.bias = no_bias();
+    s.bias.unit = int(BiasUnit::Metres);
+    s.bias.constant = 0.05;
+    const Shot one = shoot(placed_scene(glm::dmat4(1)), seen_from(s, {0, 0.5, 0}));
+    const Shot other = shoot(placed_scene(scaled(1e-2, 1e-2, 1e-2)), seen_from(s, {0, 0.005, 0}, 1e-2));
+    EXPECT_GT(differing_share(one, other), 0.01);
+}
+
+// Case 14: normals under a non-uniform scale.
+TEST(HardCase14, NormalsStandOnStretchedFaces) {
+    Scene scene;
+    const int root = add_node(scene, "root", -1, scaled(4, 0.5, 1));
+    const glm::dmat4 turn = turned(30) * turned(25, {1, 0, 0});
+    add_object(scene, "box", root, add_mesh(scene, "box", make_box({1, 1, 1}), -1), turn);
+    finalise(scene);
+    Settings s = hard_settings();
+    s.camera.target_y = 0;
+    s.camera.distance = 6;
+    for (std::size_t i = 0; i < overlays().size(); ++i)
+        if (overlays()[i].key == "normals") s.view.overlay = int(i) + 1;
+    FrameRequest request;
+    request.width = 160, request.height = 120;
+    request.outputs = {.colour = false, .shadow_map = false, .visibility = false, .overlay = true};
+    Renderer& renderer = hard_renderer();
+    const FrameResult frame = renderer.render(scene, s, request);
+    const FloatImage image = renderer.read_float(frame.overlay, 4);
+    const RayTruth rays(scene);
+    double worst = 0, naive_worst = 0;
+    int seen = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            glm::dvec3 origin, dir;
+            frame.camera.pixel_ray(x, y, image.width, image.height, origin, dir);
+            const auto hit = rays.first_hit(origin, dir);
+            if (!hit || image.at(x, y, 3) == 0) continue;
+            const glm::dvec3 n = 2.0 * glm::dvec3(image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)) - 1.0;
+            const auto degrees = [](const glm::dvec3& a, const glm::dvec3& b) {
+                return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / M_PI;
+            };
+            worst = std::max(worst, degrees(n, hit->normal));
+            // What transforming the normal like a point would give, from the right normal back.
+            const glm::dmat3 m(scene.objects[0].world);
+            const glm::dvec3 local = glm::transpose(m) * hit->normal;
+            naive_worst = std::max(naive_worst, degrees(m * local, hit->normal));
+            ++seen;
+        }
+    EXPECT_GT(seen, 1000);
+    EXPECT_LE(worst, 0.1);
+    EXPECT_GT(naive_worst, 5) << "the scale must be one under which the naive normal fails";
+    EXPECT_TRUE(renderer.take_gl_messages().empty());
+}
+
+// Case 15: a mirrored scene under a mirrored light and camera is the mirrored picture, with culling too.
+TEST(HardCase15, MirroredScene) {
+    const auto make = [](const glm::dmat4& placed) {
+        Scene scene = placed_scene(placed);
+        // A single-sided plate that faces up: culling its back or front decides whether it casts.
+        const int plate = add_mesh(scene, "plate", make_plane(3, 2), -1);
+        add_object(scene, "plate", 0, plate, moved(2, 2, -1.5));
+        finalise(scene);
+        return scene;
+    };
+    const Scene straight = make(glm::dmat4(1)), mirrored = make(scaled(-1, 1, 1));
+    Shot culled[3];
+    for (Cull cull : {Cull::None, Cull::Back, Cull::Front}) {
+        Settings s = hard_settings();
+        s.caster.cull = int(cull);
+        Shot a = shoot(straight, s, 161, 120);
+        Settings t = s;
+        t.camera.azimuth = -s.camera.azimuth;
+        t.lights[0].azimuth = -s.lights[0].azimuth;
+        const Shot b = shoot(mirrored, t, 161, 120);
+        const Shot flipped = [&] {
+            Shot f = b;
+            for (int y = 0; y < b.height; ++y)
+                for (int x = 0; x < b.width; ++x)
+                    f.visibility.data[std::size_t(y * b.width + x)] = b.visibility.at(b.width - 1 - x, y);
+            return f;
+        }();
+        // The mirrored light's map has other axes, so that filtered edges differ; the half-lit contour may not.
+        EXPECT_LE(differing_share(a, flipped, 0.5), 5e-3) << int(cull);
+        culled[int(cull)] = std::move(a);
+    }
+    EXPECT_GT(differing_share(culled[int(Cull::Back)], culled[int(Cull::Front)], 0.5), 0.02)
+        << "culling must matter, or a wrong front face would go unseen";
+}
+
+// Case 16: objects whose scale is 0 along one or all axes have no inverse.
+TEST(HardCase16, SingularScale) {
+    const Scene plain = placed_scene(glm::dmat4(1));
+    const Shot without = shoot(plain, hard_settings());
+    Scene scene = placed_scene(glm::dmat4(1));
+    add_object(scene, "gone", 0, 1, moved(0.3, 0.5, 0.2) * scaled(0, 0, 0));
+    finalise(scene);
+    EXPECT_EQ(differing_share(without, shoot(scene, hard_settings()), 0), 0) << "other objects must stay as they are";
+    for (const glm::dvec3& flat : {glm::dvec3(1, 0, 1), glm::dvec3(0, 1, 1), glm::dvec3(0, 0, 1)})
+        for (LightType type : kTypes) {
+            Scene flattened = placed_scene(glm::dmat4(1));
+            add_object(flattened, "flat", 0, 1, moved(2, 1, 1) * scaled(flat.x, flat.y, flat.z));
+            finalise(flattened);
+            Settings s = hard_settings();
+            s.lights[0].type = int(type);
+            const Shot shot = shoot(flattened, s);
+            if (flat == glm::dvec3(1, 0, 1) && type == LightType::Directional) {
+                EXPECT_GT(differing_share(without, shot, 0.5), 1e-3) << "the flattened box still casts as a plate";
+            }
+        }
+}
+
+}  // namespace
+}  // namespace si::test

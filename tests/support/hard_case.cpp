@@ -1,0 +1,161 @@
+#include "support/hard_case.h"
+
+#include <cmath>
+#include <memory>
+
+#include "app/headless_context.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/techniques.h"
+
+namespace si::test {
+namespace {
+
+/// Values outside of [0, most] or NaN, and the first of them.
+testing::AssertionResult all_within(const FloatImage& image, float most, const char* what) {
+    std::size_t bad = 0, first = 0;
+    for (std::size_t i = 0; i < image.data.size(); ++i)
+        if (!(image.data[i] >= 0 && image.data[i] <= most) && bad++ == 0) first = i;  // NaN fails both
+    if (bad == 0) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << what << ": " << bad << " values outside of [0,1] or NaN, the first is "
+                                       << image.data[first] << " = 1 + " << image.data[first] - 1 << " at "
+                                       << first % std::size_t(image.width) << ", " << first / std::size_t(image.width);
+}
+
+// The mean of up to a hundred weighted comparisons rounds: a few steps of a float above 1 are no fault.
+constexpr float kMostVisibility = 1 + 0x1p-21f;
+
+int overlay_row(std::string_view key) {
+    for (std::size_t i = 0; i < overlays().size(); ++i)
+        if (overlays()[i].key == key) return int(i) + 1;
+    ADD_FAILURE() << "no overlay " << key;
+    return 0;
+}
+
+void expect_finite(const FrameResult& frame) {
+    const auto finite = [](const glm::dmat4& m) {
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j)
+                if (!std::isfinite(float(m[i][j]))) return false;
+        return true;
+    };
+    EXPECT_TRUE(finite(frame.camera.clip_from_relative(frame.camera.origin()))) << "camera matrix";
+    for (const FittedLight& light : frame.lights)
+        for (const LightView& view : light.views) {
+            EXPECT_TRUE(finite(view.clip_from_relative(frame.camera.origin()))) << "light matrix";
+            EXPECT_LT(view.curve.near, view.curve.far);
+        }
+}
+
+}  // namespace
+
+Renderer& hard_renderer() {
+    // Never destroyed: the driver may be gone before static objects are.
+    static HeadlessContext* context = new HeadlessContext();
+    static Renderer* renderer = new Renderer();
+    context->make_current();
+    return *renderer;
+}
+
+Shot shoot(const Scene& scene, const Settings& settings, int width, int height) {
+    Renderer& renderer = hard_renderer();
+    Shot shot;
+    shot.width = width, shot.height = height;
+    FrameRequest request;
+    request.width = width, request.height = height;
+    request.outputs = {.colour = true, .shadow_map = true, .visibility = true, .overlay = true};
+    Settings s = settings;
+    s.view.overlay = overlay_row("non-finite");
+    s.view.overlay_opacity = 0;
+    shot.frame = renderer.render(scene, s, request);
+    expect_finite(shot.frame);
+    if (shot.frame.visibility.texture) shot.visibility = renderer.read_float(shot.frame.visibility, 1);
+    EXPECT_EQ(shot.visibility.data.size(), std::size_t(width) * std::size_t(height));
+    EXPECT_TRUE(all_within(shot.visibility, kMostVisibility, "visibility"));
+    shot.colour = renderer.read_colour(shot.frame.colour);
+    const std::size_t light = std::size_t(std::max(s.view.light, 0));
+    if (light < shot.frame.lights.size() && shot.frame.lights[light].casts)
+        for (std::size_t face = 0; face < shot.frame.lights[light].views.size(); ++face) {
+            shot.maps.push_back(renderer.read_shadow_map(int(light), int(face)));
+            EXPECT_TRUE(all_within(shot.maps.back(), 1, "map")) << "face " << face;
+        }
+    if (shot.frame.overlay.texture) {
+        const FloatImage broken = renderer.read_float(shot.frame.overlay, 4);
+        int count = 0;
+        for (std::size_t i = 3; i < broken.data.size(); i += 4) count += !(broken.data[i] == 0);
+        EXPECT_EQ(count, 0) << "fragments under the NaN overlay";
+    }
+    for (const std::string& message : renderer.take_gl_messages()) ADD_FAILURE() << "driver: " << message;
+    return shot;
+}
+
+double differing_share(const Shot& a, const Shot& b, double tolerance) {
+    EXPECT_EQ(a.visibility.data.size(), b.visibility.data.size());
+    if (a.visibility.data.size() != b.visibility.data.size() || a.visibility.data.empty()) return 1;
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < a.visibility.data.size(); ++i)
+        differing += std::abs(a.visibility.data[i] - b.visibility.data[i]) > tolerance;
+    return double(differing) / double(a.visibility.data.size());
+}
+
+double shadow_share(const Shot& shot) {
+    std::size_t dark = 0;
+    for (float v : shot.visibility.data) dark += v < 0.5f;
+    return shot.visibility.data.empty() ? 0 : double(dark) / double(shot.visibility.data.size());
+}
+
+TruthErrors compare(const Shot& shot, const Scene& scene, double reach_texels) {
+    const RayTruth rays(scene);
+    EXPECT_EQ(rays.triangle_count(), scene.triangle_count()) << "truth and picture see different scenes";
+    const TruthImage truth = trace_truth(rays, shot.frame.camera, shot.light(), shot.width, shot.height,
+                                         shot.frame.map_resolution, reach_texels);
+    TruthErrors e;
+    for (int y = 0; y < shot.height; ++y)
+        for (int x = 0; x < shot.width; ++x) {
+            const Lit lit = truth.at(x, y);
+            if (lit == Lit::Nothing || lit == Lit::Away) continue;
+            ++e.domain;
+            const float v = shot.visibility.at(x, y);
+            if (lit == Lit::Shadow) ++e.shadow, e.false_light += v >= 0.5f;
+            if (lit == Lit::Lit) e.false_shadow += v < 0.5f, e.any_acne += v < 1 - 1e-3f;
+            if (lit == Lit::Boundary) ++e.boundary;
+        }
+    return e;
+}
+
+int kernel(std::string_view key) {
+    for (std::size_t i = 0; i < filters().size(); ++i)
+        if (filters()[i].key == key) return int(i);
+    ADD_FAILURE() << "no kernel " << key;
+    return 0;
+}
+
+Scene floor_and_box(double size, const glm::dvec3& box, double gap) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(size, size), grey));
+    add_object(scene, "box", -1, add_mesh(scene, "box", make_box(box), grey), moved(0, 0.5 * box.y + gap, 0));
+    finalise(scene);
+    return scene;
+}
+
+Settings hard_settings() {
+    Settings s;
+    s.map.resolution = 512;
+    s.lights[0].azimuth = 30;
+    s.lights[0].elevation = 40;
+    s.camera.source = int(CameraSource::Manual);
+    s.camera.azimuth = -20;
+    s.camera.elevation = 55;
+    s.camera.distance = 9;
+    s.camera.target_y = 0.5;
+    return s;
+}
+
+BiasSettings no_bias() {
+    BiasSettings b;
+    b.unit = int(BiasUnit::Depth);
+    b.constant = b.slope = b.normal = b.raster_slope = b.raster_units = b.raster_clamp = 0;
+    return b;
+}
+
+}  // namespace si::test

@@ -1,0 +1,60 @@
+// What the hard cases share: one renderer, shots whose every number is checked to be finite, and ways to compare them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "renderer/renderer.h"
+#include "support/ray_truth.h"
+
+namespace si::test {
+
+/// The renderer of this process, on a headless context; made on first use.
+Renderer& hard_renderer();
+
+/// Everything of a frame that may hold a bad number.
+struct Shot {
+    FrameResult frame;
+    FloatImage visibility;  ///< of view.light; NaN-free (checked)
+    ByteImage colour;
+    std::vector<FloatImage> maps;  ///< of view.light, one a face; empty when it casts nothing
+    int width = 0, height = 0;
+    const FittedLight& light(std::size_t i = 0) const { return frame.lights.at(i); }
+    const LightView& view(std::size_t i = 0) const { return frame.lights.at(0).views.at(i); }
+};
+
+/// Draws and demands what holds for every case (C0): no NaN or infinity in matrices, maps and visibility, visibility
+/// and depth within [0,1], no fragment under the NaN overlay, no message of the driver.
+Shot shoot(const Scene& scene, const Settings& settings, int width = 160, int height = 120);
+
+/// Pixels whose visibility differs by more than `tolerance`, as a share of those that show geometry in `a`.
+double differing_share(const Shot& a, const Shot& b, double tolerance = 0.02);
+
+/// Share of the pixels with visibility below one half.
+double shadow_share(const Shot& shot);
+
+/// Errors against the truth, as shares of the pixels that face the light (and lie in its map).
+struct TruthErrors {
+    int domain = 0, shadow = 0, boundary = 0;
+    int false_shadow = 0, false_light = 0;  ///< inside, boundary pixels left out
+    int any_acne = 0;                       ///< fully lit in truth, visibility below 1 - 1e-3
+    double false_shadow_share() const { return domain ? double(false_shadow) / domain : 0; }
+    double any_acne_share() const { return domain ? double(any_acne) / domain : 0; }
+};
+TruthErrors compare(const Shot& shot, const Scene& scene, double reach_texels);
+
+/// Row of the filter table by key.
+int kernel(std::string_view key);
+
+/// A floor of `size` metres at y = 0 with a box of `box` metres that floats `gap` metres above its middle.
+Scene floor_and_box(double size = 10, const glm::dvec3& box = {1.5, 1, 2}, double gap = 0);
+
+/// A directional light of 30 degrees azimuth and 40 degrees elevation, a map of 512, hand-set camera above the floor.
+Settings hard_settings();
+
+/// No bias of any kind, in units of depth.
+BiasSettings no_bias();
+
+}  // namespace si::test
