@@ -3,7 +3,7 @@
 
 #include "renderer/bias_theory.h"
 #include "renderer/scenes/shapes.h"
-#include "support/hard_case.h"
+#include "tests/support/hard_case.h"
 
 namespace si::test {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "renderer/scenes/shapes.h"
-#include "support/hard_case.h"
+#include "tests/support/hard_case.h"
 
 namespace si::test {
 namespace {

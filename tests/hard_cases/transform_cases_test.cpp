@@ -4,7 +4,7 @@
 
 #include "renderer/scenes/shapes.h"
 #include "renderer/techniques.h"
-#include "support/hard_case.h"
+#include "tests/support/hard_case.h"
 
 namespace si::test {
 namespace {

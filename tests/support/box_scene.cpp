@@ -1,4 +1,4 @@
-#include "support/box_scene.h"
+#include "tests/support/box_scene.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "support/hard_case.h"
+#include "tests/support/hard_case.h"
 
 #include <cmath>
 #include <memory>

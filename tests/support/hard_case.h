@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/renderer.h"
-#include "support/ray_truth.h"
+#include "tests/support/ray_truth.h"
 
 namespace si::test {
 

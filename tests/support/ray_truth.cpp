@@ -1,4 +1,4 @@
-#include "support/ray_truth.h"
+#include "tests/support/ray_truth.h"
 
 #include <algorithm>
 #include <cmath>

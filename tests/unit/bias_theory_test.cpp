@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "support/box_scene.h"
+#include "tests/support/box_scene.h"
 
 namespace si {
 namespace {

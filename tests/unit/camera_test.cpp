@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
-#include "support/box_scene.h"
+#include "tests/support/box_scene.h"
 
 namespace si {
 namespace {
