@@ -226,6 +226,8 @@ bool setting_matches(const SettingRef& ref, std::string_view text) {
                    return std::tolower(a) == std::tolower(b);
                }) != in.end();
     };
+    if (ref.param->key == text || setting_key(ref) == text) return true;
+    if (find_setting(text)) return false;  // the key of another setting: that one alone is meant
     return text.empty() || contains(ref.param->label) || contains(setting_key(ref)) || contains(ref.param->help);
 }
 

@@ -15,7 +15,7 @@ bool setting_widget(Settings& settings, std::string_view key, float width = 0);
 /// Label and widget in the two columns of the present table row.
 bool setting_row(Settings& settings, const SettingRef& ref);
 
-/// Whether the row's label, key or help mention `text`, without regard to case.
+/// Whether the row's label, key or help mention `text`, without regard to case; a whole key finds its setting alone.
 bool setting_matches(const SettingRef& ref, std::string_view text);
 
 /// Whether the setting differs from its default.

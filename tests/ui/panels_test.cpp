@@ -1,0 +1,238 @@
+// Every panel for every choice of every row; the widgets' behaviour by mouse.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <map>
+#include <set>
+
+#include "renderer/param.h"
+#include "ui_harness.h"
+
+namespace si::test {
+namespace {
+
+constexpr int kWidth = 1280, kHeight = 720;
+// Where things stand at 1280 x 720: the search field, and the first row below its group's heading.
+constexpr glm::vec2 kSearch{1040, 56}, kFirstLabel{965, 115}, kFirstValue{1170, 115}, kPicture{200, 250};
+
+/// Every value that a row's widget can be in: each choice, both states, or the ends and the middle.
+std::vector<Value> values_of(const SettingRef& ref) {
+    const Param& p = *ref.param;
+    const Value preset = default_value(ref);
+    std::vector<Value> values;
+    if (std::holds_alternative<bool>(preset)) return {false, true};
+    if (p.choices) {
+        for (int i = 0; i < int(p.choices().size()); ++i) values.emplace_back(i);
+        return values;
+    }
+    for (const double v : {p.min, 0.5 * (p.min + p.max), p.max})
+        if (std::holds_alternative<int>(preset))
+            values.emplace_back(int(v));
+        else
+            values.emplace_back(v);
+    return values;
+}
+
+std::vector<SettingRef> every_setting() {
+    std::vector<SettingRef> all;
+    for (const Param& p : params()) all.push_back({&p, 0, p.scope == Scope::Object ? "Root/Box" : ""});
+    return all;
+}
+
+TEST(Panels, DrawForEveryChoiceOfEveryRow) {
+    UiHarness ui(kWidth, kHeight);
+    int drawn = 0;
+    for (const SettingRef& ref : every_setting()) {
+        for (const Value& value : values_of(ref)) {
+            ui.state.settings = Settings{};
+            set_value(ui.state.settings, ref, value);
+            sanitise(ui.state.settings);
+            for (const BottomTab tab : {BottomTab::Passes, BottomTab::Probe, BottomTab::Objects, BottomTab::Log}) {
+                ui.state.open_tab = tab;
+                ui.state.probe_pixel = glm::ivec2(3, 4);
+                ui.frames(2);
+                ASSERT_EQ(ui.state.tab, tab);
+                ++drawn;
+            }
+            EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 2000) << setting_key(ref);
+        }
+    }
+    EXPECT_GT(drawn, 400);
+}
+
+TEST(Panels, DrawWithoutAFrameAndWithoutLights) {
+    UiHarness ui(kWidth, kHeight);
+    ui.with_facts = false;
+    const EditorActions actions = ui.frames(3);
+    EXPECT_GT(actions.scene_width, 300);
+    EXPECT_GT(actions.scene_height, 200);
+    ui.with_facts = true;
+    ui.state.settings.light_count = 0;
+    ui.frames(3);
+}
+
+TEST(Panels, NothingIsCutOffAtAnySize) {
+    for (const auto& [w, h, scale] :
+         {std::tuple{1280, 720, 1.0f}, {1920, 1080, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
+        UiHarness ui(w, h, scale);
+        const EditorActions actions = ui.frames(4);
+        EXPECT_GT(actions.scene_width, w / 6) << w;
+        EXPECT_LT(actions.scene_width, w) << w;
+        EXPECT_GT(actions.scene_height, h / 4) << w;
+        EXPECT_LT(actions.scene_height, h) << w;
+    }
+}
+
+// ImGui knows a widget by its ID: two widgets of one ID steal each other's clicks. Every ID may cover one stretch of
+// the column of values only.
+TEST(Panels, NoIdIsUsedTwiceInTheSettings) {
+    UiHarness ui(kWidth, 4000);  // tall enough to hold all rows
+    ui.state.settings.light_count = 3;
+    ui.state.search = ".";  // matches every key: all groups open
+    ui.frames(3);
+    std::set<unsigned> closed;
+    unsigned last = 0;
+    for (float y = 75; y < 3990; y += 5) {
+        ui.move({kFirstValue.x, y});
+        ui.frame();
+        const unsigned id = ui.hovered();
+        if (id == last) continue;
+        EXPECT_FALSE(id != 0 && closed.count(id)) << "at y = " << y;
+        if (last != 0) closed.insert(last);
+        last = id;
+    }
+    std::size_t rows = 0;
+    for (const Param& p : params()) rows += p.scope != Scope::Object;
+    EXPECT_GE(closed.size(), rows);
+}
+
+TEST(Panels, DraggingASliderIsOneStepOfUndo) {
+    UiHarness ui(kWidth, kHeight);
+    ui.state.search = "bias.constant";
+    ui.frames(3);
+    const double before = ui.state.settings.bias.constant;
+    ui.drag(kFirstValue, kFirstValue + glm::vec2(60, 0));
+    const double after = ui.state.settings.bias.constant;
+    EXPECT_NE(after, before);
+    ASSERT_TRUE(ui.state.history.can_undo());
+    EXPECT_EQ(ui.state.history.undo().bias.constant, before);
+    EXPECT_FALSE(ui.state.history.can_undo()) << "the drag took more than one step";
+}
+
+TEST(Panels, UndoAndRedoByKeyboard) {
+    UiHarness ui(kWidth, kHeight);
+    ui.frames(2);
+    ui.state.settings.bias.constant = 7;
+    ui.frame();
+    const auto key = [&](int code) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.KeyCtrl = io.KeysDown[code] = true;
+        ui.frame();
+        io.KeyCtrl = io.KeysDown[code] = false;
+        ui.frame();
+    };
+    key('Z');
+    EXPECT_EQ(ui.state.settings.bias.constant, Settings{}.bias.constant);
+    key('Y');
+    EXPECT_EQ(ui.state.settings.bias.constant, 7);
+}
+
+TEST(Panels, CtrlClickTypesAnyValueInRange) {
+    UiHarness ui(kWidth, kHeight);
+    ui.state.search = "map.resolution";
+    ui.frames(3);
+    ImGui::GetIO().KeyCtrl = true;
+    ui.click(kFirstValue);
+    ImGui::GetIO().KeyCtrl = false;
+    ui.type("777");
+    ui.click(kPicture + glm::vec2(0, 300));  // elsewhere
+    EXPECT_EQ(ui.state.settings.map.resolution, 777);
+}
+
+TEST(Panels, DraggingTheResolutionFindsPowersOfTwo) {
+    UiHarness ui(kWidth, kHeight);
+    ui.state.search = "map.resolution";
+    ui.frames(3);
+    ui.drag(kFirstValue, kFirstValue + glm::vec2(-40, 0));
+    const int n = ui.state.settings.map.resolution;
+    EXPECT_NE(n, Settings{}.map.resolution);
+    EXPECT_EQ(n & (n - 1), 0) << n;
+}
+
+TEST(Panels, RightClickResets) {
+    UiHarness ui(kWidth, kHeight);
+    ui.state.search = "bias.constant";
+    ui.state.settings.bias.constant = 9;
+    ui.frames(3);
+    for (const glm::vec2 at : {kFirstLabel, kFirstValue}) {
+        ui.state.settings.bias.constant = 9;
+        ui.click(at, 1);
+        ui.click(at + glm::vec2(20, 16));  // the menu's first line
+        EXPECT_EQ(ui.state.settings.bias.constant, Settings{}.bias.constant);
+    }
+}
+
+TEST(Panels, ClickProbesAndDragTurnsTheCamera) {
+    UiHarness ui(kWidth, kHeight);
+    ui.frames(3);
+    ui.click(kPicture);
+    EXPECT_TRUE(ui.state.probe_pixel);
+    EXPECT_EQ(ui.state.tab, BottomTab::Probe);
+    EXPECT_EQ(ui.state.settings.camera.source, int(CameraSource::Automatic)) << "a click moved the camera";
+    const auto probed = ui.state.probe_pixel;
+    ui.drag(kPicture, kPicture + glm::vec2(60, 25));
+    EXPECT_EQ(ui.state.settings.camera.source, int(CameraSource::Manual));
+    EXPECT_EQ(ui.state.probe_pixel, probed) << "a drag probed";
+    const CameraSettings turned = ui.state.settings.camera;
+    ui.drag(kPicture, kPicture + glm::vec2(60, 25), 1);
+    EXPECT_NE(ui.state.settings.camera.target_x, turned.target_x);
+    EXPECT_EQ(ui.state.settings.camera.azimuth, turned.azimuth);
+    const LightSettings light = ui.state.settings.lights[0];
+    ImGui::GetIO().KeyCtrl = true;
+    ui.drag(kPicture, kPicture + glm::vec2(60, 25));
+    ImGui::GetIO().KeyCtrl = false;
+    EXPECT_NE(ui.state.settings.lights[0].azimuth, light.azimuth);
+    EXPECT_EQ(ui.state.settings.camera.azimuth, turned.azimuth);
+}
+
+TEST(Panels, TurningTheWheelIsOneStepOfUndo) {
+    UiHarness ui(kWidth, kHeight);
+    ui.frames(3);
+    ui.move(kPicture);
+    ui.frames(2);
+    for (int i = 0; i < 5; ++i) {
+        ImGui::GetIO().MouseWheel = 1;
+        ui.frames(3);
+    }
+    EXPECT_FALSE(ui.state.history.can_undo()) << "recorded in the middle of the gesture";
+    ui.frames(60);
+    ASSERT_TRUE(ui.state.history.can_undo());
+    ui.state.history.undo();
+    EXPECT_FALSE(ui.state.history.can_undo());
+}
+
+TEST(Panels, SplittersStayWhereTheyArePut) {
+    UiHarness ui(kWidth, kHeight);
+    const int before = ui.frames(3).scene_width;
+    float x = 0;
+    for (float probe = 500; probe < 600 && x == 0; probe += 2) {  // the splitter beside the picture
+        ui.move({probe, 300});
+        ui.frames(2);
+        if (ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeEW) x = probe;
+    }
+    ASSERT_GT(x, 0);
+    ui.drag({x, 300}, {x - 100, 300});
+    const int after = ui.frames(3).scene_width;
+    EXPECT_NEAR(before - after, 100, 6);
+    EXPECT_EQ(ui.frames(30).scene_width, after);
+}
+
+TEST(Panels, ObjectsWithoutChangesLeaveNoTraceInTheSettings) {
+    UiHarness ui(kWidth, kHeight);
+    ui.state.open_tab = BottomTab::Objects;
+    ui.frames(5);
+    EXPECT_TRUE(ui.state.settings.objects.empty());
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,131 @@
+#include "ui_harness.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <cfloat>
+
+#include "renderer/scenes/builtin.h"
+#include "ui/theme.h"
+
+namespace si::test {
+
+FrameResult made_up_frame(const Scene& scene, const Settings& settings) {
+    FrameResult r;
+    r.camera = make_camera(scene, settings, 1.5);
+    r.lights = fit_lights(scene, settings);
+    r.colour = r.map_view = {1, 600, 400};
+    r.map_resolution = settings.map.resolution;
+    r.passes = {{"shadow map 0", PassState::Ran, "its inputs changed", 1.5, 0.2, 12, 34567},
+                {"visibility", PassState::Skipped, "nothing reads it", 0, 0, 0, 0},
+                {"shading", PassState::Reused, "unchanged since frame 12", 0, 0, 0, 0}};
+    r.notes = {"view.light was clamped"};
+    r.clock = "a made-up clock";
+    return r;
+}
+
+Probe made_up_probe(int lights) {
+    Probe p;
+    p.hit = true;
+    p.x = 12, p.y = 34;
+    p.object = "Root/Box";
+    for (int i = 0; i < lights; ++i) {
+        Probe::PerLight l;
+        l.light = i;
+        l.casts = i != 1;
+        l.texel = {5, 7};
+        l.where = "inside";
+        l.verdict = "in shadow: its texel stores a surface 0.2 m nearer to the light";
+        p.lights.push_back(l);
+    }
+    return p;
+}
+
+UiHarness::UiHarness(int width, int height, float scale) : width_(width), height_(height) {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.MousePos = {-FLT_MAX, -FLT_MAX};
+    // A clipboard of its own; keys by ASCII code as the window backend gives them.
+    static std::string clipboard;
+    io.SetClipboardTextFn = [](void*, const char* text) { clipboard = text; };
+    io.GetClipboardTextFn = [](void*) { return clipboard.c_str(); };
+    for (int key = ImGuiKey_Tab; key <= ImGuiKey_KeyPadEnter; ++key) io.KeyMap[key] = 256 + key;
+    for (const auto& [key, code] : {std::pair<int, int>{ImGuiKey_A, 'A'}, {ImGuiKey_Y, 'Y'}, {ImGuiKey_Z, 'Z'}})
+        io.KeyMap[key] = code;
+    theme::load_fonts(scale);
+    theme::apply(scale);
+    unsigned char* pixels = nullptr;
+    int w = 0, h = 0;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &w, &h);
+    scene = load_scene(builtin_scenes().front().key);
+    state.scene_name = builtin_scenes().front().key;
+    state.history.reset(state.settings);
+    driver_.renderer = "made-up driver";
+    driver_.software = true;
+}
+
+UiHarness::~UiHarness() {
+    ImGui::DestroyContext();
+}
+
+EditorActions UiHarness::frame() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {float(width_), float(height_)};
+    io.DeltaTime = 1.0f / 60;
+    result_ = made_up_frame(scene, state.settings);
+    probe_ = made_up_probe(state.settings.light_count);
+    EditorFrame facts;
+    if (with_facts) {
+        facts.result = &result_;
+        facts.scene = &scene;
+        facts.driver = &driver_;
+        if (state.probe_pixel) facts.probe = &probe_;
+    }
+    ImGui::NewFrame();
+    EditorActions actions = draw_editor(state, facts);
+    ImGui::Render();
+    io.MouseWheel = 0;
+    return actions;
+}
+
+EditorActions UiHarness::frames(int count) {
+    EditorActions last;
+    for (int i = 0; i < count; ++i) last = frame();
+    return last;
+}
+
+void UiHarness::move(glm::vec2 to) {
+    ImGui::GetIO().MousePos = {to.x, to.y};
+}
+void UiHarness::press(bool down, int button) {
+    ImGui::GetIO().MouseDown[button] = down;
+}
+
+void UiHarness::click(glm::vec2 at, int button) {
+    drag(at, at, button);
+}
+
+void UiHarness::drag(glm::vec2 from, glm::vec2 to, int button) {
+    move(from);
+    frames(2);
+    press(true, button);
+    frame();
+    for (int i = 1; i <= 4; ++i) {
+        move(glm::mix(from, to, float(i) / 4));
+        frame();
+    }
+    press(false, button);
+    frames(2);
+}
+
+void UiHarness::type(const std::string& text) {
+    ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
+    frames(2);
+}
+
+unsigned UiHarness::hovered() const {
+    return ImGui::GetCurrentContext()->HoveredId;
+}
+
+}  // namespace si::test

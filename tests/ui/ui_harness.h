@@ -1,0 +1,50 @@
+// The editor's panels without any GL: a made-up frame, synthetic mouse and keys, ImGui's own bookkeeping as the
+// witness.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+
+#include "renderer/frame.h"
+#include "ui/editor_ui.h"
+
+namespace si::test {
+
+/// A frame of `scene` under `settings` as the renderer would report it, its pictures one white texture.
+FrameResult made_up_frame(const Scene& scene, const Settings& settings);
+/// A probe with every member filled.
+Probe made_up_probe(int lights);
+
+class UiHarness {
+public:
+    UiHarness(int width, int height, float scale = 1);
+    ~UiHarness();
+    UiHarness(const UiHarness&) = delete;
+    UiHarness& operator=(const UiHarness&) = delete;
+
+    EditorState state;
+    Scene scene;
+    bool with_facts = true;  ///< false: the editor knows no frame yet
+
+    /// One frame, 1/60 s after the one before.
+    EditorActions frame();
+    EditorActions frames(int count);
+    void move(glm::vec2 to);
+    void press(bool down, int button = 0);
+    /// Press and release with frames between.
+    void click(glm::vec2 at, int button = 0);
+    void drag(glm::vec2 from, glm::vec2 to, int button = 0);
+    void type(const std::string& text);
+    /// The ID under the mouse, 0 for none.
+    unsigned hovered() const;
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+private:
+    int width_, height_;
+    FrameResult result_;
+    Probe probe_;
+    DriverInfo driver_;
+};
+
+}  // namespace si::test
