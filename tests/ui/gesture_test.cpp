@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "support/box_scene.h"
+#include "tests/support/box_scene.h"
 #include "ui/camera_gesture.h"
 #include "ui/light_lines.h"
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "renderer/param.h"
-#include "ui_harness.h"
+#include "tests/ui/ui_harness.h"
 
 namespace si::test {
 namespace {

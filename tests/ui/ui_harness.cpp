@@ -1,4 +1,4 @@
-#include "ui_harness.h"
+#include "tests/ui/ui_harness.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>
