@@ -62,6 +62,31 @@ void fit_within_limits(FrameState& f) {
     for (const FittedLight& light : f.gl.fitted) f.notes.insert(f.notes.end(), light.notes.begin(), light.notes.end());
 }
 
+/// Facts about the lights as GLSL constants; at least one element, since GLSL knows no empty arrays.
+std::string light_constants(const FrameState& f) {
+    const std::size_t count = f.gl.fitted.size();
+    const auto array = [&](std::string_view name, auto value) {
+        std::string out = fmt::format("const int {}[{}] = int[](", name, std::max<std::size_t>(count, 1));
+        for (std::size_t i = 0; i < std::max<std::size_t>(count, 1); ++i)
+            out += fmt::format("{}{}", i ? ", " : "", i < count ? value(i) : 0);
+        return out + ");\n";
+    };
+    const auto& lights = f.gl.fitted;
+    const auto view = [&](std::size_t i) { return lights[i].casts ? &lights[i].views.front() : nullptr; };
+    return fmt::format("const int LIGHT_COUNT = {};\n", count) +
+           array("LIGHT_TYPE", [&](std::size_t i) { return int(lights[i].type); }) +
+           array("LIGHT_CASTS", [&](std::size_t i) { return int(lights[i].casts); }) +
+           array("LIGHT_FIRST_VIEW", [&](std::size_t i) { return f.first_view[i]; }) +
+           array("LIGHT_VIEWS", [&](std::size_t i) { return lights[i].casts ? int(lights[i].views.size()) : 0; }) +
+           array("LIGHT_PERSPECTIVE", [&](std::size_t i) { return view(i) ? int(view(i)->curve.perspective) : 0; });
+}
+
+bool needs_surface_flags(const FrameState& f) {
+    for (const auto& [path, object] : f.settings.objects)
+        if (!object.receive) return true;
+    return std::any_of(f.scene.materials.begin(), f.scene.materials.end(), [](const Material& m) { return m.unlit; });
+}
+
 void choose_kernel(FrameState& f) {
     const Filter& filter = filters()[std::size_t(f.settings.filter.kernel)];
     const bool colour = f.settings.map.format == int(MapFormat::Colour);
@@ -71,6 +96,9 @@ void choose_kernel(FrameState& f) {
     f.defines = settings_defines(f.settings);
     f.defines.push_back({"KERNEL_SIZE", std::to_string(filter.size)});
     f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
+    f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
+    f.preamble = settings_block_text() + light_constants(f);
+    f.surface_flags = needs_surface_flags(f);
 }
 
 void set_samplers(const FrameState& f) {
@@ -102,12 +130,9 @@ shared::LightBlock light_block(const FrameState& f, std::size_t i) {
     b.position = glm::vec4(glm::vec3(light.position - f.origin), 1);
     b.to_light = glm::vec4(glm::vec3(light.to_light), float(light.cos_cone_outer));
     b.radiance = glm::vec4(glm::vec3(light.radiance), float(light.cos_cone_inner));
-    const bool casts = light.casts && !light.views.empty();
-    b.kind = glm::ivec4(int(light.type), f.first_view[i], int(light.views.size()), casts);
-    if (casts) {
+    if (light.casts) {
         const LightView& v = light.views.front();  // a point light's faces share their range and size
         b.curve = glm::vec4(v.curve.near, v.curve.far, v.half_width, 1.0 / f.map_resolution);
-        b.map.x = v.curve.perspective;
     }
     return b;
 }
@@ -167,9 +192,6 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
     block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), 0);
     block.viewport = glm::vec4(f.request.width, f.request.height, 1.f / float(f.request.width),
                                1.f / float(f.request.height));
-    const int lights = int(f.gl.fitted.size());
-    block.counts = glm::ivec4(lights, std::clamp(f.settings.view.light, 0, std::max(lights - 1, 0)),
-                              f.settings.view.face, 0);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         block.lights[i] = light_block(f, i);
         const FittedLight& light = f.gl.fitted[i];

@@ -12,7 +12,7 @@ GLuint FrameState::program(std::string_view vertex, std::string_view fragment, s
     wanted.includes["OVERLAY_FILE"] = overlay() ? overlay()->file : overlays()[0].file;
     wanted.defines = defines;
     wanted.defines.insert(wanted.defines.end(), extra.begin(), extra.end());
-    wanted.preamble = settings_block_text();
+    wanted.preamble = preamble;
     return gl.programs.get(wanted);
 }
 
@@ -46,31 +46,33 @@ void FrameState::begin_camera_pass(GLuint framebuffer) const {
     bind_maps();
 }
 
-void FrameState::draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra, PassInfo& info,
-                                  const std::function<void(GLuint)>& set_uniforms) const {
+GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragment,
+                                 const std::vector<gl::Define>& extra, const Batch& batch, bool alpha_only) const {
+    std::vector<gl::Define> wanted = extra;
+    if (batch.masked) wanted.push_back({"MASKED", "1"});
+    if (batch.texture && (batch.masked || !alpha_only)) wanted.push_back({"TEXTURED", "1"});
+    if (batch.masked || (surface_flags && !alpha_only)) wanted.push_back({"SURFACE_FLAGS", "1"});
+    return program(vertex, fragment, std::move(wanted));
+}
+
+void FrameState::draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra,
+                                  PassInfo& info) const {
     gl.scene->bind(scene, settings, origin, 0);
-    GLuint current = 0, texture = 0;
+    GLuint texture = 0;
+    const Batch* previous = nullptr;
     for (const Batch& batch : gl.scene->batches()) {
         if (batch.blend) continue;
-        std::vector<gl::Define> wanted = extra;
-        if (batch.masked) wanted.push_back({"MASKED", "1"});
-        if (batch.texture) wanted.push_back({"TEXTURED", "1"});
-        const GLuint id = program("passes/scene.vert.glsl", fragment, std::move(wanted));
-        if (id != current) {
-            glUseProgram(current = id);
-            if (set_uniforms) set_uniforms(id);
-        }
+        if (!previous || previous->masked != batch.masked || !previous->texture != !batch.texture)
+            glUseProgram(batch_program("passes/scene.vert.glsl", fragment, extra, batch, false));
         if (batch.texture && batch.texture != texture) glBindTextureUnit(kBaseColour, texture = batch.texture);
-        if (batch.double_sided) {
-            glDisable(GL_CULL_FACE);
-        } else {
-            glEnable(GL_CULL_FACE);
-            glCullFace(GL_BACK);
-        }
-        glFrontFace(batch.mirrored ? GL_CW : GL_CCW);
+        if (!previous || previous->double_sided != batch.double_sided)
+            batch.double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+        if (!previous || previous->mirrored != batch.mirrored) glFrontFace(batch.mirrored ? GL_CW : GL_CCW);
+        if (!previous) glCullFace(GL_BACK);
         gl.scene->draw(batch);
         ++info.draws;
         info.triangles += batch.triangles();
+        previous = &batch;
     }
 }
 

@@ -62,11 +62,16 @@ struct FrameState {
     const Overlay* overlay() const {
         return settings.view.overlay > 0 ? &overlays()[std::size_t(settings.view.overlay - 1)] : nullptr;
     }
+    std::string preamble;             ///< GLSL before every shader: settings block, facts about the lights
+    bool surface_flags = false;       ///< some object or material needs the per-object flags
+
     /// The program of a scene or full-screen pass under the frame's settings.
     GLuint program(std::string_view vertex, std::string_view fragment, std::vector<gl::Define> extra = {}) const;
     /// Draws the batches that `filter` accepts from the camera with the fragment shader given, textures bound.
-    void draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra, PassInfo& info,
-                          const std::function<void(GLuint)>& set_uniforms = {}) const;
+    void draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra, PassInfo& info) const;
+    /// The program for one batch, with what its material and objects call for.
+    GLuint batch_program(std::string_view vertex, std::string_view fragment, const std::vector<gl::Define>& extra,
+                         const Batch& batch, bool alpha_only) const;
     /// Prepares depth test and write for a camera pass into a framebuffer that holds the camera depth.
     void begin_camera_pass(GLuint framebuffer) const;
     void bind_maps() const;

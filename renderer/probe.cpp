@@ -37,9 +37,8 @@ PixelFacts draw_pixel(FrameState& f, int x, int y_bottom, int light) {
     const glm::vec4 nothing(0);
     for (GLint i = 0; i < 4; ++i) glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, i, &nothing.x);
     PassInfo info;
-    f.draw_from_camera("passes/probe.frag.glsl", {}, info, [light](GLuint program) {
-        glUniform1i(glGetUniformLocation(program, "light_index"), light);
-    });
+    f.surface_flags = true;  // the object's number is asked for
+    f.draw_from_camera("passes/probe.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);
     PixelFacts facts;
     for (std::size_t i = 0; i < 4; ++i) {
         std::array<glm::vec4, 4> block;

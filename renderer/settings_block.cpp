@@ -44,14 +44,17 @@ std::vector<gl::Define> settings_defines(const Settings& s) {
 }
 
 std::string settings_block_text() {
-    std::string out = "layout(std140, binding = 1) uniform SettingsUniforms {\n";
-    for_shader_params([&](const Param& p) {
-        if (p.cost == Cost::Program || p.choices) return;
-        Settings probe;
-        const bool real = std::holds_alternative<double*>(p.field(probe, 0, nullptr));
-        out += fmt::format("    {} {};\n", real ? "float" : "int", identifier(p.key));
-    });
-    return out + "};\n";
+    static const std::string text = [] {
+        std::string out = "layout(std140, binding = 1) uniform SettingsUniforms {\n";
+        for_shader_params([&](const Param& p) {
+            if (p.cost == Cost::Program || p.choices) return;
+            Settings probe;
+            const bool real = std::holds_alternative<double*>(p.field(probe, 0, nullptr));
+            out += fmt::format("    {} {};\n", real ? "float" : "int", identifier(p.key));
+        });
+        return out + "};\n";
+    }();
+    return text;
 }
 
 std::vector<std::byte> settings_block_bytes(const Settings& s) {

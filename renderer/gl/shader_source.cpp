@@ -86,6 +86,10 @@ std::string ShaderSource::expand(std::string_view path, const IncludeNames& name
             continue;
         }
         std::string_view what = trimmed(trimmed(text).substr(8));
+        if (what.starts_with('<')) {  // of a header shared with C++
+            out.push_back('\n');
+            continue;
+        }
         if (what.size() >= 2 && what.front() == '"') {
             what = what.substr(1, what.size() - 2);
         } else if (const auto named = names.find(what); named != names.end()) {

@@ -84,19 +84,19 @@ void draw_view(FrameState& f, const LightView& view, int layer, PassInfo& info) 
     const glm::mat4 matrix(view.clip_from_relative(f.light_origin));
     f.gl.scene->bind(f.scene, f.settings, f.light_origin, 1);
     GLuint current = 0, texture = 0;
+    const Batch* previous = nullptr;
     for (const Batch& batch : f.gl.scene->batches()) {
         if (!batch.cast || batch.blend) continue;
-        std::vector<gl::Define> extra;
-        if (batch.masked) extra.push_back({"MASKED", "1"});
-        if (batch.masked && batch.texture) extra.push_back({"TEXTURED", "1"});
-        const GLuint id = f.program("passes/depth.vert.glsl", "passes/depth.frag.glsl", std::move(extra));
+        const bool same = previous && previous->masked == batch.masked && (!batch.masked || !previous->texture == !batch.texture);
+        const GLuint id = same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", {}, batch, true);
         if (id != current) {
             glUseProgram(current = id);
             glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
         }
         if (batch.masked && batch.texture && batch.texture != texture)
             glBindTextureUnit(kBaseColour, texture = batch.texture);
-        set_cull(f, batch);
+        if (!previous || previous->cull != batch.cull || previous->mirrored != batch.mirrored) set_cull(f, batch);
+        previous = &batch;
         f.gl.scene->draw(batch);
         ++info.draws;
         info.triangles += batch.triangles();

@@ -1,5 +1,5 @@
 // The chosen overlay's values, and the picture with the overlay over it.
-#include <glm/gtc/type_ptr.hpp>
+#include <algorithm>
 
 #include "renderer/frame_state.h"
 
@@ -7,7 +7,8 @@ namespace si {
 namespace {
 
 std::vector<gl::Define> overlay_defines(const FrameState& f) {
-    std::vector<gl::Define> out;
+    const int last = std::max(int(f.gl.fitted.size()) - 1, 0);
+    std::vector<gl::Define> out{{"LIGHT_INDEX", std::to_string(std::clamp(f.settings.view.light, 0, last))}};
     if (f.overlay()->scalar) out.push_back({"OVERLAY_SCALAR", "1"});
     if (f.separate_visibility) out.push_back({"SEPARATE_VISIBILITY", "1"});
     return out;

@@ -21,9 +21,7 @@ void draw_blended(const FrameState& f, PassInfo& info) {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     for (const Batch* b : batches) {
-        std::vector<gl::Define> extra{{"BLEND", "1"}};
-        if (b->texture) extra.push_back({"TEXTURED", "1"});
-        glUseProgram(f.program("passes/scene.vert.glsl", "passes/shade.frag.glsl", std::move(extra)));
+        glUseProgram(f.batch_program("passes/scene.vert.glsl", "passes/shade.frag.glsl", {{"BLEND", "1"}}, *b, false));
         if (b->texture) glBindTextureUnit(kBaseColour, b->texture);
         b->double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
         glCullFace(GL_BACK);

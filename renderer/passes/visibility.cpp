@@ -29,9 +29,7 @@ void add_visibility_pass(FrameState& f, std::vector<Pass>& plan) {
                 f.gl.depth_key = 0;
                 continue;
             }
-            f.draw_from_camera("passes/visibility.frag.glsl", {}, info, [light](GLuint program) {
-                glUniform1i(glGetUniformLocation(program, "light_index"), light);
-            });
+            f.draw_from_camera("passes/visibility.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);
         }
         f.gl.visibility_view_layer = -1;
     };

@@ -1,8 +1,12 @@
 // Base colour and alpha mask, the same in every pass.
 layout(binding = 2) uniform sampler2D base_colour_map;
+#ifdef TEXTURED
 in vec2 uv;
+#endif
 in vec4 colour;
-flat in vec4 surface;
+#ifdef SURFACE_FLAGS
+flat in vec4 surface;  // x: receives shadows, y: alpha cutoff, z: unlit, w: object number
+#endif
 
 vec4 base_colour() {
 #ifdef TEXTURED
@@ -12,4 +16,6 @@ vec4 base_colour() {
 #endif
 }
 
+#ifdef MASKED
 bool masked_out() { return base_colour().a < surface.y; }
+#endif

@@ -49,9 +49,11 @@ int face_of(vec3 d) {
     return d.z >= 0.0 ? 4 : 5;
 }
 
-/// Direction to the light and, for spots, how far inside the cone.
-vec3 direction_to(LightBlock light, vec3 position, out float distance_m) {
-    if (light.kind.x == 0) {
+/// Unit vector to the light; the distance is 0 for directional lights.
+vec3 direction_to(int index, vec3 position, out float distance_m) {
+    LightBlock light = frame.lights[index];
+    int type = LIGHT_TYPE[index];
+    if (type == LIGHT_DIRECTIONAL) {
         distance_m = 0.0;
         return light.to_light.xyz;
     }
@@ -65,7 +67,7 @@ Receiver make_receiver(Surface s, int index) {
     LightBlock light = frame.lights[index];
     r.surface = s;
     r.light = index;
-    r.to_light = direction_to(light, s.position, r.distance_m);
+    r.to_light = direction_to(index, s.position, r.distance_m);
     r.geometric_n_dot_l = dot(s.geometric, r.to_light);
 #if bias_normal_source == bias_normal_source_shading
     vec3 bias_normal_ws = s.shading;
@@ -73,12 +75,13 @@ Receiver make_receiver(Surface s, int index) {
     vec3 bias_normal_ws = s.geometric;
 #endif
     r.n_dot_l = dot(bias_normal_ws, r.to_light);
-    r.layer = light.kind.y + (light.kind.z == 6 ? face_of(s.position - light.position.xyz) : 0);
+    r.layer = LIGHT_FIRST_VIEW[index];
+    if (LIGHT_VIEWS[index] == 6) r.layer += face_of(s.position - light.position.xyz);
 
     vec4 h = frame.uvd_from_relative[r.layer] * vec4(s.position, 1.0);
     r.w = h.w;
     float near = light.curve.x, far = light.curve.y;
-    bool perspective = light.map.x != 0;
+    bool perspective = LIGHT_PERSPECTIVE[index] != 0;
     float z = perspective ? max(h.w, near * 1e-3) : 1.0;
     r.texel_m = 2.0 * light.curve.z * z * light.curve.w;
     r.depth_per_m = perspective ? near * far / ((far - near) * z * z) : 1.0 / (far - near);
@@ -94,8 +97,9 @@ Receiver make_receiver(Surface s, int index) {
 #endif
 
     vec4 o = h;
-    if (bias_normal != 0.0)
-        o += frame.uvd_from_relative[r.layer] * vec4(bias_normal_ws * (bias_normal * r.texel_m), 0.0);
+#if BIAS_NORMAL_OFFSET
+    o += frame.uvd_from_relative[r.layer] * vec4(bias_normal_ws * (bias_normal * r.texel_m), 0.0);
+#endif
     r.uvd = h.xyz / h.w;
     r.uvd_offset = o.xyz / o.w;
     r.reference = r.uvd_offset.z - away(r.bias_depth);

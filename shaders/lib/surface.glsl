@@ -8,7 +8,11 @@ in vec3 normal_ws;
 Surface make_surface() {
     Surface s;
     s.position = position_rel;
+#ifdef SURFACE_FLAGS
     s.receives = surface.x > 0.5;
+#else
+    s.receives = true;
+#endif
     s.to_eye = frame.eye.w > 0.5 ? -frame.forward.xyz : normalize(frame.eye.xyz - position_rel);
     // Derivatives within a triangle give its plane exactly; the side seen is the one towards the camera.
     vec3 dx = dFdx(position_rel), dy = dFdy(position_rel);

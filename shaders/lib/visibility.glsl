@@ -24,7 +24,7 @@ float map_visibility(Receiver r) {
 }
 
 float light_visibility(Surface s, int light) {
-    if (frame.lights[light].kind.w == 0 || !s.receives) return 1.0;
+    if (LIGHT_CASTS[light] == 0 || !s.receives) return 1.0;
     Receiver r = make_receiver(s, light);
     // A surface turned away from the light shadows itself; no tap can say it better.
     if (r.geometric_n_dot_l <= 0.0) return 0.0;

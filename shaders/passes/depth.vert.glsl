@@ -5,7 +5,9 @@ layout(location = 2) in vec2 uv_in;
 layout(location = 3) in vec4 colour_in;
 layout(location = 7) in vec4 base_colour_in;
 layout(location = 8) in vec4 surface_in;
+#ifdef TEXTURED
 out vec2 uv;
+#endif
 out vec4 colour;
 flat out vec4 surface;
 #endif
@@ -19,7 +21,9 @@ void main() {
     vec4 p = vec4(position_os, 1.0);
     gl_Position = clip_from_relative * vec4(dot(row0, p), dot(row1, p), dot(row2, p), 1.0);
 #ifdef MASKED
+#ifdef TEXTURED
     uv = uv_in;
+#endif
     colour = colour_in * base_colour_in;
     surface = surface_in;
 #endif

@@ -25,7 +25,7 @@ void main() {
 #ifdef MASKED
     if (masked_out()) discard;
 #endif
-    Receiver r = make_receiver(make_surface(), frame.counts.y);
+    Receiver r = make_receiver(make_surface(), LIGHT_INDEX);
     vec4 value = overlay(r);
 #ifdef OVERLAY_SCALAR
     overlay_out = vec4(value.x, 0.0, 0.0, 1.0);

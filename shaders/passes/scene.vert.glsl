@@ -13,9 +13,13 @@ layout(location = 8) in vec4 surface_in;  // x: receives shadows, y: alpha cutof
 
 out vec3 position_rel;
 out vec3 normal_ws;
+#ifdef TEXTURED
 out vec2 uv;
+#endif
 out vec4 colour;
+#ifdef SURFACE_FLAGS
 flat out vec4 surface;
+#endif
 invariant gl_Position;
 
 void main() {
@@ -25,8 +29,12 @@ void main() {
     vec3 c0 = cross(row1.xyz, row2.xyz), c1 = cross(row2.xyz, row0.xyz), c2 = cross(row0.xyz, row1.xyz);
     float handedness = dot(row0.xyz, c0) < 0.0 ? -1.0 : 1.0;
     normal_ws = handedness * vec3(dot(c0, normal_os), dot(c1, normal_os), dot(c2, normal_os));
+#ifdef TEXTURED
     uv = uv_in;
+#endif
     colour = colour_in * base_colour_in;
+#ifdef SURFACE_FLAGS
     surface = surface_in;
+#endif
     gl_Position = frame.clip_from_relative * vec4(position_rel, 1.0);
 }

@@ -14,9 +14,10 @@ vec3 srgb(vec3 c) {
 }
 
 /// Radiance arriving without shadows: inverse square falloff, smooth edge of the spot's cone.
-vec3 arriving(LightBlock light, vec3 to_light, float distance_m) {
-    if (light.kind.x == 0) return light.radiance.rgb;
-    float cone = light.kind.x == 1
+vec3 arriving(int index, vec3 to_light, float distance_m) {
+    LightBlock light = frame.lights[index];
+    if (LIGHT_TYPE[index] == LIGHT_DIRECTIONAL) return light.radiance.rgb;
+    float cone = LIGHT_TYPE[index] == LIGHT_SPOT
         ? smoothstep(light.to_light.w, max(light.radiance.w, light.to_light.w + 1e-6), dot(to_light, light.to_light.xyz))
         : 1.0;
     return light.radiance.rgb * cone / max(distance_m * distance_m, 1e-12);
@@ -29,11 +30,11 @@ void main() {
 #endif
     Surface s = make_surface();
     vec3 sum = vec3(shading_ambient);
-    for (int i = 0; i < frame.counts.x; ++i) {
+    for (int i = 0; i < LIGHT_COUNT; ++i) {
         float distance_m;
-        vec3 l = direction_to(frame.lights[i], s.position, distance_m);
+        vec3 l = direction_to(i, s.position, distance_m);
         float n_dot_l = dot(s.shading, l);
-        vec3 incoming = arriving(frame.lights[i], l, distance_m);
+        vec3 incoming = arriving(i, l, distance_m);
         if (n_dot_l <= 0.0 || incoming == vec3(0.0)) continue;
 #ifdef SEPARATE_VISIBILITY
         float visibility = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, i), 0).r;
@@ -44,7 +45,9 @@ void main() {
         float highlight = pow(max(dot(s.shading, normalize(l + s.to_eye)), 0.0), shading_shininess);
         sum += visibility * incoming * (shading_diffuse * n_dot_l + shading_specular * highlight);
     }
+#ifdef SURFACE_FLAGS
     if (surface.z > 0.5) sum = vec3(1.0);
+#endif
 #ifdef BLEND
     colour_out = vec4(srgb(sum * base.rgb), base.a);
 #else

@@ -2,12 +2,11 @@
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
 
-uniform int light_index;
 layout(location = 0) out float visibility_out;
 
 void main() {
 #ifdef MASKED
     if (masked_out()) discard;
 #endif
-    visibility_out = light_visibility(make_surface(), light_index);
+    visibility_out = light_visibility(make_surface(), LIGHT_INDEX);
 }

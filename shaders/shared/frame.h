@@ -5,7 +5,6 @@
 #ifdef __cplusplus
 #include <glm/glm.hpp>
 namespace si::shared {
-using glm::ivec4;
 using glm::mat4;
 using glm::vec4;
 #endif
@@ -18,8 +17,6 @@ struct LightBlock {
     vec4 to_light;  // xyz unit; directional: to the light, spot: against the axis. w: cos of the outer cone
     vec4 radiance;  // rgb; w: cos of the inner cone
     vec4 curve;     // near, far, half width (orthographic: metres, perspective: tangent), 1 / map resolution
-    ivec4 kind;     // x: 0 directional 1 spot 2 point, y: first view, z: number of views, w: 1 casts
-    ivec4 map;      // x: 1 perspective
 };
 
 struct FrameBlock {
@@ -27,15 +24,14 @@ struct FrameBlock {
     vec4 eye;       // xyz relative; w: 1 orthographic
     vec4 forward;   // unit viewing direction
     vec4 viewport;  // width, height, 1/width, 1/height
-    ivec4 counts;   // x: lights, y: light of overlay and map view, z: its face
     LightBlock lights[SI_MAX_LIGHTS];
     mat4 uvd_from_relative[SI_MAX_VIEWS];  // homogeneous map coordinates and depth, all in [0,w]
 };
 
 #ifdef __cplusplus
 }  // namespace si::shared
-static_assert(sizeof(si::shared::LightBlock) == 96);
-static_assert(offsetof(si::shared::FrameBlock, lights) == 128);
-static_assert(offsetof(si::shared::FrameBlock, uvd_from_relative) == 128 + 96 * SI_MAX_LIGHTS);
+static_assert(sizeof(si::shared::LightBlock) == 64);
+static_assert(offsetof(si::shared::FrameBlock, lights) == 112);
+static_assert(offsetof(si::shared::FrameBlock, uvd_from_relative) == 112 + 64 * SI_MAX_LIGHTS);
 #endif
 #endif
