@@ -101,12 +101,13 @@ INSTANTIATE_TEST_SUITE_P(All, BoxShadow,
 
 // The seams between a point light's faces: no error beside them.
 TEST(PointLight, SeamsShowNoError) {
-    const Scene scene = floor_and_box(10, {3, 0.2, 3}, 1.2);
+    const Scene scene = floor_and_box(10, {4.4, 0.2, 4.4}, 1.2);
     for (const char* filter : {"hard", "pcf5"}) {
         Settings s = hard_settings();
         s.lights[0].type = int(LightType::Point);
         s.lights[0].elevation = 90;
-        s.lights[0].distance = 2.5;  // faces meet on the floor
+        s.lights[0].distance = 2.5;  // faces meet on the floor, in the shadow
+        s.camera.elevation = 35;
         s.filter.kernel = kernel(filter);
         s.bias = no_bias();
         s.bias.unit = int(BiasUnit::Texels);
@@ -116,7 +117,7 @@ TEST(PointLight, SeamsShowNoError) {
         EXPECT_GT(e.shadow, 200) << filter;
         EXPECT_EQ(e.false_shadow, 0) << filter;
         EXPECT_EQ(e.any_acne, 0) << filter;
-        EXPECT_EQ(e.false_light, 0) << filter;
+        EXPECT_EQ(e.any_leak, 0) << filter;
     }
 }
 

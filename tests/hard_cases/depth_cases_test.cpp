@@ -1,4 +1,6 @@
 // Hard cases 3 to 5: what the maps store, against distances computed in double.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "renderer/bias_theory.h"
@@ -38,8 +40,8 @@ std::vector<StoredCase> stored_cases() {
 std::string case_name(const StoredCase& c) {
     const char* types[] = {"directional", "spot", "point"};
     const char* projections[] = {"", "_ortho", "_persp"};
-    return types[int(c.type)] + std::string(projections[int(c.projection)]) + "_" + format_name(c.format) +
-           (c.reversed ? "_reversed" : "_standard") + (c.ratio > 0 ? "_" + std::to_string(int(c.ratio)) : "");
+    return fmt::format("{}{}_{}_{}{}", types[int(c.type)], projections[int(c.projection)], format_name(c.format),
+                       c.reversed ? "reversed" : "standard", c.ratio > 0 ? fmt::format("_{:.0f}", c.ratio) : "");
 }
 
 class StoredDepth : public testing::TestWithParam<StoredCase> {};

@@ -60,31 +60,37 @@ TEST(HardCase8, NothingIsMirroredBehindASpot) {
     s.lights[0].elevation = 2;
     s.lights[0].cone = 100;
     s.lights[0].distance = 1.5;
-    const Shot shot = shoot(scene, s);
-    ASSERT_EQ(shot.light().views.size(), 1u);
-    const RayTruth rays(scene);
-    const LightView& view = shot.view();
-    const FloatImage& map = shot.maps.at(0);
-    int behind = 0, affected = 0, mirrored = 0;
-    for (int y = 0; y < shot.height; ++y)
-        for (int x = 0; x < shot.width; ++x) {
-            glm::dvec3 origin, dir;
-            shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-            const auto hit = rays.first_hit(origin, dir);
-            if (!hit || glm::dot(hit->normal, direction_to(shot.light(), hit->position)) <= 0) continue;
-            const glm::dvec4 p = uvdw(view, hit->position);
-            if (p.w > 0) continue;
-            ++behind;
-            affected += shot.visibility.at(x, y) != 1;
-            if (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1) continue;
-            // What a test without the guard would compare: rows of the map are read back from the top.
-            const int u = std::min(int(p.x * map.width), map.width - 1);
-            const int v = std::min(int((1 - p.y) * map.height), map.height - 1);
-            mirrored += p.z > map.at(u, v);
+    // Far guard on, depths behind the light also count as beyond its far plane; off, only the guard on w is left.
+    for (bool far_guard : {true, false})
+        for (bool reversed : {false, true}) {
+            s.map.far_guard = far_guard;
+            s.map.reversed_z = reversed;
+            const Shot shot = shoot(scene, s);
+            ASSERT_EQ(shot.light().views.size(), 1u);
+            const RayTruth rays(scene);
+            const LightView& view = shot.view();
+            const FloatImage& map = shot.maps.at(0);
+            int behind = 0, affected = 0, mirrored = 0;
+            for (int y = 0; y < shot.height; ++y)
+                for (int x = 0; x < shot.width; ++x) {
+                    glm::dvec3 origin, dir;
+                    shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
+                    const auto hit = rays.first_hit(origin, dir);
+                    if (!hit || glm::dot(hit->normal, direction_to(shot.light(), hit->position)) <= 0) continue;
+                    const glm::dvec4 p = uvdw(view, hit->position);
+                    if (p.w > 0) continue;
+                    ++behind;
+                    affected += shot.visibility.at(x, y) != 1;
+                    if (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1) continue;
+                    // What a test without the guard would compare: rows of the map are read back from the top.
+                    const int u = std::min(int(p.x * map.width), map.width - 1);
+                    const int v = std::min(int((1 - p.y) * map.height), map.height - 1);
+                    mirrored += reversed ? p.z < map.at(u, v) : p.z > map.at(u, v);
+                }
+            EXPECT_GT(behind, 500) << "the case must show the floor behind the light";
+            EXPECT_GT(mirrored, 50) << "without the guard there must be a mirrored shadow";
+            EXPECT_EQ(affected, 0);
         }
-    EXPECT_GT(behind, 500) << "the case must show the floor behind the light";
-    EXPECT_GT(mirrored, 50) << "without the guard there must be a mirrored shadow";
-    EXPECT_EQ(affected, 0);
 }
 
 // Case 9: tan() of half the cone is 0 or enormous at the ends.

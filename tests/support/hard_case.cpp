@@ -115,7 +115,7 @@ TruthErrors compare(const Shot& shot, const Scene& scene, double reach_texels) {
             if (lit == Lit::Nothing || lit == Lit::Away) continue;
             ++e.domain;
             const float v = shot.visibility.at(x, y);
-            if (lit == Lit::Shadow) ++e.shadow, e.false_light += v >= 0.5f;
+            if (lit == Lit::Shadow) ++e.shadow, e.false_light += v >= 0.5f, e.any_leak += v > 1e-3f;
             if (lit == Lit::Lit) e.false_shadow += v < 0.5f, e.any_acne += v < 1 - 1e-3f;
             if (lit == Lit::Boundary) ++e.boundary;
         }

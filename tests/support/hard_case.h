@@ -40,8 +40,7 @@ struct TruthErrors {
     int domain = 0, shadow = 0, boundary = 0;
     int false_shadow = 0, false_light = 0;  ///< inside, boundary pixels left out
     int any_acne = 0;                       ///< fully lit in truth, visibility below 1 - 1e-3
-    double false_shadow_share() const { return domain ? double(false_shadow) / domain : 0; }
-    double any_acne_share() const { return domain ? double(any_acne) / domain : 0; }
+    int any_leak = 0;                       ///< fully shadowed in truth, visibility above 1e-3
 };
 TruthErrors compare(const Shot& shot, const Scene& scene, double reach_texels);
 
