@@ -108,7 +108,7 @@ void add_list(CLI::App& app, Options& o, std::function<void()>& run) {
 }
 
 void add_presets(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("preset", "Look at preset files");
+    auto* c = app.add_subcommand("preset", "Check, show and write presets");
     c->require_subcommand(1);
     auto* check = c->add_subcommand("check", "Say whether a preset can be loaded, and if not, what is wrong where");
     check->add_option("FILE", o.file, "A preset file, or a built-in preset")->required();
@@ -116,6 +116,11 @@ void add_presets(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* show = c->add_subcommand("show", "List what a preset changes");
     show->add_option("FILE", o.file, "A preset file, or a built-in preset")->required();
     show->callback([&o, &run] { run = [&o] { run_preset_show(o.file); }; });
+    auto* save = c->add_subcommand("save", "Write what SCENE, --preset and --set amount to as a preset");
+    add_session_options(*save, o, true);
+    save->add_option("-o,--output", o.output, "The preset file, .json")->required()->type_name("FILE");
+    save->add_option("--about", o.file, "A sentence on what to look at")->type_name("TEXT");
+    save->callback([&o, &run] { run = [&o] { run_preset_save(o.session, o.file, o.output); }; });
 }
 
 int start_editor(Options& o) {
@@ -222,15 +227,22 @@ int fail(int code, const std::string& message) {
 /// What CLI11 says, with the nearest command where a command is unknown.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& e, int argc, const char* const* argv) {
     std::string message = e.what();
-    if (argc > 1 && app.get_subcommands().empty() && argv[1][0] != '-') {
-        std::vector<std::string> names;
-        for (const CLI::App* c : app.get_subcommands({})) names.push_back(c->get_name());
-        message = fmt::format("no command '{}'; did you mean {}?", argv[1], nearest_name(argv[1], names));
-    }
     std::string path = "shadow-inspector";
-    for (const CLI::App* c = &app; !c->get_subcommands().empty();) {
-        c = c->get_subcommands().front();
-        path += " " + c->get_name();
+    const CLI::App* command = &app;
+    for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
+        std::vector<std::string> names;
+        const CLI::App* next = nullptr;
+        for (const CLI::App* c : command->get_subcommands({})) {
+            names.push_back(c->get_name());
+            if (names.back() == argv[i]) next = c;
+        }
+        if (names.empty()) break;
+        if (!next) {
+            message = fmt::format("no command '{}'; did you mean {}?", argv[i], nearest_name(argv[i], names));
+            break;
+        }
+        command = next;
+        path += " " + command->get_name();
     }
     return fmt::format("{} (see {} --help)", message, path);
 }

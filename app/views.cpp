@@ -15,7 +15,7 @@ namespace {
 void write_shadow_map(Renderer& renderer, const Settings& settings, const FrameResult& frame, const std::string& path) {
     const std::size_t light = std::size_t(settings.view.light);
     if (light >= frame.lights.size()) {
-        throw Error(fmt::format("view.light is {}, but there are {} lights", light, frame.lights.size()));
+        throw Error(fmt::format("view.light is {}, but light.count is {}", light, frame.lights.size()));
     }
     if (!frame.lights[light].casts) {
         throw Error(fmt::format("light {} has no shadow map: {}", light, frame.lights[light].reason));

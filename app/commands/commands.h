@@ -47,6 +47,8 @@ const std::vector<std::string>& list_kinds();
 void run_info(bool json);
 void run_preset_check(const std::string& file);
 void run_preset_show(const std::string& file);
+/// Writes the composed settings as a preset.
+void run_preset_save(const SessionOptions& session, const std::string& about, const std::string& output);
 void run_export(const SessionOptions& session, const std::string& output);
 
 /// docs/settings.md: to `output`, or to stdout when empty; `check` compares and throws when they differ.

@@ -7,7 +7,6 @@
 #include "app/report.h"
 #include "renderer/error.h"
 #include "renderer/gltf_loader.h"
-#include "renderer/param.h"
 #include "renderer/renderer.h"
 
 namespace si {
@@ -33,23 +32,6 @@ void run_info(bool json) {
                d.max_samples, d.subpixel_bits);
     fmt::print("extensions     glPolygonOffsetClamp {}, anisotropic filtering {}\n",
                d.polygon_offset_clamp ? "yes" : "no", d.anisotropy ? "yes" : "no");
-}
-
-void run_preset_check(const std::string& file) {
-    const Preset preset = load_preset(file);
-    fmt::print("{}: good, {} settings differ from the defaults\n", file, changed_settings(preset.settings).size());
-}
-
-void run_preset_show(const std::string& file) {
-    const Preset preset = load_preset(file);
-    if (!preset.about.empty()) fmt::print("{}\n", preset.about);
-    if (!preset.scene.empty()) fmt::print("scene {}\n", preset.scene);
-    for (const SettingRef& ref : changed_settings(preset.settings)) {
-        const auto idle = idle_reason(preset.settings, ref);
-        fmt::print("{} = {}  (default {}){}{}\n", setting_key(ref),
-                   value_text(*ref.param, get_value(preset.settings, ref)), value_text(*ref.param, default_value(ref)),
-                   idle.empty() ? "" : "  ", idle);
-    }
 }
 
 void run_export(const SessionOptions& options, const std::string& output) {

@@ -28,8 +28,8 @@ PictureSize parse_size(const std::string& text) {
 
 void run_render(const RenderOptions& options) {
     const View view = find_view(options.view);
-    check_view_file(view, options.output);
     require_writable(options.output);
+    check_view_file(view, options.output);
     if (!options.report.empty()) require_writable(options.report);
     Session session = open_session(options.session);
     // Asked for by name, the plain picture is plain; else the settings decide on an overlay.

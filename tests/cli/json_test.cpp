@@ -1,0 +1,196 @@
+// The JSON that scripts rely on: lists, reports, probes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/commands.h"
+#include "renderer/param.h"
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::json;
+
+Json json_of(const std::vector<std::string>& arguments) {
+    const ProcessResult r = run_program(arguments);
+    EXPECT_EQ(r.code, 0) << r.err;
+    return Json::parse(r.out);
+}
+
+const Json* row(const Json& list, const std::string& key) {
+    const auto it = std::find_if(list.begin(), list.end(), [&](const Json& r) { return r["key"] == key; });
+    return it == list.end() ? nullptr : &*it;
+}
+
+TEST(Lists, RowsHaveKeyLabelAndHelp) {
+    for (const std::string& kind : list_kinds()) {
+        const Json list = json_of({"list", kind, "--json"});
+        ASSERT_TRUE(list.is_array()) << kind;
+        if (kind != "presets") {
+            EXPECT_FALSE(list.empty()) << kind;
+        }
+        for (const Json& r : list) {
+            EXPECT_TRUE(r["key"].is_string() && r["label"].is_string() && r["help"].is_string()) << r;
+            EXPECT_FALSE(r["help"].get<std::string>().empty()) << r;
+        }
+    }
+    EXPECT_EQ(json_of({"list", "scenes", "--json"})[0]["key"], "stage");
+}
+
+TEST(Lists, SettingsSayWhatTheyTake) {
+    const Json list = json_of({"list", "settings", "--json"});
+    ASSERT_EQ(list.size(), params().size());
+    for (const char* key :
+         {"map.resolution", "map.format",     "map.wrap",          "map.outside",       "map.far_guard",
+          "map.compare",    "map.reversed_z", "caster.cull",       "bias.unit",         "bias.constant",
+          "bias.slope",     "bias.normal",    "bias.raster_slope", "bias.raster_units", "bias.normal_source",
+          "filter.kernel",  "light.type",     "light.azimuth",     "light.elevation",   "light.distance",
+          "light.size",     "light.near",     "light.far",         "light.extent",      "light.fit",
+          "light.count",    "view.map"}) {
+        EXPECT_TRUE(row(list, key)) << key;
+    }
+    const Json& resolution = *row(list, "map.resolution");
+    EXPECT_EQ(resolution["type"], "int");
+    EXPECT_EQ(resolution["unit"], "texels");
+    EXPECT_EQ(resolution["max"], 16384);
+    EXPECT_EQ(resolution["default"], Settings{}.map.resolution);
+    const Json& format = *row(list, "map.format");
+    EXPECT_EQ(format["type"], "choice");
+    EXPECT_EQ(format["default"], "d32f");
+    ASSERT_EQ(format["choices"].size(), 4u);
+    EXPECT_EQ(format["choices"][3]["key"], "colour");
+    EXPECT_EQ((*row(list, "map.reversed_z"))["type"], "bool");
+}
+
+TEST(Lists, PrefixNarrows) {
+    const Json list = json_of({"list", "settings", "bias.", "--json"});
+    EXPECT_EQ(list.size(), 8u);
+}
+
+TEST(Help, IsEverywhereAndComesFromTheTable) {
+    for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{},
+                                                                                         {"edit"},
+                                                                                         {"render"},
+                                                                                         {"probe"},
+                                                                                         {"list"},
+                                                                                         {"info"},
+                                                                                         {"preset"},
+                                                                                         {"preset", "check"},
+                                                                                         {"preset", "show"},
+                                                                                         {"preset", "save"},
+                                                                                         {"export"},
+                                                                                         {"overview"},
+                                                                                         {"docs"}}) {
+        auto arguments = command;
+        arguments.push_back("--help");
+        const ProcessResult r = run_program(arguments);
+        EXPECT_EQ(r.code, 0);
+        EXPECT_NE(r.out.find("--help"), std::string::npos);
+        EXPECT_EQ(r.err, "");
+    }
+    const std::string help = run_program({"render", "--help"}).out;
+    for (const Param& p : params()) {
+        if (p.scope == Scope::Object) continue;
+        EXPECT_NE(help.find(std::string(p.key)), std::string::npos) << p.key;
+    }
+}
+
+TEST(Report, TellsSceneSettingsFitAndPasses) {
+    const auto folder = fresh_test_folder();
+    const ProcessResult r = run_program({"render", "boxes", "-o", "a.png", "--size", "64x48", "--report", "r.json",
+                                         "--set", "map.resolution=256", "--set", "light.elevation=90"},
+                                        folder);
+    ASSERT_EQ(r.code, 0) << r.err;
+    const Json report = Json::parse(file_bytes(folder / "r.json"));
+    EXPECT_GT(report["scene"]["triangles"], 0);
+    EXPECT_GT(report["scene"]["meshes"], 0);
+    EXPECT_GT(report["scene"]["nodes"], 0);
+    const Json bounds = report["scene"]["bounds"];
+    EXPECT_LT(bounds["min"][0], bounds["max"][0]);
+    EXPECT_EQ(report["settings"]["map.resolution"], 256);
+    EXPECT_EQ(report["settings"]["filter.kernel"], "pcf3");
+    EXPECT_EQ(report["picture"]["width"], 64);
+    ASSERT_EQ(report["fit"].size(), 1u);
+    const Json& fit = report["fit"][0];
+    EXPECT_LT(fit["depth_range_m"][0], fit["depth_range_m"][1]);
+    // An orthographic map holds the whole floor: width over resolution, with the fit's margin.
+    const double width = bounds["max"][0].get<double>() - bounds["min"][0].get<double>();
+    EXPECT_GT(fit["texel_size_m"].get<double>(), width / 256);
+    EXPECT_LT(fit["texel_size_m"].get<double>(), 2 * width / 256);
+    bool mapped = false;
+    for (const Json& pass : report["passes"]) {
+        EXPECT_TRUE(pass["state"] == "ran" || pass["state"] == "reused" || pass["state"] == "skipped");
+        EXPECT_FALSE(pass["reason"].get<std::string>().empty()) << pass;
+        if (pass["state"] == "skipped") {
+            EXPECT_EQ(pass["draws"], 0);
+        }
+        if (pass["name"].get<std::string>().starts_with("shadow map") && pass["state"] == "ran") {
+            mapped = true;
+            EXPECT_GT(pass["gpu_ms"], 0);
+            EXPECT_GT(pass["draws"], 0);
+            EXPECT_GT(pass["triangles"], 0);
+        }
+    }
+    EXPECT_TRUE(mapped);
+    EXPECT_FALSE(report["clock"].get<std::string>().empty());
+}
+
+TEST(Report, MatricesAreRowsAndAgreeWithTheProbe) {
+    const auto folder = fresh_test_folder();
+    const std::vector<std::string> view = {"boxes",           "--size", "64x48",           "--set",
+                                           "light.type=spot", "--set",  "light.azimuth=20"};
+    std::vector<std::string> render = {"render", "-o", "a.png", "--report", "r.json"};
+    render.insert(render.end(), view.begin(), view.end());
+    ASSERT_EQ(run_program(render, folder).code, 0);
+    std::vector<std::string> probe_args = {"probe", "--pixel", "32,30", "--json"};
+    probe_args.insert(probe_args.end(), view.begin(), view.end());
+    const Json probe = json_of(probe_args);
+    ASSERT_TRUE(probe["hit"]);
+    const Json matrix = Json::parse(file_bytes(folder / "r.json"))["fit"][0]["matrices"]["clip_from_world"];
+    const Json& p = probe["position_ws"];
+    for (std::size_t r = 0; r < 4; ++r) {
+        double clip = matrix[r][3];
+        for (std::size_t c = 0; c < 3; ++c) clip += matrix[r][c].get<double>() * p[c].get<double>();
+        EXPECT_NEAR(clip, probe["lights"][0]["clip"][r].get<double>(), 1e-4 * (1 + std::abs(clip))) << r;
+    }
+}
+
+TEST(Probe, WritesTheTestOut) {
+    const Json probe = json_of({"probe", "boxes", "--pixel", "32,40", "--size", "64x48", "--json"});
+    ASSERT_TRUE(probe["hit"]);
+    EXPECT_FALSE(probe["object"].get<std::string>().empty());
+    const Json& light = probe["lights"][0];
+    for (const char* key :
+         {"light",   "face",     "casts",      "clip",  "ndc",        "uvd",         "texel",  "n_dot_l",
+          "stored",  "stored_m", "own",        "own_m", "bias_depth", "bias_texels", "bias_m", "normal_offset_m",
+          "texel_m", "compared", "visibility", "where", "verdict"}) {
+        EXPECT_TRUE(light.contains(key)) << key;
+    }
+    const double w = light["clip"][3], x = light["clip"][0], ndc = light["ndc"][0], u = light["uvd"][0];
+    EXPECT_NEAR(ndc, x / w, 1e-9);
+    EXPECT_NEAR(u, ndc * 0.5 + 0.5, 1e-9);
+    const ProcessResult text = run_program({"probe", "boxes", "--pixel", "32,40", "--size", "64x48"});
+    EXPECT_EQ(text.code, 0) << text.err;
+    for (const char* step : {"clip space", "divided by w", "stored depth", "compared depth", "visibility"}) {
+        EXPECT_NE(text.out.find(step), std::string::npos) << step;
+    }
+    EXPECT_NE(text.out.find(light["verdict"].get<std::string>()), std::string::npos);
+}
+
+TEST(Info, NamesTheDriver) {
+    const Json info = json_of({"info", "--json"});
+    EXPECT_FALSE(info["driver"]["renderer"].get<std::string>().empty());
+    EXPECT_FALSE(info["driver"]["clock"].get<std::string>().empty());
+    EXPECT_GE(info["driver"]["max_texture_size"], 1024);
+}
+
+TEST(Docs, TheSettingsPageIsUpToDate) {
+    EXPECT_EQ(file_bytes(std::filesystem::path(SI_SOURCE_DIR) / "docs/settings.md"), settings_page())
+        << "write it with: shadow-inspector docs -o docs/settings.md";
+}
+
+}  // namespace
+}  // namespace si

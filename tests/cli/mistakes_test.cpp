@@ -1,0 +1,97 @@
+// Each mistake on the command line is one line on stderr that names it, and the right exit code.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+struct Mistake {
+    const char* name;
+    std::vector<std::string> arguments;
+    int code;
+    const char* mentions;
+};
+
+void PrintTo(const Mistake& m, std::ostream* out) {
+    *out << m.name;
+}
+
+class Mistakes : public testing::TestWithParam<Mistake> {};
+
+TEST_P(Mistakes, AreOneLine) {
+    const auto folder = fresh_test_folder();
+    std::ofstream(folder / "bad.json")
+        << R"({"format":"shadow-inspector-preset","version":1,"settings":{"bias.slop":1}})";
+    std::ofstream(folder / "broken.gltf") << "{ this is no glTF";
+    std::filesystem::create_directory(folder / "folder.png");
+    const auto before = std::distance(std::filesystem::directory_iterator(folder), {});
+    const ProcessResult r = run_program(GetParam().arguments, folder);
+    EXPECT_EQ(r.code, GetParam().code) << r.err;
+    EXPECT_EQ(r.out, "");
+    EXPECT_TRUE(r.err.starts_with("shadow-inspector: ")) << r.err;
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+    EXPECT_NE(r.err.find(GetParam().mentions), std::string::npos) << r.err;
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), before) << "a file was left";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Mistakes,
+    testing::Values(
+        Mistake{"command", {"rendr", "stage"}, 2, "did you mean render?"},
+        Mistake{"subcommand", {"preset", "chek", "bad.json"}, 2, "did you mean check?"},
+        Mistake{"option", {"render", "boxes", "-o", "a.png", "--bogus"}, 2, "--bogus"},
+        Mistake{"extra", {"render", "boxes", "plane", "-o", "a.png"}, 2, "plane"},
+        Mistake{"no_scene", {"render", "-o", "a.png"}, 2, "SCENE"},
+        Mistake{"no_output", {"render", "boxes"}, 2, "--output"},
+        Mistake{
+            "unknown_key", {"render", "boxes", "-o", "a.png", "--set", "bias.slop=1"}, 2, "did you mean bias.slope?"},
+        Mistake{"no_value", {"render", "boxes", "-o", "a.png", "--set", "bias.slope"}, 2, "KEY=VALUE"},
+        Mistake{"nan", {"render", "boxes", "-o", "a.png", "--set", "bias.slope=nan"}, 2, "not finite"},
+        Mistake{"range", {"render", "boxes", "-o", "a.png", "--set", "map.resolution=0"}, 2, "1 to 16384"},
+        Mistake{"choice", {"render", "boxes", "-o", "a.png", "--set", "filter.kernel=pcf33"}, 2, "did you mean pcf3?"},
+        Mistake{"node", {"render", "boxes", "-o", "a.png", "--set", "object.Nowhere.cast=off"}, 2, "no such node"},
+        Mistake{"size", {"render", "boxes", "-o", "a.png", "--size", "64"}, 2, "WIDTHxHEIGHT"},
+        Mistake{"size_zero", {"render", "boxes", "-o", "a.png", "--size", "0x64"}, 2, "WIDTHxHEIGHT"},
+        Mistake{"size_negative", {"render", "boxes", "-o", "a.png", "--size", "-4x64"}, 2, "WIDTHxHEIGHT"},
+        Mistake{"size_tail", {"render", "boxes", "-o", "a.png", "--size", "64x64x"}, 2, "WIDTHxHEIGHT"},
+        Mistake{"view", {"render", "boxes", "-o", "a.png", "--view", "visibilty"}, 2, "did you mean visibility?"},
+        Mistake{"extension", {"render", "boxes", "-o", "a.jpg"}, 2, ".png"},
+        Mistake{"float_picture", {"render", "boxes", "-o", "a.pfm"}, 2, "write it as .png"},
+        Mistake{"float_colours", {"render", "boxes", "-o", "a.pfm", "--view", "light-uv"}, 2, "write it as .png"},
+        Mistake{"to_folder", {"render", "boxes", "-o", "folder.png"}, 1, "is a directory"},
+        Mistake{"to_nowhere", {"render", "boxes", "-o", "none/a.png"}, 1, "does not exist"},
+        Mistake{"report_nowhere", {"render", "boxes", "-o", "a.png", "--report", "none/r.json"}, 1, "none/r.json"},
+        Mistake{"scene", {"render", "boxs", "-o", "a.png"}, 1, "'boxes'"},
+        Mistake{"scene_file", {"render", "none.glb", "-o", "a.png"}, 1, "none.glb"},
+        Mistake{"scene_broken", {"render", "broken.gltf", "-o", "a.png"}, 1, "broken.gltf"},
+        Mistake{"preset_missing",
+                {"render", "boxes", "-o", "a.png", "--preset", "none.json"},
+                1,
+                "none.json: no such file"},
+        Mistake{
+            "preset_bad", {"render", "boxes", "-o", "a.png", "--preset", "bad.json"}, 1, "did you mean bias.slope?"},
+        Mistake{"preset_check", {"preset", "check", "bad.json"}, 1, "bad.json: settings.\"bias.slop\""},
+        Mistake{"no_map",
+                {"render", "boxes", "-o", "a.png", "--view", "shadow-map", "--set", "light.cast=off"},
+                1,
+                "light 0 has no shadow map"},
+        Mistake{"no_light",
+                {"render", "boxes", "-o", "a.pfm", "--view", "shadow-map", "--set", "view.light=3"},
+                1,
+                "light.count is 1"},
+        Mistake{"pixel", {"probe", "boxes", "--pixel", "12"}, 2, "X,Y"},
+        Mistake{"pixel_outside", {"probe", "boxes", "--pixel", "1280,0"}, 2, "outside of the picture"},
+        Mistake{"pixel_negative", {"probe", "boxes", "--pixel=-1,0"}, 2, "outside of the picture"},
+        Mistake{"list", {"list", "setings"}, 2, "did you mean settings?"},
+        Mistake{"list_key", {"list", "settings", "bais"}, 2, "did you mean bias"},
+        Mistake{"export", {"export", "boxes", "-o", "a.obj"}, 2, ".gltf or .glb"},
+        Mistake{"screenshot", {"edit", "--headless"}, 2, "--screenshot"},
+        Mistake{"window", {"edit", "boxes"}, 1, "display"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace si

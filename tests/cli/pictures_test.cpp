@@ -1,0 +1,189 @@
+// The files that the commands draw: sizes, values, and that the same settings give the same bytes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+class Pictures : public testing::Test {
+protected:
+    void SetUp() override { folder_ = fresh_test_folder(); }
+
+    std::string render(Arguments more, const std::string& file) {
+        Arguments arguments = {"render", "-o", file};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ProcessResult r = run_program(arguments, folder_);
+        EXPECT_EQ(r.code, 0) << r.err;
+        EXPECT_EQ(r.out, "");
+        return r.code == 0 ? file_bytes(folder_ / file) : "";
+    }
+
+    fs::path folder_;
+};
+
+/// Width and height from the header of a PNG (PNG specification, 11.2.2 IHDR).
+std::pair<unsigned, unsigned> png_size(const std::string& bytes) {
+    if (bytes.size() < 24 || bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0) return {0, 0};
+    const auto word = [&](std::size_t at) {
+        unsigned v = 0;
+        for (std::size_t i = 0; i < 4; ++i) v = v << 8 | static_cast<unsigned char>(bytes[at + i]);
+        return v;
+    };
+    return {word(16), word(20)};
+}
+
+struct Floats {
+    int width = 0, height = 0;
+    std::vector<float> values;  // bottom row first
+};
+
+Floats read_pfm(const std::string& bytes) {
+    std::istringstream in(bytes);
+    std::string magic;
+    double scale = 0;
+    Floats f;
+    in >> magic >> f.width >> f.height >> scale;
+    in.get();
+    EXPECT_EQ(magic, "Pf");
+    EXPECT_EQ(scale, -1);
+    f.values.resize(std::size_t(f.width) * std::size_t(f.height));
+    const auto at = std::size_t(in.tellg());
+    EXPECT_EQ(bytes.size() - at, f.values.size() * sizeof(float));
+    std::memcpy(f.values.data(), bytes.data() + at, std::min(bytes.size() - at, f.values.size() * sizeof(float)));
+    return f;
+}
+
+const Arguments kSmall = {"boxes", "--size", "96x64", "--set", "map.resolution=256"};
+
+Arguments with(Arguments base, const Arguments& more) {
+    base.insert(base.end(), more.begin(), more.end());
+    return base;
+}
+
+TEST_F(Pictures, EveryViewIsAPictureOfTheAskedSize) {
+    const Json views = Json::parse(run_program({"list", "views", "--json"}).out);
+    ASSERT_GE(views.size(), 10u);
+    for (const Json& view : views) {
+        const std::string key = view["key"];
+        SCOPED_TRACE(key);
+        const unsigned size = key == "shadow-map" ? 256 : 0;
+        const auto expected = size ? std::pair(size, size) : std::pair(96u, 64u);
+        EXPECT_EQ(png_size(render(with(kSmall, {"--view", key}), key + ".png")), expected);
+        if (!view["scalar"]) continue;
+        const Floats f = read_pfm(render(with(kSmall, {"--view", key}), key + ".pfm"));
+        EXPECT_EQ(std::pair(unsigned(f.width), unsigned(f.height)), expected);
+        const auto [lo, hi] = std::minmax_element(f.values.begin(), f.values.end(), [](float a, float b) {
+            return (std::isnan(a) ? 0 : a) < (std::isnan(b) ? 0 : b);
+        });
+        if (key != "non-finite") {
+            EXPECT_NE(*lo, *hi) << "one flat value";
+        }
+    }
+}
+
+TEST_F(Pictures, TheViewsDiffer) {
+    const std::string shaded = render(kSmall, "shaded.png");
+    EXPECT_NE(shaded, render(with(kSmall, {"--view", "visibility"}), "visibility.png"));
+    EXPECT_NE(shaded, render(with(kSmall, {"--view", "depth-difference"}), "difference.png"));
+    EXPECT_NE(shaded, render(with(kSmall, {"--set", "light.azimuth=100"}), "moved.png"));
+    // The setting and the view of one overlay are the same picture; asked for by name the plain picture is plain.
+    const Arguments overlay = with(kSmall, {"--set", "view.overlay=n-dot-l"});
+    EXPECT_EQ(render(overlay, "a.png"), render(with(kSmall, {"--view", "n-dot-l"}), "b.png"));
+    EXPECT_EQ(render(with(overlay, {"--view", "shaded"}), "c.png"), shaded);
+}
+
+TEST_F(Pictures, VisibilityLiesBetweenShadowAndLight) {
+    const Floats f = read_pfm(render(with(kSmall, {"--view", "visibility"}), "v.pfm"));
+    EXPECT_TRUE(std::all_of(f.values.begin(), f.values.end(), [](float v) { return v >= 0 && v <= 1; }));
+    const auto dark = std::count_if(f.values.begin(), f.values.end(), [](float v) { return v < 0.1f; });
+    const auto lit = std::count_if(f.values.begin(), f.values.end(), [](float v) { return v > 0.9f; });
+    EXPECT_GT(dark, 50);
+    EXPECT_GT(lit, 500);
+}
+
+TEST_F(Pictures, TheLinearShadowMapIsInMetres) {
+    const Arguments spot = with(kSmall, {"--view", "shadow-map", "--set", "light.type=spot"});
+    const Floats raw = read_pfm(render(with(spot, {"--set", "view.map=raw", "--report", "r.json"}), "raw.pfm"));
+    const Floats metres = read_pfm(render(with(spot, {"--set", "view.map=linear"}), "metres.pfm"));
+    const Json range = Json::parse(file_bytes(folder_ / "r.json"))["fit"][0]["depth_range_m"];
+    const double near = range[0], far = range[1];
+    ASSERT_EQ(raw.values.size(), metres.values.size());
+    std::size_t filled = 0;
+    for (std::size_t i = 0; i < raw.values.size(); ++i) {
+        ASSERT_TRUE(raw.values[i] >= 0 && raw.values[i] <= 1);
+        const double expected = near * far / (far - raw.values[i] * (far - near));
+        ASSERT_NEAR(metres.values[i], expected, 1e-3 * expected);
+        filled += raw.values[i] < 1;
+    }
+    EXPECT_GT(filled, 100u);
+}
+
+TEST_F(Pictures, SamePresetSameBytes) {
+    ASSERT_EQ(run_program({"preset", "save", "stage", "-o", "p.json", "--set", "filter.kernel=pcf5", "--set",
+                           "bias.slope=2", "--about", "wide kernel"},
+                          folder_)
+                  .code,
+              0);
+    EXPECT_EQ(run_program({"preset", "check", "p.json"}, folder_).code, 0);
+    const Arguments small = {"stage", "--size", "96x64"};
+    const std::string preset = render(with(small, {"--preset", "p.json"}), "a.png");
+    EXPECT_EQ(preset, render(with(small, {"--preset", "p.json"}), "b.png"));
+    // What the scene suggested is part of the preset, so that it does not depend on the scene's mood later.
+    EXPECT_EQ(preset, render(with(small, {"--set", "filter.kernel=pcf5", "--set", "bias.slope=2"}), "c.png"));
+    EXPECT_NE(preset, render(small, "d.png"));
+    EXPECT_NE(preset, render(with(small, {"--preset", "p.json", "--set", "light.azimuth=0"}), "e.png"));
+}
+
+TEST_F(Pictures, AnExportedSceneIsTheSameScene) {
+    ASSERT_EQ(run_program({"export", "boxes", "-o", "boxes.glb"}, folder_).code, 0);
+    render({"boxes", "--size", "32x32", "--report", "a.json"}, "a.png");
+    render({"boxes.glb", "--size", "32x32", "--report", "b.json"}, "b.png");
+    const Json a = Json::parse(file_bytes(folder_ / "a.json"))["scene"];
+    const Json b = Json::parse(file_bytes(folder_ / "b.json"))["scene"];
+    EXPECT_EQ(a["triangles"], b["triangles"]);
+    for (const char* end : {"min", "max"}) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_NEAR(a["bounds"][end][i].get<double>(), b["bounds"][end][i].get<double>(), 1e-5);
+        }
+    }
+}
+
+TEST_F(Pictures, TheEditorIsDrawnWithoutADisplay) {
+    const ProcessResult r =
+        run_program({"edit", "boxes", "--headless", "--screenshot", "e.png", "--size", "1280x720"}, folder_);
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(png_size(file_bytes(folder_ / "e.png")), std::pair(1280u, 720u));
+}
+
+TEST_F(Pictures, WithoutACommandOrDisplayEverythingIsDrawn) {
+    const ProcessResult r = run_program({}, folder_);
+    ASSERT_EQ(r.code, 0) << r.err;
+    for (const char* name : {"editor.png", "scene.png", "shadow-map.png", "visibility.png"}) {
+        EXPECT_GT(png_size(file_bytes(folder_ / "out" / name)).first, 0u) << name;
+    }
+    EXPECT_NE(r.out.find("no display"), std::string::npos);
+    EXPECT_NE(r.out.find("shadow map 0"), std::string::npos);
+    EXPECT_NE(r.out.find("triangles"), std::string::npos);
+}
+
+TEST_F(Pictures, NothingIsRepairedSilently) {
+    const ProcessResult r = run_program({"render", "boxes", "-o", "a.png", "--size", "32x32", "--set",
+                                         "light.fit=manual", "--set", "light.near=50", "--set", "light.far=2"},
+                                        folder_);
+    EXPECT_EQ(r.code, 0);
+    EXPECT_NE(r.err.find("note: light.near 50 was above light.far 2"), std::string::npos) << r.err;
+}
+
+}  // namespace
+}  // namespace si

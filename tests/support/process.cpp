@@ -1,0 +1,69 @@
+#include "tests/support/process.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+void redirect(const fs::path& file, int descriptor) {
+    const int to = ::open(file.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0644);
+    if (to < 0 || ::dup2(to, descriptor) < 0) ::_exit(126);
+}
+
+}  // namespace
+
+fs::path fresh_test_folder() {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string(test->test_suite_name()) + "." + test->name();
+    std::replace(name.begin(), name.end(), '/', '_');
+    const fs::path folder = fs::path(SI_TEST_OUTPUT_DIR) / name;
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    return folder;
+}
+
+std::string file_bytes(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw std::runtime_error("cannot read " + path.string());
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+ProcessResult run_program(const std::vector<std::string>& arguments, const fs::path& folder) {
+    const fs::path base = fs::temp_directory_path() / ("si-process-" + std::to_string(::getpid()));
+    const fs::path out = base.string() + ".out", err = base.string() + ".err";
+    std::vector<char*> argv = {const_cast<char*>(SI_PROGRAM)};
+    for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+    argv.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child < 0) throw std::runtime_error("fork failed");
+    if (child == 0) {
+        redirect("/dev/null", STDIN_FILENO);
+        redirect(out, STDOUT_FILENO);
+        redirect(err, STDERR_FILENO);
+        if (::chdir(folder.c_str()) != 0) ::_exit(126);
+        ::unsetenv("DISPLAY");
+        ::unsetenv("WAYLAND_DISPLAY");
+        ::execv(argv[0], argv.data());
+        ::_exit(127);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ProcessResult result{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), file_bytes(out),
+                         file_bytes(err)};
+    fs::remove(out);
+    fs::remove(err);
+    return result;
+}
+
+}  // namespace si
