@@ -185,15 +185,20 @@ TEST(Animation, SkinsFollowTheirJointsAndIgnoreTheirNode) {
     EXPECT_EQ(scene.nodes[static_cast<std::size_t>(scene.objects[0].node)].name, "hero (skinned)");
 }
 
-TEST(Animation, SkinnedNormalsTurnWithTheJoints) {
+// A normal follows the inverse transpose: (0, 0.6, 0.8) under the scale (3, 1, 0.25) leans towards z, and a quarter
+// turn about x takes z to -y and y to z.
+TEST(Animation, SkinnedNormalsStayUprightUnderScale) {
     GltfFile file = skinned_triangle();
+    const Json tilted = file.floats({0, 0.6f, 0.8f, 0, 0.6f, 0.8f, 0, 0.6f, 0.8f}, "VEC3");
+    file.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = tilted;
     const double h = std::sqrt(0.5);
     for (int joint : {1, 2}) {
-        file.json["nodes"][joint]["rotation"] = {h, 0, 0, h};  // a quarter turn about x: z becomes -y
+        file.json["nodes"][joint]["rotation"] = {h, 0, 0, h};
         file.json["nodes"][joint]["scale"] = {3, 1, 0.25};
     }
+    const glm::dvec3 expected = glm::normalize(glm::dvec3(0, -0.8 / 0.25, 0.6));
     const Scene scene = file.load();
-    for (const glm::vec3& n : scene.meshes[0].normals) expect_near(glm::dvec3(n), {0, -1, 0}, 1e-5);
+    for (const glm::vec3& n : scene.meshes[0].normals) expect_near(glm::dvec3(n), expected, 1e-5);
 }
 
 TEST(Animation, SkinsKeepTheirPrecisionFarFromTheOrigin) {

@@ -81,6 +81,20 @@ TEST(GltfGeometry, IndicesOf32Bit) {
     expect_indices_of_type<std::uint32_t>();
 }
 
+TEST(GltfGeometry, IndicesBeyondTheVerticesAreRefused) {
+    const auto error_with = [](std::uint16_t index, std::size_t vertices) {
+        GltfFile file;
+        const int position = file.floats(std::vector<float>(3 * vertices), "VEC3");
+        const int indices = file.indices(std::vector<std::uint16_t>{0, 1, index});
+        file.root({{"mesh", file.mesh({{"attributes", {{"POSITION", position}}}, {"indices", indices}})}});
+        return file.error();
+    };
+    EXPECT_EQ(error_with(2, 3), "");
+    EXPECT_NE(error_with(3, 3).find("meshes[0].primitives[0].indices: accessor 1: index 3 is out of range"),
+              std::string::npos);
+    EXPECT_NE(error_with(65535, 70000), "");  // would restart the primitive
+}
+
 TEST(GltfGeometry, InterleavedAttributesAreTakenApart) {
     GltfFile file;
     std::vector<float> data;

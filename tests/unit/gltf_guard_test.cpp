@@ -38,6 +38,27 @@ TEST(GltfGuard, EveryTruncationOfAGlbIsRefused) {
     }
 }
 
+TEST(GltfGuard, ChunksThatPassTheEndAreRefused) {
+    GltfFile file;
+    file.add_triangle();
+    const std::string whole = file.glb();
+    const std::size_t bin_header =
+        20 + static_cast<unsigned char>(whole[12]) + 256 * static_cast<unsigned char>(whole[13]);
+    const TemporaryFolder folder;
+    for (const std::size_t header : {std::size_t{12}, bin_header}) {
+        for (const std::string& length :
+             {std::string("\xff\xff\xff\xff"), std::string("\xfc\xff\xff\xff"),
+              std::string(1, static_cast<char>(whole[header] + 4)) + whole.substr(header + 1, 3)}) {
+            std::string changed = whole;
+            changed.replace(header, 4, length);
+            const std::string error = error_of(folder.write("chunk.glb", changed));
+            // A JSON chunk that is only a little longer swallows the next header and is no JSON any more.
+            EXPECT_TRUE(error.find("are left") != std::string::npos || error.find("parse error") != std::string::npos)
+                << error;
+        }
+    }
+}
+
 TEST(GltfGuard, EverySingleByteChangeLoadsOrIsRefused) {
     GltfFile file;
     file.add_triangle();
@@ -128,10 +149,13 @@ TEST(GltfGuard, BuffersOutsideTheFolderAreNeverRead) {
     const std::string absolute = (folder.path() / "secret.bin").string();
     for (const std::string& uri :
          {std::string("../secret.bin"), std::string("%2e%2e/secret.bin"), std::string("./../secret.bin"),
-          std::string("a/../../secret.bin"), std::string("link.bin"), absolute, "file://" + absolute,
-          std::string("http://127.0.0.1/secret.bin"), std::string(""), std::string("."), std::string("/")}) {
-        EXPECT_NE(error_of(folder.write("in/model.gltf", external(uri, bin))).find("buffers[0].uri"), std::string::npos)
-            << uri;
+          std::string("a/../../secret.bin"), std::string("link.bin"), std::string("../missing.bin"), absolute,
+          "file://" + absolute, std::string("http://127.0.0.1/secret.bin"), std::string(""), std::string("."),
+          std::string("/")}) {
+        const std::string error = error_of(folder.write("in/model.gltf", external(uri, bin)));
+        EXPECT_NE(error.find("buffers[0].uri"), std::string::npos) << uri;
+        // Whether a file outside exists is nobody's business.
+        EXPECT_EQ(error.find("does not exist"), std::string::npos) << error;
     }
 }
 

@@ -95,6 +95,23 @@ TEST(GltfMaterial, TexturePixelsAndSampler) {
     EXPECT_FALSE(t.mipmaps);
 }
 
+TEST(GltfMaterial, MinificationFilters) {
+    struct Row {
+        int filter;
+        bool nearest, mipmaps;
+    };
+    for (const Row& row : {Row{9728, true, false}, Row{9729, false, false}, Row{9984, true, true},
+                           Row{9985, false, true}, Row{9986, true, true}, Row{9987, false, true}}) {
+        Textured file;
+        file.append("samplers", {{"minFilter", row.filter}});
+        file.json["textures"][0]["sampler"] = 0;
+        const Texture t = file.load().textures.at(0);
+        EXPECT_EQ(t.nearest_min, row.nearest) << row.filter;
+        EXPECT_EQ(t.mipmaps, row.mipmaps) << row.filter;
+    }
+    EXPECT_TRUE(Textured().load().textures.at(0).mipmaps);
+}
+
 TEST(GltfMaterial, SecondCoordinateSetIsBakedIn) {
     Textured file;
     file.texture_info()["texCoord"] = 1;
