@@ -225,6 +225,7 @@ TEST(LoadScene, TakesExtensionsInAnyCase) {
 
 TEST(SaveGltf, RefusesOtherExtensionsAndFoldersThatDoNotExist) {
     const Scene scene = load_scene("boxes");
+    fs::remove(scratch("scene.obj"));
     EXPECT_THROW(save_gltf(scene, scratch("scene.obj")), Error);
     EXPECT_FALSE(fs::exists(scratch("scene.obj")));
     EXPECT_THROW(save_gltf(scene, scratch("") / "missing" / "scene.gltf"), Error);
