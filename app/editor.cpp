@@ -10,6 +10,7 @@
 // clang-format on
 
 #include <algorithm>
+#include <vector>
 
 #include "app/editor_model.h"
 #include "app/headless_editor.h"
@@ -30,6 +31,34 @@ struct WindowInput {
     ~WindowInput() { ImGui_ImplGlfw_Shutdown(); }
     WindowInput(const WindowInput&) = delete;
     WindowInput& operator=(const WindowInput&) = delete;
+};
+
+/// Shows ImGui the keys that were pressed since its last frame as held during the next one, so that a short press is
+/// not lost when frames are long.
+class PressedKeys {
+public:
+    explicit PressedKeys(WindowContext& window) : window_(window), keys_(window.take_keys()) {
+        ImGuiIO& io = ImGui::GetIO();
+        for (const auto& [key, mods] : keys_) {
+            io.KeysDown[key] = true;
+            if (mods & GLFW_MOD_CONTROL) io.KeyCtrl = true;
+            if (mods & GLFW_MOD_SHIFT) io.KeyShift = true;
+        }
+    }
+    ~PressedKeys() {
+        ImGuiIO& io = ImGui::GetIO();
+        const auto held = [&](int left, int right) { return window_.is_down(left) || window_.is_down(right); };
+        for (const auto& [key, mods] : keys_) io.KeysDown[key] = window_.is_down(key);
+        if (keys_.empty()) return;
+        io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+        io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    }
+    PressedKeys(const PressedKeys&) = delete;
+    PressedKeys& operator=(const PressedKeys&) = delete;
+
+private:
+    WindowContext& window_;
+    std::vector<WindowContext::KeyPress> keys_;
 };
 
 int run_window(const EditorOptions& options) {
@@ -56,6 +85,7 @@ int run_window(const EditorOptions& options) {
 
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
+        const PressedKeys keys(window);
         ImGui::NewFrame();
         if (ImGui::IsKeyPressed(GLFW_KEY_F1, false)) model.state.show_shortcuts = !model.state.show_shortcuts;
         const EditorActions actions = draw_editor(model.state, model.facts());

@@ -68,7 +68,11 @@ WindowContext::~WindowContext() {
 
 // ImGui's backend is installed afterwards and calls these in turn.
 void WindowContext::install_callbacks() {
-    glfwSetKeyCallback(window_, [](GLFWwindow* w, int, int, int, int) { note_input(w); });
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
+        note_input(w);
+        if (action == GLFW_PRESS && key >= 0)
+            static_cast<Events*>(glfwGetWindowUserPointer(w))->keys.push_back({key, mods});
+    });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { note_input(w); });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { note_input(w); });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { note_input(w); });
@@ -120,6 +124,13 @@ float WindowContext::content_scale() const {
     float x = 1, y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
     return std::max({x, y, 0.5f});
+}
+
+std::vector<WindowContext::KeyPress> WindowContext::take_keys() {
+    return std::exchange(events_.keys, {});
+}
+bool WindowContext::is_down(int key) const {
+    return glfwGetKey(window_, key) == GLFW_PRESS;
 }
 
 bool WindowContext::take_input() {

@@ -32,6 +32,14 @@ public:
     float content_scale() const;
     /// Whether the last wait brought input, a resize or an uncovered window; cleared by the call.
     bool take_input();
+    /// A key that went down, perhaps already up again. ImGui 1.86 sees only keys that are held when its frame starts.
+    struct KeyPress {
+        int key = 0;   ///< GLFW_KEY_*
+        int mods = 0;  ///< GLFW_MOD_*
+    };
+    /// Keys pressed since the last call.
+    std::vector<KeyPress> take_keys();
+    bool is_down(int key) const;
     /// Files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_dropped();
 
@@ -41,6 +49,7 @@ public:
 private:
     struct Events {
         bool input = true;
+        std::vector<KeyPress> keys;
         std::vector<std::filesystem::path> dropped;
     };
     void install_callbacks();

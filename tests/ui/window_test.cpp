@@ -1,0 +1,280 @@
+// The program in a real window on an X server of its own, steered by real mouse and keyboard events.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/headless_editor.h"
+#include "app/output.h"
+#include "renderer/scenes/builtin.h"
+
+namespace si {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr int kWidth = 1280, kHeight = 720;
+
+/// A child process, ended at the latest with this object.
+class Process {
+public:
+    Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder, const std::string& log,
+            int keep_fd = -1) {
+        std::vector<char*> argv;
+        for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+        argv.push_back(nullptr);
+        const std::filesystem::path log_path = folder / log;
+        pid_ = fork();
+        if (pid_ == 0) {
+            if (chdir(folder.c_str()) != 0) _exit(126);
+            const int out = open(log_path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
+            dup2(out, 1), dup2(out, 2);
+            if (keep_fd >= 0) fcntl(keep_fd, F_SETFD, 0);
+            execvp(argv[0], argv.data());
+            _exit(127);
+        }
+    }
+    ~Process() {
+        if (!running()) return;
+        kill(pid_, SIGTERM);
+        waitpid(pid_, nullptr, 0);
+    }
+    Process(const Process&) = delete;
+    Process& operator=(const Process&) = delete;
+
+    bool running() {
+        if (code_) return false;
+        int status = 0;
+        if (waitpid(pid_, &status, WNOHANG) != pid_) return true;
+        code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        return false;
+    }
+    /// Valid when no longer running.
+    int code() const { return code_.value_or(-1); }
+    pid_t pid() const { return pid_; }
+    /// Processor time used so far.
+    double cpu_seconds() const {
+        std::ifstream file("/proc/" + std::to_string(pid_) + "/stat");
+        std::string text((std::istreambuf_iterator<char>(file)), {});
+        std::istringstream fields(text.substr(text.rfind(')') + 2));
+        std::string skipped;
+        long user = 0, system = 0;
+        for (int i = 0; i < 11; ++i) fields >> skipped;
+        fields >> user >> system;
+        return double(user + system) / double(sysconf(_SC_CLK_TCK));
+    }
+
+private:
+    pid_t pid_ = -1;
+    std::optional<int> code_;
+};
+
+bool wait_until(const std::function<bool()>& done, double seconds) {
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    while (Clock::now() < end) {
+        if (done()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    }
+    return done();
+}
+
+/// The virtual screen's pixels, from the XWD file that Xvfb keeps its framebuffer in (X11/XWDFile.h: a header of
+/// big-endian 32-bit words, the colour map, rows of 32-bit pixels).
+ByteImage read_screen(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    const std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(in)), {});
+    const auto word = [&](std::size_t i) {
+        return std::size_t(bytes[4 * i]) << 24 | std::size_t(bytes[4 * i + 1]) << 16 |
+               std::size_t(bytes[4 * i + 2]) << 8 | bytes[4 * i + 3];
+    };
+    if (bytes.size() < 100) return {};
+    const std::size_t header = word(0), width = word(4), height = word(5), stride = word(12), colours = word(19);
+    const std::size_t start = header + colours * 12;
+    if (bytes.size() < start + stride * height) return {};
+    ByteImage image{int(width), int(height), std::vector<std::uint8_t>(width * height * 4, 255)};
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < width; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                image.data[(y * width + x) * 4 + c] = bytes[start + y * stride + x * 4 + 2 - c];  // stored B G R
+    return image;
+}
+
+class Window : public testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "window";
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+        unsetenv("WAYLAND_DISPLAY");
+        ASSERT_EQ(std::system("command -v xdotool > /dev/null"), 0) << "the package xdotool is missing";
+        // Several servers starting at once may choose the same number: the loser ends, and another try finds a free
+        // one.
+        bool up = false;
+        for (int attempt = 0; attempt < 5 && !up; ++attempt) up = start_server();
+        ASSERT_TRUE(up) << "Xvfb did not start; is the package xvfb installed?";
+    }
+
+    bool start_server() {
+        int pipe_ends[2];
+        if (pipe(pipe_ends) != 0) return false;
+        fcntl(pipe_ends[0], F_SETFD, FD_CLOEXEC);
+        server_ = std::make_unique<Process>(
+            std::vector<std::string>{"Xvfb", "-displayfd", std::to_string(pipe_ends[1]), "-screen", "0", "1280x720x24",
+                                     "-fbdir", folder_.string(), "-nolisten", "tcp", "-noreset"},
+            folder_, "xvfb.log", pipe_ends[1]);
+        close(pipe_ends[1]);
+        char number[16] = {};
+        const bool told = read(pipe_ends[0], number, sizeof number - 1) > 0;
+        close(pipe_ends[0]);
+        setenv("DISPLAY", (":" + std::to_string(std::atoi(number))).c_str(), 1);
+        return told && wait_until([&] { return xdotool("getdisplaygeometry"); }, 5) && server_->running();
+    }
+
+    void start() {
+        const std::vector<std::string> line{SI_PROGRAM, "edit", "boxes", "--size", "1280x720"};
+        program_ = std::make_unique<Process>(line, folder_, "program.log");
+        // The title names the scene once the first frame is drawn.
+        const auto drawn = [&] { return xdotool("search --name 'boxes - Shadow Inspector'"); };
+        wait_until([&] { return !program_->running() || drawn(); }, 120);
+        ASSERT_TRUE(program_->running() && drawn()) << log();
+        breathe();
+    }
+
+    bool xdotool(const std::string& command) const {
+        return std::system(("xdotool " + command + " > /dev/null 2>&1").c_str()) == 0;
+    }
+    bool keys(const std::string& combination) const { return xdotool("key " + combination); }
+    void mouse(int x, int y) const {
+        xdotool("mousemove " + std::to_string(x) + " " + std::to_string(y));
+        breathe();
+    }
+    /// Long enough for a slow frame to see the state before the next event.
+    static void breathe() { std::this_thread::sleep_for(std::chrono::milliseconds(300)); }
+    void drag(int x, int y, int dx, int dy) const {
+        mouse(x, y);
+        xdotool("mousedown 1");
+        breathe();
+        for (int i = 1; i <= 3; ++i) mouse(x + dx * i / 3, y + dy * i / 3);
+        xdotool("mouseup 1");
+        breathe();
+    }
+    void click(int x, int y) const { drag(x, y, 0, 0); }
+
+    std::filesystem::path preset() const { return folder_ / "preset.json"; }
+    /// The settings of the preset after a fresh save.
+    nlohmann::json saved() const {
+        std::filesystem::remove(preset());
+        keys("ctrl+s");  // once: a second save could come after the next change
+        wait_until([&] { return std::filesystem::exists(preset()); }, 60);
+        std::ifstream file(preset());
+        return nlohmann::json::parse(file, nullptr, false).value("settings", nlohmann::json{});
+    }
+    ByteImage screen(const std::string& name) const {
+        ByteImage image = read_screen(folder_ / "Xvfb_screen0");
+        if (image.width > 0) write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / (name + ".png"), image);
+        return image;
+    }
+    std::string log() const {
+        std::ifstream file(folder_ / "program.log");
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+
+    std::filesystem::path folder_;
+    std::unique_ptr<Process> server_, program_;
+};
+
+TEST_F(Window, ASliderIsDraggedUndoneRedoneAndSaved) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    click(1040, 56);  // the search field
+    xdotool("type --delay 40 bias.constant");
+    breathe();
+    drag(1170, 115, 60, 0);
+    const nlohmann::json after = saved();
+    screen("window_slider");
+    ASSERT_TRUE(after.contains("bias.constant")) << after;
+    keys("ctrl+z");
+    EXPECT_FALSE(saved().contains("bias.constant"));
+    keys("ctrl+y");
+    EXPECT_EQ(saved(), after);
+    keys("ctrl+q");
+    EXPECT_TRUE(wait_until([&] { return !program_->running(); }, 30));
+    EXPECT_EQ(program_->code(), 0) << log();
+}
+
+TEST_F(Window, TheSceneIsTurnedProbedFramedAndShownUnderAnOverlay) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    drag(270, 300, 90, 30);
+    const nlohmann::json turned = saved();
+    ASSERT_TRUE(turned.contains("camera.source")) << turned;
+    click(200, 330);
+    keys("4");
+    breathe();
+    EXPECT_TRUE(saved().contains("view.overlay"));
+    screen("window_probe");
+    keys("f");
+    EXPECT_NE(saved(), turned);
+    EXPECT_TRUE(program_->running()) << log();
+}
+
+TEST_F(Window, AStillEditorSleepsAndAResizeIsFollowed) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    mouse(900, 700);
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    const double before = program_->cpu_seconds();
+    ASSERT_GT(before, 0);
+    std::this_thread::sleep_for(std::chrono::seconds(3));
+    EXPECT_LT(program_->cpu_seconds() - before, 0.3) << "seconds of processor time in three still seconds";
+    ASSERT_TRUE(xdotool("search --name 'Shadow Inspector' windowsize 1000 600"));
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    screen("window_resized");
+    EXPECT_TRUE(program_->running()) << log();
+    keys("ctrl+q");
+    EXPECT_TRUE(wait_until([&] { return !program_->running(); }, 30));
+    EXPECT_EQ(program_->code(), 0) << log();
+}
+
+TEST_F(Window, ShowsTheSamePictureAsWithoutAWindow) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    mouse(900, 700);
+    EditorOptions o;
+    o.scene = "boxes";
+    o.settings = base_settings(load_scene("boxes"));
+    o.width = kWidth;
+    o.height = kHeight;
+    HeadlessEditor editor(o);
+    editor.settle();
+    const ByteImage expected = editor.picture();
+    // The pictures and the settings; the panel of passes shows times.
+    const auto differing = [&] {
+        const ByteImage seen = screen("window_still");
+        if (seen.width != kWidth || seen.height != kHeight) return -1;
+        int count = 0;
+        for (int y = 0; y < 460; ++y)
+            for (int x = 0; x < kWidth; ++x)
+                for (int c = 0; c < 3; ++c) {
+                    const std::size_t at = (std::size_t(y) * kWidth + std::size_t(x)) * 4 + std::size_t(c);
+                    if (std::abs(int(seen.data[at]) - int(expected.data[at])) > 2) {
+                        ++count;
+                        break;
+                    }
+                }
+        return count;
+    };
+    EXPECT_TRUE(wait_until([&] { return differing() == 0; }, 20)) << differing() << " pixels differ";
+}
+
+}  // namespace
+}  // namespace si
