@@ -138,7 +138,8 @@ void Accessors::spend(int accessor, std::size_t bytes, const Place& place) {
         context_.fail(place, "the model decodes to more than 32 times the size of its buffers",
                       "remove repeated primitives");
     }
-    context_.progress(0.5);
+    const double decoded = static_cast<double>(decoded_bytes_), loaded = static_cast<double>(buffers_.bytes_loaded());
+    context_.progress(0.4 + 0.2 * std::min(1.0, decoded / (loaded + 1)));
 }
 
 std::vector<std::uint32_t> Accessors::sparse_positions(int accessor, const Place& place) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "renderer/error.h"
 #include "renderer/gltf/text.h"
 
@@ -47,8 +49,9 @@ void Context::close_warnings() {
     not_kept_ = 0;
 }
 
-void Context::progress(double fraction) const {
-    if (options_.progress && !options_.progress(fraction)) throw Error("cancelled");
+void Context::progress(double fraction) {
+    shown_ = std::max(shown_, fraction);
+    if (options_.progress && !options_.progress(shown_)) throw Error("cancelled");
 }
 
 }  // namespace si::gltf

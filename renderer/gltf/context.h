@@ -34,8 +34,8 @@ public:
     /// Appends the count of warnings not kept; once, at the end.
     void close_warnings();
 
-    /// @throws Error "cancelled" when the caller's callback returns false.
-    void progress(double fraction) const;
+    /// Never falls, whatever order the steps report in. @throws Error "cancelled" when the callback returns false.
+    void progress(double fraction);
 
     const std::filesystem::path& path() const { return path_; }
     const GltfOptions& options() const { return options_; }
@@ -45,6 +45,7 @@ private:
     const GltfOptions& options_;
     std::vector<std::string>& warnings_;
     std::size_t not_kept_ = 0;
+    double shown_ = 0;
 };
 
 }  // namespace si::gltf

@@ -126,7 +126,7 @@ void Textures::decode() {
     std::vector<char> failed(scene_.textures.size(), 0);
     std::size_t total = 0;
     for (std::size_t first = 0; first < jobs_.size();) {
-        context_.progress(0.5 + 0.45 * static_cast<double>(first) / static_cast<double>(jobs_.size()));
+        context_.progress(0.6 + 0.35 * static_cast<double>(first) / static_cast<double>(jobs_.size()));
         std::vector<Decoding> batch;
         std::size_t cost = 0;
         while (first + batch.size() < jobs_.size() && batch.size() < lanes && cost <= kMostImageBytes / 2) {
