@@ -18,7 +18,7 @@ namespace si {
 /// Where the splitters stand. Sizes are in units of text height, so that they survive a change of scale.
 struct EditorLayout {
     float settings_width = 24;
-    float bottom_height = 16.5f;
+    float bottom_height = 17.2f;
     float map_share = 0.40f;  ///< of the width left of the settings
 };
 

@@ -133,6 +133,10 @@ TEST(LightLines, ASegmentThroughTheCameraKeepsOnlyWhatIsInFront) {
     ASSERT_TRUE(on);
     EXPECT_NEAR(on->first.x, c.project(front, kWidth, kHeight).x, 1e-9);
     EXPECT_GT(on->second.x, on->first.x) << "both points lie to the right, the nearer one further out";
+    const auto reversed = project_segment(c, behind, front, kWidth, kHeight);
+    ASSERT_TRUE(reversed);
+    EXPECT_NEAR(reversed->first.x, on->second.x, 1e-3);
+    EXPECT_NEAR(reversed->second.x, on->first.x, 1e-9);
     EXPECT_FALSE(project_segment(c, behind, behind + c.axes[1], kWidth, kHeight));
 }
 

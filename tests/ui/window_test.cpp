@@ -262,7 +262,7 @@ TEST_F(Window, ShowsTheSamePictureAsWithoutAWindow) {
         const ByteImage seen = screen("window_still");
         if (seen.width != kWidth || seen.height != kHeight) return -1;
         int count = 0;
-        for (int y = 0; y < 460; ++y)
+        for (int y = 0; y < 440; ++y)
             for (int x = 0; x < kWidth; ++x)
                 for (int c = 0; c < 3; ++c) {
                     const std::size_t at = (std::size_t(y) * kWidth + std::size_t(x)) * 4 + std::size_t(c);
