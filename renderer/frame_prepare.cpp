@@ -73,7 +73,10 @@ std::string light_constants(const FrameState& f) {
     };
     const auto& lights = f.gl.fitted;
     const auto view = [&](std::size_t i) { return lights[i].casts ? &lights[i].views.front() : nullptr; };
-    return fmt::format("const int LIGHT_COUNT = {};\n", count) +
+    // Written out per light: a loop that the compiler does not unroll would index uniforms per pixel.
+    std::string each = "#define EACH_LIGHT(DO)";
+    for (std::size_t i = 0; i < count; ++i) each += fmt::format(" DO({})", i);
+    return each + "\n" +
            array("LIGHT_TYPE", [&](std::size_t i) { return int(lights[i].type); }) +
            array("LIGHT_CASTS", [&](std::size_t i) { return int(lights[i].casts); }) +
            array("LIGHT_FIRST_VIEW", [&](std::size_t i) { return f.first_view[i]; }) +
@@ -96,6 +99,7 @@ void choose_kernel(FrameState& f) {
     f.defines = settings_defines(f.settings);
     f.defines.push_back({"KERNEL_SIZE", std::to_string(filter.size)});
     f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
+    f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
     f.preamble = settings_block_text() + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
@@ -189,7 +193,7 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
     shared::FrameBlock block{};
     block.clip_from_relative = glm::mat4(f.camera.clip_from_relative(f.origin));
     block.eye = glm::vec4(glm::vec3(f.camera.eye - f.origin), f.camera.orthographic ? 1.f : 0.f);
-    block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), 0);
+    block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), float(f.request.height / std::max(f.camera.focus, 1e-30)));
     block.viewport = glm::vec4(f.request.width, f.request.height, 1.f / float(f.request.width),
                                1.f / float(f.request.height));
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {

@@ -16,7 +16,19 @@ struct InstanceData {
     glm::vec4 rows[3];
     glm::vec4 base_colour;
     glm::vec4 surface;  // receives, alpha cutoff, unlit, object number
+    glm::vec3 normal_rows[3];
 };
+
+/// The matrix that keeps normals perpendicular, up to length: the cofactors, right for any scale (singular ones too) and
+/// without a division. A mirroring turns their sign, which is undone. Scaled to 1 so that floats hold it at any size.
+glm::dmat3 normal_matrix(const glm::dmat3& m) {
+    glm::dmat3 c(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(c[i][k]));
+    if (!(largest > 0)) return glm::dmat3(0.0);
+    return c * ((glm::dot(m[0], c[0]) < 0 ? -1.0 : 1.0) / largest);
+}
 
 const Material& material_of(const Scene& scene, const Mesh& mesh) {
     static const Material fallback{};
@@ -96,6 +108,7 @@ void SceneGpu::upload_geometry(const Scene& scene) {
     for (GLuint row = 0; row < 3; ++row) attribute(4 + row, 3, 4, row * 16);
     attribute(7, 3, 4, offsetof(InstanceData, base_colour));
     attribute(8, 3, 4, offsetof(InstanceData, surface));
+    for (GLuint row = 0; row < 3; ++row) attribute(9 + row, 3, 3, GLuint(offsetof(InstanceData, normal_rows)) + row * 12);
     glVertexArrayBindingDivisor(vao, 3, 1);
     glVertexArrayVertexBuffer(vao, 0, positions_.id(), 0, sizeof(glm::vec3));
     glVertexArrayVertexBuffer(vao, 1, attributes_.id(), 0, sizeof(Attributes));
@@ -203,6 +216,8 @@ void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dve
             glm::dmat4 m = o.world;
             m[3] -= glm::dvec4(origin, 0);  // in double: what is left is small
             for (int r = 0; r < 3; ++r) data[i].rows[r] = glm::vec4(m[0][r], m[1][r], m[2][r], m[3][r]);
+            const glm::dmat3 normal = normal_matrix(glm::dmat3(o.world));
+            for (int r = 0; r < 3; ++r) data[i].normal_rows[r] = glm::vec3(normal[0][r], normal[1][r], normal[2][r]);
             data[i].base_colour = material.base_colour;
             const bool receives = settings.objects.empty() || object_settings(scene, settings, o).receive;
             data[i].surface = {receives ? 1.f : 0.f, material.alpha == AlphaMode::Mask ? material.alpha_cutoff : -1.f,

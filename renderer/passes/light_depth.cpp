@@ -25,7 +25,7 @@ std::string_view type_name(LightType type) {
 void ensure_maps(FrameState& f) {
     const int n = f.map_resolution;
     const bool colour = f.settings.map.format == int(MapFormat::Colour);
-    const bool anew = f.gl.map.ensure("shadow maps", map_format(f.settings.map.format), n, n, f.view_count);
+    const bool anew = f.gl.map.ensure("shadow maps", map_format(f.settings.map.format), n, n, f.view_count > 1 ? f.view_count : 0);
     if (colour)
         f.gl.map_depth.ensure("depth beside the colour map", GL_DEPTH_COMPONENT32F, n, n);
     else
@@ -62,6 +62,7 @@ void set_raster_bias(const FrameState& f, bool reversed) {
 }
 
 void draw_view(FrameState& f, const LightView& view, int layer, PassInfo& info) {
+    if (f.gl.map.layers == 0) layer = -1;  // a plain texture
     const bool colour = f.settings.map.format == int(MapFormat::Colour);
     f.gl.map_framebuffer = colour ? gl::make_framebuffer("shadow map", &f.gl.map, &f.gl.map_depth, layer)
                                   : gl::make_framebuffer("shadow map", nullptr, &f.gl.map, -1, layer);

@@ -8,7 +8,7 @@ float filter_visibility(Receiver r) {
     float sum = 0.0;
     for (int y = -radius; y <= radius; ++y)
         for (int x = -radius; x <= radius; ++x)
-            sum += texture(shadow_map_compare, vec4(r.uvd_offset.xy + vec2(x, y) * texel, r.layer, r.reference));
+            sum += map_compare_at(r.uvd_offset.xy + vec2(x, y) * texel, r.layer, r.reference);
     return sum / float(KERNEL_SIZE * KERNEL_SIZE);
 #else
     vec2 at = r.uvd_offset.xy * size - 0.5;
@@ -20,10 +20,10 @@ float filter_visibility(Receiver r) {
             float x0 = x == 0 ? 1.0 - f.x : 1.0, x1 = x == KERNEL_SIZE - 1 ? f.x : 1.0;
             // Gathering where four texels meet keeps rounding from choosing a neighbouring quad.
             vec2 meet = (corner + vec2(x - radius + 1, y - radius + 1)) * texel;
-            vec4 lit = depth_test(r.reference, textureGather(shadow_map, vec3(meet, r.layer)));
+            vec4 lit = depth_test(r.reference, map_gather(meet, r.layer));
             sum += dot(lit, vec4(x0 * y1, x1 * y1, x1 * y0, x0 * y0));
         }
     }
-    return sum / float(KERNEL_SIZE * KERNEL_SIZE);
+    return min(sum / float(KERNEL_SIZE * KERNEL_SIZE), 1.0);  // the weights round to a little more than one
 #endif
 }

@@ -6,11 +6,11 @@ float filter_visibility(Receiver r) {
     float sum = 0.0;
     for (int y = -radius; y <= radius; ++y)
         for (int x = -radius; x <= radius; ++x) {
-            vec3 at = vec3(r.uvd_offset.xy + vec2(x, y) * step_uv, r.layer);
+            vec2 at = r.uvd_offset.xy + vec2(x, y) * step_uv;
 #if FILTER_SAMPLER
-            sum += texture(shadow_map_compare, vec4(at, r.reference));
+            sum += map_compare_at(at, r.layer, r.reference);
 #else
-            sum += depth_test(r.reference, texture(shadow_map, at).r);
+            sum += depth_test(r.reference, map_depth(at, r.layer));
 #endif
         }
     return sum / float(KERNEL_SIZE * KERNEL_SIZE);

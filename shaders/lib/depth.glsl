@@ -2,15 +2,14 @@
 
 /// The shadow test per component: 1 lit, 0 in shadow. NaN is in shadow.
 vec4 depth_test(float own, vec4 stored) {
-#if map_reversed_z
-    vec4 nearer = vec4(greaterThan(vec4(own), stored)), equal = vec4(equal(vec4(own), stored));
+#if map_reversed_z && map_compare == map_compare_lequal
+    return vec4(greaterThanEqual(vec4(own), stored));
+#elif map_reversed_z
+    return vec4(greaterThan(vec4(own), stored));
+#elif map_compare == map_compare_lequal
+    return vec4(lessThanEqual(vec4(own), stored));
 #else
-    vec4 nearer = vec4(lessThan(vec4(own), stored)), equal = vec4(equal(vec4(own), stored));
-#endif
-#if map_compare == map_compare_lequal
-    return nearer + equal;
-#else
-    return nearer;
+    return vec4(lessThan(vec4(own), stored));
 #endif
 }
 

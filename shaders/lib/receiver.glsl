@@ -1,9 +1,7 @@
 // Everything that a kernel or an overlay can know about one fragment and one light.
 #include "lib/frame.glsl"
 #include "lib/depth.glsl"
-
-layout(binding = 0) uniform sampler2DArray shadow_map;              // nearest, no comparison
-layout(binding = 1) uniform sampler2DArrayShadow shadow_map_compare; // comparison as map_compare has it
+#include "lib/shadow_map.glsl"
 
 const int INSIDE = 0, OUTSIDE_SIDES = 1, OUTSIDE_FAR = 2, BEHIND = 3;
 
@@ -79,6 +77,7 @@ Receiver make_receiver(Surface s, int index) {
     if (LIGHT_VIEWS[index] == 6) r.layer += face_of(s.position - light.position.xyz);
 
     vec4 h = frame.uvd_from_relative[r.layer] * vec4(s.position, 1.0);
+    if (LIGHT_PERSPECTIVE[index] == 0) h.w = 1.0;  // known, so the division below costs nothing
     r.w = h.w;
     float near = light.curve.x, far = light.curve.y;
     bool perspective = LIGHT_PERSPECTIVE[index] != 0;
@@ -99,6 +98,7 @@ Receiver make_receiver(Surface s, int index) {
     vec4 o = h;
 #if BIAS_NORMAL_OFFSET
     o += frame.uvd_from_relative[r.layer] * vec4(bias_normal_ws * (bias_normal * r.texel_m), 0.0);
+    if (!perspective) o.w = 1.0;
 #endif
     r.uvd = h.xyz / h.w;
     r.uvd_offset = o.xyz / o.w;

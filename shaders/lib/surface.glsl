@@ -15,14 +15,13 @@ Surface make_surface() {
 #endif
     s.to_eye = frame.eye.w > 0.5 ? -frame.forward.xyz : normalize(frame.eye.xyz - position_rel);
     // Derivatives within a triangle give its plane exactly; the side seen is the one towards the camera.
-    vec3 dx = dFdx(position_rel), dy = dFdy(position_rel);
-    float scale = max(max(max(abs(dx.x), abs(dx.y)), abs(dx.z)), max(max(abs(dy.x), abs(dy.y)), abs(dy.z)));
-    vec3 n = scale > 0.0 ? cross(dx / scale, dy / scale) : vec3(0.0);
+    // Scaled to the picture, so that their product neither under- nor overflows at any size of scene.
+    vec3 n = cross(dFdx(position_rel) * frame.forward.w, dFdy(position_rel) * frame.forward.w);
     float n2 = dot(n, n);
     s.geometric = n2 > 0.0 ? n * inversesqrt(n2) : s.to_eye;
     if (dot(s.geometric, s.to_eye) < 0.0) s.geometric = -s.geometric;
-    float largest = max(max(abs(normal_ws.x), abs(normal_ws.y)), abs(normal_ws.z));
-    s.shading = largest > 0.0 ? normalize(normal_ws / largest) : s.geometric;
+    float length2 = dot(normal_ws, normal_ws);
+    s.shading = length2 > 0.0 ? normal_ws * inversesqrt(length2) : s.geometric;
     if (dot(s.shading, s.geometric) < 0.0) s.shading = -s.shading;
     return s;
 }

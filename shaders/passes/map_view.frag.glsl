@@ -1,7 +1,7 @@
 // The shadow map as a person looks at it: as stored, linear in metres, or in bands.
 #include "lib/frame.glsl"
 #include "lib/depth.glsl"
-layout(binding = 0) uniform sampler2DArray shadow_map;
+#include "lib/shadow_map.glsl"
 uniform int layer;
 uniform int mode;     // 0 raw, 1 linear, 2 bands
 uniform vec4 curve;   // near, far, 1 perspective
@@ -10,7 +10,7 @@ in vec2 picture_uv;
 layout(location = 0) out vec4 colour_out;
 
 void main() {
-    float stored = texture(shadow_map, vec3(picture_uv, layer)).r;
+    float stored = map_depth(picture_uv, layer);
     float near = curve.x, far = curve.y;
     float value = stored;
     if (mode == 1)  // S3's remap: black at the near plane, white at the far plane

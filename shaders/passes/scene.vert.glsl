@@ -10,6 +10,9 @@ layout(location = 5) in vec4 row1;
 layout(location = 6) in vec4 row2;
 layout(location = 7) in vec4 base_colour_in;
 layout(location = 8) in vec4 surface_in;  // x: receives shadows, y: alpha cutoff, z: unlit, w: object number
+layout(location = 9) in vec3 normal_row0;
+layout(location = 10) in vec3 normal_row1;
+layout(location = 11) in vec3 normal_row2;
 
 out vec3 position_rel;
 out vec3 normal_ws;
@@ -25,10 +28,7 @@ invariant gl_Position;
 void main() {
     vec4 p = vec4(position_os, 1.0);
     position_rel = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
-    // Rows of the cofactor matrix: right for any scale, no division (det < 0 flips, so its sign is undone).
-    vec3 c0 = cross(row1.xyz, row2.xyz), c1 = cross(row2.xyz, row0.xyz), c2 = cross(row0.xyz, row1.xyz);
-    float handedness = dot(row0.xyz, c0) < 0.0 ? -1.0 : 1.0;
-    normal_ws = handedness * vec3(dot(c0, normal_os), dot(c1, normal_os), dot(c2, normal_os));
+    normal_ws = vec3(dot(normal_row0, normal_os), dot(normal_row1, normal_os), dot(normal_row2, normal_os));
 #ifdef TEXTURED
     uv = uv_in;
 #endif

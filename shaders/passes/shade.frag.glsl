@@ -23,6 +23,21 @@ vec3 arriving(int index, vec3 to_light, float distance_m) {
     return light.radiance.rgb * cone / max(distance_m * distance_m, 1e-12);
 }
 
+/// One light's share: visibility * (diffuse + specular).
+vec3 light_share(int i, Surface s) {
+    float distance_m;
+    vec3 l = direction_to(i, s.position, distance_m);
+    float n_dot_l = dot(s.shading, l);
+#ifdef SEPARATE_VISIBILITY
+    float visibility = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, i), 0).r;
+#else
+    float visibility = light_visibility(s, i);
+#endif
+    float highlight = pow(max(dot(s.shading, normalize(l + s.to_eye)), 0.0), shading_shininess);
+    float reflected = n_dot_l > 0.0 ? shading_diffuse * n_dot_l + shading_specular * highlight : 0.0;
+    return (visibility * reflected) * arriving(i, l, distance_m);
+}
+
 void main() {
     vec4 base = base_colour();
 #ifdef MASKED
@@ -30,21 +45,8 @@ void main() {
 #endif
     Surface s = make_surface();
     vec3 sum = vec3(shading_ambient);
-    for (int i = 0; i < LIGHT_COUNT; ++i) {
-        float distance_m;
-        vec3 l = direction_to(i, s.position, distance_m);
-        float n_dot_l = dot(s.shading, l);
-        vec3 incoming = arriving(i, l, distance_m);
-        if (n_dot_l <= 0.0 || incoming == vec3(0.0)) continue;
-#ifdef SEPARATE_VISIBILITY
-        float visibility = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, i), 0).r;
-#else
-        float visibility = light_visibility(s, i);
-#endif
-        if (visibility <= 0.0) continue;
-        float highlight = pow(max(dot(s.shading, normalize(l + s.to_eye)), 0.0), shading_shininess);
-        sum += visibility * incoming * (shading_diffuse * n_dot_l + shading_specular * highlight);
-    }
+#define ADD_LIGHT(i) sum += light_share(i, s);
+    EACH_LIGHT(ADD_LIGHT)
 #ifdef SURFACE_FLAGS
     if (surface.z > 0.5) sum = vec3(1.0);
 #endif

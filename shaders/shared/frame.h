@@ -22,7 +22,7 @@ struct LightBlock {
 struct FrameBlock {
     mat4 clip_from_relative;
     vec4 eye;       // xyz relative; w: 1 orthographic
-    vec4 forward;   // unit viewing direction
+    vec4 forward;   // unit viewing direction; w: 1 / (metres that a pixel spans at the focus)
     vec4 viewport;  // width, height, 1/width, 1/height
     LightBlock lights[SI_MAX_LIGHTS];
     mat4 uvd_from_relative[SI_MAX_VIEWS];  // homogeneous map coordinates and depth, all in [0,w]
