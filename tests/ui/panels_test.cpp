@@ -35,7 +35,11 @@ std::vector<Value> values_of(const SettingRef& ref) {
 
 std::vector<SettingRef> every_setting() {
     std::vector<SettingRef> all;
-    for (const Param& p : params()) all.push_back({&p, 0, p.scope == Scope::Object ? "Root/Box" : ""});
+    for (const Param& p : params()) {
+        all.emplace_back();
+        all.back().param = &p;
+        if (p.scope == Scope::Object) all.back().object = std::string("Root/Box");
+    }
     return all;
 }
 
