@@ -15,6 +15,8 @@ constexpr int kWidth = 1280, kHeight = 720;
 // Where things stand at 1280 x 720: the search field, and the first row below its group's heading.
 constexpr glm::vec2 kSearch{1040, 56}, kFirstLabel{965, 115}, kFirstValue{1170, 115}, kPicture{200, 250};
 
+const std::string kObjectPath = "Root/Box";
+
 /// Every value that a row's widget can be in: each choice, both states, or the ends and the middle.
 std::vector<Value> values_of(const SettingRef& ref) {
     const Param& p = *ref.param;
@@ -38,7 +40,7 @@ std::vector<SettingRef> every_setting() {
     for (const Param& p : params()) {
         all.emplace_back();
         all.back().param = &p;
-        if (p.scope == Scope::Object) all.back().object = std::string("Root/Box");
+        if (p.scope == Scope::Object) all.back().object = kObjectPath;
     }
     return all;
 }
@@ -92,7 +94,7 @@ TEST(Panels, NothingIsCutOffAtAnySize) {
 TEST(Panels, NoIdIsUsedTwiceInTheSettings) {
     UiHarness ui(kWidth, 4000);  // tall enough to hold all rows
     ui.state.settings.light_count = 3;
-    ui.state.search = ".";  // matches every key: all groups open
+    ui.state.search.assign(1, '.');  // a dot matches every key: all groups open
     ui.frames(3);
     std::set<unsigned> closed;
     unsigned last = 0;
