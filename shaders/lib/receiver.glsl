@@ -3,7 +3,7 @@
 #include "lib/depth.glsl"
 #include "lib/shadow_map.glsl"
 
-const int INSIDE = 0, OUTSIDE_SIDES = 1, OUTSIDE_FAR = 2, BEHIND = 3;
+const int INSIDE = 0, OUTSIDE_SIDES = 1, OUTSIDE_FAR = 2, BEHIND = 3, NO_MAP = 4;
 
 /// The surface under the pixel, whichever light.
 struct Surface {
@@ -104,7 +104,9 @@ Receiver make_receiver(Surface s, int index) {
     r.uvd_offset = o.xyz / o.w;
     r.reference = r.uvd_offset.z - away(r.bias_depth);
 
-    if (!(h.w > 0.0) || !(o.w > 0.0))
+    if (LIGHT_CASTS[index] == 0)
+        r.where = NO_MAP;
+    else if (!(h.w > 0.0) || !(o.w > 0.0))
         r.where = BEHIND;
     else if (away(r.uvd.z) > away(1.0 - float(map_reversed_z)))
         r.where = OUTSIDE_FAR;

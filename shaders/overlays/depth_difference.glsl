@@ -1,6 +1,6 @@
 // Own minus stored distance along the light's axis, metres: above zero something lies before the fragment.
 vec4 overlay(Receiver r) {
-    if (r.where == BEHIND) return vec4(NOTHING);
+    if (r.where >= BEHIND) return vec4(NOTHING);
     LightBlock light = frame.lights[r.light];
     bool perspective = LIGHT_PERSPECTIVE[r.light] != 0;
     float stored = map_depth(r.uvd.xy, r.layer);

@@ -1,7 +1,7 @@
 // Shadow texels that one pixel spans along its widest direction: the larger singular value of d(texel)/d(pixel).
 // Above 1 the map is finer than the picture, below 1 its texels show.
 vec4 overlay(Receiver r) {
-    if (r.where == BEHIND) return vec4(NOTHING);
+    if (r.where >= BEHIND) return vec4(NOTHING);
     mat4 m = frame.uvd_from_relative[r.layer];
     // The quotient rule on uv = h.xy / h.w, along the surface's own screen derivatives.
     vec4 hx = m * vec4(dFdx(r.surface.position), 0.0), hy = m * vec4(dFdy(r.surface.position), 0.0);

@@ -180,7 +180,12 @@ protected:
         keys("ctrl+s");  // once: a second save could come after the next change
         wait_until([&] { return std::filesystem::exists(preset()); }, 60);
         std::ifstream file(preset());
-        return nlohmann::json::parse(file, nullptr, false).value("settings", nlohmann::json{});
+        const auto preset_json = nlohmann::json::parse(file, nullptr, false);
+        if (!preset_json.is_object()) {
+            ADD_FAILURE() << "ctrl+s saved no preset";
+            return nlohmann::json::object();
+        }
+        return preset_json.value("settings", nlohmann::json::object());
     }
     ByteImage screen(const std::string& name) const {
         ByteImage image = read_screen(folder_ / "Xvfb_screen0");
