@@ -23,6 +23,7 @@ struct ProgramRequest {
 
 class ProgramCache {
 public:
+    explicit ProgramCache(ShaderSource source = ShaderSource()) : source_(std::move(source)) {}
     /// The linked program. A miss compiles; after a hot reload that does not compile, the last good program.
     /// @throws Error with the compile log and the file names when there is no good program.
     GLuint get(const ProgramRequest& request);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -34,16 +33,24 @@ bool mentions(std::string_view text, std::string_view identifier) {
     return false;
 }
 
-ShaderSource::ShaderSource() {
+std::filesystem::path ShaderSource::default_tree() {
+#ifdef SI_SHADER_TREE
+    return SI_SHADER_TREE;
+#else
+    return {};
+#endif
+}
+
+ShaderSource::ShaderSource(std::filesystem::path tree) : tree_(std::move(tree)) {
     for (const auto& file : embedded_files())
         if (file.path.starts_with(kFolder)) texts_.emplace(file.path.substr(kFolder.size()), file.text);
     read_tree();
 }
 
 void ShaderSource::read_tree() {
-#ifdef SI_SHADER_TREE
+    if (tree_.empty()) return;
     namespace fs = std::filesystem;
-    const fs::path root = fs::path(SI_SHADER_TREE) / "shaders";
+    const fs::path root = tree_ / "shaders";
     std::error_code ec;
     for (fs::recursive_directory_iterator it(root, ec), end; !ec && it != end; it.increment(ec)) {
         if (!it->is_regular_file(ec)) continue;
@@ -59,7 +66,6 @@ void ShaderSource::read_tree() {
         texts_.insert_or_assign(name, text.str());
         ++generation_;
     }
-#endif
 }
 
 bool ShaderSource::poll() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -14,17 +15,22 @@ using IncludeNames = std::map<std::string, std::string, std::less<>>;
 
 class ShaderSource {
 public:
-    ShaderSource();
+    /// @param tree a source tree whose shaders/ is read and watched; empty: the embedded texts alone. Development builds
+    /// watch their own tree.
+    explicit ShaderSource(std::filesystem::path tree = default_tree());
     /// The text of a file below shaders/ with its includes expanded (each file once, with #line marks).
     /// `files` receives the paths in the order of their #line numbers.
     /// @throws Error naming file, line and the missing include.
     std::string expand(std::string_view path, const IncludeNames& names, std::vector<std::string>& files) const;
-    /// Rises whenever a watched file was saved. Constant in release builds.
+    /// Rises whenever a watched file was saved. Constant when nothing is watched.
     std::uint64_t generation() const { return generation_; }
     /// Looks at the watched files; true when the generation rose.
     bool poll();
 
+    static std::filesystem::path default_tree();
+
 private:
+    std::filesystem::path tree_;
     std::map<std::string, std::string, std::less<>> texts_;
     std::map<std::string, std::int64_t, std::less<>> times_;
     std::uint64_t generation_ = 1;

@@ -1,6 +1,8 @@
 // The scene's depth as each light sees it.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/frame_state.h"
@@ -137,6 +139,10 @@ void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan) {
             const FittedLight& l = f.gl.fitted[i];
             for (std::size_t v = 0; v < l.views.size(); ++v)
                 draw_view(f, l.views[v], f.first_view[i] + int(v), info);
+            const auto& batches = f.gl.scene->batches();
+            const bool masks = std::any_of(batches.begin(), batches.end(),
+                                           [](const Batch& b) { return b.cast && b.masked && !b.blend; });
+            info.reason += masks ? "; masked materials bring their alpha test" : "; no masked material, so no alpha variant";
         };
         plan.push_back(std::move(pass));
     }
