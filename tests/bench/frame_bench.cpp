@@ -113,6 +113,20 @@ void depth_pass(benchmark::State& state, const char* file) {
     state.counters["ratio"] = median(ratios);
 }
 
+/// The shadow sampler (bare_ms) against gathers with own comparison (ours_ms), the same kernel and picture.
+void gather_against_sampler(benchmark::State& state, const char* kernel) {
+    Machine& m = Machine::get("scene100k.glb");
+    Settings sampler, gather;
+    set_setting(sampler, "filter.kernel", kernel);
+    gather = sampler;
+    set_setting(sampler, "filter.method", "sampler");
+    set_setting(gather, "filter.method", "gather");
+    FrameRequest request{.width = kWidth, .height = kHeight};
+    request.force = true;
+    pair(state, [&] { m.renderer.render(m.scene, sampler, request); },
+         [&] { m.renderer.render(m.scene, gather, request); });
+}
+
 void unchanged_frame(benchmark::State& state) {
     Machine& m = Machine::get("scene100k.glb");
     const Settings s;
@@ -158,6 +172,9 @@ void register_all() {
     add("separate/pcf3/2048", [](benchmark::State& s) { whole_frame(s, "scene100k.glb", "pcf3", 3, 2048, true); });
     add("depth_pass/100k", [](benchmark::State& s) { depth_pass(s, "scene100k.glb"); });
     add("depth_pass/1M", [](benchmark::State& s) { depth_pass(s, "scene1m.glb"); });
+    for (const char* kernel : {"hw2x2", "pcf3", "pcf5", "pcf7"})
+        add(fmt::format("gather_against_sampler/{}", kernel),
+            [kernel](benchmark::State& s) { gather_against_sampler(s, kernel); });
     add("unchanged_frame", unchanged_frame);
     add("first_frame/landscape", [](benchmark::State& s) { first_frame_of_a_scene(s, "landscape"); });
 }
