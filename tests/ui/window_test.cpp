@@ -115,7 +115,9 @@ ByteImage read_screen(const std::filesystem::path& file) {
 class Window : public testing::Test {
 protected:
     void SetUp() override {
-        folder_ = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "window";
+        // A folder of its own: ctest runs tests side by side.
+        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+        folder_ = std::filesystem::path(SI_TEST_OUTPUT_DIR) / ("window_" + name);
         std::filesystem::remove_all(folder_);
         std::filesystem::create_directories(folder_);
         unsetenv("WAYLAND_DISPLAY");
