@@ -23,7 +23,7 @@ struct Group {
 // Most turned first.
 constexpr Group kGroups[] = {
     {"bias", "Bias", true},    {"filter", "Filter", true},  {"map", "Shadow map", true},   {"caster", "Casters", true},
-    {"light", "Lights", true}, {"camera", "Camera", false}, {"shading", "Shading", false}, {"view", "View", false},
+    {"light", "Lights", true}, {"camera", "Camera", false}, {"scene", "Time", false}, {"shading", "Shading", false}, {"view", "View", false},
 };
 
 std::string_view prefix_of(std::string_view key) {
