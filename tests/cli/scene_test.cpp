@@ -74,13 +74,13 @@ TEST(SceneCommand, TheLightsOfAFileAreSettingsThatASetReplaces) {
         return Json::parse(file_bytes(folder / "a.json"));
     };
     const Json own = report({});
-    EXPECT_EQ(own["settings"]["light.0.type"], "spot");
+    EXPECT_EQ(own["settings"]["light.type"], "spot");
     EXPECT_NEAR(own["fit"][0]["position"][1].get<double>(), 5, 1e-9);
     // The triangle has moved, so the centre that targets count from has too; the light stays where it is.
     const Json later = report({"--set", "scene.time=2"});
     EXPECT_NEAR(later["fit"][0]["position"][0].get<double>(), 0, 1e-9);
     EXPECT_NEAR(later["fit"][0]["position"][1].get<double>(), 5, 1e-9);
-    EXPECT_EQ(report({"--set", "light.0.type=point"})["settings"]["light.0.type"], "point");
+    EXPECT_EQ(report({"--set", "light.0.type=point"})["settings"]["light.type"], "point");
 }
 
 TEST(ContactSheet, ShowsModelsAndNamesFailures) {
