@@ -58,14 +58,15 @@ void check_objects(const Scene& scene, const Settings& settings) {
 
 std::string pose_scene(Scene& scene, const SceneSettings& settings) {
     if (!scene.rig || scene.rig->animations.empty()) {
-        return settings == SceneSettings{} ? ""
-                                           : fmt::format("{} has no animation: scene.animation and scene.time have no effect",
-                                                         scene.name);
+        return settings == SceneSettings{}
+                   ? ""
+                   : fmt::format("{} has no animation: scene.animation and scene.time have no effect", scene.name);
     }
     const int count = int(scene.rig->animations.size());
     if (settings.animation < -1 || settings.animation >= count) {
-        throw UsageError(fmt::format("scene.animation {}: {} has {} animation{}; choose 0 to {}, or -1 for the rest pose",
-                                     settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
+        throw UsageError(
+            fmt::format("scene.animation {}: {} has {} animation{}; choose 0 to {}, or -1 for the rest pose",
+                        settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
     }
     pose(scene, settings.animation, settings.time);
     return "";

@@ -19,11 +19,11 @@ struct Batch {
     GLint base_vertex = 0;
     GLuint first_instance = 0;
     GLsizei instances = 0;
-    GLuint texture = 0;  ///< base colour; 0: none
+    GLuint texture = 0;         ///< base colour; 0: none
     GLuint normal_texture = 0;  ///< 0: none
     bool tangents = false;      ///< the mesh brings its tangents
     bool mirrored = false, masked = false, blend = false, double_sided = false, cast = true;
-    int cull = 0;        ///< ObjectCull
+    int cull = 0;             ///< ObjectCull
     glm::dvec3 centre_ws{0};  ///< of the first instance, to order blended batches
     std::uint64_t triangles() const { return std::uint64_t(index_count) / 3 * std::uint64_t(instances); }
 };

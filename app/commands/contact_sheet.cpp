@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLabelHeight = 16;    // px, below each tile
-constexpr int kMaxSide = 16384;     // px of the sheet
+constexpr int kLabelHeight = 16;  // px, below each tile
+constexpr int kMaxSide = 16384;   // px of the sheet
 using Colour = std::array<std::uint8_t, 3>;
 
 std::vector<fs::path> models_below(const fs::path& folder) {
@@ -52,7 +52,8 @@ public:
     }
     void place(const ByteImage& picture, int x, int y) {
         for (int row = 0; row < picture.height; ++row)
-            std::copy_n(picture.data.begin() + std::ptrdiff_t(row) * picture.width * 4, picture.width * 4, at(x, y + row));
+            std::copy_n(picture.data.begin() + std::ptrdiff_t(row) * picture.width * 4, picture.width * 4,
+                        at(x, y + row));
     }
     /// ASCII only; other bytes become '?'. Cut at `width`.
     void write(std::string text, int x, int y, int width, const Colour& colour) {
@@ -64,7 +65,8 @@ public:
             std::uint8_t colour[4];
         };
         std::vector<Vertex> corners(text.size() * 64 + 64);
-        const int quads = stb_easy_font_print(0, 0, text.data(), nullptr, corners.data(), int(corners.size() * sizeof(Vertex)));
+        const int quads =
+            stb_easy_font_print(0, 0, text.data(), nullptr, corners.data(), int(corners.size() * sizeof(Vertex)));
         for (int i = 0; i < quads; ++i) {
             const Vertex &a = corners[std::size_t(i) * 4], &b = corners[std::size_t(i) * 4 + 2];
             fill(x + int(a.x), y + int(a.y), std::max(1, int(b.x - a.x)), std::max(1, int(b.y - a.y)), colour);
@@ -113,8 +115,9 @@ void run_contact_sheet(const ContactSheetOptions& options) {
     const int rows = (int(models.size()) + columns - 1) / columns;
     const int step_x = options.size.width + 2, step_y = options.size.height + kLabelHeight;
     if (long(columns) * step_x > kMaxSide || long(rows) * step_y > kMaxSide)
-        throw UsageError(fmt::format("a sheet of {} x {} tiles of {} x {} is larger than {} pixels; choose smaller tiles",
-                                     columns, rows, options.size.width, options.size.height, kMaxSide));
+        throw UsageError(
+            fmt::format("a sheet of {} x {} tiles of {} x {} is larger than {} pixels; choose smaller tiles", columns,
+                        rows, options.size.width, options.size.height, kMaxSide));
 
     const HeadlessContext context;
     Renderer renderer;
@@ -141,8 +144,8 @@ void run_contact_sheet(const ContactSheetOptions& options) {
     write_png(options.output, sheet.image());
     const fs::path index_path = fs::path(options.output).replace_extension(".txt");
     write_file(index_path, index);
-    fmt::print("{} models in {}, {} of them not shown; {} says which and why\n", models.size(), options.output, failures,
-               index_path.string());
+    fmt::print("{} models in {}, {} of them not shown; {} says which and why\n", models.size(), options.output,
+               failures, index_path.string());
 }
 
 }  // namespace si

@@ -1,11 +1,12 @@
-// Loading against the least that any loader must do: read the bytes and copy them once. And the frames of scenes of very
-// many objects.
-#include <fcntl.h>
-#include <unistd.h>
+// Loading against the least that any loader must do: read the bytes and copy them once. And the frames of scenes of
+// very many objects.
+#include "tests/bench/load_bench.h"
 
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstring>
@@ -16,7 +17,6 @@
 #include "renderer/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
-#include "tests/bench/load_bench.h"
 
 namespace si {
 namespace {
@@ -33,9 +33,11 @@ double read_and_copy_ms(const std::filesystem::path& path) {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return -1;
     const std::size_t size = std::filesystem::file_size(path);
-    const auto bytes = std::make_unique_for_overwrite<char[]>(size), copy = std::make_unique_for_overwrite<char[]>(size);
+    const auto bytes = std::make_unique_for_overwrite<char[]>(size),
+               copy = std::make_unique_for_overwrite<char[]>(size);
     std::size_t got = 0;
-    for (ssize_t n = 1; got < size && n > 0; got += std::size_t(n > 0 ? n : 0)) n = read(file, bytes.get() + got, size - got);
+    for (ssize_t n = 1; got < size && n > 0; got += std::size_t(n > 0 ? n : 0))
+        n = read(file, bytes.get() + got, size - got);
     close(file);
     std::memcpy(copy.get(), bytes.get(), size);
     benchmark::DoNotOptimize(copy.get());
@@ -118,7 +120,10 @@ Scene make_forest() {
 
 void register_load_benchmarks(int rounds) {
     const auto add = [&](const char* name, auto function) {
-        benchmark::RegisterBenchmark(name, function)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(rounds);
+        benchmark::RegisterBenchmark(name, function)
+            ->UseManualTime()
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(rounds);
     };
     add("load/1M", load_million);
     if (std::filesystem::exists(shared_file("models/gen_forest_10k/forest_10k.glb")))

@@ -23,14 +23,17 @@ std::string rich_model() {
     file.json["materials"] = {{{"name", "leaf"}, {"alphaMode", "MASK"}, {"doubleSided", true}}};
     file.append("meshes", {{"primitives", {primitive, points}}});
     const int node = file.root({{"mesh", 0}, {"name", "Tree"}});
-    file.json["extensions"] = {{"KHR_lights_punctual", {{"lights", {{{"type", "spot"}, {"name", "lamp"}, {"spot", Json::object()}}}}}}};
+    file.json["extensions"] = {
+        {"KHR_lights_punctual", {{"lights", {{{"type", "spot"}, {"name", "lamp"}, {"spot", Json::object()}}}}}}};
     file.json["extensionsUsed"] = {"KHR_lights_punctual"};
     file.root({{"translation", {0, 5, 0}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
-    file.json["cameras"] = {{{"type", "perspective"}, {"name", "eye"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};
+    file.json["cameras"] = {
+        {{"type", "perspective"}, {"name", "eye"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};
     file.root({{"camera", 0}, {"translation", {0, 0, 9}}});
     file.json["animations"] = {
         {{"name", "sway"},
-         {"samplers", {{{"input", file.floats({0, 2.5f}, "SCALAR")}, {"output", file.floats({0, 0, 0, 1, 0, 0}, "VEC3")}}}},
+         {"samplers",
+          {{{"input", file.floats({0, 2.5f}, "SCALAR")}, {"output", file.floats({0, 0, 0, 1, 0, 0}, "VEC3")}}}},
          {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", "translation"}}}}}}}};
     return file.glb();
 }
@@ -58,7 +61,8 @@ TEST(SceneCommand, SaysWhatIsInAFileAndWhatWasDropped) {
     EXPECT_NE(f["warnings"][0].get<std::string>().find("points are not drawn"), std::string::npos);
 
     const ProcessResult text = run_program({"scene", "model.glb"}, folder);
-    for (const char* part : {"leaf: mask, double-sided", "lamp: spot", "eye: perspective", "sway: 2.5 s", "points are not drawn"})
+    for (const char* part :
+         {"leaf: mask, double-sided", "lamp: spot", "eye: perspective", "sway: 2.5 s", "points are not drawn"})
         EXPECT_NE(text.out.find(part), std::string::npos) << part << " is not in\n" << text.out;
     EXPECT_EQ(run_program({"scene", "nothing.glb"}, folder).code, 1);
 }
@@ -67,7 +71,8 @@ TEST(SceneCommand, TheLightsOfAFileAreSettingsThatASetReplaces) {
     const auto folder = fresh_test_folder();
     write(folder / "model.glb", rich_model());
     const auto report = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> arguments = {"render", "model.glb", "-o", "a.png", "--size", "32x32", "--report", "a.json"};
+        std::vector<std::string> arguments = {"render", "model.glb", "-o",       "a.png",
+                                              "--size", "32x32",     "--report", "a.json"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const ProcessResult r = run_program(arguments, folder);
         EXPECT_EQ(r.code, 0) << r.err;

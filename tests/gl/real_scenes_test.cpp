@@ -45,15 +45,15 @@ GltfFile skinned_over_floor() {
     GltfFile file;
     const int floor = file.floats({-3, 0, -3, -3, 0, 3, 3, 0, 3, -3, 0, -3, 3, 0, 3, 3, 0, -3}, "VEC3");
     file.root({{"name", "floor"}, {"mesh", file.mesh({{"attributes", {{"POSITION", floor}}}})}});
-    const Json attributes = {
-        {"POSITION", file.floats({-0.5f, 1, -0.5f, -0.5f, 1, 0.5f, 0.5f, 1, 0.5f}, "VEC3")},
-        {"JOINTS_0", file.accessor(file.view(std::vector<std::uint8_t>(12, 0)), 5121, "VEC4", 3)},
-        {"WEIGHTS_0", file.floats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4")}};
+    const Json attributes = {{"POSITION", file.floats({-0.5f, 1, -0.5f, -0.5f, 1, 0.5f, 0.5f, 1, 0.5f}, "VEC3")},
+                             {"JOINTS_0", file.accessor(file.view(std::vector<std::uint8_t>(12, 0)), 5121, "VEC4", 3)},
+                             {"WEIGHTS_0", file.floats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4")}};
     file.root({{"name", "hero"}, {"mesh", file.mesh({{"attributes", attributes}})}, {"skin", 0}});
     const int joint = file.root({{"name", "joint"}});
     file.json["skins"] = {{{"joints", {joint}}}};
     file.json["animations"] = {
-        {{"samplers", {{{"input", file.floats({0, 2}, "SCALAR")}, {"output", file.floats({-1, 0, 0, 1, 0, 0}, "VEC3")}}}},
+        {{"samplers",
+          {{{"input", file.floats({0, 2}, "SCALAR")}, {"output", file.floats({-1, 0, 0, 1, 0, 0}, "VEC3")}}}},
          {"channels", {{{"sampler", 0}, {"target", {{"node", joint}, {"path", "translation"}}}}}}}};
     return file;
 }
@@ -62,8 +62,8 @@ TEST_F(RealScenes, AShadowMovesWithTheSkinThatCastsIt) {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("model.glb", skinned_over_floor().glb()).string();
     const auto at = [&](const std::vector<std::string>& sets) {
-        std::vector<std::string> all = {"camera.source=manual", "camera.azimuth=0", "camera.elevation=30", "light.0.azimuth=0",
-                                        "light.0.elevation=45"};
+        std::vector<std::string> all = {"camera.source=manual", "camera.azimuth=0", "camera.elevation=30",
+                                        "light.0.azimuth=0", "light.0.elevation=45"};
         all.insert(all.end(), sets.begin(), sets.end());
         const Session session = open_session({.scene = path, .sets = all});
         EXPECT_TRUE(session.notes.empty()) << session.notes.front();
@@ -140,8 +140,8 @@ TEST_F(RealScenes, NormalMapsTiltTheShadingNormalAlike) {
         for (const bool tangents : {false, true}) {
             const Scene scene = mapped_floor(c.map, tangents, c.local);
             const std::string distance = c.local == tiny ? "0.000003" : "3";
-            Settings s = settings_for(scene, {{"camera.source", "manual"}, {"camera.elevation", c.elevation},
-                                              {"camera.distance", distance}});
+            Settings s = settings_for(
+                scene, {{"camera.source", "manual"}, {"camera.elevation", c.elevation}, {"camera.distance", distance}});
             const glm::dvec3 n = middle(scene, s, "normals") * 2.0 - 1.0;
             EXPECT_LE(glm::distance(n, c.expected), 0.015)
                 << c.name << (tangents ? " with tangents: " : ": ") << n.x << ' ' << n.y << ' ' << n.z;
@@ -152,8 +152,12 @@ TEST_F(RealScenes, NormalMapsTiltTheShadingNormalAlike) {
 
 TEST_F(RealScenes, TheBiasFollowsTheNormalItIsToldTo) {
     const Scene scene = mapped_floor({0.6f, 0, 0.8f}, true);
-    Settings s = settings_for(scene, {{"light.0.azimuth", "90"}, {"light.0.elevation", "45"}, {"bias.unit", "depth"},
-                                      {"bias.constant", "0"}, {"bias.slope", "1"}, {"bias.normal", "0"}});
+    Settings s = settings_for(scene, {{"light.0.azimuth", "90"},
+                                      {"light.0.elevation", "45"},
+                                      {"bias.unit", "depth"},
+                                      {"bias.constant", "0"},
+                                      {"bias.slope", "1"},
+                                      {"bias.normal", "0"}});
     const double geometric = middle(scene, s, "bias-applied").x;
     set_setting(s, "bias.normal_source", "shading");
     const double shading = middle(scene, s, "bias-applied").x;

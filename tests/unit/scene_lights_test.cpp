@@ -25,17 +25,20 @@ SceneLight light_of(LightType type, const glm::dvec3& position, const glm::dvec3
     light.type = int(type);
     const glm::dvec3 up = std::abs(glm::normalize(towards).y) > 0.99 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     // Scaled, as nodes are: only place and direction count.
-    light.world = glm::inverse(glm::lookAt(position, position + towards, up)) * glm::scale(glm::dmat4(1), glm::dvec3(3));
+    light.world =
+        glm::inverse(glm::lookAt(position, position + towards, up)) * glm::scale(glm::dmat4(1), glm::dvec3(3));
     return light;
 }
 
 void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
-    EXPECT_LE(glm::distance(a, b), tolerance) << a.x << ' ' << a.y << ' ' << a.z << " / " << b.x << ' ' << b.y << ' ' << b.z;
+    EXPECT_LE(glm::distance(a, b), tolerance)
+        << a.x << ' ' << a.y << ' ' << a.z << " / " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
 TEST(SceneLights, PlacesAndDirectionsComeOutAsTheyWentIn) {
     const glm::dvec3 centre = lit_scene({}).bounds.centre();
-    const glm::dvec3 places[] = {{1001, -15, 6}, centre, centre + glm::dvec3(0, 1e-9, 0), {-5e4, 3e3, 1}, {1002, 9e5, 3}};
+    const glm::dvec3 places[] = {
+        {1001, -15, 6}, centre, centre + glm::dvec3(0, 1e-9, 0), {-5e4, 3e3, 1}, {1002, 9e5, 3}};
     const glm::dvec3 directions[] = {{0, -1, 0}, {0, 1, 0}, {1, -2, 3}, {-1, 0, 0}, {1e-9, -1, 1e-9}, {0.3, 0.1, -2}};
     for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
         for (const glm::dvec3& place : places)
@@ -46,8 +49,9 @@ TEST(SceneLights, PlacesAndDirectionsComeOutAsTheyWentIn) {
                 ASSERT_EQ(s.light_count, 1);
                 const FittedLight fitted = fit_lights(scene, s).at(0);
                 EXPECT_EQ(fitted.type, type);
-                if (type != LightType::Directional) expect_near(fitted.position, place, 1e-9 + 1e-14 * glm::length(place));
-                if (type != LightType::Point) 
+                if (type != LightType::Directional)
+                    expect_near(fitted.position, place, 1e-9 + 1e-14 * glm::length(place));
+                if (type != LightType::Point)
                     expect_near(fitted.to_light, glm::normalize(glm::dvec3(scene.lights[0].world[2])), 1e-14);
             }
 }
