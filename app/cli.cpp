@@ -29,6 +29,7 @@ struct Options {
     ProbeOptions probe;
     ListOptions list;
     OverviewOptions overview;
+    ContactSheetOptions sheet;
     EditorOptions editor;
     bool json = false, check = false;
 };
@@ -171,6 +172,25 @@ void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* info = app.add_subcommand("info", "Say which driver draws, what it can do, and how time is measured");
     info->add_flag("--json", o.json, "As JSON");
     info->callback([&o, &run] { run = [&o] { run_info(o.json); }; });
+
+    auto* scene = app.add_subcommand("scene", "Say what is in a scene, and what of its file was dropped and why");
+    scene->add_option("SCENE", o.session.scene, kSceneHelp)->required();
+    scene->add_flag("--json", o.json, "As JSON");
+    scene->callback([&o, &run] { run = [&o] { run_scene(o.session.scene, o.json); }; });
+
+    auto* sheet = app.add_subcommand("contact-sheet", "Draw every model below a folder into one picture");
+    sheet->add_option("FOLDER", o.sheet.folder, "Where to look for .gltf and .glb files")->required();
+    sheet->add_option("-o,--output", o.sheet.output, "The sheet, .png; its index is written beside it as .txt")
+        ->required()
+        ->type_name("SHEET");
+    sheet->add_option("--columns", o.sheet.columns, "Tiles in a row (default 8)")->check(CLI::Range(1, 1000));
+    add_size(*sheet, o, "256x192");
+    sheet->callback([&o, &run] {
+        run = [&o] {
+            if (!o.size.empty()) o.sheet.size = parse_size(o.size);
+            run_contact_sheet(o.sheet);
+        };
+    });
 
     auto* out = app.add_subcommand("export", "Write a scene as glTF");
     out->add_option("SCENE", o.session.scene, kSceneHelp)->required();

@@ -43,6 +43,7 @@ Settings rebased(const Settings& settings, const Settings& from, const Settings&
         if (ref.param->scope != Scope::Object && get_value(settings, ref) == get_value(from, ref))
             set_value(out, ref, get_value(to, ref));
     out.camera = to.camera;
+    out.scene = to.scene;
     out.objects = to.objects;
     return out;
 }
@@ -70,6 +71,8 @@ std::string command_line(const Scene& scene, const Settings& settings, int width
 EditorModel::EditorModel(const EditorOptions& options) {
     const std::string scene = options.scene.empty() ? std::string(builtin_scenes().front().key) : options.scene;
     scene_ = si::load_scene(scene);
+    posed_ = options.settings.scene;
+    if (const std::string remark = pose_scene(scene_, posed_); !remark.empty()) state.log.add(LogKind::Warning, remark);
     base_ = options.use_suggested ? base_settings(scene_) : Settings{};
     state.scene_name = scene;
     state.settings = options.settings;
@@ -106,7 +109,9 @@ void EditorModel::report(const std::string& error) {
 
 void EditorModel::load_scene(const std::string& name_or_path) {
     Scene loaded = si::load_scene(name_or_path);
+    pose_scene(loaded, {});
     const Settings base = base_settings(loaded);
+    posed_ = {};
     state.settings = rebased(state.settings, base_, base);
     scene_ = std::move(loaded);
     base_ = base;
@@ -144,6 +149,17 @@ void EditorModel::open(const std::filesystem::path& path) {
 
 bool EditorModel::poll_shaders() {
     return shaders_changed_ = renderer_.shaders_changed() || shaders_changed_;
+}
+
+void EditorModel::follow_time() {
+    if (state.settings.scene == posed_) return;
+    posed_ = state.settings.scene;
+    if (const std::string remark = pose_scene(scene_, posed_); !remark.empty()) state.log.add(LogKind::Warning, remark);
+    const Settings base = base_settings(scene_);
+    for (const SettingRef& ref : all_settings(base))
+        if (ref.param->scope == Scope::Light && get_value(state.settings, ref) == get_value(base_, ref))
+            set_value(state.settings, ref, get_value(base, ref));
+    base_ = base;
 }
 
 bool EditorModel::draw_scene(const EditorActions& actions) {
@@ -227,6 +243,7 @@ bool EditorModel::fulfil(const EditorActions& actions) {
         state.log.add(LogKind::Info, "Copied: " + text);
         changed = true;
     }
+    if (state.settings.scene != posed_) attempt([&] { follow_time(); });
     const bool drawn = draw_scene(actions);
     try {
         changed |= read_values(actions, drawn);

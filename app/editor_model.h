@@ -39,6 +39,8 @@ private:
     void load_scene(const std::string& name_or_path);
     void load_preset_file(const std::string& name_or_path);
     void save_preset_file(const std::filesystem::path& path);
+    /// Moves the scene to the moment that the settings name, and what it suggests along with it.
+    void follow_time();
     bool draw_scene(const EditorActions& actions);
     bool read_values(const EditorActions& actions, bool drawn);
     void report(const std::string& error);
@@ -46,6 +48,7 @@ private:
     Renderer renderer_;
     Scene scene_;
     Settings base_;
+    SceneSettings posed_;
     std::vector<PresetEntry> presets_;
 
     FrameRequest request_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "renderer/animation.h"
 #include "renderer/error.h"
 #include "renderer/param.h"
 #include "renderer/scenes/builtin.h"
@@ -55,6 +56,22 @@ void check_objects(const Scene& scene, const Settings& settings) {
     }
 }
 
+std::string pose_scene(Scene& scene, const SceneSettings& settings) {
+    if (!scene.rig || scene.rig->animations.empty()) {
+        return settings == SceneSettings{}
+                   ? ""
+                   : fmt::format("{} has no animation: scene.animation and scene.time have no effect", scene.name);
+    }
+    const int count = int(scene.rig->animations.size());
+    if (settings.animation < -1 || settings.animation >= count) {
+        throw UsageError(
+            fmt::format("scene.animation {}: {} has {} animation{}; choose 0 to {}, or -1 for the rest pose",
+                        settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
+    }
+    pose(scene, settings.animation, settings.time);
+    return "";
+}
+
 Session open_session(const SessionOptions& options) {
     Settings trial;
     for (const std::string& assignment : options.sets) apply_set(trial, assignment);
@@ -66,6 +83,10 @@ Session open_session(const SessionOptions& options) {
     if (session.scene_name.empty() && preset) session.scene_name = scene_of_preset(*preset, options.preset);
     if (session.scene_name.empty()) session.scene_name = std::string(builtin_scenes().front().key);
     session.scene = load_scene(session.scene_name);
+    // First of all, since what the scene suggests depends on where things are.
+    Settings moment = preset ? preset->settings : Settings{};
+    for (const std::string& assignment : options.sets) apply_set(moment, assignment);
+    const std::string remark = pose_scene(session.scene, moment.scene);
     if (preset) {
         session.settings = preset->settings;
         try {
@@ -79,6 +100,7 @@ Session open_session(const SessionOptions& options) {
     for (const std::string& assignment : options.sets) apply_set(session.settings, assignment);
     check_objects(session.scene, session.settings);
     session.notes = sanitise(session.settings);
+    if (!remark.empty()) session.notes.push_back(remark);
     for (const std::string& warning : session.scene.warnings) {
         session.notes.push_back(fmt::format("{}: {}", session.scene_name, warning));
     }

@@ -30,6 +30,10 @@ void apply_set(Settings& settings, const std::string& assignment);
 /// Writes the scene's suggested values into `settings`. @throws Error when a suggestion is no setting.
 void apply_suggested(const Scene& scene, Settings& settings);
 
+/// Poses a scene as scene.animation and scene.time say. Returns a remark when they have no effect, else "".
+/// @throws UsageError when there is no such animation.
+std::string pose_scene(Scene& scene, const SceneSettings& settings);
+
 /// @throws Error when an object override names a node that the scene lacks; it names the nearest.
 void check_objects(const Scene& scene, const Settings& settings);
 

@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "renderer/error.h"
+#include "renderer/scene_lights.h"
 
 namespace si {
 namespace {
@@ -235,6 +236,7 @@ void pose(Scene& scene, int animation, double time_s) {
     if (!scene.rig) return;
     apply_pose(scene, animation, time_s);
     refresh(scene);
+    suggest_lights(scene);
 }
 
 }  // namespace si

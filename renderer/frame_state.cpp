@@ -52,19 +52,29 @@ GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragm
     if (batch.masked) wanted.push_back({"MASKED", "1"});
     if (batch.texture && (batch.masked || !alpha_only)) wanted.push_back({"TEXTURED", "1"});
     if (batch.masked || (surface_flags && !alpha_only)) wanted.push_back({"SURFACE_FLAGS", "1"});
+    if (batch.normal_texture && !alpha_only) {
+        wanted.push_back({"NORMAL_MAPPED", "1"});
+        if (batch.tangents) wanted.push_back({"TANGENTS", "1"});
+    }
     return program(vertex, fragment, std::move(wanted));
+}
+
+void FrameState::bind_textures(const Batch& batch) const {
+    if (batch.texture) glBindTextureUnit(kBaseColour, batch.texture);
+    if (batch.normal_texture) glBindTextureUnit(kNormalMap, batch.normal_texture);
 }
 
 void FrameState::draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra,
                                   PassInfo& info) const {
     gl.scene->bind(scene, settings, origin, 0);
-    GLuint texture = 0;
     const Batch* previous = nullptr;
     for (const Batch& batch : gl.scene->batches()) {
         if (batch.blend) continue;
-        if (!previous || previous->masked != batch.masked || !previous->texture != !batch.texture)
+        if (!previous || previous->masked != batch.masked || !previous->texture != !batch.texture ||
+            !previous->normal_texture != !batch.normal_texture || previous->tangents != batch.tangents)
             glUseProgram(batch_program("passes/scene.vert.glsl", fragment, extra, batch, false));
-        if (batch.texture && batch.texture != texture) glBindTextureUnit(kBaseColour, texture = batch.texture);
+        if (!previous || previous->texture != batch.texture || previous->normal_texture != batch.normal_texture)
+            bind_textures(batch);
         if (!previous || previous->double_sided != batch.double_sided)
             batch.double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
         if (!previous || previous->mirrored != batch.mirrored) glFrontFace(batch.mirrored ? GL_CW : GL_CCW);

@@ -19,7 +19,7 @@
 namespace si {
 
 /// Texture units, the same in every program (layout(binding) in shaders/).
-enum Unit : GLuint { kShadowMap, kShadowMapCompare, kBaseColour, kVisibility, kShaded, kOverlayValues };
+enum Unit : GLuint { kShadowMap, kShadowMapCompare, kBaseColour, kVisibility, kShaded, kOverlayValues, kNormalMap };
 
 /// What outlives a frame: targets with the keys of their contents, programs, buffers.
 struct Resources {
@@ -72,6 +72,8 @@ struct FrameState {
     /// The program for one batch, with what its material and objects call for.
     GLuint batch_program(std::string_view vertex, std::string_view fragment, const std::vector<gl::Define>& extra,
                          const Batch& batch, bool alpha_only) const;
+    /// Binds what the batch's fragments sample.
+    void bind_textures(const Batch& batch) const;
     /// Prepares depth test and write for a camera pass into a framebuffer that holds the camera depth.
     void begin_camera_pass(GLuint framebuffer) const;
     void bind_maps() const;

@@ -12,6 +12,13 @@ struct Attributes {
     glm::vec2 uv;
 };
 
+/// What only normal-mapped materials need.
+struct NormalMapAttributes {
+    glm::vec2 uv;
+    float scale;
+    glm::vec4 tangent;
+};
+
 struct InstanceData {
     glm::vec4 rows[3];
     glm::vec4 base_colour;
@@ -121,6 +128,32 @@ void SceneGpu::upload_geometry(const Scene& scene) {
         glVertexArrayAttribBinding(vao, 3, 2);
         glVertexArrayVertexBuffer(vao, 2, colours_.id(), 0, 4);
     }
+    upload_normal_map_attributes(scene, vertex_count);
+}
+
+void SceneGpu::upload_normal_map_attributes(const Scene& scene, std::size_t vertex_count) {
+    const auto mapped = [&](const Mesh& m) { return !m.indices.empty() && material_of(scene, m).normal_texture >= 0; };
+    if (std::none_of(scene.meshes.begin(), scene.meshes.end(), mapped)) return;
+    std::vector<NormalMapAttributes> data(vertex_count);
+    for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+        const Mesh& m = scene.meshes[mesh];
+        if (!mapped(m)) continue;
+        const std::vector<glm::vec2>& uv = m.uv_normal.empty() ? m.uv : m.uv_normal;
+        NormalMapAttributes* out = data.data() + ranges_[mesh].base_vertex;
+        for (std::size_t i = 0; i < m.positions.size(); ++i)
+            out[i] = {uv.empty() ? glm::vec2(0) : uv[i], material_of(scene, m).normal_scale,
+                      m.tangents.empty() ? glm::vec4(0) : m.tangents[i]};
+    }
+    normal_map_ = gl::Buffer::create("normal map coordinates");
+    store(normal_map_, data);
+    const GLuint vao = vao_.id();
+    glEnableVertexArrayAttrib(vao, 12);
+    glVertexArrayAttribFormat(vao, 12, 3, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(vao, 12, 4);
+    glEnableVertexArrayAttrib(vao, 13);
+    glVertexArrayAttribFormat(vao, 13, 4, GL_FLOAT, GL_FALSE, offsetof(NormalMapAttributes, tangent));
+    glVertexArrayAttribBinding(vao, 13, 4);
+    glVertexArrayVertexBuffer(vao, 4, normal_map_.id(), 0, sizeof(NormalMapAttributes));
 }
 
 void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
@@ -148,7 +181,8 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
 
 void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
     Key key;
-    key.add(scene.id).add(settings.shading.textures);
+    const bool blend_casts = settings.caster.blend == int(BlendCasters::Mask);
+    key.add(scene.id).add(settings.shading.textures).add(blend_casts);
     for (const auto& [path, o] : settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
     if (key.value() == arrangement_.value()) return;
     arrangement_ = key;
@@ -156,10 +190,12 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
     struct Entry {
         std::uint32_t object;
         bool blend, masked;
-        GLuint texture;
+        GLuint texture, normal_texture;
         int mesh, cull;
         bool cast, mirrored;
-        auto rank() const { return std::tuple(blend, masked, texture, mesh, cull, cast, mirrored, object); }
+        /// What instances of one batch have in common.
+        auto batch() const { return std::tuple(blend, masked, texture, normal_texture, mesh, cull, cast, mirrored); }
+        auto rank() const { return std::tuple_cat(batch(), std::tuple(object)); }
     };
     std::vector<Entry> entries;
     entries.reserve(scene.objects.size());
@@ -172,9 +208,13 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
         GLuint texture = 0;
         const bool masked = material.alpha == AlphaMode::Mask;
         // A mask lives in its texture, so it stays even where textures are switched off.
-        if (material.base_colour_texture >= 0 && (settings.shading.textures || masked))
+        const bool blend = material.alpha == AlphaMode::Blend;
+        if (material.base_colour_texture >= 0 && (settings.shading.textures || masked || (blend && blend_casts)))
             texture = textures_[std::size_t(material.base_colour_texture)].id();
-        entries.push_back({i, material.alpha == AlphaMode::Blend, masked, texture, o.mesh, own.cull, own.cast,
+        GLuint normal_texture = 0;
+        if (material.normal_texture >= 0 && settings.shading.textures && !material.unlit)
+            normal_texture = textures_[std::size_t(material.normal_texture)].id();
+        entries.push_back({i, blend, masked, texture, normal_texture, o.mesh, own.cull, own.cast,
                            glm::determinant(glm::dmat3(o.world)) < 0});
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank() < b.rank(); });
@@ -184,8 +224,7 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
     for (const Entry& e : entries) {
         const Mesh& mesh = scene.meshes[std::size_t(e.mesh)];
         // Blended instances are drawn one by one, back to front.
-        const bool joins = previous && !e.blend && std::tuple(previous->blend, previous->masked, previous->texture, previous->mesh, previous->cull, previous->cast, previous->mirrored) ==
-                                           std::tuple(e.blend, e.masked, e.texture, e.mesh, e.cull, e.cast, e.mirrored);
+        const bool joins = previous && !e.blend && previous->batch() == e.batch();
         if (joins) {
             ++batches_.back().instances;
         } else {
@@ -193,8 +232,9 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
             Batch b;
             b.index_count = r.index_count, b.first_index = r.first_index, b.base_vertex = r.base_vertex;
             b.first_instance = GLuint(order_.size()), b.instances = 1;
-            b.texture = e.texture, b.mirrored = e.mirrored, b.masked = e.masked, b.blend = e.blend;
+            b.texture = e.texture, b.normal_texture = e.normal_texture, b.mirrored = e.mirrored, b.masked = e.masked, b.blend = e.blend;
             b.double_sided = material_of(scene, mesh).double_sided;
+            b.tangents = !mesh.tangents.empty();
             b.cast = e.cast, b.cull = e.cull;
             b.centre_ws = glm::dvec3(scene.objects[e.object].world * glm::dvec4(mesh.bounds.centre(), 1));
             batches_.push_back(b);
@@ -220,7 +260,11 @@ void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dve
             for (int r = 0; r < 3; ++r) data[i].normal_rows[r] = glm::vec3(normal[0][r], normal[1][r], normal[2][r]);
             data[i].base_colour = material.base_colour;
             const bool receives = settings.objects.empty() || object_settings(scene, settings, o).receive;
-            data[i].surface = {receives ? 1.f : 0.f, material.alpha == AlphaMode::Mask ? material.alpha_cutoff : -1.f,
+            // Blended ones have a cutoff for the light's depth only.
+            const float cutoff = material.alpha == AlphaMode::Mask    ? material.alpha_cutoff
+                                 : material.alpha == AlphaMode::Blend ? 0.5f
+                                                                      : -1.f;
+            data[i].surface = {receives ? 1.f : 0.f, cutoff,
                                material.unlit ? 1.f : 0.f, float(order_[i])};
         }
         slot.buffer = gl::Buffer::create(slot_index == 0 ? "instances for the camera" : "instances for the lights");

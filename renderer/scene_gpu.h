@@ -19,9 +19,11 @@ struct Batch {
     GLint base_vertex = 0;
     GLuint first_instance = 0;
     GLsizei instances = 0;
-    GLuint texture = 0;  ///< base colour; 0: none
+    GLuint texture = 0;         ///< base colour; 0: none
+    GLuint normal_texture = 0;  ///< 0: none
+    bool tangents = false;      ///< the mesh brings its tangents
     bool mirrored = false, masked = false, blend = false, double_sided = false, cast = true;
-    int cull = 0;        ///< ObjectCull
+    int cull = 0;             ///< ObjectCull
     glm::dvec3 centre_ws{0};  ///< of the first instance, to order blended batches
     std::uint64_t triangles() const { return std::uint64_t(index_count) / 3 * std::uint64_t(instances); }
 };
@@ -44,7 +46,7 @@ public:
 private:
     std::uint64_t scene_id_ = 0;
     gl::VertexArray vao_;
-    gl::Buffer positions_, attributes_, colours_, indices_;
+    gl::Buffer positions_, attributes_, colours_, normal_map_, indices_;
     std::vector<gl::Texture> textures_;
     struct MeshRange {
         std::size_t first_index = 0;
@@ -62,6 +64,7 @@ private:
     std::array<Slot, 2> slots_;
 
     void upload_geometry(const Scene& scene);
+    void upload_normal_map_attributes(const Scene& scene, std::size_t vertex_count);
     void upload_textures(const Scene& scene, bool anisotropy);
 };
 

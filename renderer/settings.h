@@ -19,6 +19,7 @@ enum class MapFormat { D16, D24, D32F, Colour };
 enum class MapWrap { Border, Clamp, Repeat, Range };
 enum class Outside { Lit, Unlit };
 enum class Compare { Less, LessEqual };
+enum class BlendCasters { None, Mask };
 enum class Cull { None, Back, Front };
 enum class ObjectCull { Inherit, None, Back, Front };
 enum class BiasUnit { Depth, Texels, Metres };
@@ -38,6 +39,13 @@ struct CameraSettings {
     bool operator==(const CameraSettings&) const = default;
 };
 
+/// What of a moving scene is shown.
+struct SceneSettings {
+    int animation = 0;  ///< -1: the rest pose
+    double time = 0;    ///< s
+    bool operator==(const SceneSettings&) const = default;
+};
+
 struct MapSettings {
     int resolution = 2048;
     int format = 2;  ///< MapFormat
@@ -50,7 +58,8 @@ struct MapSettings {
 };
 
 struct CasterSettings {
-    int cull = 0;  ///< Cull
+    int cull = 0;   ///< Cull
+    int blend = 0;  ///< BlendCasters
     bool operator==(const CasterSettings&) const = default;
 };
 
@@ -123,6 +132,7 @@ struct ObjectSettings {
 };
 
 struct Settings {
+    SceneSettings scene;
     CameraSettings camera;
     MapSettings map;
     CasterSettings caster;

@@ -16,6 +16,7 @@ std::span<const Param> bias_rows();
 std::span<const Param> light_rows();
 std::span<const Param> shading_rows();
 std::span<const Param> camera_rows();
+std::span<const Param> scene_rows();
 std::span<const Param> view_rows();
 std::span<const Param> object_rows();
 

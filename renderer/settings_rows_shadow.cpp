@@ -99,9 +99,17 @@ constexpr Choice kMethods[] = {
     {"sampler", "sampler", "The texture unit compares, and blends 2x2 for bilinear kernels (sampler2DShadow)."},
 };
 
+constexpr Choice kBlends[] = {
+    {"none", "nothing", "Blended surfaces, such as glass, cast no shadow."},
+    {"mask", "as a mask", "Blended surfaces cast where their alpha is at least 0.5."},
+};
+
 constexpr auto kCaster = std::to_array<Param>({
     {SI_FIELD(caster.cull), .label = "Cull casters", .unit = "", SI_CHOICES(kCulls),
      .help = "Which faces are left out of the shadow map. Objects may differ (object.PATH.cull)."},
+    {SI_FIELD(caster.blend), .label = "Blended casters", .unit = "", SI_CHOICES(kBlends),
+     .help = "What materials whose alpha blends (glTF: BLEND) cast. A shadow map holds one depth a texel, so there is no "
+             "half shadow."},
 });
 static_assert(kCaster.size() == members<CasterSettings>(), "a member of CasterSettings has no row");
 

@@ -1,4 +1,4 @@
-// Rows of shading, camera, view and objects.
+// Rows of shading, camera, scene, view and objects.
 #include "renderer/settings_rows.h"
 #include "renderer/techniques.h"
 
@@ -75,6 +75,16 @@ constexpr auto kCamera = std::to_array<Param>({
      .idle = height_idle, .help = "Height of what an orthographic camera shows."},
 });
 static_assert(kCamera.size() == members<CameraSettings>(), "a member of CameraSettings has no row");
+
+constexpr auto kScene = std::to_array<Param>({
+    {SI_FIELD(scene.animation), .label = "Animation", .unit = "", .min = -1, .max = 9999,
+     .help = "Which animation of the scene's file is shown, counted from 0; -1 is the rest pose. Without effect on scenes "
+             "without animations."},
+    {SI_FIELD(scene.time), .label = "Time", .unit = "s", .min = 0, .max = 1e6,
+     SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
+     .help = "The moment of the animation that is shown. After its last key the scene stands still."},
+});
+static_assert(kScene.size() == members<SceneSettings>(), "a member of SceneSettings has no row");
 
 constexpr Choice kMapViews[] = {
     {"raw", "raw", "The depth as stored, 0 black to 1 white."},
@@ -163,6 +173,10 @@ std::span<const Param> shading_rows() {
 std::span<const Param> camera_rows() {
     return kCamera;
 }
+std::span<const Param> scene_rows() {
+    return kScene;
+}
+
 std::span<const Param> view_rows() {
     return kView;
 }

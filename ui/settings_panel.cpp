@@ -22,8 +22,9 @@ struct Group {
 // Headings for the groups there are; a group that is missing here is called by its prefix.
 // Most turned first.
 constexpr Group kGroups[] = {
-    {"bias", "Bias", true},    {"filter", "Filter", true},  {"map", "Shadow map", true},   {"caster", "Casters", true},
-    {"light", "Lights", true}, {"camera", "Camera", false}, {"shading", "Shading", false}, {"view", "View", false},
+    {"bias", "Bias", true},      {"filter", "Filter", true},    {"map", "Shadow map", true},
+    {"caster", "Casters", true}, {"light", "Lights", true},     {"camera", "Camera", false},
+    {"scene", "Time", false},    {"shading", "Shading", false}, {"view", "View", false},
 };
 
 std::string_view prefix_of(std::string_view key) {

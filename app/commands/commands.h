@@ -45,6 +45,17 @@ void run_list(const ListOptions& options);
 const std::vector<std::string>& list_kinds();
 
 void run_info(bool json);
+/// What is in a scene, and what of its file was dropped or approximated and why.
+void run_scene(const std::string& scene, bool json);
+
+struct ContactSheetOptions {
+    std::string folder, output;
+    int columns = 8;
+    PictureSize size{256, 192};  ///< of each tile
+};
+/// Draws every .gltf and .glb file below a folder into one picture, and writes an index beside it (.txt).
+void run_contact_sheet(const ContactSheetOptions& options);
+
 void run_preset_check(const std::string& file);
 void run_preset_show(const std::string& file);
 /// Writes the composed settings as a preset.

@@ -5,6 +5,7 @@
 #include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
 #include "renderer/gltf/text.h"
+#include "renderer/scene_lights.h"
 #include "renderer/settings.h"
 
 namespace si {
@@ -48,6 +49,12 @@ void load(Context& context, Scene& scene) {
     add_rig(context, root, model, accessors, primitives, placed, scene);
     textures.decode();
     if (scene.objects.empty()) context.warn("the file has no triangles to show");
+    for (const SceneLight& light : scene.lights) {
+        if (light.range > 0) {
+            context.warn("a light's range is not applied: its light falls with the square of the distance without end");
+            break;
+        }
+    }
     if (scene.lights.size() > static_cast<std::size_t>(kMaxLights)) {
         context.warn(fmt::format("the file has {} lights, the first {} can be used", scene.lights.size(), kMaxLights));
     }
@@ -64,6 +71,7 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
         context.close_warnings();
         context.progress(0.95);
         finalise(scene);
+        suggest_lights(scene);
     } catch (const std::bad_alloc&) {
         context.fail("there is not enough memory to load it", "free some memory or use a smaller model");
     } catch (const Json::exception& error) {

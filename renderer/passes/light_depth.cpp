@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <glm/gtc/type_ptr.hpp>
+#include <optional>
 
 #include "renderer/frame_state.h"
 
@@ -87,10 +88,14 @@ void draw_view(FrameState& f, const LightView& view, int layer, PassInfo& info) 
     const glm::mat4 matrix(view.clip_from_relative(f.light_origin));
     f.gl.scene->bind(f.scene, f.settings, f.light_origin, 1);
     GLuint current = 0, texture = 0;
-    const Batch* previous = nullptr;
-    for (const Batch& batch : f.gl.scene->batches()) {
-        if (!batch.cast || batch.blend) continue;
-        const bool same = previous && previous->masked == batch.masked && (!batch.masked || !previous->texture == !batch.texture);
+    std::optional<Batch> previous;
+    const bool blend_casts = f.settings.caster.blend == int(BlendCasters::Mask);
+    for (const Batch& drawn : f.gl.scene->batches()) {
+        if (!drawn.cast || (drawn.blend && !blend_casts)) continue;
+        Batch batch = drawn;
+        batch.masked |= batch.blend;
+        const bool same = previous && previous->masked == batch.masked &&
+                          (!batch.masked || !previous->texture == !batch.texture);
         const GLuint id = same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", {}, batch, true);
         if (id != current) {
             glUseProgram(current = id);
@@ -99,7 +104,7 @@ void draw_view(FrameState& f, const LightView& view, int layer, PassInfo& info) 
         if (batch.masked && batch.texture && batch.texture != texture)
             glBindTextureUnit(kBaseColour, texture = batch.texture);
         if (!previous || previous->cull != batch.cull || previous->mirrored != batch.mirrored) set_cull(f, batch);
-        previous = &batch;
+        previous = batch;
         f.gl.scene->draw(batch);
         ++info.draws;
         info.triangles += batch.triangles();

@@ -22,7 +22,7 @@ void draw_blended(const FrameState& f, PassInfo& info) {
     glDepthMask(GL_FALSE);
     for (const Batch* b : batches) {
         glUseProgram(f.batch_program("passes/scene.vert.glsl", "passes/shade.frag.glsl", {{"BLEND", "1"}}, *b, false));
-        if (b->texture) glBindTextureUnit(kBaseColour, b->texture);
+        f.bind_textures(*b);
         b->double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
         glCullFace(GL_BACK);
         glFrontFace(b->mirrored ? GL_CW : GL_CCW);

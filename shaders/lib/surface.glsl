@@ -4,6 +4,9 @@
 
 in vec3 position_rel;
 in vec3 normal_ws;
+#ifdef NORMAL_MAPPED
+#include "lib/normal_map.glsl"
+#endif
 
 Surface make_surface() {
     Surface s;
@@ -23,5 +26,8 @@ Surface make_surface() {
     float length2 = dot(normal_ws, normal_ws);
     s.shading = length2 > 0.0 ? normal_ws * inversesqrt(length2) : s.geometric;
     if (dot(s.shading, s.geometric) < 0.0) s.shading = -s.shading;
+#ifdef NORMAL_MAPPED
+    s.shading = mapped_normal(s.shading, dot(normal_ws, s.geometric) < 0.0);
+#endif
     return s;
 }

@@ -13,6 +13,15 @@ layout(location = 8) in vec4 surface_in;  // x: receives shadows, y: alpha cutof
 layout(location = 9) in vec3 normal_row0;
 layout(location = 10) in vec3 normal_row1;
 layout(location = 11) in vec3 normal_row2;
+#ifdef NORMAL_MAPPED
+layout(location = 12) in vec3 uv_scale_in;
+#ifdef TANGENTS
+layout(location = 13) in vec4 tangent_os;
+out vec3 tangent_ws;
+out vec3 bitangent_ws;
+#endif
+out vec3 uv_scale;
+#endif
 
 out vec3 position_rel;
 out vec3 normal_ws;
@@ -35,6 +44,14 @@ void main() {
     colour = colour_in * base_colour_in;
 #ifdef SURFACE_FLAGS
     surface = surface_in;
+#endif
+#ifdef NORMAL_MAPPED
+    uv_scale = uv_scale_in;
+#ifdef TANGENTS
+    vec3 t = tangent_os.xyz, b = cross(normal_os, t) * tangent_os.w;
+    tangent_ws = vec3(dot(row0.xyz, t), dot(row1.xyz, t), dot(row2.xyz, t));
+    bitangent_ws = vec3(dot(row0.xyz, b), dot(row1.xyz, b), dot(row2.xyz, b));
+#endif
 #endif
     gl_Position = frame.clip_from_relative * vec4(position_rel, 1.0);
 }

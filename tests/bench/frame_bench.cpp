@@ -15,6 +15,7 @@
 #include "renderer/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/bench/bare.h"
+#include "tests/bench/load_bench.h"
 
 namespace si {
 namespace {
@@ -177,6 +178,7 @@ void register_all() {
             [kernel](benchmark::State& s) { gather_against_sampler(s, kernel); });
     add("unchanged_frame", unchanged_frame);
     add("first_frame/landscape", [](benchmark::State& s) { first_frame_of_a_scene(s, "landscape"); });
+    register_load_benchmarks(rounds());
 }
 
 }  // namespace

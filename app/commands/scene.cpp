@@ -1,0 +1,179 @@
+// What is in a scene, and what of its file was dropped or approximated.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <numbers>
+
+#include "app/commands/commands.h"
+#include "app/notes.h"
+#include "app/report.h"
+#include "renderer/animation.h"
+#include "renderer/scenes/builtin.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kAlpha[] = {"opaque", "mask", "blend"};
+constexpr const char* kLights[] = {"directional", "spot", "point"};
+
+/// A number in the list of textures.
+Json texture_number(int index) {
+    return index < 0 ? Json() : Json(index);
+}
+
+Json materials_json(const Scene& scene) {
+    Json list = Json::array();
+    for (const Material& m : scene.materials) {
+        list.push_back({{"name", m.name},
+                        {"alpha", kAlpha[std::size_t(m.alpha)]},
+                        {"double_sided", m.double_sided},
+                        {"unlit", m.unlit},
+                        {"base_colour", {m.base_colour.r, m.base_colour.g, m.base_colour.b, m.base_colour.a}},
+                        {"base_colour_texture", texture_number(m.base_colour_texture)},
+                        {"normal_texture", texture_number(m.normal_texture)}});
+    }
+    return list;
+}
+
+Json textures_json(const Scene& scene) {
+    Json list = Json::array();
+    for (const Texture& t : scene.textures) {
+        list.push_back({{"name", t.name}, {"width", t.width}, {"height", t.height}, {"mipmaps", t.mipmaps}});
+    }
+    return list;
+}
+
+Json lights_json(const Scene& scene) {
+    Json list = Json::array();
+    for (const SceneLight& l : scene.lights) {
+        Json json = {{"name", l.name}, {"type", kLights[std::size_t(std::clamp(l.type, 0, 2))]}};
+        json["position"] = vector_json(glm::dvec3(l.world[3]));
+        if (l.type != int(LightType::Point))
+            json["shines_along"] = vector_json(-glm::normalize(glm::dvec3(l.world[2])));
+        if (l.type == int(LightType::Spot)) json["cone_deg"] = 2 * l.outer_cone_rad * 180 / std::numbers::pi;
+        json["colour"] = vector_json(l.colour);
+        json["intensity"] = l.intensity;
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Json cameras_json(const Scene& scene) {
+    Json list = Json::array();
+    for (const SceneCamera& c : scene.cameras) {
+        Json json = {{"name", c.name}, {"orthographic", c.orthographic}};
+        json["position"] = vector_json(glm::dvec3(c.world[3]));
+        if (c.orthographic)
+            json["height"] = c.height;
+        else
+            json["fov_y_deg"] = c.fov_y_deg;
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Json animations_json(const Scene& scene) {
+    Json list = Json::array();
+    if (!scene.rig) return list;
+    for (const Animation& a : scene.rig->animations) {
+        list.push_back({{"name", a.name}, {"duration_s", a.duration_s}, {"channels", a.channels.size()}});
+    }
+    return list;
+}
+
+Json facts(const Scene& scene, const std::string& name) {
+    const auto count = [&](auto holds) { return std::count_if(scene.meshes.begin(), scene.meshes.end(), holds); };
+    Json json = {{"scene", name}, {"about", scene.about}, {"triangles", scene.triangle_count()}};
+    json["objects"] = scene.objects.size();
+    json["nodes"] = scene.nodes.size();
+    json["meshes"] = scene.meshes.size();
+    json["skinned_meshes"] = count([](const Mesh& m) { return m.deformer && m.deformer->skin; });
+    json["morphed_meshes"] = count([](const Mesh& m) { return m.deformer && !m.deformer->source->targets.empty(); });
+    json["extent"] = nullptr;
+    if (!scene.bounds.empty()) {
+        json["extent"] = {{"min", vector_json(scene.bounds.lo)},
+                          {"max", vector_json(scene.bounds.hi)},
+                          {"size", vector_json(scene.bounds.hi - scene.bounds.lo)}};
+    }
+    json["materials"] = materials_json(scene);
+    json["textures"] = textures_json(scene);
+    json["lights"] = lights_json(scene);
+    json["cameras"] = cameras_json(scene);
+    json["animations"] = animations_json(scene);
+    json["dropped_triangles"] = scene.dropped_triangles;
+    json["warnings"] = scene.warnings;
+    return json;
+}
+
+std::string triple(const Json& v) {
+    return fmt::format("{:.6g} {:.6g} {:.6g}", v[0].get<double>(), v[1].get<double>(), v[2].get<double>());
+}
+
+std::string name_or(const Json& named) {
+    const std::string name = one_line(named["name"].get<std::string>());
+    return name.empty() ? "(no name)" : name;
+}
+
+/// One heading with its number, and a line for each thing.
+void print_list(const char* heading, const Json& list, const std::function<std::string(const Json&)>& line) {
+    fmt::print("{:<12} {}\n", heading, list.size());
+    for (const Json& thing : list) fmt::print("  {}\n", line(thing));
+}
+
+void print_facts(const Json& f) {
+    fmt::print("{}\n", one_line(f["scene"].get<std::string>()));
+    if (const std::string about = f["about"]; !about.empty()) fmt::print("{}\n", one_line(about));
+    fmt::print("\n{:<12} {}\n{:<12} {}\n{:<12} {}\n", "triangles", f["triangles"].get<std::size_t>(), "objects",
+               f["objects"].get<std::size_t>(), "nodes", f["nodes"].get<std::size_t>());
+    fmt::print("{:<12} {} ({} skinned, {} with morph targets)\n", "meshes", f["meshes"].get<std::size_t>(),
+               f["skinned_meshes"].get<int>(), f["morphed_meshes"].get<int>());
+    if (!f["extent"].is_null()) {
+        fmt::print("{:<12} {} m, from {} to {}\n", "extent", triple(f["extent"]["size"]), triple(f["extent"]["min"]),
+                   triple(f["extent"]["max"]));
+    }
+    print_list("materials", f["materials"], [](const Json& m) {
+        std::string line = fmt::format("{}: {}", name_or(m), m["alpha"].get<std::string>());
+        if (m["double_sided"]) line += ", double-sided";
+        if (m["unlit"]) line += ", unlit";
+        if (!m["base_colour_texture"].is_null()) line += ", textured";
+        if (!m["normal_texture"].is_null()) line += ", normal map";
+        return line;
+    });
+    print_list("textures", f["textures"], [](const Json& t) {
+        return fmt::format("{}: {} x {}", name_or(t), t["width"].get<int>(), t["height"].get<int>());
+    });
+    print_list("lights", f["lights"], [](const Json& l) {
+        return fmt::format("{}: {}, intensity {:.6g}, at {}", name_or(l), l["type"].get<std::string>(),
+                           l["intensity"].get<double>(), triple(l["position"]));
+    });
+    print_list("cameras", f["cameras"], [](const Json& c) {
+        return fmt::format("{}: {}, at {}", name_or(c), c["orthographic"] ? "orthographic" : "perspective",
+                           triple(c["position"]));
+    });
+    print_list("animations", f["animations"], [](const Json& a) {
+        return fmt::format("{}: {:.6g} s, {} channels", name_or(a), a["duration_s"].get<double>(),
+                           a["channels"].get<std::size_t>());
+    });
+    const Json& warnings = f["warnings"];
+    if (warnings.empty()) {
+        fmt::print("\nNothing was dropped or approximated.\n");
+        return;
+    }
+    fmt::print("\nDropped or approximated:\n");
+    for (const Json& w : warnings) fmt::print("  {}\n", one_line(w.get<std::string>()));
+}
+
+}  // namespace
+
+void run_scene(const std::string& scene, bool json) {
+    const Json found = facts(load_scene(scene), scene);
+    if (json)
+        fmt::print("{}", json_text(found));
+    else
+        print_facts(found);
+}
+
+}  // namespace si

@@ -1,0 +1,134 @@
+// Loading against the least that any loader must do: read the bytes and copy them once. And the frames of scenes of
+// very many objects.
+#include "tests/bench/load_bench.h"
+
+#include <benchmark/benchmark.h>
+#include <epoxy/gl.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+
+#include "app/headless_context.h"
+#include "app/session.h"
+#include "renderer/renderer.h"
+#include "renderer/scenes/builtin.h"
+#include "renderer/scenes/shapes.h"
+
+namespace si {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Reads a file into one buffer and copies it into another: a loader's least work. Returns milliseconds, -1 on failure.
+double read_and_copy_ms(const std::filesystem::path& path) {
+    const auto start = Clock::now();
+    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return -1;
+    const std::size_t size = std::filesystem::file_size(path);
+    const auto bytes = std::make_unique_for_overwrite<char[]>(size),
+               copy = std::make_unique_for_overwrite<char[]>(size);
+    std::size_t got = 0;
+    for (ssize_t n = 1; got < size && n > 0; got += std::size_t(n > 0 ? n : 0))
+        n = read(file, bytes.get() + got, size - got);
+    close(file);
+    std::memcpy(copy.get(), bytes.get(), size);
+    benchmark::DoNotOptimize(copy.get());
+    return got == size ? ms_since(start) : -1;
+}
+
+std::filesystem::path shared_file(const char* name) {
+    return std::filesystem::path(SI_SOURCE_DIR) / "../shared" / name;
+}
+
+void load_million(benchmark::State& state) {
+    const auto path = shared_file("perf/scene1m.glb");
+    if (!std::filesystem::exists(path)) return state.SkipWithError("../shared/perf/scene1m.glb is missing");
+    double bare = 0, ours = 0;
+    for (auto _ : state) {
+        bare += read_and_copy_ms(path);
+        const auto start = Clock::now();
+        const Scene scene = load_scene(path.string());
+        const double ms = ms_since(start);
+        benchmark::DoNotOptimize(scene.meshes.data());
+        ours += ms;
+        state.SetIterationTime(ms / 1000);
+    }
+    state.counters["bare_ms"] = bare / double(state.iterations());
+    state.counters["ratio"] = ours / bare;
+}
+
+/// 50,000 boxes of one mesh on nodes of their own, in a square.
+Scene make_instances() {
+    Scene scene;
+    scene.name = "50,000 instances";
+    const int mesh = add_mesh(scene, "Box", make_box(glm::dvec3(0.5)), add_material(scene, "grey", {0.6f, 0.6f, 0.6f}));
+    const int node = add_node(scene, "Field");
+    for (int i = 0; i < 50000; ++i) {
+        Object o;
+        o.node = node, o.mesh = mesh;
+        o.instance = moved(i % 224, 0, i / 224);
+        scene.objects.push_back(o);
+    }
+    finalise(scene);
+    return scene;
+}
+
+/// Making the scene, its first frame (upload, arrangement, programs), a frame drawn anew, and one with a light turned.
+void many_objects(benchmark::State& state, Scene (*make)()) {
+    double made = 0, first = 0, turned = 0;
+    for (auto _ : state) {
+        HeadlessContext context;
+        Renderer renderer;
+        auto start = Clock::now();
+        const Scene scene = make();
+        made += ms_since(start);
+        Settings s;
+        apply_suggested(scene, s);
+        FrameRequest request{.width = 1280, .height = 720};
+        const auto frame_ms = [&] {
+            glFinish();
+            start = Clock::now();
+            renderer.render(scene, s, request);
+            glFinish();
+            return ms_since(start);
+        };
+        first += frame_ms();
+        s.lights[0].azimuth += 1;
+        turned += frame_ms();
+        request.force = true;
+        state.SetIterationTime(frame_ms() / 1000);
+    }
+    const double n = double(state.iterations());
+    state.counters["make_ms"] = made / n;
+    state.counters["first_ms"] = first / n;
+    state.counters["light_turned_ms"] = turned / n;
+}
+
+Scene make_forest() {
+    return load_scene(shared_file("models/gen_forest_10k/forest_10k.glb").string());
+}
+
+}  // namespace
+
+void register_load_benchmarks(int rounds) {
+    const auto add = [&](const char* name, auto function) {
+        benchmark::RegisterBenchmark(name, function)
+            ->UseManualTime()
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(rounds);
+    };
+    add("load/1M", load_million);
+    if (std::filesystem::exists(shared_file("models/gen_forest_10k/forest_10k.glb")))
+        add("next_frame/10k_nodes", [](benchmark::State& s) { many_objects(s, make_forest); });
+    add("next_frame/50k_instances", [](benchmark::State& s) { many_objects(s, make_instances); });
+}
+
+}  // namespace si

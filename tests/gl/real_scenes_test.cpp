@@ -1,0 +1,187 @@
+// What files bring besides triangles, in real frames: movement, normal maps, blended casters.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "app/session.h"
+#include "renderer/animation.h"
+#include "renderer/scenes/shapes.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/unit/gltf_test_file.h"
+
+namespace si {
+namespace {
+
+using test::GltfFile;
+using test::Json;
+
+class RealScenes : public FrameTest {
+protected:
+    FloatImage visibility(const Scene& scene, const Settings& s) {
+        FrameRequest request = small();
+        request.outputs = {.colour = false, .visibility = true};
+        return renderer.read_float(renderer.render(scene, s, request).visibility, 1);
+    }
+    /// Mean column of the pixels in shadow, and how many there are.
+    glm::dvec2 shadow(const Scene& scene, const Settings& s) {
+        const FloatImage v = visibility(scene, s);
+        double sum = 0, count = 0;
+        for (int y = 0; y < v.height; ++y)
+            for (int x = 0; x < v.width; ++x)
+                if (v.at(x, y) < 0.5f) sum += x, ++count;
+        return {count > 0 ? sum / count : -1, count};
+    }
+    /// The pixel in the middle of the picture of an overlay.
+    glm::dvec3 middle(const Scene& scene, Settings s, const char* overlay) {
+        set_setting(s, "view.overlay", overlay);
+        FrameRequest request = small();
+        request.outputs = {.colour = false, .overlay = true};
+        const FloatImage v = renderer.read_float(renderer.render(scene, s, request).overlay, 4);
+        const int x = v.width / 2, y = v.height / 2;
+        return {v.at(x, y, 0), v.at(x, y, 1), v.at(x, y, 2)};
+    }
+};
+
+/// A floor and, one metre over it, a triangle bound to a joint that moves along x from -1 to 1 in two seconds.
+GltfFile skinned_over_floor() {
+    GltfFile file;
+    const int floor = file.floats({-3, 0, -3, -3, 0, 3, 3, 0, 3, -3, 0, -3, 3, 0, 3, 3, 0, -3}, "VEC3");
+    file.root({{"name", "floor"}, {"mesh", file.mesh({{"attributes", {{"POSITION", floor}}}})}});
+    const Json attributes = {{"POSITION", file.floats({-0.5f, 1, -0.5f, -0.5f, 1, 0.5f, 0.5f, 1, 0.5f}, "VEC3")},
+                             {"JOINTS_0", file.accessor(file.view(std::vector<std::uint8_t>(12, 0)), 5121, "VEC4", 3)},
+                             {"WEIGHTS_0", file.floats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4")}};
+    file.root({{"name", "hero"}, {"mesh", file.mesh({{"attributes", attributes}})}, {"skin", 0}});
+    const int joint = file.root({{"name", "joint"}});
+    file.json["skins"] = {{{"joints", {joint}}}};
+    file.json["animations"] = {
+        {{"samplers",
+          {{{"input", file.floats({0, 2}, "SCALAR")}, {"output", file.floats({-1, 0, 0, 1, 0, 0}, "VEC3")}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", joint}, {"path", "translation"}}}}}}}};
+    return file;
+}
+
+TEST_F(RealScenes, AShadowMovesWithTheSkinThatCastsIt) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.write("model.glb", skinned_over_floor().glb()).string();
+    const auto at = [&](const std::vector<std::string>& sets) {
+        std::vector<std::string> all = {"camera.source=manual", "camera.azimuth=0", "camera.elevation=30",
+                                        "light.0.azimuth=0", "light.0.elevation=45"};
+        all.insert(all.end(), sets.begin(), sets.end());
+        const Session session = open_session({.scene = path, .sets = all});
+        EXPECT_TRUE(session.notes.empty()) << session.notes.front();
+        return shadow(session.scene, session.settings);
+    };
+    const glm::dvec2 start = at({}), half = at({"scene.time=1"}), end = at({"scene.time=2"}),
+                     late = at({"scene.time=99"}), rest = at({"scene.animation=-1", "scene.time=2"});
+    EXPECT_GT(start.y, 50) << "no shadow";
+    EXPECT_LT(start.x + 15, half.x);
+    EXPECT_LT(half.x + 15, end.x);
+    EXPECT_EQ(late, end);
+    EXPECT_EQ(rest, half) << "at rest the joint stands at 0";
+    EXPECT_THROW(at({"scene.animation=1"}), UsageError);
+    const Session still = open_session({.scene = "boxes", .sets = {"scene.time=1"}});
+    EXPECT_TRUE(test::mentions(still.notes, "no animation"));
+}
+
+TEST_F(RealScenes, AShadowMovesInASharedSkinnedModel) {
+    const std::string path = SI_SOURCE_DIR "/../shared/models/khr_RiggedSimple/glTF-Binary/RiggedSimple.glb";
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << "no shared models";
+    const Session a = open_session({.scene = path, .sets = {"scene.time=0"}}),
+                  b = open_session({.scene = path, .sets = {"scene.time=1"}});
+    EXPECT_NE(visibility(a.scene, a.settings).data, visibility(b.scene, b.settings).data);
+}
+
+/// One texel of a tangent-space normal.
+int add_normal_map(Scene& scene, const glm::vec3& n) {
+    Texture t;
+    t.width = t.height = 1, t.srgb = false, t.mipmaps = false;
+    for (int i = 0; i < 3; ++i) t.rgba.push_back(std::uint8_t(std::lround((n[i] * 0.5f + 0.5f) * 255)));
+    t.rgba.push_back(255);
+    scene.textures.push_back(t);
+    return int(scene.textures.size()) - 1;
+}
+
+/// A floor of normals +y whose texture lies with u along +x and v along +z.
+Scene mapped_floor(const glm::vec3& n, bool tangents, const glm::dmat4& local = glm::dmat4(1)) {
+    Scene scene;
+    scene.name = "mapped floor";
+    const int material = add_material(scene, "bumps", {0.5f, 0.5f, 0.5f});
+    scene.materials[std::size_t(material)].normal_texture = add_normal_map(scene, n);
+    scene.materials[std::size_t(material)].double_sided = true;
+    Mesh mesh;
+    mesh.positions = {{-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}};
+    mesh.normals.assign(4, {0, 1, 0});
+    mesh.uv = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
+    if (tangents) mesh.tangents.assign(4, {1, 0, 0, 1});
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    add_object(scene, "Floor", -1, add_mesh(scene, "Floor", mesh, material), local);
+    finalise(scene);
+    return scene;
+}
+
+TEST_F(RealScenes, NormalMapsTiltTheShadingNormalAlike) {
+    struct Case {
+        const char* name;
+        glm::vec3 map;
+        glm::dmat4 local;
+        const char* elevation;
+        glm::dvec3 expected;
+    };
+    const glm::dmat4 one(1), mirrored = glm::scale(one, {-1, 1, 1});
+    const glm::dmat4 tiny = glm::scale(one, glm::dvec3(1e-6));
+    const Case cases[] = {
+        {"flat", {0, 0, 1}, one, "60", {0, 1, 0}},
+        {"x is along u", {0.6f, 0, 0.8f}, one, "60", {0.6, 0.8, 0}},
+        {"y is against v", {0, 0.6f, 0.8f}, one, "60", {0, 0.8, -0.6}},
+        {"mirrored x", {0.6f, 0, 0.8f}, mirrored, "60", {-0.6, 0.8, 0}},
+        {"mirrored y", {0, 0.6f, 0.8f}, mirrored, "60", {0, 0.8, -0.6}},
+        {"tiny", {0.6f, 0, 0.8f}, tiny, "60", {0.6, 0.8, 0}},
+        {"from behind", {0.6f, 0, 0.8f}, one, "-60", {-0.6, -0.8, 0}},
+    };
+    for (const Case& c : cases)
+        for (const bool tangents : {false, true}) {
+            const Scene scene = mapped_floor(c.map, tangents, c.local);
+            const std::string distance = c.local == tiny ? "0.000003" : "3";
+            Settings s = settings_for(
+                scene, {{"camera.source", "manual"}, {"camera.elevation", c.elevation}, {"camera.distance", distance}});
+            const glm::dvec3 n = middle(scene, s, "normals") * 2.0 - 1.0;
+            EXPECT_LE(glm::distance(n, c.expected), 0.015)
+                << c.name << (tangents ? " with tangents: " : ": ") << n.x << ' ' << n.y << ' ' << n.z;
+            set_setting(s, "shading.textures", "false");
+            EXPECT_NEAR(std::abs(middle(scene, s, "normals").y * 2 - 1), 1, 1e-6) << c.name;
+        }
+}
+
+TEST_F(RealScenes, TheBiasFollowsTheNormalItIsToldTo) {
+    const Scene scene = mapped_floor({0.6f, 0, 0.8f}, true);
+    Settings s = settings_for(scene, {{"light.0.azimuth", "90"},
+                                      {"light.0.elevation", "45"},
+                                      {"bias.unit", "depth"},
+                                      {"bias.constant", "0"},
+                                      {"bias.slope", "1"},
+                                      {"bias.normal", "0"}});
+    const double geometric = middle(scene, s, "bias-applied").x;
+    set_setting(s, "bias.normal_source", "shading");
+    const double shading = middle(scene, s, "bias-applied").x;
+    EXPECT_GT(std::abs(geometric - shading), 0.1 * geometric);
+}
+
+TEST_F(RealScenes, BlendedSurfacesCastOnlyAsMasks) {
+    Scene scene;
+    scene.name = "glass";
+    const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f}), glass = add_material(scene, "glass", {1, 1, 1});
+    add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(6, 6), grey));
+    add_object(scene, "Glass", -1, add_mesh(scene, "Glass", make_plane(1, 1), glass), moved(0, 1, 0));
+    Material& m = scene.materials[std::size_t(glass)];
+    m.alpha = AlphaMode::Blend;
+    m.double_sided = true;
+    const auto pixels = [&](float alpha, const char* blend) {
+        m.base_colour.a = alpha;
+        finalise(scene);
+        return shadow(scene, settings_for(scene, {{"caster.blend", blend}})).y;
+    };
+    EXPECT_EQ(pixels(0.8f, "none"), 0);
+    EXPECT_GT(pixels(0.8f, "mask"), 50);
+    EXPECT_EQ(pixels(0.4f, "mask"), 0);
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,92 @@
+// The lights of a file as settings: places, directions, cones and colours come back out of the fit.
+#include "renderer/scene_lights.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "app/session.h"
+#include "renderer/light_fit.h"
+#include "renderer/param.h"
+#include "tests/support/box_scene.h"
+
+namespace si {
+namespace {
+
+Scene lit_scene(const std::vector<SceneLight>& lights) {
+    Scene scene = test::box_scene({{glm::dvec3(-3, 0, -1), glm::dvec3(7, 4, 5)}}, {1000, -20, 3});
+    scene.lights = lights;
+    suggest_lights(scene);
+    return scene;
+}
+
+SceneLight light_of(LightType type, const glm::dvec3& position, const glm::dvec3& towards) {
+    SceneLight light;
+    light.type = int(type);
+    const glm::dvec3 up = std::abs(glm::normalize(towards).y) > 0.99 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    // Scaled, as nodes are: only place and direction count.
+    light.world =
+        glm::inverse(glm::lookAt(position, position + towards, up)) * glm::scale(glm::dmat4(1), glm::dvec3(3));
+    return light;
+}
+
+void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
+    EXPECT_LE(glm::distance(a, b), tolerance)
+        << a.x << ' ' << a.y << ' ' << a.z << " / " << b.x << ' ' << b.y << ' ' << b.z;
+}
+
+TEST(SceneLights, PlacesAndDirectionsComeOutAsTheyWentIn) {
+    const glm::dvec3 centre = lit_scene({}).bounds.centre();
+    const glm::dvec3 places[] = {
+        {1001, -15, 6}, centre, centre + glm::dvec3(0, 1e-9, 0), {-5e4, 3e3, 1}, {1002, 9e5, 3}};
+    const glm::dvec3 directions[] = {{0, -1, 0}, {0, 1, 0}, {1, -2, 3}, {-1, 0, 0}, {1e-9, -1, 1e-9}, {0.3, 0.1, -2}};
+    for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
+        for (const glm::dvec3& place : places)
+            for (const glm::dvec3& direction : directions) {
+                const Scene scene = lit_scene({light_of(type, place, direction)});
+                Settings s;
+                apply_suggested(scene, s);
+                ASSERT_EQ(s.light_count, 1);
+                const FittedLight fitted = fit_lights(scene, s).at(0);
+                EXPECT_EQ(fitted.type, type);
+                if (type != LightType::Directional)
+                    expect_near(fitted.position, place, 1e-9 + 1e-14 * glm::length(place));
+                if (type != LightType::Point)
+                    expect_near(fitted.to_light, glm::normalize(glm::dvec3(scene.lights[0].world[2])), 1e-14);
+            }
+}
+
+TEST(SceneLights, ConesColoursAndRatiosOfBrightness) {
+    SceneLight spot = light_of(LightType::Spot, {1000, 0, 0}, {0, -1, 0});
+    spot.outer_cone_rad = 0.5, spot.inner_cone_rad = 0.2;
+    spot.colour = {4, 2, 0}, spot.intensity = 10;
+    SceneLight weak = light_of(LightType::Point, {1000, 0, 0}, {0, -1, 0});
+    weak.intensity = 4;
+    SceneLight sun = light_of(LightType::Directional, {0, 0, 0}, {0, -1, 0.1});
+    sun.intensity = 100000;
+    const Scene scene = lit_scene({spot, weak, sun});
+    Settings s;
+    apply_suggested(scene, s);
+    ASSERT_EQ(s.light_count, 3);
+    const auto fitted = fit_lights(scene, s);
+    EXPECT_NEAR(fitted[0].cos_cone_outer, std::cos(0.5), 1e-12);
+    EXPECT_NEAR(fitted[0].cos_cone_inner, std::cos(0.2), 1e-12);
+    expect_near(fitted[0].radiance / fitted[1].radiance.x, glm::dvec3(10, 5, 0), 1e-9);
+    EXPECT_EQ(s.lights[2].intensity, 1);
+}
+
+TEST(SceneLights, TheirNumberIsBounded) {
+    const Scene scene = lit_scene(std::vector<SceneLight>(20, light_of(LightType::Point, {1, 2, 3}, {0, -1, 0})));
+    Settings s;
+    apply_suggested(scene, s);
+    EXPECT_EQ(s.light_count, kMaxLights);
+}
+
+TEST(SceneLights, FarBeyondTheSettingsStillIsASetting) {
+    const Scene scene = lit_scene({light_of(LightType::Spot, {1e12, 0, 0}, {1, 0, 0})});
+    Settings s;
+    EXPECT_NO_THROW(apply_suggested(scene, s));
+}
+
+}  // namespace
+}  // namespace si
