@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "renderer/settings.h"
 #include "tests/support/process.h"
 
 namespace si {
@@ -143,6 +144,17 @@ TEST_F(Pictures, SamePresetSameBytes) {
     EXPECT_EQ(preset, render(with(small, {"--set", "filter.kernel=pcf5", "--set", "bias.slope=2"}), "c.png"));
     EXPECT_NE(preset, render(small, "d.png"));
     EXPECT_NE(preset, render(with(small, {"--preset", "p.json", "--set", "light.azimuth=0"}), "e.png"));
+}
+
+TEST_F(Pictures, APresetIsNotMixedWithTheScenesSuggestions) {
+    // The stage suggests another azimuth; back at the program's default the preset does not mention it.
+    const std::string azimuth = "light.azimuth=" + Json(Settings{}.lights[0].azimuth).dump();
+    ASSERT_EQ(run_program({"preset", "save", "stage", "-o", "p.json", "--set", azimuth}, folder_).code, 0);
+    EXPECT_FALSE(Json::parse(file_bytes(folder_ / "p.json"))["settings"].contains("light.azimuth"));
+    const Arguments small = {"stage", "--size", "96x64"};
+    const std::string picture = render(with(small, {"--preset", "p.json"}), "a.png");
+    EXPECT_EQ(picture, render(with(small, {"--set", azimuth}), "b.png"));
+    EXPECT_NE(picture, render(small, "c.png"));
 }
 
 TEST_F(Pictures, AnExportedSceneIsTheSameScene) {
