@@ -23,6 +23,7 @@ namespace si {
 namespace {
 
 constexpr double kPollSeconds = 0.4;  ///< between looks at shader files and blinks of a text cursor
+constexpr double kLoadingPollSeconds = 0.05;  ///< between looks at a scene that is being read
 constexpr int kSettleFrames = 3;      ///< frames that ImGui takes to settle after input
 
 /// ImGui's hold on the window's callbacks.
@@ -72,10 +73,11 @@ int run_window(const EditorOptions& options) {
         if (due > 0)
             window.poll_events();
         else
-            window.wait_events(kPollSeconds);
+            window.wait_events(model.loading() ? kLoadingPollSeconds : kPollSeconds);
         if (window.take_input()) due = kSettleFrames;
         for (const auto& path : window.take_dropped()) model.open(path), due = kSettleFrames;
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
+        if (model.loading_moved()) due = std::max(due, 1);
         const int width = window.framebuffer_width(), height = window.framebuffer_height();
         if (due == 0 || width == 0 || height == 0) {
             if (due > 0) window.wait_events(kPollSeconds);  // minimised

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "app/presets.h"
 #include "app/session.h"
@@ -25,6 +26,10 @@ std::string shell_word(const std::string& text) {
     std::string quoted = "'";
     for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return quoted + "'";
+}
+
+int percent(double fraction) {
+    return int(fraction * 100);
 }
 
 BottomTab tab_named(const std::string& name) {
@@ -68,7 +73,7 @@ std::string command_line(const Scene& scene, const Settings& settings, int width
     return text;
 }
 
-EditorModel::EditorModel(const EditorOptions& options) {
+EditorModel::EditorModel(const EditorOptions& options, SceneReader read) : loading_(std::move(read)) {
     const std::string scene = options.scene.empty() ? std::string(builtin_scenes().front().key) : options.scene;
     scene_ = si::load_scene(scene);
     posed_ = options.settings.scene;
@@ -99,6 +104,12 @@ EditorFrame EditorModel::facts() const {
     f.presets = presets_;
     f.shader_log = shader_log_;
     f.problem = problem_;
+    if (const std::string name = loading_.wanted(); !name.empty()) {
+        f.loading = LoadingFacts{name, loading_.progress()};
+        shown_percent_ = percent(f.loading->progress);
+    } else {
+        shown_percent_ = -1;
+    }
     return f;
 }
 
@@ -107,9 +118,49 @@ void EditorModel::report(const std::string& error) {
     state.open_tab = BottomTab::Log;
 }
 
-void EditorModel::load_scene(const std::string& name_or_path) {
-    Scene loaded = si::load_scene(name_or_path);
-    pose_scene(loaded, {});
+bool EditorModel::loading_moved() const {
+    return loading_.ended() || (!loading_.wanted().empty() && percent(loading_.progress()) != shown_percent_);
+}
+
+void EditorModel::finish_loading() {
+    while (loading_.busy()) {
+        loading_.wait();
+        poll_loading();
+    }
+}
+
+void EditorModel::cancel_loading() {
+    if (const std::string name = loading_.wanted(); !name.empty())
+        state.log.add(LogKind::Info, fmt::format("Cancelled: {} was not loaded", name));
+    loading_.cancel();
+    arrival_.reset();
+}
+
+void EditorModel::start_loading(const std::string& name_or_path, std::optional<Arrival> arrival) {
+    cancel_loading();
+    loading_.start(name_or_path);
+    arrival_ = std::move(arrival);
+}
+
+bool EditorModel::poll_loading() {
+    if (!loading_.ended()) return false;
+    std::optional<SceneLoading::Outcome> outcome = loading_.poll();
+    if (!outcome) return true;
+    const std::optional<Arrival> arrival = std::exchange(arrival_, {});
+    try {
+        if (!outcome->scene) throw Error(outcome->error);
+        show_scene(std::move(*outcome->scene), outcome->name);
+        if (arrival) {
+            state.settings = arrival->settings;
+            state.log.add(LogKind::Info, arrival->remark);
+        }
+    } catch (const std::exception& e) {
+        report(e.what());
+    }
+    return true;
+}
+
+void EditorModel::show_scene(Scene loaded, const std::string& name_or_path) {
     const Settings base = base_settings(loaded);
     posed_ = {};
     state.settings = rebased(state.settings, base_, base);
@@ -125,10 +176,15 @@ void EditorModel::load_scene(const std::string& name_or_path) {
 
 void EditorModel::load_preset_file(const std::string& name_or_path) {
     const Preset preset = si::load_preset(name_or_path);
-    if (!preset.scene.empty() && preset.scene != state.scene_name) load_scene(preset.scene);
+    const std::string remark =
+        preset.about.empty() ? "Opened " + name_or_path : fmt::format("Opened {}: {}", name_or_path, preset.about);
+    if (!preset.scene.empty() && preset.scene != state.scene_name) {
+        start_loading(preset.scene, Arrival{preset.settings, remark});
+        return;
+    }
+    if (!preset.scene.empty()) cancel_loading();  // it belongs to the scene that is shown
     state.settings = preset.settings;
-    state.log.add(LogKind::Info, preset.about.empty() ? "Opened " + name_or_path
-                                                      : fmt::format("Opened {}: {}", name_or_path, preset.about));
+    state.log.add(LogKind::Info, remark);
 }
 
 void EditorModel::save_preset_file(const std::filesystem::path& path) {
@@ -141,7 +197,7 @@ void EditorModel::open(const std::filesystem::path& path) {
         if (path.extension() == ".json")
             load_preset_file(path.string());
         else
-            load_scene(path.string());
+            start_loading(path.string());
     } catch (const std::exception& e) {
         report(e.what());
     }
@@ -225,7 +281,7 @@ bool EditorModel::read_values(const EditorActions& actions, bool drawn) {
 }
 
 bool EditorModel::fulfil(const EditorActions& actions) {
-    bool changed = false;
+    bool changed = poll_loading();
     const auto attempt = [&](const auto& wish) {
         try {
             wish();
@@ -234,7 +290,8 @@ bool EditorModel::fulfil(const EditorActions& actions) {
         }
         changed = true;
     };
-    if (actions.load_scene) attempt([&] { load_scene(*actions.load_scene); });
+    if (actions.cancel_load) attempt([&] { cancel_loading(); });
+    if (actions.load_scene) attempt([&] { start_loading(*actions.load_scene); });
     if (actions.load_preset) attempt([&] { load_preset_file(*actions.load_preset); });
     if (actions.save_preset) attempt([&] { save_preset_file(*actions.save_preset); });
     if (actions.copy_command_line) {

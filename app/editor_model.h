@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/editor.h"
+#include "app/scene_loading.h"
 #include "renderer/renderer.h"
 #include "ui/editor_ui.h"
 
@@ -20,8 +21,9 @@ std::string command_line(const Scene& scene, const Settings& settings, int width
 /// Needs a current OpenGL context all its life.
 class EditorModel {
 public:
-    /// @throws Error when the scene cannot be loaded.
-    explicit EditorModel(const EditorOptions& options);
+    /// Waits for the first scene. `read` reads the later ones; empty: load_scene(). @throws Error when the scene cannot
+    /// be loaded.
+    explicit EditorModel(const EditorOptions& options, SceneReader read = {});
 
     EditorState state;
 
@@ -30,13 +32,29 @@ public:
     /// Does what the editor asked for and draws the scene when anything changed. Returns whether the next frame of the
     /// editor looks different. Errors go to the log.
     bool fulfil(const EditorActions& actions);
-    /// A file dropped on the window: a preset (.json) or a scene.
+    /// A file dropped on the window: a preset (.json) or a scene. A scene is read in the background; a later fulfil()
+    /// switches to it. Errors go to the log.
     void open(const std::filesystem::path& path);
     /// Whether shader files were saved since the last frame.
     bool poll_shaders();
+    /// A scene is being read, or the thread of a cancelled one has not ended yet.
+    bool loading() const { return loading_.busy(); }
+    /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
+    bool loading_moved() const;
+    /// Waits for the scene that is being read and switches to it.
+    void finish_loading();
 
 private:
-    void load_scene(const std::string& name_or_path);
+    /// What a preset brings once its scene is there.
+    struct Arrival {
+        Settings settings;
+        std::string remark;
+    };
+    void start_loading(const std::string& name_or_path, std::optional<Arrival> arrival = {});
+    void cancel_loading();
+    /// Switches to the scene once it is read. Returns whether anything happened.
+    bool poll_loading();
+    void show_scene(Scene loaded, const std::string& name_or_path);
     void load_preset_file(const std::string& name_or_path);
     void save_preset_file(const std::filesystem::path& path);
     /// Moves the scene to the moment that the settings name, and what it suggests along with it.
@@ -50,6 +68,9 @@ private:
     Settings base_;
     SceneSettings posed_;
     std::vector<PresetEntry> presets_;
+    SceneLoading loading_;
+    std::optional<Arrival> arrival_;
+    mutable int shown_percent_ = -1;  ///< of loading, as last told to the editor
 
     FrameRequest request_;
     Settings drawn_settings_;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <utility>
 
 #include "renderer/error.h"
 
@@ -43,12 +44,12 @@ float screenshot_scale(int height) {
     return std::clamp(std::round(float(height) / 1080 * 4) / 4, 1.0f, 4.0f);
 }
 
-HeadlessEditor::HeadlessEditor(const EditorOptions& options)
+HeadlessEditor::HeadlessEditor(const EditorOptions& options, SceneReader read)
     : width_(options.width),
       height_(options.height),
       imgui_(options.scale > 0 ? float(options.scale) : screenshot_scale(options.height)),
       canvas_(std::make_unique<Canvas>(width_, height_)),
-      model_(std::make_unique<EditorModel>(options)) {}
+      model_(std::make_unique<EditorModel>(options, std::move(read))) {}
 
 HeadlessEditor::~HeadlessEditor() = default;
 
@@ -75,6 +76,7 @@ EditorActions HeadlessEditor::frame() {
 }
 
 void HeadlessEditor::settle() {
+    model_->finish_loading();
     // Sizes settle in two frames, the picture of that size is there in the next, numbers read from it in one more.
     for (int i = 0; i < 6; ++i) frame();
 }

@@ -15,7 +15,7 @@ namespace si {
 class HeadlessEditor {
 public:
     /// @throws Error when there is no OpenGL, the scene cannot be loaded, or the size cannot be drawn.
-    explicit HeadlessEditor(const EditorOptions& options);
+    explicit HeadlessEditor(const EditorOptions& options, SceneReader read = {});
     ~HeadlessEditor();
 
     EditorModel& model() { return *model_; }
@@ -30,7 +30,7 @@ public:
 
     /// One frame of the editor, 1/60 s after the one before, and what it asked for.
     EditorActions frame();
-    /// Frames until layout and pictures no longer change.
+    /// Waits for a scene that is being read, then draws frames until layout and pictures no longer change.
     void settle();
     /// The last frame, top row first.
     ByteImage picture() const;

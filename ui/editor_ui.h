@@ -56,6 +56,12 @@ struct PresetEntry {
     std::string key, about;
 };
 
+/// A scene that is being read while the editor shows another.
+struct LoadingFacts {
+    std::string name;     ///< built-in key or path
+    double progress = 0;  ///< 0..1
+};
+
 /// What the last frame found out. Pointers may be null: the editor draws without them.
 struct EditorFrame {
     const FrameResult* result = nullptr;
@@ -67,6 +73,7 @@ struct EditorFrame {
     std::span<const PresetEntry> presets;
     std::string_view shader_log;
     std::string_view problem;  ///< why there is no picture
+    std::optional<LoadingFacts> loading;
 };
 
 struct EditorActions {
@@ -75,6 +82,7 @@ struct EditorActions {
     bool want_map_values = false;  ///< the cursor is over the map
     bool want_timing = false;
     std::optional<std::string> load_scene, load_preset, save_preset;
+    bool cancel_load = false;  ///< keep the scene that is shown
     bool copy_command_line = false;
     bool quit = false;
     bool redraw = false;  ///< something still moves: draw another frame soon

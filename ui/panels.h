@@ -18,6 +18,9 @@ void draw_shortcuts(EditorState& state);
 /// The colour scale of the overlay in use, with numbers and unit, over the picture's lower left corner.
 void draw_legend(const Settings& settings, const FrameResult& result, float left, float bottom);
 
+/// What is being read, and a button that cancels, at the top of a picture. Pixels of the screen.
+void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, float top, float width);
+
 /// The light whose map and overlays are shown, clamped to the lights there are; -1 when there is none.
 int shown_light(const Settings& settings);
 /// The face of the shown light, clamped.
@@ -25,6 +28,9 @@ int shown_face(const Settings& settings, const FrameResult& result);
 
 /// Moves the camera so that all of the scene is seen.
 void frame_scene(EditorState& state, const EditorFrame& frame);
+
+/// A built-in scene's label; a file without its folders.
+std::string scene_label(const std::string& name_or_path);
 
 /// Three significant digits with a prefix: "4.20 mm", "13.0 km".
 std::string metres_text(double metres);

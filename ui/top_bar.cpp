@@ -19,17 +19,9 @@ bool button(const char* label, const char* hint, bool enabled = true) {
     return pressed;
 }
 
-/// The scene's name as the combo shows it: a file without its folders.
-std::string short_name(const std::string& name) {
-    for (const BuiltinScene& scene : builtin_scenes())
-        if (scene.key == name) return std::string(scene.label);
-    const auto slash = name.find_last_of('/');
-    return slash == std::string::npos ? name : name.substr(slash + 1);
-}
-
 void scene_combo(EditorState& state, EditorActions& actions, float width) {
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo("##scene", short_name(state.scene_name).c_str(), ImGuiComboFlags_HeightLarge)) return;
+    if (!ImGui::BeginCombo("##scene", scene_label(state.scene_name).c_str(), ImGuiComboFlags_HeightLarge)) return;
     for (const BuiltinScene& scene : builtin_scenes()) {
         const std::string key(scene.key), label(scene.label);
         if (ImGui::Selectable((label + "##" + key).c_str(), key == state.scene_name)) actions.load_scene = key;
@@ -59,6 +51,13 @@ void preset_menu(const EditorFrame& frame, EditorActions& actions) {
 }
 
 }  // namespace
+
+std::string scene_label(const std::string& name) {
+    for (const BuiltinScene& scene : builtin_scenes())
+        if (scene.key == name) return std::string(scene.label);
+    const auto slash = name.find_last_of('/');
+    return slash == std::string::npos ? name : name.substr(slash + 1);
+}
 
 void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const float em = ImGui::GetFontSize();

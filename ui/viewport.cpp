@@ -198,6 +198,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - 2 * ImGui::GetFontSize());
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopTextWrapPos();
+        draw_loading(frame, actions, origin.x, origin.y, size.x);
         return;
     }
     const FrameResult& result = *frame.result;
@@ -226,6 +227,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
         veiled_text({origin.x + ImGui::GetFontSize() * 0.8f, origin.y + ImGui::GetFontSize() * 2.2f},
                     "A shader does not compile; the last good one is in use (see Log)");
     list.PopClipRect();
+    draw_loading(frame, actions, origin.x, origin.y, size.x);
 }
 
 }  // namespace si

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "renderer/error.h"
-#include "renderer/gltf_loader.h"
 #include "renderer/param.h"
 #include "renderer/scenes/makers.h"
 
@@ -42,7 +41,7 @@ std::span<const BuiltinScene> builtin_scenes() {
     return kScenes;
 }
 
-Scene load_scene(std::string_view name_or_path) {
+Scene load_scene(std::string_view name_or_path, const GltfOptions& options) {
     std::vector<std::string> keys;
     for (const BuiltinScene& row : kScenes) {
         if (row.key == name_or_path) return row.make();
@@ -50,7 +49,7 @@ Scene load_scene(std::string_view name_or_path) {
     }
     const std::filesystem::path path{std::string(name_or_path)};
     const std::string extension = lower_extension(path);
-    if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
+    if (extension == ".gltf" || extension == ".glb") return load_gltf(path, options);
     throw Error(fmt::format("no scene '{}': the nearest built-in scene is '{}', and files must end in .gltf or .glb",
                             name_or_path, nearest_name(name_or_path, keys)));
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "renderer/gltf_loader.h"
 #include "renderer/scene.h"
 
 namespace si {
@@ -16,7 +17,8 @@ struct BuiltinScene {
 /// The first row is the default scene.
 std::span<const BuiltinScene> builtin_scenes();
 
-/// A built-in scene by key, or a .gltf/.glb file by path. @throws Error naming file, place and remedy.
-Scene load_scene(std::string_view name_or_path);
+/// A built-in scene by key, or a .gltf/.glb file by path. `options` are for files; built-in scenes take a moment and
+/// report nothing. @throws Error naming file, place and remedy.
+Scene load_scene(std::string_view name_or_path, const GltfOptions& options = {});
 
 }  // namespace si

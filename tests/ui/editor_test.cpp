@@ -165,6 +165,7 @@ TEST(Editor, AFileThatCannotBeOpenedIsALineInTheLog) {
     const Settings before = editor.model().state.settings;
     for (const char* name : {"/nowhere/scene.gltf", "no-such-scene"}) {
         editor.model().open(name);
+        editor.model().finish_loading();
         EXPECT_EQ(editor.model().state.log.lines().back().kind, LogKind::Error);
     }
     editor.model().open(broken);

@@ -76,6 +76,7 @@ EditorActions UiHarness::frame() {
     result_ = made_up_frame(scene, state.settings);
     probe_ = made_up_probe(state.settings.light_count);
     EditorFrame facts;
+    facts.loading = loading;
     if (with_facts) {
         facts.result = &result_;
         facts.scene = &scene;

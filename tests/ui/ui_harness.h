@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 
 #include "renderer/frame.h"
@@ -24,6 +25,7 @@ public:
 
     EditorState state;
     Scene scene;
+    std::optional<LoadingFacts> loading;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
     /// One frame, 1/60 s after the one before.

@@ -1,0 +1,276 @@
+// Scenes read in the background: the reader is a puppet, so that nothing depends on how fast the machine is.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/headless_editor.h"
+#include "app/presets.h"
+#include "renderer/error.h"
+#include "renderer/gltf_loader.h"
+#include "renderer/scenes/builtin.h"
+#include "tests/ui/ui_harness.h"
+
+namespace si {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Reads "boxes" under any name, as far as the test lets it.
+class Puppet {
+public:
+    SceneReader reader() {
+        return [this](const std::string& name, const GltfOptions& options) { return read(name, options); };
+    }
+    /// Returns once the reader has reported that much.
+    void advance(double progress) {
+        std::unique_lock lock(mutex_);
+        wanted_ = progress;
+        EXPECT_TRUE(told_.wait_for(lock, 60s, [&] { return reported_ == progress; })) << "nobody reads";
+    }
+    void release(const std::string& error = {}) {
+        const std::lock_guard lock(mutex_);
+        released_ = true;
+        error_ = error;
+    }
+    std::vector<std::string> started() const { return locked(started_); }
+    std::vector<std::string> cancelled() const { return locked(cancelled_); }
+    int most_at_once() const { return locked(most_); }
+
+private:
+    template <class T>
+    T locked(const T& value) const {
+        const std::lock_guard lock(mutex_);
+        return value;
+    }
+    Scene read(const std::string& name, const GltfOptions& options) {
+        std::unique_lock lock(mutex_);
+        started_.push_back(name);
+        most_ = std::max(most_, ++reading_);
+        bool finished = false;
+        // A minute at most: an editor that never cancels shall fail its test, not hang it.
+        for (const auto end = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < end;) {
+            if (!options.progress(wanted_)) {
+                cancelled_.push_back(name);
+                break;
+            }
+            reported_ = wanted_;
+            told_.notify_all();
+            if (finished = released_; finished) break;
+            told_.wait_for(lock, 1ms);
+        }
+        --reading_;
+        if (!finished) throw Error("cancelled");
+        if (!error_.empty()) throw Error(error_);
+        return load_scene("boxes");
+    }
+
+    mutable std::mutex mutex_;
+    std::condition_variable told_;
+    double wanted_ = 0, reported_ = -1;
+    bool released_ = false;
+    std::string error_;
+    std::vector<std::string> started_, cancelled_;
+    int reading_ = 0, most_ = 0;
+};
+
+EditorOptions plane() {
+    EditorOptions o;
+    o.scene = "plane";
+    o.settings = base_settings(load_scene(o.scene));
+    o.width = 1280;
+    o.height = 720;
+    return o;
+}
+
+std::string last_line(HeadlessEditor& editor) {
+    return editor.model().state.log.lines().back().text;
+}
+
+/// An editor that shows "plane" and reads `name` under the puppet's hand.
+struct Loading {
+    Puppet puppet;  // outlives the editor, whose thread uses it
+    HeadlessEditor editor{plane(), puppet.reader()};
+
+    explicit Loading(const std::string& name = "city.gltf") {
+        editor.settle();
+        EditorActions actions = editor.frame();
+        actions.load_scene = name;
+        editor.model().fulfil(actions);
+    }
+    std::optional<LoadingFacts> facts() { return editor.model().facts().loading; }
+    const std::string& shown() { return editor.model().state.scene_name; }
+};
+
+TEST(Loading, TheEditorDrawsTheOldSceneAndTheProgressMeanwhile) {
+    Loading l;
+    EditorModel& model = l.editor.model();
+    ByteImage before;
+    double last = -1;
+    for (const double progress : {0.1, 0.43, 0.9}) {
+        l.puppet.advance(progress);
+        EXPECT_TRUE(model.loading_moved()) << "a window would sleep on";
+        l.editor.frame();
+        ASSERT_TRUE(l.facts());
+        EXPECT_EQ(l.facts()->name, "city.gltf");
+        EXPECT_EQ(l.facts()->progress, progress);
+        EXPECT_GT(l.facts()->progress, last);
+        last = progress;
+        EXPECT_FALSE(model.loading_moved()) << "nothing is new";
+        const ByteImage picture = l.editor.picture();
+        EXPECT_NE(picture.data, before.data) << "the progress is seen";
+        before = picture;
+    }
+    const std::uint64_t scene = model.facts().scene->id;
+    model.state.settings.view.overlay = 2;  // the old scene is still worked on
+    l.editor.frame();
+    ASSERT_TRUE(model.facts().result);
+    EXPECT_NE(model.facts().result->overlay.texture, 0u);
+    EXPECT_EQ(l.shown(), "plane");
+
+    l.puppet.release();
+    l.editor.settle();
+    EXPECT_EQ(l.shown(), "city.gltf");
+    EXPECT_NE(model.facts().scene->id, scene);
+    EXPECT_EQ(model.facts().scene->objects.size(), load_scene("boxes").objects.size());
+    EXPECT_FALSE(l.facts());
+    EXPECT_FALSE(model.loading());
+    EXPECT_EQ(model.state.settings.view.overlay, 2);
+}
+
+TEST(Loading, CancelKeepsTheSceneThatIsShown) {
+    Loading l;
+    l.puppet.advance(0.5);
+    const Settings before = l.editor.model().state.settings;
+    EditorActions actions = l.editor.frame();
+    actions.cancel_load = true;
+    l.editor.model().fulfil(actions);
+    EXPECT_FALSE(l.facts()) << "at once, not when the reader notices";
+    EXPECT_EQ(last_line(l.editor), "Cancelled: city.gltf was not loaded");
+    l.editor.model().finish_loading();
+    EXPECT_EQ(l.puppet.cancelled(), std::vector<std::string>{"city.gltf"});
+    l.editor.settle();
+    EXPECT_EQ(l.shown(), "plane");
+    EXPECT_EQ(l.editor.model().state.settings, before);
+    EXPECT_EQ(l.editor.model().state.log.unseen_errors(), 0) << last_line(l.editor);
+}
+
+TEST(Loading, ASceneReadBeforeItsCancelWasNoticedIsDropped) {
+    Puppet puppet;
+    puppet.release();
+    SceneLoading loading(puppet.reader());
+    loading.start("late.gltf");
+    loading.wait();
+    loading.cancel();
+    EXPECT_FALSE(loading.poll());
+    EXPECT_FALSE(loading.busy());
+}
+
+TEST(Loading, AFailureKeepsTheSceneAndIsALineInTheLog) {
+    Loading l;
+    l.puppet.advance(0.7);
+    l.puppet.release("city.gltf: it is broken; mend it");
+    l.editor.settle();
+    EXPECT_EQ(l.shown(), "plane");
+    EXPECT_EQ(last_line(l.editor), "city.gltf: it is broken; mend it");
+    EXPECT_EQ(l.editor.model().state.log.lines().back().kind, LogKind::Error);
+    EXPECT_EQ(l.editor.model().state.tab, BottomTab::Log);
+    EXPECT_TRUE(l.editor.model().facts().result);
+    EXPECT_FALSE(l.facts());
+}
+
+TEST(Loading, ASecondRequestCancelsTheFirst) {
+    Loading l("first.gltf");
+    l.puppet.advance(0.5);
+    l.editor.model().open("second.gltf");
+    l.editor.model().open("third.gltf");
+    ASSERT_TRUE(l.facts());
+    EXPECT_EQ(l.facts()->name, "third.gltf");
+    EXPECT_EQ(l.facts()->progress, 0);
+    l.puppet.release();
+    l.editor.settle();
+    EXPECT_EQ(l.shown(), "third.gltf");
+    const std::vector<std::string> both{"first.gltf", "third.gltf"};
+    EXPECT_EQ(l.puppet.started(), both);
+    EXPECT_EQ(l.puppet.most_at_once(), 1) << "two scenes would be in memory";
+}
+
+TEST(Loading, ClosingTheEditorCancelsAndJoins) {
+    Puppet puppet;
+    {
+        HeadlessEditor editor(plane(), puppet.reader());
+        editor.model().open("city.gltf");
+        puppet.advance(0.2);
+    }
+    EXPECT_EQ(puppet.cancelled(), std::vector<std::string>{"city.gltf"});
+}
+
+TEST(Loading, APresetWaitsForItsSceneAndGoesWithItsCancel) {
+    const std::filesystem::path file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "loading_preset.json";
+    Preset preset{.about = {}, .scene = "town.gltf", .settings = {}};
+    preset.settings.bias.constant = 3.25;
+    save_preset(preset, file);
+    Loading l;
+    l.puppet.advance(0.5);
+    const double bias = l.editor.model().state.settings.bias.constant;
+    l.editor.model().open(file);
+    EXPECT_EQ(l.facts()->name, "town.gltf");
+    EditorActions actions = l.editor.frame();
+    EXPECT_EQ(l.editor.model().state.settings.bias.constant, bias);
+    actions.cancel_load = true;
+    l.editor.model().fulfil(actions);
+    l.editor.model().finish_loading();
+    EXPECT_EQ(l.editor.model().state.settings.bias.constant, bias);
+    l.editor.model().open(file);
+    l.puppet.release();
+    l.editor.settle();
+    EXPECT_EQ(l.shown(), "town.gltf");
+    EXPECT_EQ(l.editor.model().state.settings.bias.constant, 3.25);
+}
+
+TEST(Loading, AFileIsReadThroughTheLoaderWithItsProgress) {
+    const std::filesystem::path file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "loading_boxes.gltf";
+    save_gltf(load_scene("boxes"), file);
+    SceneLoading loading;
+    loading.start(file.string());
+    loading.wait();
+    EXPECT_EQ(loading.progress(), 1);
+    const auto outcome = loading.poll();
+    ASSERT_TRUE(outcome && outcome->scene) << (outcome ? outcome->error : "");
+    EXPECT_EQ(outcome->scene->triangle_count(), load_scene("boxes").triangle_count());
+}
+
+TEST(Loading, TheCancelButtonIsOverThePicture) {
+    test::UiHarness ui(1280, 720);
+    const auto cancelled_by_a_click = [&] {
+        bool cancelled = false;
+        for (float y = 80; y < 140; y += 12)
+            for (float x = 10; x < 540; x += 20) {
+                ui.move({x, y});
+                ui.frame();
+                ui.press(true);
+                ui.frame();
+                ui.press(false);
+                cancelled |= ui.frame().cancel_load;
+            }
+        return cancelled;
+    };
+    ui.frames(3);
+    EXPECT_FALSE(cancelled_by_a_click());
+    ui.loading = LoadingFacts{"/models/city.gltf", 0.43};
+    ui.frames(2);
+    const Settings before = ui.state.settings;
+    EXPECT_TRUE(cancelled_by_a_click());
+    EXPECT_EQ(ui.state.settings, before);
+    ui.with_facts = false;  // there is a strip where there is no picture yet
+    EXPECT_TRUE(cancelled_by_a_click());
+}
+
+}  // namespace
+}  // namespace si
