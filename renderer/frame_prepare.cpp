@@ -194,8 +194,6 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
     block.clip_from_relative = glm::mat4(f.camera.clip_from_relative(f.origin));
     block.eye = glm::vec4(glm::vec3(f.camera.eye - f.origin), f.camera.orthographic ? 1.f : 0.f);
     block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), float(f.request.height / std::max(f.camera.focus, 1e-30)));
-    block.viewport = glm::vec4(f.request.width, f.request.height, 1.f / float(f.request.width),
-                               1.f / float(f.request.height));
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         block.lights[i] = light_block(f, i);
         const FittedLight& light = f.gl.fitted[i];

@@ -46,6 +46,21 @@ void FrameState::begin_camera_pass(GLuint framebuffer) const {
     bind_maps();
 }
 
+void FrameState::begin_fullscreen_pass(GLuint framebuffer, int width, int height) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, width, height);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glBindVertexArray(gl.empty_vao.id());
+}
+
+void FrameState::draw_fullscreen(PassInfo& info) {
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    ++info.draws;
+    ++info.triangles;
+}
+
 GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragment,
                                  const std::vector<gl::Define>& extra, const Batch& batch, bool alpha_only) const {
     std::vector<gl::Define> wanted = extra;

@@ -77,6 +77,9 @@ struct FrameState {
     /// Prepares depth test and write for a camera pass into a framebuffer that holds the camera depth.
     void begin_camera_pass(GLuint framebuffer) const;
     void bind_maps() const;
+    /// Prepares a pass that computes every pixel of a framebuffer by one triangle; draw it with draw_fullscreen().
+    void begin_fullscreen_pass(GLuint framebuffer, int width, int height) const;
+    static void draw_fullscreen(PassInfo& info);
 };
 
 // One function per pass; each appends itself to the plan. (renderer/passes/)

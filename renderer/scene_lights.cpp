@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/light_fit.h"
 #include "renderer/settings.h"
 
 namespace si {
@@ -20,11 +21,6 @@ struct Stand {
     glm::dvec3 direction{0, 1, 0}, target{0};
     double distance = 0;
 };
-
-glm::dvec3 direction_of(double azimuth_deg, double elevation_deg) {
-    const double a = azimuth_deg / kDegrees, e = elevation_deg / kDegrees;
-    return {std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a)};
-}
 
 double azimuth(const glm::dvec3& d) {
     return std::atan2(d.x, d.z) * kDegrees;
@@ -47,7 +43,7 @@ Stand stand_of(const SceneLight& light, const Scene& scene) {
     if (light.type == int(LightType::Directional)) return s;
     s.distance = std::clamp(away, 1e-3 * radius, kMaxDistance);
     // With the direction that the written angles give: the target takes up their rounding.
-    s.target = position - centre - s.distance * direction_of(azimuth(s.direction), elevation(s.direction));
+    s.target = position - centre - s.distance * direction_from_angles(azimuth(s.direction), elevation(s.direction));
     return s;
 }
 

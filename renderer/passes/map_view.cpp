@@ -32,12 +32,7 @@ void add_map_view_pass(FrameState& f, std::vector<Pass>& plan) {
         const int size = std::min(f.map_resolution, kLargestPicture);
         f.gl.map_view.ensure("map viewer", GL_RGBA8, size, size);
         f.gl.map_view_framebuffer = gl::make_framebuffer("map viewer", &f.gl.map_view, nullptr);
-        glBindFramebuffer(GL_FRAMEBUFFER, f.gl.map_view_framebuffer.id());
-        glViewport(0, 0, size, size);
-        glDisable(GL_DEPTH_TEST);
-        glDisable(GL_CULL_FACE);
-        glDisable(GL_BLEND);
-        glBindVertexArray(f.gl.empty_vao.id());
+        f.begin_fullscreen_pass(f.gl.map_view_framebuffer.id(), size, size);
         f.bind_maps();
         const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/map_view.frag.glsl");
         glUseProgram(id);
@@ -48,9 +43,7 @@ void add_map_view_pass(FrameState& f, std::vector<Pass>& plan) {
                     view.curve.perspective ? 1.f : 0.f, 0.f);
         glUniform4f(glGetUniformLocation(id, "range"), float(s.map_black), float(s.map_white), float(s.band_low),
                     float(s.band_high));
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        ++info.draws;
-        ++info.triangles;
+        FrameState::draw_fullscreen(info);
     };
     plan.push_back(std::move(pass));
 }

@@ -64,12 +64,7 @@ Pass compose_pass(FrameState& f, std::uint64_t values_key, std::uint64_t shaded_
     pass.run = [&f, lo, hi](PassInfo& info) {
         f.gl.composed.ensure("picture with overlay", GL_RGBA8, f.request.width, f.request.height);
         f.gl.composed_framebuffer = gl::make_framebuffer("picture with overlay", &f.gl.composed, nullptr);
-        glBindFramebuffer(GL_FRAMEBUFFER, f.gl.composed_framebuffer.id());
-        glViewport(0, 0, f.request.width, f.request.height);
-        glDisable(GL_DEPTH_TEST);
-        glDisable(GL_CULL_FACE);
-        glDisable(GL_BLEND);
-        glBindVertexArray(f.gl.empty_vao.id());
+        f.begin_fullscreen_pass(f.gl.composed_framebuffer.id(), f.request.width, f.request.height);
         const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/compose.frag.glsl");
         glUseProgram(id);
         glBindTextureUnit(kShaded, f.gl.shaded.texture.id());
@@ -77,9 +72,7 @@ Pass compose_pass(FrameState& f, std::uint64_t values_key, std::uint64_t shaded_
         glUniform4f(glGetUniformLocation(id, "scale"), lo, hi, float(f.settings.view.overlay_opacity),
                     f.overlay()->diverging ? 1.f : 0.f);
         glUniform1i(glGetUniformLocation(id, "scalar"), f.overlay()->scalar);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        ++info.draws;
-        ++info.triangles;
+        FrameState::draw_fullscreen(info);
     };
     return pass;
 }

@@ -23,7 +23,6 @@ struct FrameBlock {
     mat4 clip_from_relative;
     vec4 eye;       // xyz relative; w: 1 orthographic
     vec4 forward;   // unit viewing direction; w: 1 / (metres that a pixel spans at the focus)
-    vec4 viewport;  // width, height, 1/width, 1/height
     LightBlock lights[SI_MAX_LIGHTS];
     mat4 uvd_from_relative[SI_MAX_VIEWS];  // homogeneous map coordinates and depth, all in [0,w]
 };
@@ -31,7 +30,7 @@ struct FrameBlock {
 #ifdef __cplusplus
 }  // namespace si::shared
 static_assert(sizeof(si::shared::LightBlock) == 64);
-static_assert(offsetof(si::shared::FrameBlock, lights) == 112);
-static_assert(offsetof(si::shared::FrameBlock, uvd_from_relative) == 112 + 64 * SI_MAX_LIGHTS);
+static_assert(offsetof(si::shared::FrameBlock, lights) == 96);
+static_assert(offsetof(si::shared::FrameBlock, uvd_from_relative) == 96 + 64 * SI_MAX_LIGHTS);
 #endif
 #endif
