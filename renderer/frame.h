@@ -15,15 +15,16 @@ namespace si {
 
 /// Outputs a frame can be asked for. Passes nobody's output depends on do not run.
 struct Outputs {
-    bool colour = true;      ///< the shaded picture, with the overlay of view.overlay over it
+    bool colour = true;      ///< the panes' pictures: shaded, with their overlays and the texel slabs over them
     bool shadow_map = false; ///< the depth as stored, and the map viewer's picture of it
     bool visibility = false; ///< one float per pixel for view.light, 1 lit, 0 in shadow
-    bool overlay = false;    ///< the raw values of view.overlay
+    bool overlay = false;    ///< the raw values of the panes' overlays
+    bool map_coordinates = false;  ///< where in the map of view.light each pixel's kernel is centred
     bool operator==(const Outputs&) const = default;
 };
 
 struct FrameRequest {
-    int width = 1280, height = 720;
+    int width = 1280, height = 720;  ///< of each pane's picture, in pixels
     Outputs outputs;
     bool timing = false;   ///< measure each pass (costs time itself)
     bool force = false;    ///< run every pass even when its result is cached
@@ -46,17 +47,32 @@ struct Image {
     int width = 0, height = 0;
 };
 
+/// One picture of the split view.
+struct Pane {
+    Image picture;    ///< RGBA8, sRGB-encoded, bottom row first; the shaded picture when there is nothing to draw over it
+    Image values;     ///< RGBA32F, x is the value of scalar overlays, a is 0 where nothing was drawn; empty: no overlay
+    int overlay = 0;  ///< 0 none, else row of the overlay table + 1
+    float overlay_min = 0, overlay_max = 1;  ///< the colour scale in use
+};
+
 struct FrameResult {
     Camera camera;
     std::vector<FittedLight> lights;
     std::vector<PassInfo> passes;
     std::vector<std::string> notes;  ///< repairs of settings and other one-line remarks
-    Image colour;      ///< RGBA8, sRGB-encoded, bottom row first
-    Image map_view;    ///< RGBA8, view.map of light view.light, face view.face
+    std::vector<Pane> panes;  ///< as view.panes says, row by row from the top left; panes of one overlay share images
+    Image colour;      ///< the first pane's picture
     Image visibility;  ///< R32F
-    Image overlay;     ///< RGBA32F, x is the value of scalar overlays, a is 0 where nothing was drawn
+    Image overlay;     ///< the first pane's values
+    /// RGBA32F: u and v of the kernel's centre in the map of view.light (v up, after the normal offset, not wrapped), the
+    /// layer among that light's views, and 1 where the kernel reads a texel of it, else 0.
+    Image map_coordinates;
     int map_resolution = 0;
-    float overlay_min = 0, overlay_max = 1;  ///< the colour scale in use
+    float overlay_min = 0, overlay_max = 1;  ///< the first pane's colour scale
+    Image map_view;    ///< RGBA8: the depth image of view.map_source as view.map shows it
+    glm::ivec2 map_view_size{0};       ///< of that depth image; the picture of it may be smaller
+    DepthCurve map_view_curve;         ///< what its depths mean
+    float map_black = 0, map_white = 1;  ///< the grey range in use, as view.map_black and view.map_white count it
     std::string clock;  ///< what gpu_ms was measured with
     const PassInfo* pass(std::string_view name) const;
 };

@@ -38,6 +38,11 @@ struct Resources {
     std::uint64_t depth_key = 0;            ///< of the camera depth: what of the scene is in it
     std::uint64_t fit_key = 0;
     std::vector<FittedLight> fitted;
+    /// What the last map view was made of, for reading it back.
+    struct Shown {
+        MapSource source = MapSource::Light;
+        int light = -1, face = 0;
+    } shown;
 };
 
 struct FrameState {

@@ -147,7 +147,8 @@ std::vector<std::string> sanitise(Settings& s) {
         repair_pair(s, "camera.near", "camera.far", true, repairs);
     }
     if (s.view.band_low > s.view.band_high) repair_pair(s, "view.band_low", "view.band_high", false, repairs);
-    if (!s.view.overlay_range_auto) repair_pair(s, "view.overlay_min", "view.overlay_max", false, repairs);
+    if (s.view.overlay_range == static_cast<int>(OverlayRange::Manual))
+        repair_pair(s, "view.overlay_min", "view.overlay_max", false, repairs);
     return repairs;
 }
 

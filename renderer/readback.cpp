@@ -62,4 +62,8 @@ FloatImage Renderer::read_shadow_map(int light, int face) {
     return out;
 }
 
+FloatImage Renderer::read_map_view_depth() {
+    return read_shadow_map(impl_->resources.shown.light, impl_->resources.shown.face);
+}
+
 }  // namespace si

@@ -97,8 +97,15 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
     if (valid("overlay values")) result.overlay = image_of(r.overlay);
     if (const Overlay* o = f.overlay()) {
         const ViewSettings& v = f.settings.view;
-        result.overlay_min = float(v.overlay_range_auto ? o->min : v.overlay_min);
-        result.overlay_max = float(v.overlay_range_auto ? o->max : v.overlay_max);
+        result.overlay_min = float(v.overlay_range != int(OverlayRange::Manual) ? o->min : v.overlay_min);
+        result.overlay_max = float(v.overlay_range != int(OverlayRange::Manual) ? o->max : v.overlay_max);
+    }
+    result.panes = {{result.colour, result.overlay, f.settings.view.overlay, result.overlay_min, result.overlay_max}};
+    if (const auto& s = r.shown; result.map_view.texture) {
+        result.map_view_size = glm::ivec2(f.map_resolution);
+        result.map_view_curve = r.fitted[std::size_t(s.light)].views[std::size_t(s.face)].curve;
+        result.map_black = float(f.settings.view.map_black);
+        result.map_white = float(f.settings.view.map_white);
     }
     result.camera = f.camera;
     result.lights = r.fitted;

@@ -34,6 +34,8 @@ public:
     FloatImage read_float(const Image& image, int channels);
     /// The stored depth of a light's map from the last frame that asked for shadows, raw, in [0,1].
     FloatImage read_shadow_map(int light, int face);
+    /// The depth image behind the last frame's `map_view`, as stored, in [0,1]. @throws Error when there is none.
+    FloatImage read_map_view_depth();
     /// Evaluates the shadow test at a pixel of the last frame (row 0 at the top).
     Probe probe(const Scene& scene, const Settings& settings, const FrameRequest& request, int x, int y);
 

@@ -14,7 +14,7 @@ inline constexpr int kMaxLights = 16;
 enum class LightType { Directional, Spot, Point };
 enum class LightFit { Manual, Scene };
 enum class LightProjection { Automatic, Orthographic, Perspective };
-enum class CameraSource { Automatic, Manual };
+enum class CameraSource { Automatic, Manual, Light };
 enum class MapFormat { D16, D24, D32F, Colour };
 enum class MapWrap { Border, Clamp, Repeat, Range };
 enum class Outside { Lit, Unlit };
@@ -23,9 +23,13 @@ enum class BlendCasters { None, Mask };
 enum class Cull { None, Back, Front };
 enum class ObjectCull { Inherit, None, Back, Front };
 enum class BiasUnit { Depth, Texels, Metres };
-enum class NormalSource { Geometric, Shading };
+enum class NormalSource { Geometric, Shading, Mapped };
 enum class FilterMethod { Automatic, Gather, Sampler };
 enum class MapView { Raw, Linear, Bands };
+enum class MapSource { Light, Camera };
+enum class Panes { One, Two, Four };
+enum class OverlayRange { Declared, Fitted, Manual };
+enum class Slabs { None, Stored, Biased, Both };
 
 struct CameraSettings {
     int source = 0;  ///< CameraSource
@@ -110,16 +114,23 @@ struct ShadingSettings {
 };
 
 struct ViewSettings {
-    int map = 1;      ///< MapView
+    int map_source = 0;  ///< MapSource
+    int map = 1;         ///< MapView
+    bool map_fit = false;
     double map_black = 0, map_white = 1;
     double band_low = 0.9, band_high = 0.925;
     int light = 0;    ///< whose map and overlay are shown
     int face = 0;     ///< which of a point light's six faces
-    int overlay = 0;  ///< 0 none, else row of the overlay table + 1
+    int panes = 0;    ///< Panes
+    int overlay = 0;  ///< 0 none, else row of the overlay table + 1; the first pane's
+    int overlay_2 = 0, overlay_3 = 0, overlay_4 = 0;
     double overlay_opacity = 1;
-    bool overlay_range_auto = true;
+    int overlay_range = 0;  ///< OverlayRange
     double overlay_min = 0, overlay_max = 1;
     bool frustum = true;
+    int slabs = 0;  ///< Slabs
+    double slabs_u = 0.5, slabs_v = 0.5;
+    int slabs_texels = 32;
     bool operator==(const ViewSettings&) const = default;
 };
 

@@ -89,8 +89,10 @@ constexpr Choice kUnits[] = {
 constexpr Choice kNormals[] = {
     {"geometric", "geometric", "The triangle's own plane normal: the surface that the map stores."},
     {"shading", "shading",
-     "The interpolated vertex normal with its normal map, as the lectures do; wrong where it leaves "
-     "the triangle's plane."},
+     "The interpolated vertex normal, as the lectures do; wrong where it leaves the triangle's plane."},
+    {"mapped", "normal-mapped",
+     "The interpolated normal with its normal map (shading.textures): bumps that the shadow map does not hold change the "
+     "bias from pixel to pixel, and the shadow test with it."},
 };
 constexpr Choice kMethods[] = {
     {"auto", "automatic", "Gather: the quicker one where it was measured."},

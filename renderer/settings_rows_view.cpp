@@ -1,6 +1,5 @@
-// Rows of shading, camera, scene, view and objects.
+// Rows of shading, camera, scene and objects.
 #include "renderer/settings_rows.h"
-#include "renderer/techniques.h"
 
 namespace si {
 namespace {
@@ -32,6 +31,9 @@ static_assert(kShading.size() == members<ShadingSettings>(), "a member of Shadin
 constexpr Choice kSources[] = {
     {"auto", "automatic", "The scene's own camera, or one that shows the whole scene."},
     {"manual", "by hand", "As the settings below say."},
+    {"light", "through the light",
+     "What the map of view.light sees: its place, direction and projection (view.face of a point light), near and far "
+     "planes included. The map's square fills the picture's shorter side."},
 };
 
 std::string_view camera_idle(const Settings& s, int) {
@@ -86,67 +88,6 @@ constexpr auto kScene = std::to_array<Param>({
 });
 static_assert(kScene.size() == members<SceneSettings>(), "a member of SceneSettings has no row");
 
-constexpr Choice kMapViews[] = {
-    {"raw", "raw", "The depth as stored, 0 black to 1 white."},
-    {"linear", "linear", "Distance along the light's axis, near black to far white."},
-    {"bands", "bands",
-     "Depth bands: red below view.band_low, green from there, blue above view.band_high. Most of a "
-     "perspective map's depth is spent close to the near plane (the 90/10 rule)."},
-};
-
-bool is_overlay_off(const Settings& s) {
-    return s.view.overlay == 0;
-}
-constexpr std::string_view kNoOverlay = "without effect: view.overlay is none";
-
-std::string_view range_idle(const Settings& s, int) {
-    if (is_overlay_off(s)) return kNoOverlay;
-    return s.view.overlay_range_auto ? "without effect: view.overlay_range_auto is on" : "";
-}
-std::string_view face_idle(const Settings& s, int) {
-    const int light = s.view.light < 0 || s.view.light >= kMaxLights ? 0 : s.view.light;
-    const LightSettings& shown = s.lights[std::size_t(light)];
-    // 1.5 rad is half the widest cone that light_fit.cpp draws as one map.
-    const bool faces = shown.type == at(LightType::Point) ||
-                       (shown.type == at(LightType::Spot) && shown.cone > 2 * 1.5 * 57.29577951308232);
-    return faces ? "" : "without effect: only a point light's map has six faces";
-}
-
-constexpr auto kView = std::to_array<Param>({
-    {SI_FIELD(view.map), .label = "Map view", .unit = "", SI_CHOICES(kMapViews),
-     .help = "How the map viewer shows depth."},
-    {SI_FIELD(view.map_black), .label = "Black at", .unit = "", .min = -1, .max = 2,
-     SI_IDLE(s.view.map == at(MapView::Bands), "without effect: the band view has colours of its own"),
-     .help = "The value that the map viewer shows black, as a share of its range."},
-    {SI_FIELD(view.map_white), .label = "White at", .unit = "", .min = -1, .max = 2,
-     SI_IDLE(s.view.map == at(MapView::Bands), "without effect: the band view has colours of its own"),
-     .help = "The value that the map viewer shows white, as a share of its range."},
-    {SI_FIELD(view.band_low), .label = "Lower band", .unit = "depth", .min = 0, .max = 1,
-     SI_IDLE(s.view.map != at(MapView::Bands), "without effect: view.map is not bands"),
-     .help = "Depths below this are red in the band view."},
-    {SI_FIELD(view.band_high), .label = "Upper band", .unit = "depth", .min = 0, .max = 1,
-     SI_IDLE(s.view.map != at(MapView::Bands), "without effect: view.map is not bands"),
-     .help = "Depths above this are blue in the band view."},
-    {SI_FIELD(view.light), .label = "Light shown", .unit = "", .min = 0, .max = kMaxLights - 1,
-     SI_IDLE(s.light_count < 2, "without effect: there is one light"),
-     .help = "Whose shadow map, visibility and overlays are shown; 0 is the first light."},
-    {SI_FIELD(view.face), .label = "Face shown", .unit = "", .min = 0, .max = 5, .idle = face_idle,
-     .help = "Which of a point light's six map faces is shown: 0 +x, 1 -x, 2 +y, 3 -y, 4 +z, 5 -z."},
-    {SI_FIELD(view.overlay), .label = "Overlay", .unit = "", .cost = Cost::Program, .choices = overlay_choices,
-     .help = "A quantity of the shadow test drawn over the scene."},
-    {SI_FIELD(view.overlay_opacity), .label = "Opacity", .unit = "", .min = 0, .max = 1,
-     SI_IDLE(is_overlay_off(s), kNoOverlay), .help = "How much of the overlay covers the picture: 0 nothing, 1 all."},
-    {SI_FIELD(view.overlay_range_auto), .label = "Automatic range", .unit = "", SI_IDLE(is_overlay_off(s), kNoOverlay),
-     .help = "The colour scale spans the range that the overlay suggests."},
-    {SI_FIELD(view.overlay_min), .label = "Scale from", .unit = "overlay's", .min = -1e8, .max = 1e8,
-     .idle = range_idle, .help = "The value at the low end of the colour scale, in the overlay's unit."},
-    {SI_FIELD(view.overlay_max), .label = "Scale to", .unit = "overlay's", .min = -1e8, .max = 1e8, .idle = range_idle,
-     .help = "The value at the high end of the colour scale, in the overlay's unit."},
-    {SI_FIELD(view.frustum), .label = "Light frustum", .unit = "",
-     .help = "Draw the outline of the shown light's frustum in the editor's view."},
-});
-static_assert(kView.size() == members<ViewSettings>(), "a member of ViewSettings has no row");
-
 constexpr Choice kObjectCulls[] = {
     {"inherit", "as the scene", "As caster.cull says."},
     {"none", "none", "Every triangle of the object casts."},
@@ -177,9 +118,6 @@ std::span<const Param> scene_rows() {
     return kScene;
 }
 
-std::span<const Param> view_rows() {
-    return kView;
-}
 std::span<const Param> object_rows() {
     return kObject;
 }

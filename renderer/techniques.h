@@ -24,7 +24,7 @@ struct Overlay {
     std::string_view key, label, unit, help;
     std::string_view file;
     bool scalar = true;         ///< x goes through the colour scale; otherwise rgba as it is
-    double min = 0, max = 1;    ///< colour scale when view.overlay_range_auto
+    double min = 0, max = 1;    ///< colour scale when view.overlay_range is declared
     bool diverging = false;     ///< the scale is centred on zero
     bool reads_visibility = false;  ///< asks for the visibility texture
 };

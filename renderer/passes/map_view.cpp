@@ -28,6 +28,7 @@ void add_map_view_pass(FrameState& f, std::vector<Pass>& plan) {
     key.add(f.gl.programs.source().generation());
     pass.key = key.value();
     pass.cached = &f.gl.map_view.key;
+    f.gl.shown = {MapSource::Light, v.light, face};
     pass.run = [&f, layer, &view](PassInfo& info) {
         const int size = std::min(f.map_resolution, kLargestPicture);
         f.gl.map_view.ensure("map viewer", GL_RGBA8, size, size);

@@ -55,8 +55,8 @@ Pass compose_pass(FrameState& f, std::uint64_t values_key, std::uint64_t shaded_
     }
     const ViewSettings& v = f.settings.view;
     const Overlay& row = *f.overlay();
-    const float lo = float(v.overlay_range_auto ? row.min : v.overlay_min);
-    const float hi = float(v.overlay_range_auto ? row.max : v.overlay_max);
+    const float lo = float(v.overlay_range != int(OverlayRange::Manual) ? row.min : v.overlay_min);
+    const float hi = float(v.overlay_range != int(OverlayRange::Manual) ? row.max : v.overlay_max);
     Key key;
     key.add(values_key).add(shaded_key).add(lo).add(hi).add(v.overlay_opacity);
     pass.key = key.value();
