@@ -20,6 +20,7 @@ struct EditorLayout {
     float settings_width = 24;
     float bottom_height = 17.2f;
     float map_share = 0.40f;  ///< of the width left of the settings
+    bool operator==(const EditorLayout&) const = default;
 };
 
 /// Pan and zoom of the map viewer: `zoom` 1 fits the map; `centre` is what stands in the middle, v up.
