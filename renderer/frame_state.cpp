@@ -17,12 +17,11 @@ GLuint FrameState::program(std::string_view vertex, std::string_view fragment, s
 }
 
 void FrameState::bind_maps() const {
-    const gl::Target& map = gl.compared_map();
-    if (!map.texture) return;
-    glBindTextureUnit(kShadowMap, map.texture.id());
+    if (!gl.map.texture) return;
+    glBindTextureUnit(kShadowMap, gl.map.texture.id());
     glBindSampler(kShadowMap, gl.map_nearest.id());
     if (settings.map.format != int(MapFormat::Colour)) {
-        glBindTextureUnit(kShadowMapCompare, map.texture.id());
+        glBindTextureUnit(kShadowMapCompare, gl.map.texture.id());
         glBindSampler(kShadowMapCompare, gl.map_compare.id());
     }
 }

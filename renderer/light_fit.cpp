@@ -291,6 +291,7 @@ std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings
                          glm::dvec3(positive_or(s.red, 0), positive_or(s.green, 0), positive_or(s.blue, 0));
         const glm::dvec3 target =
             shape.centre + glm::dvec3(finite_or(s.target_x, 0), finite_or(s.target_y, 0), finite_or(s.target_z, 0));
+        light.target = target;
         const FitContext context{shape, s, {true, settings.map.reversed_z}, resolution};
         switch (light.type) {
             case LightType::Directional:

@@ -50,7 +50,8 @@ struct LightView {
 
 struct FittedLight {
     LightType type = LightType::Directional;
-    glm::dvec3 position{0};      ///< world; spot and point
+    glm::dvec3 position{0};      ///< world; directional: as the settings place it, before a fit centres the map
+    glm::dvec3 target{0};        ///< world; what `position` is `to_light` away from
     glm::dvec3 to_light{0, 1, 0};///< unit; directional: towards the light; spot: against its axis
     double cos_cone_outer = -1, cos_cone_inner = -1;
     glm::dvec3 radiance{1};      ///< colour × intensity, normalised to the scene's centre (see fit_lights)
