@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "renderer/techniques.h"
+#include "ui/camera_steering.h"
 #include "ui/panels.h"
 #include "ui/theme.h"
 
@@ -25,7 +26,7 @@ bool pressed(ImGuiKey key) {
 // Letters and digits are looked up by their ASCII code: the window feeds codes that equal it (GLFW's do).
 void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput) return;
+    if (io.WantTextInput || state.flight.on || state.handle_drag) return;  // letters and Escape mean something else
     Settings& s = state.settings;
     if (io.KeyCtrl) {
         if (pressed('Z') && !io.KeyShift) s = state.history.undo();
@@ -35,7 +36,8 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
         if (pressed('Q')) actions.quit = true;
         return;
     }
-    if (pressed('F')) frame_scene(state, frame);
+    if (pressed('F')) frame_selection(state, frame);
+    if (pressed('L')) toggle_light_camera(state);
     if (pressed('M')) s.view.map = (s.view.map + 1) % 3;
     if (pressed(ImGuiKey_Home)) s.camera = CameraSettings{};
     if (pressed(ImGuiKey_Escape)) state.probe_pixel.reset(), state.show_shortcuts = false;
@@ -156,7 +158,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     actions.want_timing = state.tab == BottomTab::Passes;
     const bool turning_wheel = ImGui::GetTime() < state.wheel_until;
     state.history.observe(state.settings, ImGui::IsAnyItemActive() || state.dragging || turning_wheel);
-    actions.redraw = turning_wheel || state.open_tab.has_value();
+    actions.redraw = turning_wheel || state.open_tab.has_value() || state.flight.moving;
     return actions;
 }
 

@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "renderer/camera.h"
 #include "renderer/frame.h"
 #include "renderer/renderer.h"
 #include "ui/history.h"
+#include "ui/light_drag.h"
 #include "ui/log.h"
 
 namespace si {
@@ -20,13 +22,18 @@ struct EditorLayout {
     float settings_width = 24;
     float bottom_height = 17.2f;
     float map_share = 0.40f;  ///< of the width left of the settings
-    bool operator==(const EditorLayout&) const = default;
 };
 
 /// Pan and zoom of the map viewer: `zoom` 1 fits the map; `centre` is what stands in the middle, v up.
 struct MapWindow {
     float zoom = 1;
     glm::vec2 centre{0.5f};
+};
+
+/// Flying with the right mouse button held.
+struct Flight {
+    bool on = false, moving = false;  ///< the button, and a key of movement, were down in the last frame
+    double speed = 1;                 ///< factor
 };
 
 enum class BottomTab { Passes, Probe, Objects, Log };
@@ -46,10 +53,19 @@ struct EditorState {
     BottomTab tab = BottomTab::Passes;
     std::optional<BottomTab> open_tab = BottomTab::Passes;  ///< brought to the front in the next frame
     std::string object_search;
+    std::string selected_object;  ///< node path; empty: none
     bool show_shortcuts = false;
     double wheel_until = 0;    ///< a turn of the wheel counts as one gesture until this time, seconds
     bool dragging = false;     ///< a drag in a picture is under way
+    std::optional<PictureView> scene_view;  ///< where the scene picture was drawn last
     bool press_moved = false;  ///< the press in the scene picture became a drag
+    bool press_taken = false;  ///< the press in the scene picture is on a mark in it, no gesture of the camera
+    std::optional<LightHit> hovered_light;   ///< under the mouse in the scene picture
+    std::optional<HandleDrag> handle_drag;   ///< under way
+    Flight flight;
+    std::optional<CameraSettings> camera_before_light;  ///< what looking through the light goes back to
+    std::optional<Camera> frozen;  ///< the shadow camera while another one flies about
+    bool select_probed = false;    ///< the next probe of a click chooses the selected object
 };
 
 /// A preset that ships with the program.

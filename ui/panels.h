@@ -26,9 +26,6 @@ int shown_light(const Settings& settings);
 /// The face of the shown light, clamped.
 int shown_face(const Settings& settings, const FrameResult& result);
 
-/// Moves the camera so that all of the scene is seen.
-void frame_scene(EditorState& state, const EditorFrame& frame);
-
 /// A built-in scene's label; a file without its folders.
 std::string scene_label(const std::string& name_or_path);
 

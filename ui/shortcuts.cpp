@@ -9,11 +9,15 @@ namespace {
 
 constexpr std::pair<const char*, const char*> kShortcuts[] = {
     {"Drag", "turn the camera about its target"},
-    {"Right or middle drag, Shift+drag", "move the camera sideways"},
-    {"Wheel", "closer, farther"},
+    {"Middle drag, Shift+drag", "move the camera sideways"},
+    {"Wheel", "closer, farther, towards the cursor"},
+    {"Right button held", "fly: look with the mouse, W A S D move, Q E sink and rise; Shift faster, wheel: speed"},
+    {"Drag a handle of the light", "change it; Ctrl in round steps, Esc as it was"},
+    {"Click another light's mark", "show its map and handles"},
     {"Ctrl+drag", "turn the light"},
     {"Click", "probe a pixel; Esc forgets it"},
-    {"F", "frame the whole scene"},
+    {"F", "frame the selected object, or the whole scene"},
+    {"L", "look through the light, and back"},
     {"Home", "the scene's own camera"},
     {"1 to 9", "overlays; the same key again, or 0: none"},
     {"M", "map viewer: raw, linear, bands"},

@@ -6,17 +6,15 @@
 #include <cmath>
 
 #include "renderer/techniques.h"
-#include "ui/camera_gesture.h"
-#include "ui/light_lines.h"
+#include "ui/camera_steering.h"
+#include "ui/light_gizmo.h"
 #include "ui/panels.h"
+#include "ui/picture_painter.h"
 #include "ui/setting_widgets.h"
 #include "ui/theme.h"
 
 namespace si {
 namespace {
-
-constexpr float kClickPixels = 3;      ///< a press that moves further is a drag
-constexpr double kWheelSeconds = 0.4;  ///< turns of the wheel closer than this are one step of undo
 
 ImTextureID texture_id(unsigned texture) {
     return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
@@ -43,78 +41,6 @@ void header(EditorState& state) {
     ImGui::TextDisabled("Frustum");
     ImGui::SameLine();
     setting_widget(s, "view.frustum");
-}
-
-void take_camera(EditorState& state, const EditorFrame& frame) {
-    if (frame.scene && frame.result)
-        state.settings.camera = manual_camera(*frame.scene, state.settings, frame.result->camera.aspect);
-}
-
-void steer(EditorState& state, const EditorFrame& frame, float height) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 d = io.MouseDelta;
-    const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    const bool moved = ImGui::IsMouseDragging(ImGuiMouseButton_Left, kClickPixels) ||
-                       ImGui::IsMouseDragging(ImGuiMouseButton_Right, kClickPixels) ||
-                       ImGui::IsMouseDragging(ImGuiMouseButton_Middle, kClickPixels);
-    if (ImGui::IsItemActivated()) state.press_moved = false;
-    if (ImGui::IsItemActive() && moved) {
-        state.press_moved = true;
-        state.dragging = true;
-        const int light = shown_light(state.settings);
-        if (left && io.KeyCtrl && light >= 0) {
-            turn_light(state.settings.lights[std::size_t(light)], frame.result->camera, d.x, d.y);
-        } else {
-            take_camera(state, frame);
-            CameraSettings& camera = state.settings.camera;
-            if (left && !io.KeyShift)
-                orbit(camera, d.x, d.y);
-            else
-                pan(camera, frame.result->camera, d.x, d.y, int(height));
-        }
-    }
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0 && !io.KeyCtrl) {
-        take_camera(state, frame);
-        zoom(state.settings.camera, io.MouseWheel);
-        state.wheel_until = ImGui::GetTime() + kWheelSeconds;
-    }
-}
-
-/// Lines of the shown light's frustum and a mark where the light stands.
-void draw_light(const EditorState& state, const FrameResult& result, ImVec2 origin, ImVec2 size) {
-    const int light = shown_light(state.settings);
-    if (light < 0 || std::size_t(light) >= result.lights.size()) return;
-    const FittedLight& fitted = result.lights[std::size_t(light)];
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float em = ImGui::GetFontSize();
-    const int w = int(size.x), h = int(size.y);
-    const auto line = [&](const glm::dvec3& a, const glm::dvec3& b, ImU32 colour) {
-        if (const auto on = project_segment(result.camera, a, b, w, h)) {
-            const ImVec2 p(origin.x + float(on->first.x + 0.5), origin.y + float(on->first.y + 0.5));
-            const ImVec2 q(origin.x + float(on->second.x + 0.5), origin.y + float(on->second.y + 0.5));
-            list.AddLine(p, q, IM_COL32(0, 0, 0, 110), em * 0.2f);
-            list.AddLine(p, q, colour, em * 0.09f);
-        }
-    };
-    const ImU32 near_colour = theme::kAccent, far_colour = IM_COL32(196, 158, 84, 170);
-    for (std::size_t face = 0; face < fitted.views.size(); ++face) {
-        const bool shown = fitted.views.size() == 1 || int(face) == shown_face(state.settings, result);
-        for (const Segment& s : frustum_edges(fitted.views[face]))
-            if (shown) line(s.from, s.to, s.far ? far_colour : near_colour);
-    }
-    if (fitted.views.empty()) return;
-    const LightView& view = fitted.views[0];
-    const glm::dvec3 eye = fitted.type == LightType::Directional ? view.eye : fitted.position;
-    if (const auto on = project_segment(result.camera, eye, eye, w, h)) {
-        const ImVec2 p(origin.x + float(on->first.x + 0.5), origin.y + float(on->first.y + 0.5));
-        list.AddCircleFilled(p, em * 0.32f, IM_COL32(0, 0, 0, 150), 20);
-        list.AddCircleFilled(p, em * 0.22f, theme::kAccent, 20);
-    }
-    if (fitted.type != LightType::Point) {
-        const glm::dvec3 towards =
-            view.eye - view.axes[2] * (0.12 * (view.curve.far - view.curve.near) + view.curve.near);
-        line(eye, towards, theme::kAccent);
-    }
 }
 
 void draw_probe_mark(const EditorState& state, const FrameResult& result, ImVec2 origin, ImVec2 size) {
@@ -175,13 +101,6 @@ int shown_face(const Settings& settings, const FrameResult& result) {
     return std::clamp(settings.view.face, 0, std::max(0, int(result.lights[std::size_t(light)].views.size()) - 1));
 }
 
-void frame_scene(EditorState& state, const EditorFrame& frame) {
-    if (!frame.scene) return;
-    const double aspect = frame.result ? frame.result->camera.aspect : 1.5;
-    state.settings.camera = manual_camera(*frame.scene, state.settings, aspect);
-    look_at_bounds(state.settings.camera, frame.scene->bounds, aspect);
-}
-
 void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     header(state);
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
@@ -213,13 +132,18 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
                            std::clamp(int((mouse.y - origin.y) / size.y * float(result.colour.height)), 0,
                                       std::max(0, result.colour.height - 1)));
     const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
-    steer(state, frame, size.y);
-    if (released && hovered && !state.press_moved) {
+    const PictureView view{result.camera, {origin.x, origin.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
+    state.scene_view = view;
+    if (ImGui::IsItemActivated()) state.press_moved = state.press_taken = false;
+    steer_lights(state, frame, view);
+    if (!state.press_taken) steer_camera(state, frame, view);
+    if (released && hovered && !state.press_moved && !state.press_taken) {
         state.probe_pixel = pixel;
         state.open_tab = BottomTab::Probe;
     }
     list.PushClipRect(origin, end, true);
-    if (state.settings.view.frustum) draw_light(state, result, origin, size);
+    const PicturePainter painter(view, list);
+    draw_lights(state, frame, painter);
     draw_probe_mark(state, result, origin, size);
     if (hovered) hover_readout(state, frame, origin, pixel);
     draw_legend(state.settings, result, origin.x, end.y);

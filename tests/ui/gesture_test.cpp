@@ -60,13 +60,68 @@ TEST(Gesture, OrbitTurnsAboutTheTargetAndStopsAtThePoles) {
     EXPECT_LE(s.camera.azimuth, 180);
 }
 
-TEST(Gesture, ZoomUndoesItself) {
+/// The picture as PictureView sees it.
+PictureView view_of(const Scene& scene, const Settings& s) {
+    return {make_camera(scene, s, double(kWidth) / kHeight), {0, 0}, {kWidth, kHeight}, 1};
+}
+
+TEST(Gesture, ZoomingKeepsWhatIsUnderTheCursorAndUndoesItself) {
+    const Scene scene = test::box_scene({{}});
+    for (const bool orthographic : {false, true}) {
+        Settings s = manual(orthographic);
+        const glm::dvec2 cursor(500, 90);
+        const PictureView before = view_of(scene, s);
+        const glm::dvec3 under = *meet_plane(before.ray(cursor), target(s.camera), before.camera.axes[2]);
+        zoom(s.camera, before.camera, before.ray(cursor), 3);
+        EXPECT_LT(s.camera.distance, 12);
+        EXPECT_LT(s.camera.height, 9);
+        const PictureView after = view_of(scene, s);
+        EXPECT_NEAR(after.point(under)->x, cursor.x, 1e-6);
+        EXPECT_NEAR(after.point(under)->y, cursor.y, 1e-6);
+        zoom(s.camera, after.camera, after.ray(cursor), -3);
+        EXPECT_NEAR(s.camera.distance, 12, 1e-9);
+        EXPECT_NEAR(glm::distance(target(s.camera), target(manual(orthographic).camera)), 0, 1e-9);
+    }
+}
+
+TEST(Gesture, LookingAroundKeepsTheEye) {
+    const Scene scene = test::box_scene({{}});
     Settings s = manual(false);
-    zoom(s.camera, 3);
-    EXPECT_LT(s.camera.distance, 12);
-    EXPECT_LT(s.camera.height, 9);
-    zoom(s.camera, -3);
-    EXPECT_NEAR(s.camera.distance, 12, 1e-9);
+    s.camera.elevation = 20;
+    const Camera before = make_camera(scene, s, 1.6);
+    look_around(s.camera, 30, 10);
+    const Camera after = make_camera(scene, s, 1.6);
+    EXPECT_NEAR(glm::distance(after.eye, before.eye), 0, 1e-9);
+    EXPECT_GT(glm::dot(-after.axes[2], before.axes[0]), 0) << "mouse to the right looks to the right";
+    EXPECT_LT(glm::dot(-after.axes[2], before.axes[1]), 0) << "mouse down looks down";
+}
+
+TEST(Gesture, FlyingMovesEyeAndTargetAlike) {
+    const Scene scene = test::box_scene({{}});
+    Settings s = manual(false);
+    const Camera before = make_camera(scene, s, 1.6);
+    fly(s.camera, {2, 0.5, 3});
+    const Camera after = make_camera(scene, s, 1.6);
+    const glm::dvec3 moved = after.eye - before.eye, expected = 2.0 * before.axes[0] + glm::dvec3(0, 0.5, 0) - 3.0 * before.axes[2];
+    EXPECT_NEAR(glm::distance(moved, expected), 0, 1e-9);
+    EXPECT_EQ(after.axes, before.axes);
+}
+
+TEST(Gesture, LookingAlongAnAxisShowsTheOtherTwo) {
+    const Scene scene = test::box_scene({{}});
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool positive : {false, true}) {
+            Settings s = manual(false);
+            s.camera.roll = 30;
+            look_along(s.camera, axis, positive);
+            const Camera c = make_camera(scene, s, 1.6);
+            glm::dvec3 from(0);
+            from[axis] = positive ? 1 : -1;
+            EXPECT_NEAR(glm::distance(c.axes[2], from), 0, 1e-9);
+            if (axis != 1) {
+                EXPECT_NEAR(c.axes[1].y, 1, 1e-9) << "y is up";
+            }
+        }
 }
 
 TEST(Gesture, FramingShowsAllOfTheBoundsAndNotTooSmall) {

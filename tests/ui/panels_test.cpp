@@ -190,7 +190,7 @@ TEST(Panels, ClickProbesAndDragTurnsTheCamera) {
     EXPECT_EQ(ui.state.settings.camera.source, int(CameraSource::Manual));
     EXPECT_EQ(ui.state.probe_pixel, probed) << "a drag probed";
     const CameraSettings turned = ui.state.settings.camera;
-    ui.drag(kPicture, kPicture + glm::vec2(60, 25), 1);
+    ui.drag(kPicture, kPicture + glm::vec2(60, 25), 2);
     EXPECT_NE(ui.state.settings.camera.target_x, turned.target_x);
     EXPECT_EQ(ui.state.settings.camera.azimuth, turned.azimuth);
     const LightSettings light = ui.state.settings.lights[0];

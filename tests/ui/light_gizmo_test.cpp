@@ -1,0 +1,170 @@
+// Handles of the shown light and marks of the others under a synthetic mouse, in the whole editor.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "tests/ui/ui_harness.h"
+#include "ui/light_drag.h"
+
+namespace si::test {
+namespace {
+
+constexpr int kWidth = 1280, kHeight = 720;
+
+/// An editor whose camera sees all of the light and its frustum.
+struct Gizmo {
+    UiHarness ui{kWidth, kHeight};
+    Settings& settings = ui.state.settings;
+    LightSettings& light = settings.lights[0];
+
+    explicit Gizmo(LightType type) {
+        settings.camera.source = int(CameraSource::Manual);
+        settings.camera.distance = 4 * ui.scene.bounds.radius();
+        settings.camera.azimuth = 10;
+        light.type = int(type);
+        light.elevation = 40;
+        light.distance = ui.scene.bounds.radius();
+        ui.frames(3);
+        ui.state.history.reset(settings);
+    }
+    const PictureView& view() const { return *ui.state.scene_view; }
+    LightPose pose(int i = 0) const {
+        return light_pose(settings.lights[std::size_t(i)], fit_lights(ui.scene, settings)[std::size_t(i)], 0);
+    }
+    std::vector<PlacedHandle> handles() const { return place_handles(pose(), view()); }
+    glm::vec2 place(LightHandle h) const {
+        for (const PlacedHandle& p : handles())
+            if (p.handle == h) return p.on_screen;
+        ADD_FAILURE() << "no handle " << handle_name(h);
+        return {};
+    }
+    void key(int index, bool down) { ImGui::GetIO().KeysDown[ImGui::GetKeyIndex(index)] = down; }
+};
+
+TEST(LightGizmo, EveryHandleChangesTheLightAndIsOneStepOfUndo) {
+    int dragged = 0;
+    for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
+        for (const PlacedHandle& handle : Gizmo(type).handles()) {
+            Gizmo g(type);
+            const Settings before = g.settings;
+            const glm::vec2 at = g.place(handle.handle);
+            g.ui.drag(at, at + glm::vec2(14, -11));
+            EXPECT_NE(g.light, before.lights[0]) << handle_name(handle.handle) << " of type " << int(type);
+            EXPECT_EQ(g.settings.camera, before.camera) << "the camera turned with the " << handle_name(handle.handle);
+            EXPECT_FALSE(g.ui.state.probe_pixel);
+            ASSERT_TRUE(g.ui.state.history.can_undo());
+            EXPECT_EQ(g.ui.state.history.undo(), before) << "more than one step";
+            EXPECT_FALSE(g.ui.state.history.can_undo());
+            ++dragged;
+        }
+    EXPECT_GT(dragged, 18);
+}
+
+TEST(LightGizmo, AClickOnAHandleChangesNothing) {
+    Gizmo g(LightType::Spot);
+    const Settings before = g.settings;
+    for (const LightHandle h : {LightHandle::Near, LightHandle::Target, LightHandle::ConeTop}) g.ui.click(g.place(h));
+    EXPECT_EQ(g.settings, before);
+    EXPECT_FALSE(g.ui.state.probe_pixel);
+}
+
+TEST(LightGizmo, EscapeRestoresAndTheRestOfThePressIsNothing) {
+    Gizmo g(LightType::Directional);
+    const Settings before = g.settings;
+    const glm::vec2 at = g.place(LightHandle::Direction);
+    g.ui.move(at);
+    g.ui.frames(2);
+    g.ui.press(true);
+    g.ui.frame();
+    g.ui.move(at + glm::vec2(30, 12));
+    g.ui.frames(2);
+    EXPECT_NE(g.light.azimuth, before.lights[0].azimuth);
+    g.key(ImGuiKey_Escape, true);
+    g.ui.frame();
+    g.key(ImGuiKey_Escape, false);
+    EXPECT_EQ(g.settings, before);
+    g.ui.move(at + glm::vec2(60, 40));
+    g.ui.frames(2);
+    EXPECT_EQ(g.settings, before) << "the mouse is still down";
+    g.ui.press(false);
+    g.ui.frames(2);
+    EXPECT_EQ(g.settings, before);
+    EXPECT_FALSE(g.ui.state.history.can_undo());
+    EXPECT_FALSE(g.ui.state.probe_pixel);
+}
+
+TEST(LightGizmo, WithinNinePixelsAHandleIsHit) {
+    Gizmo g(LightType::Spot);
+    const glm::vec2 at = g.place(LightHandle::Far);
+    for (const glm::vec2 off : {glm::vec2(9, 0), glm::vec2(0, -9), glm::vec2(-6, 6)}) {
+        g.ui.move(at + off);
+        g.ui.frames(2);
+        ASSERT_TRUE(g.ui.state.hovered_light);
+        EXPECT_EQ(g.ui.state.hovered_light->handle, LightHandle::Far);
+    }
+    g.ui.move(at + glm::vec2(14, 0));
+    g.ui.frames(2);
+    EXPECT_FALSE(g.ui.state.hovered_light);
+}
+
+TEST(LightGizmo, ControlGoesInSteps) {
+    Gizmo g(LightType::Directional);
+    g.light.azimuth = -31.7;
+    g.ui.frames(2);
+    const glm::vec2 at = g.place(LightHandle::Direction);
+    const CameraSettings camera = g.settings.camera;
+    ImGui::GetIO().KeyCtrl = true;
+    g.ui.drag(at, at + glm::vec2(25, 9));
+    ImGui::GetIO().KeyCtrl = false;
+    EXPECT_NE(g.light.azimuth, -31.7);
+    EXPECT_EQ(std::remainder(g.light.azimuth, 5), 0);
+    EXPECT_EQ(std::remainder(g.light.elevation, 5), 0);
+    EXPECT_EQ(g.settings.camera, camera);
+}
+
+TEST(LightGizmo, AnotherLightIsChosenByItsMark) {
+    Gizmo g(LightType::Spot);
+    g.settings.light_count = 3;
+    g.settings.lights[2].type = int(LightType::Point);
+    g.settings.lights[2].azimuth = 120;
+    g.settings.lights[2].distance = g.light.distance;
+    g.ui.frames(3);
+    const auto mark = g.view().point(g.pose(2).position);
+    ASSERT_TRUE(mark && g.view().contains(*mark));
+    const CameraSettings camera = g.settings.camera;
+    g.ui.click(*mark);
+    EXPECT_EQ(g.settings.view.light, 2);
+    EXPECT_FALSE(g.ui.state.probe_pixel) << "the click probed as well";
+    g.ui.drag(*mark, glm::vec2(*mark) + glm::vec2(20, 5));
+    EXPECT_EQ(g.settings.camera, camera);
+    EXPECT_EQ(g.settings.lights[2].fit, int(LightFit::Manual)) << "its handles act once it is chosen";
+}
+
+TEST(LightGizmo, WithoutTheFrustumThereIsNothingToDrag) {
+    Gizmo g(LightType::Spot);
+    const glm::vec2 at = g.place(LightHandle::Far);
+    g.settings.view.frustum = false;
+    g.ui.frames(2);
+    const LightSettings before = g.light;
+    const CameraSettings camera = g.settings.camera;
+    g.ui.drag(at, at + glm::vec2(20, 5));
+    EXPECT_EQ(g.light, before);
+    EXPECT_NE(g.settings.camera, camera) << "the camera turns instead";
+}
+
+TEST(LightGizmo, ALightMayDisappearUnderAHandle) {
+    Gizmo g(LightType::Spot);
+    const glm::vec2 at = g.place(LightHandle::Far);
+    g.ui.move(at);
+    g.ui.frames(2);
+    g.ui.press(true);
+    g.ui.frame();
+    g.settings.light_count = 0;
+    g.ui.move(at + glm::vec2(20, 5));
+    g.ui.frames(2);
+    g.ui.press(false);
+    g.ui.frames(2);
+    EXPECT_FALSE(g.ui.state.handle_drag);
+}
+
+}  // namespace
+}  // namespace si::test

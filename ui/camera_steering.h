@@ -1,0 +1,20 @@
+// The camera under mouse and keys in the scene picture: orbit, pan, zoom, fly, look through the light.
+#pragma once
+
+#include "ui/editor_ui.h"
+#include "ui/picture_view.h"
+
+namespace si {
+
+/// Call right after the picture's item, when nothing in the picture took the press. Sets state.press_moved and
+/// state.dragging.
+void steer_camera(EditorState& state, const EditorFrame& frame, const PictureView& view);
+
+/// The camera by hand, so that it can be moved.
+void take_camera(EditorState& state, const EditorFrame& frame);
+/// Frames the selected object, or all of the scene when none is.
+void frame_selection(EditorState& state, const EditorFrame& frame);
+/// Looks through the shown light; a second call goes back to the camera before.
+void toggle_light_camera(EditorState& state);
+
+}  // namespace si
