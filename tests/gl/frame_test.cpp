@@ -145,18 +145,18 @@ TEST_F(FrameTest, PlanReusesWhatIsUnchangedAndRunsWhatIsNot) {
         return out;
     };
     using enum PassState;
-    // shadow map, visibility, shading, overlay values, overlay over picture, map viewer
-    EXPECT_EQ(states(), (std::vector{Ran, Skipped, Ran, Skipped, Skipped, Ran}));
-    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Reused, Skipped, Skipped, Reused}));
+    // shadow map, depth blur, visibility, shading, overlay values, overlay over picture, map viewer
+    EXPECT_EQ(states(), (std::vector{Ran, Skipped, Skipped, Ran, Skipped, Skipped, Ran}));
+    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Skipped, Reused, Skipped, Skipped, Reused}));
     s.bias.constant += 0.5;
-    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Ran, Skipped, Skipped, Reused}));
+    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Skipped, Ran, Skipped, Skipped, Reused}));
     s.lights[0].azimuth += 1;
-    EXPECT_EQ(states(), (std::vector{Ran, Skipped, Ran, Skipped, Skipped, Ran}));
+    EXPECT_EQ(states(), (std::vector{Ran, Skipped, Skipped, Ran, Skipped, Skipped, Ran}));
     s.camera = manual_camera(scene, s);
     s.camera.azimuth += 3;
-    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Ran, Skipped, Skipped, Reused}));
+    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Skipped, Ran, Skipped, Skipped, Reused}));
     s.view.overlay = 1;  // visibility
-    EXPECT_EQ(states(), (std::vector{Reused, Ran, Ran, Ran, Ran, Reused}));
+    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Ran, Ran, Ran, Ran, Reused}));
     s.lights[0].cast = false;
     const FrameResult dark = renderer.render(scene, s, request);
     EXPECT_EQ(dark.passes[0].state, Skipped);
