@@ -26,6 +26,8 @@ constexpr BuiltinScene kScenes[] = {
     {"landscape", "Landscape", "Two kilometres of hills, trees and a village: too large for one shadow map",
      make_landscape_scene},
     {"figures", "Figures", "Three jointed figures among simple objects", make_figures_scene},
+    {"relief", "Relief", "Flat surfaces whose cobbles are a normal map only: bias along normals the map does not know",
+     make_relief_scene},
 };
 
 std::string lower_extension(const std::filesystem::path& path) {

@@ -11,5 +11,6 @@ Scene make_teapot_scene();
 Scene make_plane_scene();
 Scene make_landscape_scene();
 Scene make_figures_scene();
+Scene make_relief_scene();
 
 }  // namespace si

@@ -264,6 +264,34 @@ TEST(Stage, HasWhatItPromises) {
         EXPECT_NEAR(lowest(scene, standing), 0, 1e-6) << standing;
 }
 
+TEST(Relief, IsFlatUnderSteepMappedNormals) {
+    const Scene scene = load_scene("relief");
+    ASSERT_EQ(scene.textures.size(), 1u);
+    const Texture& cobbles = scene.textures.front();
+    EXPECT_FALSE(cobbles.srgb) << "normals are numbers, no colours";
+    double steepest = 0;
+    glm::dvec3 mean(0);
+    for (std::size_t i = 0; i < cobbles.rgba.size(); i += 4) {
+        const glm::dvec3 n = glm::dvec3(cobbles.rgba[i], cobbles.rgba[i + 1], cobbles.rgba[i + 2]) / 255.0 * 2.0 - 1.0;
+        EXPECT_NEAR(glm::length(n), 1, 0.02);
+        steepest = std::max(steepest, glm::degrees(std::acos(n.z / glm::length(n))));
+        mean += n;
+    }
+    mean = glm::normalize(mean);
+    EXPECT_NEAR(mean.x, 0, 1e-3);
+    EXPECT_NEAR(mean.y, 0, 1e-3);
+    EXPECT_GT(steepest, 50);
+    EXPECT_LT(steepest, 70);
+    int flat = 0;
+    for (const Object& o : scene.objects)
+        if (const Mesh& mesh = scene.meshes[std::size_t(o.mesh)]; mesh.name == "Floor") {
+            ++flat;
+            EXPECT_EQ(scene.materials[std::size_t(mesh.material)].normal_texture, 0);
+            for (const glm::vec3& n : mesh.normals) EXPECT_EQ(n, glm::vec3(0, 1, 0));
+        }
+    EXPECT_EQ(flat, 1);
+}
+
 TEST(Figures, StandOnTheFloor) {
     const Scene scene = load_scene("figures");
     for (const char* figure : {"Room/Walking figure", "Room/Reaching figure", "Room/Kneeling figure"})
