@@ -101,6 +101,7 @@ EditorFrame EditorModel::facts() const {
     f.probe = probe_ ? &*probe_ : nullptr;
     f.map_values = map_values_.data.empty() ? nullptr : &map_values_;
     f.overlay_values = overlay_values_.data.empty() ? nullptr : &overlay_values_;
+    f.lost_casters = lost_casters_;
     f.presets = presets_;
     f.shader_log = shader_log_;
     f.problem = problem_;
@@ -239,6 +240,10 @@ bool EditorModel::draw_scene(const EditorActions& actions) {
         result_ = renderer_.render(scene_, state.settings, request_);
         drawn_ = true;
         problem_.clear();
+        const int light = shown_light(state.settings);
+        lost_casters_.clear();
+        if (light >= 0)
+            lost_casters_ = lost_casters(scene_, state.settings, result_.lights[std::size_t(light)]);
     } catch (const std::exception& e) {
         drawn_ = false;
         if (problem_ != e.what()) report(e.what());

@@ -78,6 +78,7 @@ private:
     bool drawn_ = false, shaders_changed_ = false;
     FrameResult result_;
     std::string problem_, shader_log_;
+    std::vector<LostCaster> lost_casters_;  ///< of the shown light in the last frame
     std::optional<Probe> probe_;
     std::optional<glm::ivec2> probed_pixel_;
     FloatImage map_values_, overlay_values_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/setting_json.h"
+#include "renderer/lost_casters.h"
 #include "renderer/param.h"
 
 namespace si {
@@ -52,6 +53,13 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
                  {"clipped_casters", light.clipped_casters},
                  {"position", vector_json(light.position)},
                  {"to_light", vector_json(light.to_light)}};
+    json["lost_casters"] = Json::array();
+    for (const LostCaster& lost : lost_casters(session.scene, session.settings, light)) {
+        const Object& object = session.scene.objects[std::size_t(lost.object)];
+        json["lost_casters"].push_back({{"object", session.scene.nodes[std::size_t(object.node)].path},
+                                        {"culled", lost.cull == int(Cull::Front) ? "front" : "back"},
+                                        {"triangles", lost.triangles}});
+    }
     if (light.views.empty()) return json;
     const LightView& first = light.views.front();
     const double centre_m = glm::dot(first.axes[2], first.eye - session.scene.bounds.centre());

@@ -10,6 +10,7 @@
 
 #include "renderer/camera.h"
 #include "renderer/frame.h"
+#include "renderer/lost_casters.h"
 #include "renderer/renderer.h"
 #include "ui/history.h"
 #include "ui/light_drag.h"
@@ -53,6 +54,7 @@ struct EditorState {
     BottomTab tab = BottomTab::Passes;
     std::optional<BottomTab> open_tab = BottomTab::Passes;  ///< brought to the front in the next frame
     std::string object_search;
+    bool only_lost = false;        ///< the object list shows lost casters only
     std::string selected_object;  ///< node path; empty: none
     bool show_shortcuts = false;
     double wheel_until = 0;    ///< a turn of the wheel counts as one gesture until this time, seconds
@@ -87,6 +89,7 @@ struct EditorFrame {
     const Probe* probe = nullptr;            ///< of state.probe_pixel
     const FloatImage* map_values = nullptr;  ///< stored depth of the shown map, row 0 at the top
     const FloatImage* overlay_values = nullptr;
+    std::span<const LostCaster> lost_casters;  ///< of the shown light
     std::span<const PresetEntry> presets;
     std::string_view shader_log;
     std::string_view problem;  ///< why there is no picture

@@ -9,6 +9,7 @@
 #include "app/report.h"
 #include "app/views.h"
 #include "renderer/error.h"
+#include "renderer/lost_casters.h"
 
 namespace si {
 
@@ -48,6 +49,8 @@ void run_render(const RenderOptions& options) {
     }
     print_notes(session.notes);
     print_notes(frame.notes);
+    for (std::size_t i = 0; i < frame.lights.size(); ++i)
+        print_notes(lost_caster_notes(session.scene, lost_casters(session.scene, session.settings, frame.lights[i])));
 }
 
 }  // namespace si

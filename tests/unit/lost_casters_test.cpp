@@ -1,0 +1,99 @@
+#include "renderer/lost_casters.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace si {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+
+Mesh quad() {  // faces +y
+    Mesh mesh;
+    mesh.positions = {{-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}};
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    return mesh;
+}
+
+Mesh closed_box() {
+    Mesh mesh;
+    for (int i = 0; i < 8; ++i) mesh.positions.push_back({i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1});
+    mesh.indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                    2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+    return mesh;
+}
+
+/// A floor and a closed box above it, each under a transform of its own.
+Scene floor_and_box(const glm::dmat4& floor = glm::dmat4(1), const glm::dmat4& box = glm::dmat4(1)) {
+    Scene scene;
+    scene.meshes = {quad(), closed_box()};
+    scene.nodes = {{.name = "Floor", .local = floor},
+                   {.name = "Box", .local = glm::translate(glm::dmat4(1), {0, 3, 0}) * box}};
+    scene.objects = {{.node = 0, .mesh = 0}, {.node = 1, .mesh = 1}};
+    finalise(scene);
+    return scene;
+}
+
+Settings with_cull(Cull cull) {
+    Settings s;
+    s.caster.cull = int(cull);
+    return s;
+}
+
+std::vector<LostCaster> lost(const Scene& scene, const Settings& settings) {
+    return lost_casters(scene, settings, fit_lights(scene, settings).front());
+}
+
+TEST(LostCasters, NoCullingLosesNothing) {
+    EXPECT_TRUE(lost(floor_and_box(), with_cull(Cull::None)).empty());
+}
+
+TEST(LostCasters, FrontCullingLosesTheFloorAndKeepsTheClosedBox) {
+    const Scene scene = floor_and_box();
+    const auto list = lost(scene, with_cull(Cull::Front));
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_EQ(list[0].object, 0);
+    EXPECT_EQ(list[0].triangles, 2u);
+    const auto notes = lost_caster_notes(scene, list);
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_NE(notes[0].find("object.Floor.cull=none"), std::string::npos) << notes[0];
+}
+
+TEST(LostCasters, BackCullingLosesAFloorSeenFromBelowOnly) {
+    EXPECT_TRUE(lost(floor_and_box(), with_cull(Cull::Back)).empty());
+    const auto turned = glm::rotate(glm::dmat4(1), 180 * kDegree, {1, 0, 0});
+    ASSERT_EQ(lost(floor_and_box(turned), with_cull(Cull::Back)).size(), 1u);
+}
+
+TEST(LostCasters, MirroringAndUnevenScaleChangeNothing) {
+    const auto mirrored = glm::scale(glm::dmat4(1), {-3, 0.2, 5});
+    const auto list = lost(floor_and_box(mirrored, mirrored), with_cull(Cull::Front));
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_EQ(list[0].object, 0);
+}
+
+TEST(LostCasters, SpotLightsJudgeFromTheirPlace) {
+    Settings s = with_cull(Cull::Back);
+    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].elevation = 60;
+    EXPECT_TRUE(lost(floor_and_box(), s).empty());
+    s.lights[0].elevation = -60;  // below the floor
+    const auto list = lost(floor_and_box(), s);
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_EQ(list[0].object, 0);
+}
+
+TEST(LostCasters, AnObjectsOwnCullingAndCastingCount) {
+    Settings s = with_cull(Cull::Front);
+    s.objects["Floor"].cull = int(ObjectCull::None);
+    EXPECT_TRUE(lost(floor_and_box(), s).empty());
+    s.objects["Floor"] = {.cast = false};
+    EXPECT_TRUE(lost(floor_and_box(), s).empty());
+    Settings own = with_cull(Cull::None);
+    own.objects["Floor"].cull = int(ObjectCull::Front);
+    EXPECT_EQ(lost(floor_and_box(), own).size(), 1u);
+}
+
+}  // namespace
+}  // namespace si
