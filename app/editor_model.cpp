@@ -7,8 +7,10 @@
 #include <cctype>
 #include <utility>
 
+#include "app/output.h"
 #include "app/presets.h"
 #include "app/session.h"
+#include "app/views.h"
 #include "renderer/error.h"
 #include "renderer/param.h"
 #include "renderer/scenes/builtin.h"
@@ -98,10 +100,7 @@ EditorFrame EditorModel::facts() const {
     f.scene = &scene_;
     f.driver = drawn_ ? &renderer_.driver() : nullptr;
     f.result = drawn_ ? &result_ : nullptr;
-    f.probe = probe_ ? &*probe_ : nullptr;
-    f.map_values = map_values_.data.empty() ? nullptr : &map_values_;
-    f.overlay_values = overlay_values_.data.empty() ? nullptr : &overlay_values_;
-    f.lost_casters = lost_casters_;
+    readings_.fill(f);
     f.presets = presets_;
     f.shader_log = shader_log_;
     f.problem = problem_;
@@ -226,6 +225,7 @@ bool EditorModel::draw_scene(const EditorActions& actions) {
     wanted.outputs.colour = true;
     wanted.outputs.shadow_map = actions.want_map;
     wanted.outputs.overlay = state.settings.view.overlay > 0;
+    wanted.outputs.map_coordinates = actions.want_links;
     wanted.timing = actions.want_timing;
     const bool same = drawn_ && !shaders_changed_ && wanted.width == request_.width &&
                       wanted.height == request_.height && wanted.outputs == request_.outputs &&
@@ -240,10 +240,6 @@ bool EditorModel::draw_scene(const EditorActions& actions) {
         result_ = renderer_.render(scene_, state.settings, request_);
         drawn_ = true;
         problem_.clear();
-        const int light = shown_light(state.settings);
-        lost_casters_.clear();
-        if (light >= 0)
-            lost_casters_ = lost_casters(scene_, state.settings, result_.lights[std::size_t(light)]);
     } catch (const std::exception& e) {
         drawn_ = false;
         if (problem_ != e.what()) report(e.what());
@@ -254,35 +250,16 @@ bool EditorModel::draw_scene(const EditorActions& actions) {
     return true;
 }
 
-/// Reads back what the panels show as numbers: the probe, the map under the cursor, the overlay's values.
-bool EditorModel::read_values(const EditorActions& actions, bool drawn) {
-    bool changed = false;
-    if (drawn) map_values_of_ = glm::ivec2(-1);
-    if (!drawn_) {
-        probe_.reset();
-        map_values_ = overlay_values_ = {};
-        return drawn;
-    }
-    if (drawn) overlay_values_ = result_.overlay.texture ? renderer_.read_float(result_.overlay, 4) : FloatImage{};
-    if (state.probe_pixel && (drawn || probed_pixel_ != state.probe_pixel)) {
-        const glm::ivec2 pixel =
-            glm::clamp(*state.probe_pixel, glm::ivec2(0), glm::ivec2(request_.width, request_.height) - 1);
-        probe_ = renderer_.probe(scene_, state.settings, request_, pixel.x, pixel.y);
-        changed = true;
-    } else if (!state.probe_pixel && probe_) {
-        probe_.reset();
-        changed = true;
-    }
-    probed_pixel_ = state.probe_pixel;
-    const glm::ivec2 shown(shown_light(state.settings), shown_face(state.settings, result_));
-    if (actions.want_map_values && shown.x >= 0 && shown != map_values_of_ && result_.map_view.texture) {
-        map_values_ = renderer_.read_shadow_map(shown.x, shown.y);
-        map_values_of_ = shown;
-        changed = true;
-    } else if (drawn && !actions.want_map_values) {
-        map_values_ = {};
-    }
-    return changed;
+void EditorModel::save_map(const std::string& path) {
+    require_writable(path);
+    const bool camera = state.settings.view.map_source == int(MapSource::Camera);
+    const View view = find_view(camera ? "camera-depth" : "shadow-map");
+    check_view_file(view, path);
+    FrameRequest request = request_;
+    request.timing = false;
+    write_view(renderer_, scene_, state.settings, request, view, path);
+    drawn_scene_ = 0;  // the passes of another request ran: draw anew
+    state.log.add(LogKind::Info, "Saved " + path);
 }
 
 bool EditorModel::fulfil(const EditorActions& actions) {
@@ -299,6 +276,7 @@ bool EditorModel::fulfil(const EditorActions& actions) {
     if (actions.load_scene) attempt([&] { start_loading(*actions.load_scene); });
     if (actions.load_preset) attempt([&] { load_preset_file(*actions.load_preset); });
     if (actions.save_preset) attempt([&] { save_preset_file(*actions.save_preset); });
+    if (actions.save_map) attempt([&] { save_map(*actions.save_map); });
     if (actions.copy_command_line) {
         const std::string text = command_line(scene_, state.settings, request_.width, request_.height);
         ImGui::SetClipboardText(text.c_str());
@@ -308,9 +286,12 @@ bool EditorModel::fulfil(const EditorActions& actions) {
     if (state.settings.scene != posed_) attempt([&] { follow_time(); });
     const bool drawn = draw_scene(actions);
     try {
-        changed |= read_values(actions, drawn);
+        if (drawn_)
+            changed |= readings_.update(renderer_, scene_, state, actions, request_, result_, drawn);
+        else
+            readings_.clear();
     } catch (const std::exception& e) {
-        probe_.reset();
+        readings_.clear();
         report(e.what());
         changed = true;
     }

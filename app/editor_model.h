@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/editor.h"
+#include "app/editor_readings.h"
 #include "app/scene_loading.h"
 #include "renderer/renderer.h"
 #include "ui/editor_ui.h"
@@ -60,7 +61,7 @@ private:
     /// Moves the scene to the moment that the settings name, and what it suggests along with it.
     void follow_time();
     bool draw_scene(const EditorActions& actions);
-    bool read_values(const EditorActions& actions, bool drawn);
+    void save_map(const std::string& path);
     void report(const std::string& error);
 
     Renderer renderer_;
@@ -78,11 +79,7 @@ private:
     bool drawn_ = false, shaders_changed_ = false;
     FrameResult result_;
     std::string problem_, shader_log_;
-    std::vector<LostCaster> lost_casters_;  ///< of the shown light in the last frame
-    std::optional<Probe> probe_;
-    std::optional<glm::ivec2> probed_pixel_;
-    FloatImage map_values_, overlay_values_;
-    glm::ivec2 map_values_of_{-1};  ///< light and face
+    EditorReadings readings_;
 };
 
 }  // namespace si

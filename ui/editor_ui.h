@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "renderer/camera.h"
+#include "renderer/depth_histogram.h"
 #include "renderer/frame.h"
 #include "renderer/lost_casters.h"
 #include "renderer/renderer.h"
+#include "renderer/texel_usage.h"
 #include "ui/history.h"
 #include "ui/light_drag.h"
 #include "ui/log.h"
@@ -23,6 +25,7 @@ struct EditorLayout {
     float settings_width = 24;
     float bottom_height = 17.2f;
     float map_share = 0.40f;  ///< of the width left of the settings
+    bool map_plots = true;    ///< histogram and depth curve under the map
 };
 
 /// Pan and zoom of the map viewer: `zoom` 1 fits the map; `centre` is what stands in the middle, v up.
@@ -51,6 +54,9 @@ struct EditorState {
     std::optional<glm::ivec2> probe_pixel;  ///< of the scene picture, row 0 at the top
     EditorLayout layout;
     MapWindow map_window;
+    std::string map_path = "shadow-map.pfm";  ///< that the map viewer's Save writes
+    std::optional<glm::ivec2> hovered_pixel;  ///< under the mouse in the scene picture, row 0 at the top
+    std::optional<glm::ivec2> hovered_texel;  ///< under the mouse in the map viewer, y up
     BottomTab tab = BottomTab::Passes;
     std::optional<BottomTab> open_tab = BottomTab::Passes;  ///< brought to the front in the next frame
     std::string object_search;
@@ -81,13 +87,22 @@ struct LoadingFacts {
     double progress = 0;  ///< 0..1
 };
 
+/// What the depth image in the map viewer holds.
+struct MapFacts {
+    DepthStatistics statistics;
+    DepthHistogram histogram;  ///< of the values that view.map shows
+};
+
 /// What the last frame found out. Pointers may be null: the editor draws without them.
 struct EditorFrame {
     const FrameResult* result = nullptr;
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
     const Probe* probe = nullptr;            ///< of state.probe_pixel
-    const FloatImage* map_values = nullptr;  ///< stored depth of the shown map, row 0 at the top
+    const FloatImage* map_values = nullptr;  ///< the map viewer's depth image as stored, row 0 at the top
+    const MapFacts* map_facts = nullptr;
+    const FloatImage* map_coordinates = nullptr;  ///< FrameResult::map_coordinates read back
+    const TexelUsage* texel_usage = nullptr;      ///< of the shown light and face
     const FloatImage* overlay_values = nullptr;
     std::span<const LostCaster> lost_casters;  ///< of the shown light
     std::span<const PresetEntry> presets;
@@ -100,8 +115,10 @@ struct EditorActions {
     int scene_width = 0, scene_height = 0;  ///< wanted size of the scene picture; 0: not shown
     bool want_map = false;
     bool want_map_values = false;  ///< the cursor is over the map
+    bool want_map_facts = false;   ///< the plots are shown
+    bool want_links = false;       ///< which pixel reads which texel: a picture is hovered and nothing is dragged
     bool want_timing = false;
-    std::optional<std::string> load_scene, load_preset, save_preset;
+    std::optional<std::string> load_scene, load_preset, save_preset, save_map;
     bool cancel_load = false;  ///< keep the scene that is shown
     bool copy_command_line = false;
     bool quit = false;

@@ -1,11 +1,16 @@
-// The shadow map beside the scene: how it is shown, zoom and pan, the exact value of a texel.
+// The depth image beside the scene: the light's map or the camera's own depth, how it is shown, zoom and pan, the exact
+// value of a texel, and which texels the picture reads.
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "renderer/techniques.h"
+#include "ui/depth_plots.h"
+#include "ui/map_marks.h"
 #include "ui/panels.h"
 #include "ui/setting_widgets.h"
 #include "ui/theme.h"
@@ -13,115 +18,173 @@
 namespace si {
 namespace {
 
-constexpr float kZoomPerStep = 1.25f, kMaxTexelPixels = 64;
+constexpr float kZoomPerStep = 1.25f, kMaxTexelPixels = 160;
+constexpr ImU32 kFootprint = IM_COL32(120, 200, 255, 255);
 
-void labelled(const char* label, Settings& s, const char* key, float width) {
-    ImGui::SameLine();
-    ImGui::TextDisabled("%s", label);
-    ImGui::SameLine();
-    setting_widget(s, key, width);
+bool of_camera(const Settings& s) {
+    return s.view.map_source == int(MapSource::Camera);
 }
 
-void header(EditorState& state, const FrameResult* result) {
+/// Goes on in the line when `width` more pixels fit, else starts the next one.
+void flow(float width) {
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+void save_menu(EditorState& state, EditorActions& actions) {
+    if (ImGui::Button("Save")) ImGui::OpenPopup("save map");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Write the depth image: .pfm holds the stored values as floats (metres when the view is\n"
+                          "linear), .png the picture as shown");
+    if (!ImGui::BeginPopup("save map")) return;
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
+    const bool entered = ImGui::InputTextWithHint("##file", "file.pfm or file.png", &state.map_path,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::SameLine();
+    if ((ImGui::Button("Write") || entered) && !state.map_path.empty()) {
+        actions.save_map = state.map_path;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+void header(EditorState& state, const FrameResult* result, EditorActions& actions) {
     Settings& s = state.settings;
-    const float em = ImGui::GetFontSize();
-    ImGui::PushFont(theme::strong());
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Shadow map");
-    ImGui::PopFont();
-    ImGui::SameLine(0, em);
+    const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
+    setting_widget(s, "view.map_source", em * 8.5f);
+    flow(em * 5.5f);
     setting_widget(s, "view.map", em * 5.5f);
-    if (s.light_count > 1) labelled("Light", s, "view.light", em * 4);
-    const int light = shown_light(s);
-    const bool point = result && light >= 0 && std::size_t(light) < result->lights.size() &&
-                       result->lights[std::size_t(light)].views.size() > 1;
-    if (point) labelled("Face", s, "view.face", em * 4);
+    const auto labelled = [&](const char* label, const char* key, float width) {
+        flow(ImGui::CalcTextSize(label).x + gap + width);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", label);
+        ImGui::SameLine();
+        setting_widget(s, key, width);
+    };
+    if (!of_camera(s)) {
+        if (s.light_count > 1) labelled("Light", "view.light", em * 4);
+        const int light = shown_light(s);
+        const bool point = result && light >= 0 && std::size_t(light) < result->lights.size() &&
+                           result->lights[std::size_t(light)].views.size() > 1;
+        if (point) labelled("Face", "view.face", em * 4);
+    }
     const bool bands = s.view.map == int(MapView::Bands);
-    const float needed = em * 13;
-    if (ImGui::GetContentRegionAvail().x > 0) ImGui::SameLine();
-    if (ImGui::GetContentRegionAvail().x < needed) ImGui::NewLine();
+    const float end = em * 4.2f;
+    flow(ImGui::CalcTextSize("Range").x + 2 * (gap + end));
+    ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled(bands ? "Bands" : "Range");
     ImGui::SameLine();
-    setting_widget(s, bands ? "view.band_low" : "view.map_black", em * 4.6f);
+    setting_widget(s, bands ? "view.band_low" : "view.map_black", end);
     ImGui::SameLine();
-    setting_widget(s, bands ? "view.band_high" : "view.map_white", em * 4.6f);
+    setting_widget(s, bands ? "view.band_high" : "view.map_white", end);
+    if (!bands) {
+        labelled("Fit", "view.map_fit", ImGui::GetFrameHeight());
+    }
+    flow(ImGui::CalcTextSize("Plots").x + ImGui::GetFrameHeight() + gap);
+    ImGui::Checkbox("Plots", &state.layout.map_plots);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Histogram of the depths, and depth over distance");
+    flow(ImGui::CalcTextSize("Save").x + em);
+    save_menu(state, actions);
 }
 
-/// What the map is, and what its texels mean.
-std::pair<std::string, std::string> title(const Settings& s, const FrameResult& result, const FittedLight& fitted,
-                                          const LightView& view) {
+/// What the image is, and what its texels mean.
+std::pair<std::string, std::string> title(const Settings& s, const FrameResult& result, const FittedLight* fitted) {
+    const DepthCurve& curve = result.map_view_curve;
+    const glm::ivec2 n = result.map_view_size;
+    const std::string range = fmt::format("depth {} to {}", metres_text(curve.near), metres_text(curve.far));
+    if (!fitted) return {fmt::format("camera   {}×{}   32-bit float, reversed", n.x, n.y), range};
     std::string format = "?";
     if (const auto ref = find_setting("map.format")) format = ref->param->choices()[std::size_t(s.map.format)].label;
-    const int n = result.map_resolution;
-    const double near_texel = view.texel_size(view.curve.near, n), far_texel = view.texel_size(view.curve.far, n);
-    const std::string texel = view.curve.perspective
+    const LightView& view = fitted->views[std::size_t(shown_face(s, result))];
+    const double near_texel = view.texel_size(curve.near, n.x), far_texel = view.texel_size(curve.far, n.x);
+    const std::string texel = curve.perspective
                                   ? fmt::format("{} to {}", metres_text(near_texel), metres_text(far_texel))
                                   : metres_text(far_texel);
     constexpr const char* kFaces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
-    const int face = shown_face(s, result);
     return {fmt::format("light {}{}   {}×{}   {}", shown_light(s),
-                        fitted.views.size() > 1 ? fmt::format(" {}", kFaces[face]) : "", n, n, format),
-            fmt::format("texel {}   depth {} to {}", texel, metres_text(view.curve.near), metres_text(view.curve.far))};
+                        fitted->views.size() > 1 ? fmt::format(" {}", kFaces[shown_face(s, result)]) : "", n.x, n.y,
+                        format),
+            fmt::format("texel {}   {}", texel, range)};
 }
 
-/// The square on screen that the whole map covers.
-struct Square {
-    ImVec2 lo;
-    float side;
-    glm::vec2 uv(ImVec2 p) const { return {(p.x - lo.x) / side, 1 - (p.y - lo.y) / side}; }
-};
-
-Square place(const MapWindow& window, ImVec2 origin, ImVec2 size) {
-    const float side = std::min(size.x, size.y) * window.zoom;
-    return {
-        {origin.x + 0.5f * size.x - window.centre.x * side, origin.y + 0.5f * size.y - (1 - window.centre.y) * side},
-        side};
+MapRect place(const MapWindow& window, ImVec2 origin, ImVec2 size, glm::ivec2 texels) {
+    const float fit = std::min(size.x / float(texels.x), size.y / float(texels.y)) * window.zoom;
+    const ImVec2 whole(fit * float(texels.x), fit * float(texels.y));
+    return {{origin.x + 0.5f * size.x - window.centre.x * whole.x,
+             origin.y + 0.5f * size.y - (1 - window.centre.y) * whole.y},
+            whole,
+            texels};
 }
 
-void steer(MapWindow& window, ImVec2 origin, ImVec2 size, int resolution) {
+void steer(MapWindow& window, ImVec2 origin, ImVec2 size, glm::ivec2 texels) {
     const ImGuiIO& io = ImGui::GetIO();
-    const float fit = std::min(size.x, size.y);
+    const MapRect before = place(window, origin, size, texels);
     if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
-        const glm::vec2 under = place(window, origin, size).uv(io.MousePos);
-        const float most = std::max(1.0f, kMaxTexelPixels * float(std::max(resolution, 1)) / fit);
+        const glm::vec2 under(before.uv(io.MousePos));
+        const float most = std::max(1.0f, kMaxTexelPixels * window.zoom / before.texel_pixels());
         window.zoom = std::clamp(window.zoom * std::pow(kZoomPerStep, io.MouseWheel), 1.0f, most);
-        const glm::vec2 now = place(window, origin, size).uv(io.MousePos);
-        window.centre += under - now;
+        window.centre += under - glm::vec2(place(window, origin, size, texels).uv(io.MousePos));
     }
     if (ImGui::IsItemActive()) {
-        window.centre.x -= io.MouseDelta.x / (fit * window.zoom);
-        window.centre.y += io.MouseDelta.y / (fit * window.zoom);
+        window.centre.x -= io.MouseDelta.x / before.size.x;
+        window.centre.y += io.MouseDelta.y / before.size.y;
     }
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) window = {};
     window.centre = glm::clamp(window.centre, glm::vec2(0), glm::vec2(1));
     if (window.zoom <= 1) window.centre = glm::vec2(0.5f);
 }
 
-void outline_texel(const Square& square, glm::ivec2 texel, int n, ImU32 colour) {
-    const float step = square.side / float(n), em = ImGui::GetFontSize();
-    const ImVec2 lo(square.lo.x + float(texel.x) * step, square.lo.y + float(n - 1 - texel.y) * step);
-    const ImVec2 hi(lo.x + step, lo.y + step);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (step < em * 0.5f) {  // too small to outline: a ring around it
-        const ImVec2 c(0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y));
-        list.AddCircle(c, em * 0.45f, IM_COL32(0, 0, 0, 170), 20, em * 0.24f);
-        list.AddCircle(c, em * 0.45f, colour, 20, em * 0.1f);
-        return;
-    }
-    list.AddRect(lo, hi, IM_COL32(0, 0, 0, 170), 0, 0, em * 0.24f);
-    list.AddRect(lo, hi, colour, 0, 0, em * 0.1f);
+/// A texel's number, its stored depth, and what that means.
+std::pair<std::string, std::string> readout(const EditorFrame& frame, const DepthCurve& curve, glm::ivec2 texel,
+                                            glm::ivec2 n) {
+    std::string where = fmt::format("texel {}, {}", texel.x, texel.y);
+    if (frame.texel_usage && frame.texel_usage->resolution() == n.x)
+        where += fmt::format("   read by {} pixels", frame.texel_usage->pixels(texel));
+    const FloatImage* values = frame.map_values;
+    if (!values || values->width != n.x || values->height != n.y) return {where, {}};
+    const double stored = values->at(texel.x, n.y - 1 - texel.y);
+    const std::string depth = fmt::format("stored {:.7f}", stored);
+    if (stored == curve.convention.far_depth()) return {where, depth + "   nothing drawn (far plane)"};
+    const double z = curve.distance(stored);
+    const double share = (z - curve.near) / (curve.far - curve.near);
+    return {where, fmt::format("{}   linear {:.5f}   {}", depth, share, metres_text(z))};
 }
 
-std::pair<std::string, std::string> readout(const EditorFrame& frame, const LightView& view, glm::ivec2 texel, int n) {
-    const std::string where = fmt::format("texel {}, {}", texel.x, texel.y);
-    const FloatImage* values = frame.map_values;
-    if (!values || values->width != n || values->height != n) return {where, {}};
-    const double stored = values->at(texel.x, n - 1 - texel.y);
-    const std::string depth = fmt::format("stored {:.7f}", stored);
-    if (stored == view.curve.convention.far_depth()) return {where + "   " + depth, "nothing drawn (far plane)"};
-    const double z = view.curve.distance(stored);
-    const double share = (z - view.curve.near) / (view.curve.far - view.curve.near);
-    return {where + "   " + depth, fmt::format("linear {:.5f}   {}", share, metres_text(z))};
+/// The texels that the kernel at a pixel of the scene picture reads.
+void mark_pixels_texels(const EditorState& state, const EditorFrame& frame, const MapRect& rect, glm::ivec2 pixel,
+                        ImU32 colour) {
+    const FloatImage* c = frame.map_coordinates;
+    if (!c || pixel.x < 0 || pixel.y < 0 || pixel.x >= c->width || pixel.y >= c->height) return;
+    if (c->at(pixel.x, pixel.y, 3) <= 0 ||
+        int(c->at(pixel.x, pixel.y, 2)) != shown_face(state.settings, *frame.result))
+        return;
+    const auto kernels = filters();
+    const std::size_t kernel = std::size_t(std::clamp(state.settings.filter.kernel, 0, int(kernels.size()) - 1));
+    const KernelFootprint f = kernel_footprint(c->at(pixel.x, pixel.y, 0), c->at(pixel.x, pixel.y, 1), rect.texels.x,
+                                               kernels[kernel].reach_texels);
+    outline_texels(rect, f.first, f.count, colour);
+}
+
+std::string usage_text(const EditorFrame& frame) {
+    if (!frame.texel_usage) return {};
+    return fmt::format("{:.3g} % of the texels are read by the picture", 100 * frame.texel_usage->utilisation());
+}
+
+/// What stands between the user and a picture of the map; empty when there is one.
+std::string obstacle(const Settings& s, const EditorFrame& frame) {
+    const FrameResult& result = *frame.result;
+    if (!of_camera(s)) {
+        const int light = shown_light(s);
+        if (light < 0) return "No light: light.count is 0.";
+        if (std::size_t(light) >= result.lights.size()) return "...";  // a light was added a moment ago
+        const FittedLight& fitted = result.lights[std::size_t(light)];
+        if (!fitted.casts || fitted.views.empty())
+            return fmt::format("Light {} has no shadow map: {}.", light,
+                               fitted.reason.empty() ? "it casts no shadow" : fitted.reason);
+    }
+    if (result.map_view.texture == 0 || result.map_view_size.x <= 0 || result.map_view_size.y <= 0)
+        return "The depth image was not drawn.";
+    return {};
 }
 
 }  // namespace
@@ -137,65 +200,90 @@ std::string metres_text(double metres) {
 }
 
 void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
-    header(state, frame.result);
+    state.hovered_texel.reset();
+    header(state, frame.result, actions);
+    actions.want_map = true;
+    if (!frame.result) return;
+    const FrameResult& result = *frame.result;
     const float em = ImGui::GetFontSize();
-    const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
-    const float line = theme::small()->FontSize * 1.25f, caption = 2 * line + em * 0.2f;
-    const ImVec2 size(std::max(available.x, 16.0f), std::max(available.y - caption, 16.0f));
+    const ImVec2 available = ImGui::GetContentRegionAvail();
+    const float line = theme::small()->FontSize * 1.25f, caption = 2 * line + em * 0.5f;
+    const bool plots = state.layout.map_plots && available.y > em * 17;
+    const float plot_height = plots ? em * 6.5f : 0;
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const ImVec2 size(std::max(available.x, 16.0f), std::max(available.y - caption - plot_height, 16.0f));
     const ImVec2 end(origin.x + size.x, origin.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(origin, end, theme::kWell);
-    actions.want_map = true;
-    const int light = shown_light(state.settings);
-    const auto say = [&](const std::string& text) {
+    if (const std::string text = obstacle(state.settings, frame); !text.empty()) {
         ImGui::SetCursorScreenPos({origin.x + em, origin.y + em});
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - 2 * em);
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopTextWrapPos();
-    };
-    if (light < 0) return say("No light: light.count is 0.");
-    if (!frame.result) return;
-    const FrameResult& result = *frame.result;
-    if (std::size_t(light) >= result.lights.size()) return;  // a light was added a moment ago
-    const FittedLight& fitted = result.lights[std::size_t(light)];
-    if (!fitted.casts || fitted.views.empty())
-        return say(fmt::format("Light {} has no shadow map: {}.", light,
-                               fitted.reason.empty() ? "it casts no shadow" : fitted.reason));
-    if (result.map_view.texture == 0 || result.map_resolution <= 0) return say("The shadow map was not drawn.");
+        return;
+    }
+    const bool camera = of_camera(state.settings);
+    const FittedLight* fitted = camera ? nullptr : &result.lights[std::size_t(shown_light(state.settings))];
+    const glm::ivec2 n = result.map_view_size;
+    actions.want_map_facts = plots;
 
-    const LightView& view = fitted.views[std::size_t(shown_face(state.settings, result))];
-    const int n = result.map_resolution;
     ImGui::InvisibleButton("map picture", size);
     const bool hovered = ImGui::IsItemHovered();
     if (ImGui::IsItemActive()) state.dragging = true;
     steer(state.map_window, origin, size, n);
-    const Square square = place(state.map_window, origin, size);
+    const MapRect rect = place(state.map_window, origin, size, n);
+    const ImVec2 rect_end(rect.lo.x + rect.size.x, rect.lo.y + rect.size.y);
     list.PushClipRect(origin, end, true);
-    list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(result.map_view.texture)), square.lo,
-                  {square.lo.x + square.side, square.lo.y + square.side}, {0, 1}, {1, 0});  // stored bottom row first
-    list.AddRect(square.lo, {square.lo.x + square.side, square.lo.y + square.side}, theme::kLine);
-    if (frame.probe && frame.probe->hit)
-        for (const Probe::PerLight& p : frame.probe->lights)
-            if (p.casts && p.light == light && p.face == shown_face(state.settings, result) && p.where == "inside")
-                outline_texel(square, p.texel, n, theme::kAccent);
-    auto text = title(state.settings, result, fitted, view);
+    list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(result.map_view.texture)), rect.lo, rect_end, {0, 1},
+                  {1, 0});  // stored bottom row first
+    list.AddRect(rect.lo, rect_end, theme::kLine);
+    if (shows_texel_numbers(rect)) {
+        actions.want_map_values = true;
+        if (frame.map_values) texel_numbers(rect, *frame.map_values, origin, end);
+    }
+    if (camera) {
+        if (state.probe_pixel) outline_texels(rect, {state.probe_pixel->x, n.y - 1 - state.probe_pixel->y}, 1, theme::kAccent);
+        if (state.hovered_pixel)
+            outline_texels(rect, {state.hovered_pixel->x, n.y - 1 - state.hovered_pixel->y}, 1, IM_COL32_WHITE);
+    } else {
+        if (frame.probe && frame.probe->hit)
+            for (const Probe::PerLight& p : frame.probe->lights)
+                if (p.casts && p.light == shown_light(state.settings) &&
+                    p.face == shown_face(state.settings, result) && p.where == "inside")
+                    outline_texels(rect, p.texel, 1, theme::kAccent);
+        if (state.probe_pixel) mark_pixels_texels(state, frame, rect, *state.probe_pixel, theme::kAccent);
+        if (state.hovered_pixel) mark_pixels_texels(state, frame, rect, *state.hovered_pixel, kFootprint);
+    }
+    auto text = title(state.settings, result, fitted);
+    std::optional<double> marked_m;
+    if (const std::string usage = usage_text(frame); !usage.empty() && !camera) text.first += "   " + usage;
     if (hovered) {
         actions.want_map_values = true;
-        const glm::vec2 uv = square.uv(ImGui::GetIO().MousePos);
-        if (uv.x >= 0 && uv.x < 1 && uv.y >= 0 && uv.y < 1) {
-            const glm::ivec2 texel(int(uv.x * float(n)), int(uv.y * float(n)));
-            outline_texel(square, texel, n, IM_COL32_WHITE);
-            text = readout(frame, view, texel, n);
+        actions.want_links |= !camera;
+        const glm::dvec2 uv = rect.uv(ImGui::GetIO().MousePos);
+        const glm::ivec2 texel(glm::floor(uv * glm::dvec2(n)));
+        if (rect.holds(texel)) {
+            state.hovered_texel = texel;
+            outline_texels(rect, texel, 1, IM_COL32_WHITE);
+            text = readout(frame, result.map_view_curve, texel, n);
+            if (frame.map_values && frame.map_values->width == n.x && frame.map_values->height == n.y)
+                marked_m = result.map_view_curve.distance(frame.map_values->at(texel.x, n.y - 1 - texel.y));
         }
+    }
+    if (fitted && fitted->clipped_casters > 0) {
+        const std::string lost = fmt::format("{} object(s) reach in front of the near plane", fitted->clipped_casters);
+        list.AddText({origin.x + em * 0.8f, origin.y + em * 0.6f}, theme::kWarning, lost.c_str());
     }
     list.PopClipRect();
     ImFont* font = theme::small();
-    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.25f}, theme::kText, text.first.c_str());
-    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.25f + line}, theme::kMuted, text.second.c_str());
-    if (fitted.clipped_casters > 0) {
-        const std::string lost = fmt::format("{} object(s) reach in front of the near plane", fitted.clipped_casters);
-        list.AddText({origin.x + em * 0.8f, origin.y + em * 0.6f}, theme::kWarning, lost.c_str());
-    }
+    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.2f}, theme::kText, text.first.c_str());
+    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.2f + line}, theme::kMuted, text.second.c_str());
+    if (!plots) return;
+    const float top = end.y + caption, half = 0.5f * (size.x - em * 0.5f);
+    ImGui::SetCursorScreenPos({origin.x, top});
+    draw_histogram(state, frame, {half, plot_height});
+    ImGui::SetCursorScreenPos({origin.x + half + em * 0.5f, top});
+    draw_depth_curve(state, result, marked_m, {half, plot_height});
 }
 
 }  // namespace si

@@ -57,6 +57,20 @@ void draw_probe_mark(const EditorState& state, const FrameResult& result, ImVec2
     }
 }
 
+/// The pixels whose kernels read the texel under the mouse in the map viewer.
+void draw_readers(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size) {
+    if (!state.hovered_texel || !frame.texel_usage) return;
+    const FloatImage* c = frame.map_coordinates;
+    const int n = frame.texel_usage->resolution();
+    if (!c || state.hovered_texel->x >= n || state.hovered_texel->y >= n) return;
+    const ImVec2 step(size.x / float(c->width), size.y / float(c->height));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (const glm::ivec2 p : frame.texel_usage->readers(*state.hovered_texel)) {
+        const ImVec2 lo(origin.x + float(p.x) * step.x, origin.y + float(p.y) * step.y);
+        list.AddRectFilled(lo, {lo.x + step.x, lo.y + step.y}, IM_COL32(120, 200, 255, 200));
+    }
+}
+
 void veiled_text(ImVec2 at, const std::string& text) {
     const float em = ImGui::GetFontSize();
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -102,6 +116,7 @@ int shown_face(const Settings& settings, const FrameResult& result) {
 }
 
 void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    state.hovered_pixel.reset();
     header(state);
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
     const ImVec2 size(std::floor(std::max(available.x, 16.0f)), std::floor(std::max(available.y, 16.0f)));
@@ -145,7 +160,12 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     const PicturePainter painter(view, list);
     draw_lights(state, frame, painter);
     draw_probe_mark(state, result, origin, size);
-    if (hovered) hover_readout(state, frame, origin, pixel);
+    if (hovered) {
+        hover_readout(state, frame, origin, pixel);
+        state.hovered_pixel = pixel;
+        actions.want_links = !state.dragging;
+    }
+    draw_readers(state, frame, origin, size);
     draw_legend(state.settings, result, origin.x, end.y);
     if (!frame.shader_log.empty())
         veiled_text({origin.x + ImGui::GetFontSize() * 0.8f, origin.y + ImGui::GetFontSize() * 2.2f},

@@ -233,6 +233,48 @@ TEST(Panels, SplittersStayWhereTheyArePut) {
     EXPECT_EQ(ui.frames(30).scene_width, after);
 }
 
+/// Presses, moves by `by` and releases over a grid until something happened.
+bool drag_somewhere(UiHarness& ui, glm::vec2 from, glm::vec2 to, glm::vec2 by, const auto& happened) {
+    for (float y = from.y; y < to.y; y += 5)
+        for (float x = from.x; x < to.x; x += 5) {
+            ui.drag({x, y}, glm::vec2(x, y) + by);
+            if (happened()) return true;
+        }
+    return false;
+}
+
+TEST(Panels, TheEndsOfTheGreyScaleAreDraggedInTheHistogram) {
+    UiHarness ui(kWidth, kHeight);
+    DepthHistogram histogram;
+    histogram.counts.assign(100, 5);
+    ui.map_facts = MapFacts{{}, histogram};
+    ui.state.settings.view.map_fit = true;
+    ui.state.history.reset(ui.state.settings);
+    ui.frames(3);
+    ViewSettings& v = ui.state.settings.view;
+    // Black's marker stands at the left end of the plot under the map.
+    ASSERT_TRUE(drag_somewhere(ui, {562, 400}, {590, 440}, {30, 0}, [&] { return v.map_black > 0; }));
+    EXPECT_LT(v.map_black, v.map_white);
+    EXPECT_FALSE(v.map_fit) << "dragged by hand";
+    EXPECT_TRUE(ui.state.history.can_undo());
+    EXPECT_EQ(ui.state.history.undo().view.map_black, 0);
+    EXPECT_FALSE(ui.state.history.can_undo()) << "a drag is one step";
+}
+
+TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
+    UiHarness ui(kWidth, kHeight);
+    ui.lost_casters = {{.object = 2, .cull = int(Cull::Front), .triangles = 2}};
+    ui.state.open_tab = BottomTab::Objects;
+    ui.frames(5);
+    const std::string path = ui.scene.nodes[std::size_t(ui.scene.objects[2].node)].path;
+    // On the line of the search field, above the table.
+    const bool kept = drag_somewhere(ui, {520, 504}, {800, 508}, {0, 0}, [&] {
+        const auto own = ui.state.settings.objects.find(path);
+        return own != ui.state.settings.objects.end() && own->second.cull == int(ObjectCull::None);
+    });
+    EXPECT_TRUE(kept);
+}
+
 TEST(Panels, ObjectsWithoutChangesLeaveNoTraceInTheSettings) {
     UiHarness ui(kWidth, kHeight);
     ui.state.open_tab = BottomTab::Objects;

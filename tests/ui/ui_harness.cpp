@@ -16,6 +16,9 @@ FrameResult made_up_frame(const Scene& scene, const Settings& settings) {
     r.lights = fit_lights(scene, settings);
     r.colour = r.map_view = {1, 600, 400};
     r.map_resolution = settings.map.resolution;
+    r.map_view_size = glm::ivec2(settings.map.resolution);
+    if (!r.lights.empty() && !r.lights[0].views.empty()) r.map_view_curve = r.lights[0].views[0].curve;
+    r.map_black = float(settings.view.map_black), r.map_white = float(settings.view.map_white);
     r.passes = {{"shadow map 0", PassState::Ran, "its inputs changed", 1.5, 0.2, 12, 34567},
                 {"visibility", PassState::Skipped, "nothing reads it", 0, 0, 0, 0},
                 {"shading", PassState::Reused, "unchanged since frame 12", 0, 0, 0, 0}};
@@ -82,6 +85,8 @@ EditorActions UiHarness::frame() {
         facts.scene = &scene;
         facts.driver = &driver_;
         if (state.probe_pixel) facts.probe = &probe_;
+        if (map_facts) facts.map_facts = &*map_facts;
+        facts.lost_casters = lost_casters;
     }
     ImGui::NewFrame();
     EditorActions actions = draw_editor(state, facts);

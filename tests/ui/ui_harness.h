@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/frame.h"
 #include "ui/editor_ui.h"
@@ -26,6 +27,8 @@ public:
     EditorState state;
     Scene scene;
     std::optional<LoadingFacts> loading;
+    std::optional<MapFacts> map_facts;
+    std::vector<LostCaster> lost_casters;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
     /// One frame, 1/60 s after the one before.

@@ -1,0 +1,42 @@
+// What the editor's panels show as numbers: the probe, the depth image's values and statistics, which pixel reads which
+// texel. Each is read back only while a panel shows it, and once for each drawn frame.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "renderer/renderer.h"
+#include "ui/editor_ui.h"
+
+namespace si {
+
+class EditorReadings {
+public:
+    /// Brings up to date what `actions` ask for. `drawn`: the frame is a new one. Returns whether the editor now shows
+    /// something else. Needs the renderer's OpenGL context. @throws Error
+    bool update(Renderer& renderer, const Scene& scene, const EditorState& state, const EditorActions& actions,
+                const FrameRequest& request, const FrameResult& result, bool drawn);
+    /// There is no frame.
+    void clear();
+    /// Tells the editor. The pointers hold until the next update() or clear().
+    void fill(EditorFrame& frame) const;
+
+private:
+    bool update_probe(Renderer& renderer, const Scene& scene, const EditorState& state, const FrameRequest& request);
+    bool update_map(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+                    const FrameResult& result);
+    bool update_links(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+                      const FrameResult& result);
+
+    std::uint64_t frame_ = 0;  ///< number of the drawn frame
+    std::uint64_t probe_of_ = 0, map_of_ = 0, facts_of_ = 0, links_of_ = 0, overlay_of_ = 0;  ///< frames they belong to
+    std::optional<Probe> probe_;
+    std::optional<glm::ivec2> probed_pixel_;
+    FloatImage map_values_, map_coordinates_, overlay_values_;
+    std::optional<MapFacts> facts_;
+    std::optional<TexelUsage> usage_;
+    std::vector<LostCaster> lost_casters_;
+};
+
+}  // namespace si

@@ -1,0 +1,200 @@
+// The map viewer with the real renderer: which pixel reads which texel, the plots, saving.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "app/headless_editor.h"
+#include "app/output.h"
+#include "app/session.h"
+#include "renderer/scenes/builtin.h"
+#include "ui/depth_plots.h"
+#include "ui/map_marks.h"
+
+namespace si {
+namespace {
+
+constexpr int kWidth = 1280, kHeight = 720;
+
+EditorOptions options(const std::string& scene = "boxes") {
+    EditorOptions o;
+    o.scene = scene;
+    o.settings = base_settings(load_scene(scene));
+    o.width = kWidth;
+    o.height = kHeight;
+    return o;
+}
+
+/// Finds a place over a picture: the first on a coarse grid for which `found` holds after the editor has settled.
+std::optional<glm::vec2> hover(HeadlessEditor& editor, glm::vec2 from, glm::vec2 to, const auto& found) {
+    for (float y = from.y; y < to.y; y += 23) {
+        for (float x = from.x; x < to.x; x += 23) {
+            editor.mouse.at = glm::vec2(x, y);
+            for (int i = 0; i < 3; ++i) editor.frame();
+            if (found()) return editor.mouse.at;
+        }
+    }
+    return {};
+}
+
+std::size_t differing_pixels(const ByteImage& a, const ByteImage& b, int x1) {
+    std::size_t count = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < x1; ++x) {
+            const std::size_t i = (std::size_t(y) * std::size_t(a.width) + std::size_t(x)) * 4;
+            count += !std::equal(&a.data[i], &a.data[i] + 3, &b.data[i]);
+        }
+    return count;
+}
+
+TEST(MapViewer, AHoveredPixelsFootprintHoldsTheProbesTexel) {
+    HeadlessEditor editor(options());
+    editor.settle();
+    EditorState& state = editor.model().state;
+    const auto at = hover(editor, {120, 250}, {500, 380}, [&] {
+        const EditorFrame f = editor.model().facts();
+        return state.hovered_pixel && f.map_coordinates &&
+               f.map_coordinates->at(state.hovered_pixel->x, state.hovered_pixel->y, 3) > 0;
+    });
+    ASSERT_TRUE(at) << "no pixel reads the map";
+    const glm::ivec2 pixel = *state.hovered_pixel;
+    state.probe_pixel = pixel;
+    for (int i = 0; i < 3; ++i) editor.frame();
+    const EditorFrame f = editor.model().facts();
+    ASSERT_TRUE(f.probe && f.probe->hit && f.texel_usage);
+    const glm::ivec2 texel = f.probe->lights.at(0).texel;
+    EXPECT_GT(f.texel_usage->pixels(texel), 0u);
+    const auto readers = f.texel_usage->readers(texel);
+    EXPECT_NE(std::find(readers.begin(), readers.end(), pixel), readers.end());
+}
+
+TEST(MapViewer, AHoveredTexelShowsThePixelsThatReadIt) {
+    EditorOptions o = options();
+    o.settings.map.resolution = 64;  // texels that many pixels read
+    HeadlessEditor editor(o);
+    editor.settle();
+    const ByteImage before = editor.picture();
+    EditorState& state = editor.model().state;
+    const auto at = hover(editor, {560, 120}, {860, 400}, [&] {
+        const EditorFrame f = editor.model().facts();
+        return state.hovered_texel && f.texel_usage && f.texel_usage->pixels(*state.hovered_texel) > 200;
+    });
+    ASSERT_TRUE(at) << "no texel is read";
+    const std::size_t readers = editor.model().facts().texel_usage->pixels(*state.hovered_texel);
+    EXPECT_GE(differing_pixels(before, editor.picture(), 480), readers / 2) << "the scene picture shows no readers";
+}
+
+TEST(MapViewer, LinksAreReadOnlyWhileAPictureIsHovered) {
+    HeadlessEditor editor(options());
+    editor.settle();
+    EXPECT_EQ(editor.model().facts().texel_usage, nullptr);
+    EXPECT_FALSE(editor.frame().want_links);
+}
+
+TEST(MapViewer, TheHistogramCountsEveryTexel) {
+    HeadlessEditor editor(options());
+    editor.settle();
+    const EditorFrame facts = editor.model().facts();
+    ASSERT_TRUE(facts.map_facts);
+    const DepthStatistics& s = facts.map_facts->statistics;
+    const auto n = std::uint64_t(facts.result->map_view_size.x) * std::uint64_t(facts.result->map_view_size.y);
+    EXPECT_EQ(s.drawn + s.empty, n);
+    EXPECT_GT(s.drawn, 0u);
+    std::uint64_t counted = facts.map_facts->histogram.below + facts.map_facts->histogram.above;
+    for (const std::uint64_t c : facts.map_facts->histogram.counts) counted += c;
+    EXPECT_EQ(counted, s.drawn);
+}
+
+TEST(MapViewer, FittingTheGreysNarrowsTheHistogram) {
+    EditorOptions o = options();
+    o.settings.view.map_fit = true;
+    HeadlessEditor editor(o);
+    editor.settle();
+    const EditorFrame facts = editor.model().facts();
+    ASSERT_TRUE(facts.map_facts);
+    const DepthStatistics& s = facts.map_facts->statistics;
+    EXPECT_NEAR(facts.result->map_black, s.linear_min, 1e-5);
+    EXPECT_NEAR(facts.result->map_white, s.linear_max, 1e-5);
+    EXPECT_GT(facts.map_facts->histogram.lo, 0);
+    EXPECT_EQ(facts.map_facts->histogram.below + facts.map_facts->histogram.above, 0u);
+}
+
+TEST(MapViewer, SavesTheStoredDepth) {
+    const std::filesystem::path file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "saved_map.pfm";
+    std::filesystem::remove(file);
+    HeadlessEditor editor(options());
+    editor.settle();
+    EditorActions actions = editor.frame();
+    actions.save_map = file.string();
+    editor.model().fulfil(actions);
+    std::ifstream in(file, std::ios::binary);
+    std::string magic;
+    int width = 0, height = 0;
+    in >> magic >> width >> height;
+    EXPECT_EQ(magic, "Pf");
+    EXPECT_EQ(width, editor.model().facts().result->map_view_size.x);
+    EXPECT_EQ(height, width);
+    editor.settle();  // saving drew other passes: the editor's picture is whole again
+    EXPECT_NE(editor.model().facts().result->colour.texture, 0u);
+
+    actions.save_map = "/no/such/folder/map.pfm";
+    editor.model().fulfil(actions);
+    EXPECT_EQ(editor.model().state.log.lines().back().kind, LogKind::Error);
+    actions.save_map = (std::filesystem::path(SI_TEST_OUTPUT_DIR) / "map.txt").string();
+    editor.model().fulfil(actions);
+    EXPECT_NE(editor.model().state.log.lines().back().text.find(".png"), std::string::npos);
+}
+
+TEST(MapViewer, TheCamerasDepthIsShownInItsOwnShape) {
+    EditorOptions o = options("plane");
+    o.settings.view.map_source = int(MapSource::Camera);
+    HeadlessEditor editor(o);
+    editor.settle();
+    const FrameResult& result = *editor.model().facts().result;
+    EXPECT_EQ(result.map_view_size, glm::ivec2(result.colour.width, result.colour.height));
+    EXPECT_TRUE(result.map_view_curve.convention.reversed);
+    EXPECT_DOUBLE_EQ(result.map_view_curve.near, result.camera.curve.near);
+    write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "camera_depth.png", editor.picture());
+}
+
+TEST(MapViewer, LostCastersAreFacts) {
+    EditorOptions o = options();
+    o.settings.caster.cull = int(Cull::Front);
+    HeadlessEditor editor(o);
+    editor.settle();
+    ASSERT_FALSE(editor.model().facts().lost_casters.empty()) << "the floor has no back";
+    const Scene& scene = *editor.model().facts().scene;
+    for (const LostCaster& lost : editor.model().facts().lost_casters) {
+        const int node = scene.objects[std::size_t(lost.object)].node;
+        editor.model().state.settings.objects[scene.nodes[std::size_t(node)].path].cull = int(ObjectCull::None);
+    }
+    editor.settle();
+    EXPECT_TRUE(editor.model().facts().lost_casters.empty());
+}
+
+TEST(DepthPlots, TheNinetyTenRule) {
+    DepthCurve curve{.perspective = true, .near = 1, .far = 100, .convention = {}};
+    // Depth 0.9 is reached where (1/n - 1/z) / (1/n - 1/f) = 0.9.
+    const double expected = 1 / (1 - 0.9 * (1 - 0.01));
+    EXPECT_NEAR(distance_at_share(curve, 0.9), expected, 1e-9);
+    curve.convention.reversed = true;
+    EXPECT_NEAR(distance_at_share(curve, 0.9), expected, 1e-9);
+    curve.perspective = false;
+    EXPECT_NEAR(distance_at_share(curve, 0.9), 1 + 0.9 * 99, 1e-9);
+}
+
+TEST(MapMarks, ScreenAndMapCoordinatesAreInverse) {
+    const MapRect rect{{100, 50}, {400, 200}, {8, 4}};
+    EXPECT_EQ(rect.uv({100, 250}), glm::dvec2(0, 0));
+    EXPECT_EQ(rect.uv({500, 50}), glm::dvec2(1, 1));
+    const auto [lo, hi] = rect.square({7, 3}, 1);  // the last texel: upper right
+    EXPECT_FLOAT_EQ(lo.x, 450);
+    EXPECT_FLOAT_EQ(lo.y, 50);
+    EXPECT_FLOAT_EQ(hi.x, 500);
+    EXPECT_FLOAT_EQ(hi.y, 100);
+}
+
+}  // namespace
+}  // namespace si
