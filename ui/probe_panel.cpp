@@ -41,12 +41,35 @@ void verdict(const std::string& text) {
     ImGui::PopFont();
 }
 
-void draw_light(const Probe::PerLight& p) {
+/// Draws the texels around the probed one into the scene, or takes them away.
+void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
+    if (p.where != "inside" || resolution <= 0) return;
+    ViewSettings& v = s.view;
+    const double u = (p.texel.x + 0.5) / resolution, w = (p.texel.y + 0.5) / resolution;
+    const bool here = v.slabs != int(Slabs::None) && v.light == p.light && v.face == p.face && v.slabs_u == u &&
+                      v.slabs_v == w;
+    if (ImGui::SmallButton(here ? "Hide texel slabs" : "Texel slabs here")) {
+        if (here) {
+            v.slabs = int(Slabs::None);
+        } else {
+            if (v.slabs == int(Slabs::None)) v.slabs = int(Slabs::Both);
+            v.light = p.light, v.face = p.face;
+            v.slabs_u = u, v.slabs_v = w;
+        }
+    }
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Draw the texels around this one into the scene, each where its stored depth lies\n"
+                          "(view.slabs, %d texels across)",
+                          v.slabs_texels);
+}
+
+void draw_light(const Probe::PerLight& p, Settings& settings, int resolution) {
     if (!p.casts) {
         verdict(p.verdict.empty() ? fmt::format("Light {} casts no shadow: lit.", p.light) : p.verdict);
         return;
     }
     verdict(p.verdict);
+    slabs_button(settings, p, resolution);
     const float width = ImGui::GetContentRegionAvail().x;
     const float em = ImGui::GetFontSize();
     const int columns = width > em * 84 ? 3 : width > em * 54 ? 2 : 1;
@@ -105,7 +128,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame) {
     for (const Probe::PerLight& light : probe->lights) {
         ImGui::PushID(light.light);
         if (probe->lights.size() > 1) ImGui::Separator();
-        draw_light(light);
+        draw_light(light, state.settings, frame.result ? frame.result->map_resolution : 0);
         ImGui::PopID();
     }
 }
