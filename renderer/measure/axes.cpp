@@ -1,0 +1,148 @@
+#include "renderer/measure/axes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "renderer/error.h"
+#include "renderer/param.h"
+
+namespace si {
+namespace {
+
+constexpr std::size_t kMaxValues = 1000;
+
+std::vector<std::string> split(std::string_view text, char at) {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0;; ) {
+        const std::size_t end = text.find(at, begin);
+        parts.emplace_back(text.substr(begin, end - begin));
+        if (end == std::string_view::npos) return parts;
+        begin = end + 1;
+    }
+}
+
+double number(std::string_view text, std::string_view whole) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+        throw UsageError(fmt::format("--vary {}: '{}' is no number; from:to:step is wanted, such as 0:4:0.5 or 256:4096:*2",
+                                     whole, text));
+    return value;
+}
+
+/// The numbers of "from:to:step", ends included up to rounding.
+std::vector<double> row_of(const std::vector<std::string>& parts, std::string_view whole) {
+    const bool geometric = parts[2].starts_with("*");
+    const double from = number(parts[0], whole), to = number(parts[1], whole),
+                 step = number(std::string_view(parts[2]).substr(geometric ? 1 : 0), whole);
+    const bool upwards = to >= from;
+    const bool moves = geometric ? from * to > 0 && step > 0 && step != 1 && (std::abs(to) >= std::abs(from)) == (step > 1)
+                                 : step != 0 && (step > 0) == upwards;
+    if (from != to && !moves)
+        throw UsageError(fmt::format("--vary {}: the step does not lead from {} to {}", whole, parts[0], parts[1]));
+    const double count = from == to ? 0
+                         : geometric ? std::log(to / from) / std::log(step)
+                                     : (to - from) / step;
+    if (count >= double(kMaxValues))
+        throw UsageError(fmt::format("--vary {}: more than {} values; take a larger step", whole, kMaxValues));
+    std::vector<double> row;
+    for (int i = 0; i <= int(std::floor(count + 1e-9)); ++i)
+        row.push_back(geometric ? from * std::pow(step, i) : from + i * step);
+    return row;
+}
+
+/// A number as short as it can be without being another one to nine digits: 0.1 + 0.2 is 0.3.
+std::string short_number(double value, const Value& like) {
+    if (std::holds_alternative<int>(like)) return fmt::format("{}", std::lround(value));
+    return fmt::format("{:.9g}", value);
+}
+
+/// Equal for equal settings only.
+std::string fingerprint(const Settings& settings) {
+    std::string text;
+    for (const SettingRef& ref : changed_settings(settings))
+        text += setting_key(ref) + "=" + value_text(*ref.param, get_value(settings, ref)) + "\n";
+    return text;
+}
+
+}  // namespace
+
+SweepAxis parse_axis(std::string_view text) {
+    // Node paths may hold '='; values never do.
+    const auto equals = text.rfind('=');
+    if (equals == std::string_view::npos || equals + 1 == text.size())
+        throw UsageError(fmt::format("--vary \"{}\": KEY=V1,V2,... or KEY=from:to:step is wanted", text));
+    SweepAxis axis{std::string(text.substr(0, equals)), {}};
+    const auto ref = find_setting(axis.key);
+    if (!ref)
+        throw UsageError(fmt::format("--vary {}: no such setting; did you mean {}?", axis.key, nearest_key(axis.key)));
+    axis.key = setting_key(*ref);
+    const std::string_view values = text.substr(equals + 1);
+    const bool is_number = !ref->param->choices && !std::holds_alternative<bool>(default_value(*ref));
+    const auto parts = split(values, ':');
+    if (values == "*" && ref->param->choices) {
+        for (const Choice& choice : ref->param->choices()) axis.values.emplace_back(choice.key);
+    } else if (values == "*" && std::holds_alternative<bool>(default_value(*ref))) {
+        axis.values = {"false", "true"};
+    } else if (is_number && parts.size() == 3) {
+        for (const double v : row_of(parts, text)) axis.values.push_back(short_number(v, default_value(*ref)));
+    } else {
+        axis.values = split(values, ',');
+    }
+    if (axis.values.size() > kMaxValues)
+        throw UsageError(fmt::format("--vary {}: more than {} values", axis.key, kMaxValues));
+    std::vector<std::string> unique;
+    for (const std::string& value : axis.values) {
+        const std::string canonical = value_text(*ref->param, parse_value(*ref, value));
+        if (std::find(unique.begin(), unique.end(), canonical) == unique.end()) unique.push_back(canonical);
+    }
+    axis.values = std::move(unique);
+    return axis;
+}
+
+Settings without_idle(Settings settings) {
+    // What is without effect is judged by the settings as given, so that the order of the rows does not matter.
+    const Settings given = settings;
+    for (const SettingRef& ref : all_settings(given)) {
+        const bool light_off = ref.param->scope == Scope::Light && ref.light >= given.light_count;
+        if (light_off || !idle_reason(given, ref).empty()) set_value(settings, ref, default_value(ref));
+    }
+    return settings;
+}
+
+SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes) {
+    std::set<std::string> keys;
+    SweepPlan plan;
+    plan.product = 1;
+    for (const SweepAxis& axis : axes) {
+        if (!keys.insert(axis.key).second)
+            throw UsageError(fmt::format("--vary {}: varied twice; put all its values into one --vary", axis.key));
+        plan.product *= std::max<std::size_t>(axis.values.size(), 1);
+        if (plan.product > kMaxSweepCases)
+            throw UsageError(fmt::format("the sweep has more than {} cases; vary fewer settings or take larger steps",
+                                         kMaxSweepCases));
+    }
+    std::set<std::string> seen;
+    for (std::size_t index = 0; index < plan.product; ++index) {
+        SweepCase c;
+        c.settings = base;
+        std::size_t rest = index, stride = plan.product;
+        for (const SweepAxis& axis : axes) {
+            stride /= axis.values.size();
+            const std::string& value = axis.values[rest / stride];
+            rest %= stride;
+            set_setting(c.settings, axis.key, value);
+            c.values.emplace_back(axis.key, value);
+            c.id += (c.id.empty() ? "" : " ") + axis.key + "=" + value;
+        }
+        if (!seen.insert(fingerprint(without_idle(c.settings))).second) continue;
+        plan.cases.push_back(std::move(c));
+    }
+    return plan;
+}
+
+}  // namespace si

@@ -1,0 +1,49 @@
+// Which settings are worth their time: the frontier of error over cost, and the statistics that stand behind a dot.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace si {
+
+/// Of a set of samples, such as the milliseconds of several frames.
+struct Spread {
+    double median = 0, p95 = 0, low = 0, high = 0;  ///< low and high: the extremes
+    double mad = 0;      ///< median absolute deviation from the median
+    int samples = 0;
+    /// Half the width of the 95 % confidence interval of the median as a share of it: 1.858 MAD / sqrt(n) / median, which
+    /// takes the samples as normally distributed (sigma = 1.4826 MAD, standard error of a median 1.2533 sigma / sqrt(n)).
+    double relative() const;
+};
+
+Spread spread_of(std::vector<double> samples);
+
+/// A case on the plot. Smaller is better on both axes.
+struct Dot {
+    double cost = 0, error = 0;
+    double cost_noise = 0, error_noise = 0;  ///< differences up to this are no differences
+};
+
+/// How `a` stands to `b`: better when it is no worse on either axis beyond noise and better on one beyond noise.
+bool dominates(const Dot& a, const Dot& b);
+
+/// For each dot whether nothing dominates it. Dots closer than noise do not push each other off. Dots with a value that is
+/// not finite are never on the frontier.
+std::vector<bool> frontier(std::span<const Dot> dots);
+
+/// What else the frontier offers to the owner of `present`.
+struct Advice {
+    std::optional<std::size_t> better;   ///< least costly dot on the frontier with a smaller error: costs more
+    double extra_cost = 0;
+    std::optional<std::size_t> cheaper;  ///< least costly dot whose error is no larger: costs less
+    double saved_cost = 0;
+};
+/// @param dots with `on_frontier` as frontier() gave it
+Advice advise(const Dot& present, std::span<const Dot> dots, const std::vector<bool>& on_frontier);
+
+/// The least-squares slope of log(error) over log(x) over the pairs in which both are positive and finite; nothing when
+/// fewer than two distinct x are left. Hard shadows' boundary error falls with slope -1 over the resolution.
+std::optional<double> log_slope(std::span<const double> x, std::span<const double> error);
+
+}  // namespace si

@@ -1,0 +1,60 @@
+#include "renderer/measure/frontier.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace si {
+namespace {
+
+TEST(Spread, OfKnownSamples) {
+    const Spread s = spread_of({5, 1, 3, 2, 4});
+    EXPECT_DOUBLE_EQ(s.median, 3);
+    EXPECT_DOUBLE_EQ(s.low, 1);
+    EXPECT_DOUBLE_EQ(s.high, 5);
+    EXPECT_DOUBLE_EQ(s.mad, 1);
+    EXPECT_NEAR(s.p95, 4.8, 1e-12);
+    EXPECT_NEAR(s.relative(), 1.2533 * 1.4826 / std::sqrt(5.0) / 3, 1e-12);
+    EXPECT_EQ(spread_of({7}).relative(), 1) << "one sample says nothing of its spread";
+    EXPECT_EQ(spread_of({}).samples, 0);
+}
+
+TEST(Frontier, KeepsWhatNothingBeats) {
+    const std::vector<Dot> dots = {{1, 10}, {2, 5}, {3, 6}, {4, 1}, {4, 2}};
+    EXPECT_EQ(frontier(dots), (std::vector<bool>{true, true, false, true, false}));
+}
+
+TEST(Frontier, NoiseRanksNothing) {
+    const std::vector<Dot> dots = {{1.00, 5, 0.05, 0.1}, {1.02, 5.05, 0.05, 0.1}, {1.02, 5.2, 0.05, 0.1}};
+    EXPECT_EQ(frontier(dots), (std::vector<bool>{true, true, false}));
+}
+
+TEST(Frontier, FailedCasesAreNeverOnIt) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<Dot> dots = {{nan, 0}, {1, 1}, {0, nan}};
+    EXPECT_EQ(frontier(dots), (std::vector<bool>{false, true, false}));
+}
+
+TEST(Frontier, AdviceNamesTheNextBetterAndTheCheaper) {
+    const std::vector<Dot> dots = {{1, 10}, {2, 5}, {4, 1}, {9, 0.5}};
+    const auto on = frontier(dots);
+    const Advice advice = advise({3, 5}, dots, on);
+    ASSERT_TRUE(advice.better && advice.cheaper);
+    EXPECT_EQ(*advice.better, 2u);
+    EXPECT_DOUBLE_EQ(advice.extra_cost, 1);
+    EXPECT_EQ(*advice.cheaper, 1u);
+    EXPECT_DOUBLE_EQ(advice.saved_cost, 1);
+    const Advice best = advise({9, 0.5}, dots, on);
+    EXPECT_FALSE(best.better || best.cheaper);
+}
+
+TEST(Frontier, SlopeOfAPowerLaw) {
+    const std::vector<double> x = {512, 1024, 2048}, y = {8, 4, 2};
+    EXPECT_NEAR(*log_slope(x, y), -1, 1e-12);
+    EXPECT_FALSE(log_slope(std::vector<double>{1, 1}, std::vector<double>{2, 3}));
+    EXPECT_FALSE(log_slope(std::vector<double>{1}, std::vector<double>{2}));
+}
+
+}  // namespace
+}  // namespace si
