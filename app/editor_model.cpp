@@ -224,7 +224,7 @@ bool EditorModel::draw_scene(const EditorActions& actions) {
     wanted.height = std::max(1, actions.scene_height);
     wanted.outputs.colour = true;
     wanted.outputs.shadow_map = actions.want_map;
-    wanted.outputs.overlay = state.settings.view.overlay > 0;
+    wanted.outputs.overlay = true;
     wanted.outputs.map_coordinates = actions.want_links;
     wanted.timing = actions.want_timing;
     const bool same = drawn_ && !shaders_changed_ && wanted.width == request_.width &&

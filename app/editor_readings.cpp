@@ -48,11 +48,7 @@ bool EditorReadings::update(Renderer& renderer, const Scene& scene, const Editor
     // The map first: probing draws another request, after which the frame's depth image is no longer at hand.
     bool changed = update_map(renderer, state, actions, result);
     changed |= update_links(renderer, state, actions, result);
-    if (overlay_of_ != frame_) {
-        overlay_of_ = frame_;
-        overlay_values_ = result.overlay.texture ? renderer.read_float(result.overlay, 4) : FloatImage{};
-        changed = true;
-    }
+    changed |= update_overlay(renderer, state, actions, result);
     return update_probe(renderer, scene, state, request) || changed;
 }
 
@@ -79,6 +75,20 @@ bool EditorReadings::update_map(Renderer& renderer, const EditorState& state, co
         changed = true;
     }
     return changed;
+}
+
+bool EditorReadings::update_overlay(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+                                    const FrameResult& result) {
+    const auto pane = std::size_t(state.active_pane);
+    if (!actions.want_overlay_values || pane >= result.panes.size() || !result.panes[pane].values.texture) {
+        if (overlay_of_ != frame_) overlay_values_ = {};
+        return false;
+    }
+    if (overlay_of_ == frame_ && overlay_pane_ == int(pane)) return false;
+    overlay_of_ = frame_;
+    overlay_pane_ = int(pane);
+    overlay_values_ = renderer.read_float(result.panes[pane].values, 4);
+    return true;
 }
 
 bool EditorReadings::update_links(Renderer& renderer, const EditorState& state, const EditorActions& actions,

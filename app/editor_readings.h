@@ -26,11 +26,14 @@ private:
     bool update_probe(Renderer& renderer, const Scene& scene, const EditorState& state, const FrameRequest& request);
     bool update_map(Renderer& renderer, const EditorState& state, const EditorActions& actions,
                     const FrameResult& result);
+    bool update_overlay(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+                        const FrameResult& result);
     bool update_links(Renderer& renderer, const EditorState& state, const EditorActions& actions,
                       const FrameResult& result);
 
     std::uint64_t frame_ = 0;  ///< number of the drawn frame
     std::uint64_t probe_of_ = 0, map_of_ = 0, facts_of_ = 0, links_of_ = 0, overlay_of_ = 0;  ///< frames they belong to
+    int overlay_pane_ = 0;
     std::optional<Probe> probe_;
     std::optional<glm::ivec2> probed_pixel_;
     FloatImage map_values_, map_coordinates_, overlay_values_;

@@ -21,13 +21,13 @@ constexpr Choice kMapViews[] = {
      "perspective map's depth is spent close to the near plane (the 90/10 rule)."},
 };
 constexpr Choice kPanes[] = {
-    {"one", "one picture", "The picture with view.overlay over it."},
-    {"two", "two beside each other", "view.overlay on the left, view.overlay_2 on the right."},
-    {"four", "two by two", "view.overlay and view.overlay_2 above, view.overlay_3 and view.overlay_4 below."},
+    {"one", "one", "The picture with view.overlay over it."},
+    {"two", "two", "view.overlay on the left, view.overlay_2 on the right."},
+    {"four", "four", "view.overlay and view.overlay_2 above, view.overlay_3 and view.overlay_4 below."},
 };
 constexpr Choice kRanges[] = {
-    {"declared", "the overlay's own", "The range that each overlay declares (`list overlays`)."},
-    {"fitted", "fitted to the picture",
+    {"declared", "its own", "The range that each overlay declares (`list overlays`)."},
+    {"fitted", "fitted",
      "From the 1st to the 99th percentile of the values in each pane's picture; symmetric for scales centred on zero."},
     {"manual", "by hand",
      "From view.overlay_min to view.overlay_max wherever view.overlay is shown; other overlays, which have other units, "

@@ -56,6 +56,7 @@ struct EditorState {
     MapWindow map_window;
     std::string map_path = "shadow-map.pfm";  ///< that the map viewer's Save writes
     std::optional<glm::ivec2> hovered_pixel;  ///< under the mouse in the scene picture, row 0 at the top
+    int active_pane = 0;                      ///< under the mouse, or where a press began
     std::optional<glm::ivec2> hovered_texel;  ///< under the mouse in the map viewer, y up
     BottomTab tab = BottomTab::Passes;
     std::optional<BottomTab> open_tab = BottomTab::Passes;  ///< brought to the front in the next frame
@@ -103,7 +104,7 @@ struct EditorFrame {
     const MapFacts* map_facts = nullptr;
     const FloatImage* map_coordinates = nullptr;  ///< FrameResult::map_coordinates read back
     const TexelUsage* texel_usage = nullptr;      ///< of the shown light and face
-    const FloatImage* overlay_values = nullptr;
+    const FloatImage* overlay_values = nullptr;   ///< of the active pane
     std::span<const LostCaster> lost_casters;  ///< of the shown light
     std::span<const PresetEntry> presets;
     std::string_view shader_log;
@@ -116,6 +117,7 @@ struct EditorActions {
     bool want_map = false;
     bool want_map_values = false;  ///< the cursor is over the map
     bool want_map_facts = false;   ///< the plots are shown
+    bool want_overlay_values = false;  ///< a scene picture is hovered
     bool want_links = false;       ///< which pixel reads which texel: a picture is hovered and nothing is dragged
     bool want_timing = false;
     std::optional<std::string> load_scene, load_preset, save_preset, save_map;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
 
 #include "renderer/techniques.h"
@@ -26,15 +27,15 @@ Stops stops_of(const Overlay& overlay) {
 
 }  // namespace
 
-void draw_legend(const Settings& settings, const FrameResult& result, float left, float bottom) {
-    const int index = settings.view.overlay - 1;
+void draw_legend(const Pane& pane, float left, float bottom, float room) {
+    const int index = pane.overlay - 1;
     if (index < 0 || std::size_t(index) >= overlays().size()) return;
     const Overlay& overlay = overlays()[std::size_t(index)];
     const float em = ImGui::GetFontSize();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::string title =
         overlay.unit.empty() ? std::string(overlay.label) : fmt::format("{} ({})", overlay.label, overlay.unit);
-    const float width = em * 15, pad = em * 0.6f, bar = em * 0.7f;
+    const float width = std::clamp(room - em * 2.4f, em * 5, em * 15), pad = em * 0.6f, bar = em * 0.7f;
     const float text_width = ImGui::CalcTextSize(title.c_str()).x;
     const float box_width = overlay.scalar ? std::max(width, text_width) : text_width;
     const float box_height = overlay.scalar ? em * 3.4f : em * 1.2f;
@@ -48,13 +49,14 @@ void draw_legend(const Settings& settings, const FrameResult& result, float left
                 y1 = y0 + bar;
     list.AddRectFilledMultiColor({x0, y0}, {x1, y1}, stops.low, stops.middle, stops.middle, stops.low);
     list.AddRectFilledMultiColor({x1, y0}, {x2, y1}, stops.middle, stops.high, stops.high, stops.middle);
-    const float low = result.overlay_min, high = result.overlay_max;
-    for (int i = 0; i <= 4; ++i) {
-        const float t = float(i) / 4, x = x0 + t * (x2 - x0);
+    const float low = pane.overlay_min, high = pane.overlay_max;
+    const int steps = width < em * 11 ? 2 : 4;
+    for (int i = 0; i <= steps; ++i) {
+        const float t = float(i) / float(steps), x = x0 + t * (x2 - x0);
         list.AddLine({x, y1}, {x, y1 + em * 0.2f}, theme::kText);
         const std::string number = fmt::format("{:.3g}", low + t * (high - low));
         const float w = ImGui::CalcTextSize(number.c_str()).x;
-        const float at = i == 0 ? x : i == 4 ? x - w : x - 0.5f * w;
+        const float at = i == 0 ? x : i == steps ? x - w : x - 0.5f * w;
         list.AddText({at, y1 + em * 0.2f}, theme::kText, number.c_str());
     }
 }

@@ -25,12 +25,6 @@ bool of_camera(const Settings& s) {
     return s.view.map_source == int(MapSource::Camera);
 }
 
-/// Goes on in the line when `width` more pixels fit, else starts the next one.
-void flow(float width) {
-    ImGui::SameLine();
-    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
-}
-
 void save_menu(EditorState& state, EditorActions& actions) {
     if (ImGui::Button("Save")) ImGui::OpenPopup("save map");
     if (ImGui::IsItemHovered())

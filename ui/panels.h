@@ -15,8 +15,9 @@ void draw_objects(EditorState& state, const EditorFrame& frame);
 void draw_log(EditorState& state, const EditorFrame& frame);
 void draw_shortcuts(EditorState& state);
 
-/// The colour scale of the overlay in use, with numbers and unit, over the picture's lower left corner.
-void draw_legend(const Settings& settings, const FrameResult& result, float left, float bottom);
+/// The colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner; `room` is the
+/// picture's width on the screen.
+void draw_legend(const Pane& pane, float left, float bottom, float room);
 
 /// What is being read, and a button that cancels, at the top of a picture. Pixels of the screen.
 void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, float top, float width);

@@ -231,4 +231,9 @@ bool setting_matches(const SettingRef& ref, std::string_view text) {
     return text.empty() || contains(ref.param->label) || contains(setting_key(ref)) || contains(ref.param->help);
 }
 
+void flow(float width) {
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
 }  // namespace si

@@ -21,4 +21,7 @@ bool setting_matches(const SettingRef& ref, std::string_view text);
 /// Whether the setting differs from its default.
 bool setting_changed(const Settings& settings, const SettingRef& ref);
 
+/// Goes on in the line when `width` more pixels fit, else starts the next one.
+void flow(float width);
+
 }  // namespace si

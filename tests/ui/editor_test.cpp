@@ -51,6 +51,7 @@ TEST_P(EditorSizes, ShowsSceneMapAndNumbers) {
     HeadlessEditor editor(o);
     editor.model().state.probe_pixel = glm::ivec2(200, 200);
     editor.model().state.open_tab = BottomTab::Probe;
+    editor.mouse.at = glm::vec2(width / 6, height / 4);  // numbers are read where the mouse is
     editor.settle();
     const ByteImage picture = editor.picture();
     write_png(kOut / ("editor_" + std::to_string(width) + "x" + std::to_string(height) + ".png"), picture);
@@ -107,6 +108,7 @@ TEST(Editor, DrawsTheSceneAgainOnlyWhenSomethingChanged) {
 
 TEST(Editor, EveryOverlayAndMapView) {
     HeadlessEditor editor(options(1280, 720));
+    editor.mouse.at = glm::vec2(200, 250);  // numbers are read where the mouse is
     const std::size_t overlays = find_setting("view.overlay")->param->choices().size();
     for (std::size_t overlay = 0; overlay < overlays; ++overlay) {
         for (int map = 0; map < 3; ++map) {

@@ -3,8 +3,10 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <array>
 #include <cfloat>
 
+#include "renderer/pane_grid.h"
 #include "renderer/scenes/builtin.h"
 #include "ui/theme.h"
 
@@ -15,6 +17,10 @@ FrameResult made_up_frame(const Scene& scene, const Settings& settings) {
     r.camera = make_camera(scene, settings, 1.5);
     r.lights = fit_lights(scene, settings);
     r.colour = r.map_view = {1, 600, 400};
+    const std::array overlays = {settings.view.overlay, settings.view.overlay_2, settings.view.overlay_3,
+                                 settings.view.overlay_4};
+    const int count = pane_grid(settings.view.panes, 1, 1).count();
+    for (int i = 0; i < count; ++i) r.panes.push_back({{1, 600, 400}, {}, overlays[std::size_t(i)], 0, 1});
     r.map_resolution = settings.map.resolution;
     r.map_view_size = glm::ivec2(settings.map.resolution);
     if (!r.lights.empty() && !r.lights[0].views.empty()) r.map_view_curve = r.lights[0].views[0].curve;
