@@ -23,7 +23,7 @@ bool finite(const Dot& d) {
 
 double Spread::relative() const {
     if (samples < 2 || median <= 0) return 1;
-    return 1.2533 * 1.4826 * mad / std::sqrt(double(samples)) / median;
+    return 0.5 * (median_high - median_low) / median;
 }
 
 Spread spread_of(std::vector<double> samples) {
@@ -34,9 +34,9 @@ Spread spread_of(std::vector<double> samples) {
     s.low = samples.front(), s.high = samples.back();
     s.median = quantile(samples, 0.5);
     s.p95 = quantile(samples, 0.95);
-    for (double& v : samples) v = std::abs(v - s.median);
-    std::sort(samples.begin(), samples.end());
-    s.mad = quantile(samples, 0.5);
+    const double below = std::floor(0.5 * s.samples - 0.98 * std::sqrt(double(s.samples)));
+    const auto rank = std::size_t(std::max(below, 0.0));
+    s.median_low = samples[rank], s.median_high = samples[samples.size() - 1 - rank];
     return s;
 }
 

@@ -10,13 +10,14 @@ namespace si {
 /// Of a set of samples, such as the milliseconds of several frames.
 struct Spread {
     double median = 0, p95 = 0, low = 0, high = 0;  ///< low and high: the extremes
-    double mad = 0;      ///< median absolute deviation from the median
+    double median_low = 0, median_high = 0;  ///< 95 % confidence interval of the median
     int samples = 0;
-    /// Half the width of the 95 % confidence interval of the median as a share of it: 1.858 MAD / sqrt(n) / median, which
-    /// takes the samples as normally distributed (sigma = 1.4826 MAD, standard error of a median 1.2533 sigma / sqrt(n)).
+    /// Half the width of that interval as a share of the median; 1 when that says nothing.
     double relative() const;
 };
 
+/// The interval is the distribution-free one by ranks n/2 -+ 0.98 sqrt(n) (Conover, Practical Nonparametric Statistics,
+/// 3.2), so that times that jump between two values do not pass for settled.
 Spread spread_of(std::vector<double> samples);
 
 /// A case on the plot. Smaller is better on both axes.

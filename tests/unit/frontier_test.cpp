@@ -13,9 +13,13 @@ TEST(Spread, OfKnownSamples) {
     EXPECT_DOUBLE_EQ(s.median, 3);
     EXPECT_DOUBLE_EQ(s.low, 1);
     EXPECT_DOUBLE_EQ(s.high, 5);
-    EXPECT_DOUBLE_EQ(s.mad, 1);
     EXPECT_NEAR(s.p95, 4.8, 1e-12);
-    EXPECT_NEAR(s.relative(), 1.2533 * 1.4826 / std::sqrt(5.0) / 3, 1e-12);
+    EXPECT_NEAR(s.relative(), 0.5 * (5 - 1) / 3, 1e-12) << "of five samples the interval is all of them";
+    std::vector<double> many;
+    for (int i = 0; i < 100; ++i) many.push_back(i);
+    const Spread wide = spread_of(many);
+    EXPECT_EQ(wide.median_low, 40);  // ranks 50 -+ 9.8
+    EXPECT_EQ(wide.median_high, 59);
     EXPECT_EQ(spread_of({7}).relative(), 1) << "one sample says nothing of its spread";
     EXPECT_EQ(spread_of({}).samples, 0);
 }
