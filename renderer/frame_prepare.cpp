@@ -52,7 +52,8 @@ void fit_within_limits(FrameState& f) {
         f.notes.push_back(fmt::format("map.resolution {} is beyond the driver's limit; {} is used", asked, n));
     fit(f);
     const int before = n;
-    while (n > 1 && 4.0 * n * n * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
+    const int copies = f.settings.map.blur_texels > 0 ? 2 : 1;
+    while (n > 1 && 4.0 * n * n * copies * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
     if (n != before) {
         f.notes.push_back(
             fmt::format("{} shadow map images of {}² need more than 2 GiB; {}² is used", f.view_count, before, n));

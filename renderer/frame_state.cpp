@@ -17,11 +17,12 @@ GLuint FrameState::program(std::string_view vertex, std::string_view fragment, s
 }
 
 void FrameState::bind_maps() const {
-    if (!gl.map.texture) return;
-    glBindTextureUnit(kShadowMap, gl.map.texture.id());
+    const gl::Target& map = gl.compared_map();
+    if (!map.texture) return;
+    glBindTextureUnit(kShadowMap, map.texture.id());
     glBindSampler(kShadowMap, gl.map_nearest.id());
     if (settings.map.format != int(MapFormat::Colour)) {
-        glBindTextureUnit(kShadowMapCompare, gl.map.texture.id());
+        glBindTextureUnit(kShadowMapCompare, map.texture.id());
         glBindSampler(kShadowMapCompare, gl.map_compare.id());
     }
 }

@@ -29,6 +29,9 @@ struct Resources {
     gl::Sampler map_nearest, map_compare;
     std::unique_ptr<SceneGpu> scene;
     gl::Target map, map_depth;              ///< shadow maps, one layer per view; depth beside a colour map
+    gl::Target map_blurred, map_rows;       ///< of map.blur_texels: the maps' depths blurred, and one layer along x only
+    /// The shadow maps that are compared, shown and read back.
+    const gl::Target& compared_map() const { return map_blurred.texture ? map_blurred : map; }
     std::vector<std::uint64_t> map_keys;    ///< per light: key of its layers' contents
     gl::Target camera_depth, visibility, shaded, overlay, composed, map_view;
     gl::Texture visibility_view;            ///< one layer of visibility as a 2-D texture
@@ -89,6 +92,7 @@ struct FrameState {
 
 // One function per pass; each appends itself to the plan. (renderer/passes/)
 void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan);
+void add_depth_blur_pass(FrameState& f, std::vector<Pass>& plan);
 void add_visibility_pass(FrameState& f, std::vector<Pass>& plan);
 void add_shade_pass(FrameState& f, std::vector<Pass>& plan);
 void add_overlay_passes(FrameState& f, std::vector<Pass>& plan);

@@ -52,11 +52,12 @@ FloatImage Renderer::read_shadow_map(int light, int face) {
         layer += views;
     }
     if (!found) throw Error(fmt::format("light {} has no shadow map image {}", light, face));
-    const int n = r.map.width;
+    const gl::Target& map = r.compared_map();
+    const int n = map.width;
     FloatImage out{n, n, 1, std::vector<float>(std::size_t(n) * std::size_t(n))};
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    const GLenum format = r.map.format == GL_R32F ? GL_RED : GL_DEPTH_COMPONENT;
-    glGetTextureSubImage(r.map.texture.id(), 0, 0, 0, layer, n, n, 1, format, GL_FLOAT,
+    const GLenum format = map.format == GL_R32F ? GL_RED : GL_DEPTH_COMPONENT;
+    glGetTextureSubImage(map.texture.id(), 0, 0, 0, layer, n, n, 1, format, GL_FLOAT,
                          GLsizei(out.data.size() * sizeof(float)), out.data.data());
     flip_rows(out.data, n, n, 1);
     return out;

@@ -69,6 +69,7 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
     FrameState f = impl_->prepare(scene, settings, request);
     std::vector<Pass> plan;
     add_light_depth_passes(f, plan);
+    add_depth_blur_pass(f, plan);
     add_visibility_pass(f, plan);
     add_shade_pass(f, plan);
     add_overlay_passes(f, plan);

@@ -58,6 +58,7 @@ struct MapSettings {
     bool far_guard = true;
     int compare = 1; ///< Compare
     bool reversed_z = false;
+    int blur_texels = 0;
     bool operator==(const MapSettings&) const = default;
 };
 

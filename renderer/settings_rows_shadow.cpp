@@ -68,6 +68,11 @@ constexpr auto kMap = std::to_array<Param>({
      .help = "The near plane maps to depth 1 and the far plane to 0. With d32f the fine steps of floating point near 0 "
              "then offset the perspective's coarse steps far away.",
      .shader = true},
+    {SI_FIELD(map.blur_texels), .label = "Depth blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
+     .help = "Wrong on purpose: each stored depth becomes the mean of those up to this many texels away, along x and y. "
+             "The comparison then meets slopes between occluder and receiver that are not there: shadows grow and lose "
+             "their corners, thin ones vanish, and every edge stays hard. Filter the comparisons instead "
+             "(filter.kernel). 0 is off."},
 });
 static_assert(kMap.size() == members<MapSettings>(), "a member of MapSettings has no row");
 

@@ -1,0 +1,123 @@
+// map.blur_texels: every stored depth is the mean of its neighbours', whatever the format and the light; 0 costs
+// nothing.
+#include <algorithm>
+#include <cmath>
+
+#include "tests/gl/frame_fixture.h"
+
+namespace si {
+namespace {
+
+/// The mean of the texels within `radius` along both axes that lie in the map, in double.
+std::vector<double> box_blur(const FloatImage& map, int radius) {
+    std::vector<double> out(map.data.size());
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) {
+            double sum = 0;
+            int count = 0;
+            for (int v = std::max(0, y - radius); v <= std::min(map.height - 1, y + radius); ++v)
+                for (int u = std::max(0, x - radius); u <= std::min(map.width - 1, x + radius); ++u)
+                    sum += map.at(u, v), ++count;
+            out[std::size_t(y) * std::size_t(map.width) + std::size_t(x)] = sum / count;
+        }
+    return out;
+}
+
+class DepthBlur : public FrameTest {
+protected:
+    static FrameRequest maps() { return {.width = 64, .height = 48, .outputs = {.colour = false, .shadow_map = true}}; }
+};
+
+TEST_F(DepthBlur, IsTheMeanOfTheNeighboursInEveryFormatAndForEveryLight) {
+    const Scene scene = load_scene("boxes");
+    const std::pair<const char*, double> formats[] = {
+        {"d16", 2.0 / 65535}, {"d24", 1e-6}, {"d32f", 1e-6}, {"colour", 1e-6}};
+    for (const auto& [format, step] : formats)
+        for (const char* light : {"directional", "spot", "point"})
+            for (const char* reversed : {"false", "true"}) {
+                Settings s = settings_for(scene, {{"map.resolution", "48"},
+                                                  {"map.format", format},
+                                                  {"light.type", light},
+                                                  {"map.reversed_z", reversed}});
+                const auto faces = renderer.render(scene, s, maps()).lights.at(0).views.size();
+                std::vector<FloatImage> sharp;
+                for (std::size_t face = 0; face < faces; ++face)
+                    sharp.push_back(renderer.read_shadow_map(0, int(face)));
+                for (const int radius : {1, 4}) {
+                    s.map.blur_texels = radius;
+                    renderer.render(scene, s, maps());
+                    double moved = 0;
+                    for (std::size_t face = 0; face < faces; ++face) {
+                        const FloatImage blurred = renderer.read_shadow_map(0, int(face));
+                        const std::vector<double> expected = box_blur(sharp[face], radius);
+                        double worst = 0;
+                        for (std::size_t i = 0; i < expected.size(); ++i) {
+                            worst = std::max(worst, std::abs(blurred.data[i] - expected[i]));
+                            moved = std::max(moved, std::abs(double(blurred.data[i]) - sharp[face].data[i]));
+                        }
+                        EXPECT_LE(worst, step) << format << " " << light << " face " << face << " radius " << radius;
+                    }
+                    EXPECT_GT(moved, 0.005)
+                        << "no edge was blurred, so the case says nothing: " << format << " " << light;
+                }
+            }
+}
+
+TEST_F(DepthBlur, OfSeveralLightsBlursEachLayer) {
+    const Scene scene = load_scene("boxes");
+    Settings s = settings_for(scene, {{"map.resolution", "32"},
+                                      {"light.count", "3"},
+                                      {"light.1.type", "point"},
+                                      {"light.2.type", "spot"},
+                                      {"light.1.azimuth", "90"},
+                                      {"light.2.azimuth", "150"}});
+    renderer.render(scene, s, maps());
+    const FloatImage first = renderer.read_shadow_map(0, 0), last = renderer.read_shadow_map(2, 0);
+    s.map.blur_texels = 2;
+    renderer.render(scene, s, maps());
+    for (const auto& [sharp, light] : {std::pair{&first, 0}, {&last, 2}}) {
+        const FloatImage blurred = renderer.read_shadow_map(light, 0);
+        const std::vector<double> expected = box_blur(*sharp, 2);
+        for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_NEAR(blurred.data[i], expected[i], 1e-6) << light;
+    }
+}
+
+TEST_F(DepthBlur, RunsOnlyWhenAskedForAndIsReused) {
+    const Scene scene = load_scene("boxes");
+    Settings s = settings_for(scene, {{"map.resolution", "256"}});
+    const FrameResult off = renderer.render(scene, s, small());
+    ASSERT_NE(off.pass("depth blur"), nullptr);
+    EXPECT_EQ(off.pass("depth blur")->state, PassState::Skipped);
+    EXPECT_NE(off.pass("depth blur")->reason.find("map.blur_texels is 0"), std::string::npos);
+    const ByteImage sharp = renderer.read_colour(off.colour);
+    s.map.blur_texels = 3;
+    EXPECT_EQ(renderer.render(scene, s, small()).pass("depth blur")->state, PassState::Ran);
+    const FrameResult again = renderer.render(scene, s, small());
+    EXPECT_EQ(again.pass("depth blur")->state, PassState::Reused);
+    const ByteImage blurred = renderer.read_colour(again.colour);
+    EXPECT_GT(different_pixels(sharp, blurred, 2), 100u);
+    s.lights[0].azimuth += 20;  // what it reads changes
+    EXPECT_EQ(renderer.render(scene, s, small()).pass("depth blur")->state, PassState::Ran);
+    s.lights[0].azimuth -= 20;
+    s.map.blur_texels = 0;
+    EXPECT_EQ(picture(scene, s).data, sharp.data) << "switching it off leaves a trace";
+    s.light_count = 0;
+    s.map.blur_texels = 3;
+    EXPECT_EQ(renderer.render(scene, s, small()).pass("depth blur")->state, PassState::Skipped);
+}
+
+// Wrong on purpose: unlike a filter of the comparisons it makes no greys at the shadow's edge.
+TEST_F(DepthBlur, SoftensNoEdge) {
+    const Scene scene = load_scene("boxes");
+    FrameRequest request = small();
+    request.outputs = {.colour = false, .visibility = true};
+    const auto greys = [&](const Settings& s) {
+        const FloatImage v = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
+        return std::count_if(v.data.begin(), v.data.end(), [](float x) { return x > 0.01f && x < 0.99f; });
+    };
+    EXPECT_EQ(greys(settings_for(scene, {{"filter.kernel", "hard"}, {"map.blur_texels", "4"}})), 0);
+    EXPECT_GT(greys(settings_for(scene, {{"filter.kernel", "pcf9"}})), 100);
+}
+
+}  // namespace
+}  // namespace si
