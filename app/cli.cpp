@@ -24,7 +24,8 @@ constexpr const char* kSceneHelp = "A .gltf or .glb file, or a built-in scene (`
 /// Everything that the options of all commands are written to.
 struct Options {
     SessionOptions session;
-    std::string size, output, file;
+    std::string size, output, file, other_file;
+    PresetTexts texts;
     RenderOptions render;
     ProbeOptions probe;
     ListOptions list;
@@ -120,8 +121,15 @@ void add_presets(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* save = c->add_subcommand("save", "Write what SCENE, --preset and --set amount to as a preset");
     add_session_options(*save, o, true);
     save->add_option("-o,--output", o.output, "The preset file, .json")->required()->type_name("FILE");
-    save->add_option("--about", o.file, "A sentence on what to look at")->type_name("TEXT");
-    save->callback([&o, &run] { run = [&o] { run_preset_save(o.session, o.file, o.output); }; });
+    save->add_option("--about", o.texts.about, "A sentence on what to look at")->type_name("TEXT");
+    save->add_option("--title", o.texts.title, "A few words to list it by")->type_name("TEXT");
+    save->add_option("--topic", o.texts.topic, "What to list it under")->type_name("TEXT");
+    save->callback([&o, &run] { run = [&o] { run_preset_save(o.session, o.texts, o.output); }; });
+    auto* diff = c->add_subcommand("diff", "Say in words what differs between two presets");
+    diff->add_option("A", o.file, "A preset file, a built-in preset, or default")->required();
+    diff->add_option("B", o.other_file, "What to compare it with: the same")->required();
+    diff->add_flag("--json", o.json, "All differences as JSON");
+    diff->callback([&o, &run] { run = [&o] { run_preset_diff(o.file, o.other_file, o.json); }; });
 }
 
 int start_editor(Options& o) {

@@ -80,7 +80,7 @@ std::string text_member(const Json& json, const char* key, const std::string& na
 }
 
 void check_header(const Json& json, const std::string& name) {
-    static const std::vector<std::string> known = {"format", "version", "about", "scene", "settings"};
+    static const std::vector<std::string> known = {"format", "version", "title", "topic", "about", "scene", "settings"};
     if (!json.is_object()) refuse(name, "not a preset: an object {\"format\": ...} is wanted");
     const auto format = json.find("format");
     if (format == json.end() || *format != kFormat) {
@@ -100,12 +100,30 @@ void check_header(const Json& json, const std::string& name) {
     if (settings == json.end() || !settings->is_object()) refuse(name, "\"settings\" must be an object of key: value");
 }
 
+/// The presets inside the program, by file name.
+std::vector<const EmbeddedFile*> preset_files() {
+    std::vector<const EmbeddedFile*> files;
+    for (const EmbeddedFile& file : embedded_files())
+        if (file.path.starts_with(kFolder) && file.path.ends_with(kExtension)) files.push_back(&file);
+    std::sort(files.begin(), files.end(), [](const auto* a, const auto* b) { return a->path < b->path; });
+    return files;
+}
+
+/// The file's name without the number that orders it.
+std::string preset_key(const EmbeddedFile& file) {
+    const std::string stem = std::filesystem::path(file.path).stem().string();
+    const auto digits = stem.find_first_not_of("0123456789");
+    return digits != 0 && digits != std::string::npos && stem[digits] == '-' ? stem.substr(digits + 1) : stem;
+}
+
 }  // namespace
 
 Preset parse_preset(std::string_view text, const std::string& name) {
     const Json json = parse_json(text, name);
     check_header(json, name);
     Preset preset;
+    preset.title = text_member(json, "title", name);
+    preset.topic = text_member(json, "topic", name);
     preset.about = text_member(json, "about", name);
     preset.scene = text_member(json, "scene", name);
     std::map<std::string, std::string> written;  // canonical key -> key as written
@@ -128,8 +146,11 @@ std::string preset_text(const Preset& preset) {
     Json json;
     json["format"] = kFormat;
     json["version"] = kVersion;
-    if (!preset.about.empty()) json["about"] = preset.about;
-    if (!preset.scene.empty()) json["scene"] = preset.scene;
+    for (const auto& [key, text] : {std::pair{"title", &preset.title},
+                                    {"topic", &preset.topic},
+                                    {"about", &preset.about},
+                                    {"scene", &preset.scene}})
+        if (!text->empty()) json[key] = *text;
     json["settings"] = Json::object();
     for (const SettingRef& ref : changed_settings(preset.settings)) {
         json["settings"][setting_key(ref)] = setting_to_json(ref, get_value(preset.settings, ref));
@@ -139,10 +160,9 @@ std::string preset_text(const Preset& preset) {
 
 Preset load_preset(const std::string& name_or_path) {
     std::vector<std::string> keys;
-    for (const EmbeddedFile& file : embedded_files()) {
-        if (!file.path.starts_with(kFolder) || !file.path.ends_with(kExtension)) continue;
-        keys.emplace_back(std::filesystem::path(file.path).stem().string());
-        if (keys.back() == name_or_path) return parse_preset(file.text, name_or_path);
+    for (const EmbeddedFile* file : preset_files()) {
+        keys.push_back(preset_key(*file));
+        if (keys.back() == name_or_path) return parse_preset(file->text, name_or_path);
     }
     std::error_code error;
     if (!std::filesystem::exists(name_or_path, error) && lower_extension(name_or_path) != kExtension && !keys.empty()) {
@@ -158,13 +178,10 @@ void save_preset(const Preset& preset, const std::filesystem::path& path) {
 
 std::vector<BuiltinPreset> builtin_presets() {
     std::vector<BuiltinPreset> list;
-    for (const EmbeddedFile& file : embedded_files()) {
-        if (!file.path.starts_with(kFolder) || !file.path.ends_with(kExtension)) continue;
-        const std::string key = std::filesystem::path(file.path).stem().string();
-        const Preset preset = parse_preset(file.text, std::string(file.path));
-        list.push_back({key, preset.about, preset.scene});
+    for (const EmbeddedFile* file : preset_files()) {
+        Preset preset = parse_preset(file->text, std::string(file->path));
+        list.push_back({preset_key(*file), preset.title, preset.topic, preset.about, preset.scene});
     }
-    std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
     return list;
 }
 

@@ -11,8 +11,10 @@
 namespace si {
 
 struct Preset {
+    std::string title;  ///< a few words; may be empty, as all texts
+    std::string topic;  ///< what it is listed under, such as "Bias"
     std::string about;  ///< what to look at, a sentence
-    std::string scene;  ///< built-in key or path the preset was made for; may be empty
+    std::string scene;  ///< built-in key or path the preset was made for
     Settings settings;
 };
 
@@ -27,10 +29,10 @@ Preset load_preset(const std::string& name_or_path);
 void save_preset(const Preset& preset, const std::filesystem::path& path);
 
 struct BuiltinPreset {
-    std::string key;  ///< the file's name without extension
-    std::string about, scene;
+    std::string key;  ///< the file's name without extension and without the number that orders it ("010-acne.json": acne)
+    std::string title, topic, about, scene;
 };
-/// The presets that travel inside the program, by key.
+/// The presets that travel inside the program, in the order in which a lecture walks through them.
 std::vector<BuiltinPreset> builtin_presets();
 
 }  // namespace si

@@ -195,6 +195,14 @@ std::vector<SettingRef> changed_settings(const Settings& s) {
     return changed;
 }
 
+std::vector<SettingRef> differing_settings(const Settings& a, const Settings& b) {
+    Settings both = a;
+    both.objects.insert(b.objects.begin(), b.objects.end());
+    std::vector<SettingRef> differing = all_settings(both);
+    std::erase_if(differing, [&](const SettingRef& ref) { return get_value(a, ref) == get_value(b, ref); });
+    return differing;
+}
+
 std::string_view idle_reason(const Settings& s, const SettingRef& ref) {
     if (ref.param->scope == Scope::Light && ref.light >= s.light_count) return "without effect: the light is off";
     return ref.param->idle ? ref.param->idle(s, ref.light) : std::string_view();

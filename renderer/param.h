@@ -75,8 +75,17 @@ void set_setting(Settings& s, std::string_view key, std::string_view text);
 std::vector<SettingRef> all_settings(const Settings& s);
 /// The settings that differ from their defaults, in table order.
 std::vector<SettingRef> changed_settings(const Settings& s);
+/// The settings in which the two differ, in table order; a missing object override counts as its defaults.
+std::vector<SettingRef> differing_settings(const Settings& a, const Settings& b);
 /// Why the setting is without effect under `s`, or empty.
 std::string_view idle_reason(const Settings& s, const SettingRef& ref);
+
+/// What a number of this row counts in under `s`; a unit that names another setting is that setting's choice.
+std::string_view shown_unit(const Settings& s, const Param& p);
+/// The value for people: a choice's label, on or off, a number with its unit.
+std::string shown_value(const Settings& s, const Param& p, const Value& v);
+/// "0.1 → 0 texels": from what `a` has to what `b` has, the unit once where it is the same.
+std::string change_text(const Settings& a, const Settings& b, const SettingRef& ref);
 
 /// Clamps non-finite, out-of-range and reversed values in place. Returns one line per repair.
 std::vector<std::string> sanitise(Settings& s);

@@ -8,7 +8,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "renderer/techniques.h"
 #include "ui/theme.h"
 
 namespace si {
@@ -16,26 +15,9 @@ namespace {
 
 constexpr double kWide = 1e5;  ///< ranges beyond this are dragged: a slider would be too coarse
 
-/// What a number of this row counts in. A unit that names another setting is that setting's present choice.
-std::string_view unit_of(const Settings& settings, const Param& p) {
-    if (p.unit == "lights") return {};  // the label says it, and "1 lights" reads badly
-    if (p.unit == "overlay's") {
-        const int overlay = settings.view.overlay - 1;
-        return overlay >= 0 && std::size_t(overlay) < overlays().size() ? overlays()[std::size_t(overlay)].unit : "";
-    }
-    if (p.unit.find('.') == std::string_view::npos) return p.unit;
-    const auto named = find_setting(p.unit);
-    if (!named || !named->param->choices) return p.unit;
-    const auto choices = named->param->choices();
-    const auto index = std::size_t(std::get<int>(get_value(settings, *named)));
-    return index < choices.size() ? choices[index].label : std::string_view();
-}
-
 /// The unit as it stands after a number.
 std::string unit_suffix(std::string_view unit) {
-    if (unit.empty()) return {};
-    if (unit == "deg") return "°";
-    return fmt::format(" {}", unit);
+    return unit.empty() ? "" : unit == "deg" ? "°" : fmt::format(" {}", unit);
 }
 
 /// As part of a printf format.
@@ -43,15 +25,6 @@ std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) out += c == '%' ? std::string("%%") : std::string(1, c);
     return out;
-}
-
-std::string number_text(const Settings& settings, const Param& p, const Value& v) {
-    if (p.choices) {
-        const auto list = p.choices();
-        const int i = std::get<int>(v);
-        return i >= 0 && std::size_t(i) < list.size() ? std::string(list[std::size_t(i)].label) : value_text(p, v);
-    }
-    return value_text(p, v) + unit_suffix(unit_of(settings, p));
 }
 
 void tooltip(const Settings& settings, const SettingRef& ref) {
@@ -64,7 +37,7 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     ImGui::TextUnformatted(p.help.data(), p.help.data() + p.help.size());
     ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
     ImGui::TextUnformatted(
-        fmt::format("{}   default {}", setting_key(ref), number_text(settings, p, default_value(ref))).c_str());
+        fmt::format("{}   default {}", setting_key(ref), shown_value(settings, p, default_value(ref))).c_str());
     if (!p.choices && !std::holds_alternative<bool>(default_value(ref)))
         ImGui::TextUnformatted("Ctrl+click to type, right-click to reset");
     else
@@ -85,7 +58,7 @@ bool reset_menu(Settings& settings, const SettingRef& ref) {
     bool changed = false;
     if (!ImGui::BeginPopup("row menu")) return false;
     const Value preset = default_value(ref);
-    const std::string label = fmt::format("Reset to {}", number_text(settings, *ref.param, preset));
+    const std::string label = fmt::format("Reset to {}", shown_value(settings, *ref.param, preset));
     if (ImGui::MenuItem(label.c_str(), nullptr, false, setting_changed(settings, ref)))
         set_value(settings, ref, preset), changed = true;
     if (ImGui::MenuItem("Copy as --set")) {
@@ -155,7 +128,7 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width) {
     Value value = get_value(settings, ref);
     bool changed = false;
     const bool narrow = width > 0 && width < ImGui::GetFontSize() * 7;  // no room for the unit
-    const std::string unit = narrow ? std::string() : escaped(unit_suffix(unit_of(settings, p)));
+    const std::string unit = narrow ? std::string() : escaped(unit_suffix(shown_unit(settings, p)));
     if (idle) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * ImGui::GetStyle().DisabledAlpha);
     ImGui::SetNextItemWidth(width > 0 ? width : -FLT_MIN);
     if (auto* b = std::get_if<bool>(&value))

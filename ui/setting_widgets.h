@@ -18,6 +18,9 @@ bool setting_row(Settings& settings, const SettingRef& ref);
 /// Whether the row's label, key or help mention `text`, without regard to case; a whole key finds its setting alone.
 bool setting_matches(const SettingRef& ref, std::string_view text);
 
+/// What a group of settings is called, by the first part of its keys; the prefix itself where it has no name.
+std::string_view setting_group_label(std::string_view prefix);
+
 /// Whether the setting differs from its default.
 bool setting_changed(const Settings& settings, const SettingRef& ref);
 

@@ -128,6 +128,12 @@ void draw_group(EditorState& state, const Group& group) {
 
 }  // namespace
 
+std::string_view setting_group_label(std::string_view prefix) {
+    for (const Group& g : kGroups)
+        if (g.prefix == prefix) return g.label;
+    return prefix;
+}
+
 void draw_settings(EditorState& state, const EditorFrame& frame) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextItemWidth(-em * 7.2f);

@@ -58,8 +58,14 @@ void run_contact_sheet(const ContactSheetOptions& options);
 
 void run_preset_check(const std::string& file);
 void run_preset_show(const std::string& file);
+/// Says in words what differs. Each of the two is a preset file, a built-in preset, or "default".
+void run_preset_diff(const std::string& before, const std::string& after, bool json);
+/// What a preset says to people.
+struct PresetTexts {
+    std::string title, topic, about;
+};
 /// Writes the composed settings as a preset.
-void run_preset_save(const SessionOptions& session, const std::string& about, const std::string& output);
+void run_preset_save(const SessionOptions& session, const PresetTexts& texts, const std::string& output);
 void run_export(const SessionOptions& session, const std::string& output);
 
 /// docs/settings.md: to `output`, or to stdout when empty; `check` compares and throws when they differ.

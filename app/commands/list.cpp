@@ -96,7 +96,8 @@ Json scene_rows() {
 Json preset_rows() {
     Json list = Json::array();
     for (const BuiltinPreset& p : builtin_presets()) {
-        Json json = row(p.key, p.key, p.about);
+        Json json = row(p.key, p.title.empty() ? p.key : p.title, p.about);
+        json["topic"] = p.topic;
         json["scene"] = p.scene;
         list.push_back(std::move(json));
     }

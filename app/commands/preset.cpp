@@ -3,6 +3,9 @@
 #include "app/commands/commands.h"
 #include "app/notes.h"
 #include "app/output.h"
+#include "app/preset_diff.h"
+#include "app/report.h"
+#include "app/setting_json.h"
 #include "renderer/error.h"
 #include "renderer/param.h"
 
@@ -15,6 +18,7 @@ void run_preset_check(const std::string& file) {
 
 void run_preset_show(const std::string& file) {
     const Preset preset = load_preset(file);
+    if (!preset.title.empty()) fmt::print("{}{}\n", preset.topic.empty() ? "" : preset.topic + ": ", preset.title);
     if (!preset.about.empty()) fmt::print("{}\n", preset.about);
     if (!preset.scene.empty()) fmt::print("scene {}\n", preset.scene);
     for (const SettingRef& ref : changed_settings(preset.settings)) {
@@ -25,11 +29,35 @@ void run_preset_show(const std::string& file) {
     }
 }
 
-void run_preset_save(const SessionOptions& options, const std::string& about, const std::string& output) {
+void run_preset_diff(const std::string& before, const std::string& after, bool as_json) {
+    const Preset a = load_preset_or_default(before), b = load_preset_or_default(after);
+    const std::vector<PresetDifference> differences = preset_differences(a, b);
+    if (!as_json) {
+        fmt::print("{}", differences_text(differences, before, after));
+        return;
+    }
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const PresetDifference& d : differences) {
+        nlohmann::ordered_json row{{"key", d.key}, {"group", d.group}};
+        if (const auto ref = find_setting(d.key)) {
+            row["before"] = setting_to_json(*ref, get_value(a.settings, *ref));
+            row["after"] = setting_to_json(*ref, get_value(b.settings, *ref));
+        } else {
+            row["before"] = a.scene;
+            row["after"] = b.scene;
+        }
+        row["text"] = d.text;
+        row["without_effect"] = d.note;
+        list.push_back(std::move(row));
+    }
+    fmt::print("{}", json_text({{"a", before}, {"b", after}, {"equal", list.empty()}, {"differences", list}}));
+}
+
+void run_preset_save(const SessionOptions& options, const PresetTexts& texts, const std::string& output) {
     if (lower_extension(output) != ".json") throw UsageError(fmt::format("{}: a preset must end in .json", output));
     require_writable(output);
     const Session session = open_session(options);
-    save_preset({about, session.scene_name, session.settings}, output);
+    save_preset({texts.title, texts.topic, texts.about, session.scene_name, session.settings}, output);
     print_notes(session.notes);
 }
 
