@@ -26,6 +26,7 @@ struct EditorLayout {
     float bottom_height = 17.2f;
     float map_share = 0.40f;  ///< of the width left of the settings
     bool map_plots = true;    ///< histogram and depth curve under the map
+    bool operator==(const EditorLayout&) const = default;
 };
 
 /// Pan and zoom of the map viewer: `zoom` 1 fits the map; `centre` is what stands in the middle, v up.

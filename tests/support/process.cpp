@@ -54,6 +54,7 @@ ProcessResult run_program(const std::vector<std::string>& arguments, const fs::p
         if (::chdir(folder.c_str()) != 0) ::_exit(126);
         ::unsetenv("DISPLAY");
         ::unsetenv("WAYLAND_DISPLAY");
+        ::setenv("XDG_STATE_HOME", SI_TEST_OUTPUT_DIR "/state", 1);
         ::execv(argv[0], argv.data());
         ::_exit(127);
     }

@@ -1,0 +1,172 @@
+// What a crash leaves, who is offered it, and that running editors leave each other's files alone. A crash is an object
+// that goes without end().
+#include "app/autosave.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+Settings with_bias(double constant) {
+    Settings s;
+    s.bias.constant = constant;
+    return s;
+}
+
+std::size_t files_in(const fs::path& folder, const char* extension) {
+    std::error_code error;
+    std::size_t count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder, error))
+        count += entry.path().extension() == extension;
+    return count;
+}
+
+/// An editor that changes something and is then killed.
+void crash(const fs::path& folder, double bias, const std::string& scene = "boxes") {
+    Autosave editor(folder);
+    editor.follow(scene, with_bias(0.1), 0);
+    editor.follow(scene, with_bias(bias), 1);
+    EXPECT_TRUE(editor.take_remarks().empty());
+}
+
+TEST(Autosave, WhatACrashLeftIsOfferedUntilItIsSettled) {
+    const fs::path folder = fresh_test_folder();
+    EXPECT_EQ(Autosave(folder).lost(), nullptr);
+    crash(folder, 7);
+    {
+        const Autosave ignored(folder);
+        ASSERT_NE(ignored.lost(), nullptr);
+        EXPECT_EQ(ignored.lost()->preset.settings.bias.constant, 7);
+        EXPECT_EQ(ignored.lost()->preset.scene, "boxes");
+        EXPECT_LT(ignored.lost()->age_s, 600);
+    }
+    Autosave next(folder);
+    ASSERT_NE(next.lost(), nullptr) << "not answered is not settled";
+    next.forget_lost();
+    EXPECT_EQ(next.lost(), nullptr);
+    EXPECT_EQ(Autosave(folder).lost(), nullptr);
+    EXPECT_EQ(files_in(folder, ".json"), 0u);
+    EXPECT_EQ(files_in(folder, ".lock"), 0u);
+}
+
+TEST(Autosave, ACleanEndLeavesNothing) {
+    const fs::path folder = fresh_test_folder();
+    Autosave editor(folder);
+    editor.follow("boxes", with_bias(0.1), 0);
+    editor.follow("boxes", with_bias(2), 1);
+    EXPECT_EQ(files_in(folder, ".json"), 1u);
+    editor.end();
+    EXPECT_EQ(files_in(folder, ".json"), 0u);
+    editor.follow("boxes", with_bias(3), 100);
+    EXPECT_EQ(files_in(folder, ".json"), 0u) << "the end is the end";
+    EXPECT_EQ(Autosave(folder).lost(), nullptr);
+}
+
+TEST(Autosave, WritesOnlyChangesAndNotTooOften) {
+    const fs::path folder = fresh_test_folder();
+    Autosave editor(folder);
+    for (int i = 0; i < 10; ++i) editor.follow("boxes", with_bias(0.1), i);
+    EXPECT_EQ(files_in(folder, ".json"), 0u) << "nothing was changed";
+    const auto written = [&] {
+        for (const auto& entry : fs::directory_iterator(folder / "sessions"))
+            if (entry.path().extension() == ".json") return load_preset(entry.path().string()).settings.bias.constant;
+        return -1.0;
+    };
+    editor.follow("boxes", with_bias(1), 20);
+    EXPECT_EQ(written(), 1) << "the first change at once";
+    editor.follow("boxes", with_bias(2), 20 + 0.5 * Autosave::kSeconds);
+    EXPECT_EQ(written(), 1) << "the next not so soon";
+    editor.follow("boxes", with_bias(3), 20 + 1.01 * Autosave::kSeconds);
+    EXPECT_EQ(written(), 3) << "but then the latest";
+    editor.follow("boxes", with_bias(0.1), 60);
+    EXPECT_EQ(written(), 0.1) << "back to the start is a change too";
+    editor.follow("stage", with_bias(0.1), 90);
+    EXPECT_EQ(files_in(folder, ".json"), 1u);
+}
+
+TEST(Autosave, RunningEditorsAreNotOfferedToOthers) {
+    const fs::path folder = fresh_test_folder();
+    auto first = std::make_unique<Autosave>(folder), second = std::make_unique<Autosave>(folder);
+    first->follow("boxes", with_bias(0.1), 0);
+    second->follow("boxes", with_bias(0.1), 0);
+    first->follow("boxes", with_bias(11), 1);
+    second->follow("stage", with_bias(22), 1);
+    EXPECT_EQ(files_in(folder, ".json"), 2u) << "each has its own";
+    EXPECT_EQ(Autosave(folder).lost(), nullptr);
+    second.reset();  // crashes; the first goes on
+    Autosave third(folder);
+    ASSERT_NE(third.lost(), nullptr);
+    EXPECT_EQ(third.lost()->preset.settings.bias.constant, 22);
+    EXPECT_EQ(Autosave(folder).lost(), nullptr) << "two editors were offered one session";
+    third.forget_lost();
+    first->follow("boxes", with_bias(12), 50);
+    first->end();
+    EXPECT_EQ(files_in(folder, ".json"), 0u);
+}
+
+TEST(Autosave, SeveralLostSessionsComeOneAfterTheOther) {
+    const fs::path folder = fresh_test_folder();
+    {
+        Autosave a(folder), b(folder);
+        for (Autosave* editor : {&a, &b}) editor->follow("boxes", with_bias(0.1), 0);
+        a.follow("boxes", with_bias(1), 1);
+        b.follow("boxes", with_bias(2), 1);
+    }
+    Autosave next(folder);
+    std::vector<double> offered;
+    for (; next.lost(); next.forget_lost()) offered.push_back(next.lost()->preset.settings.bias.constant);
+    std::sort(offered.begin(), offered.end());
+    EXPECT_EQ(offered, (std::vector<double>{1, 2}));
+}
+
+TEST(Autosave, FilesAreNamedSoThatAnotherFolderFindsThem) {
+    const fs::path folder = fresh_test_folder();
+    crash(folder, 5, "models/chair.glb");
+    const Autosave next(folder);
+    ASSERT_NE(next.lost(), nullptr);
+    EXPECT_EQ(next.lost()->preset.scene, fs::absolute("models/chair.glb").string());
+}
+
+TEST(Autosave, BrokenSessionsAreSetAsideWithARemark) {
+    const fs::path folder = fresh_test_folder();
+    crash(folder, 9);
+    fs::create_directories(folder / "sessions" / "folder.json");
+    std::ofstream(folder / "sessions" / "1-0.json") << "{\"format\": \"shadow-ins";  // newer, so looked at first
+    Autosave next(folder);
+    ASSERT_NE(next.lost(), nullptr) << "a broken file hides a good one";
+    EXPECT_EQ(next.lost()->preset.settings.bias.constant, 9);
+    next.forget_lost();
+    const auto remarks = next.take_remarks();
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_NE(remarks[0].find("1-0.json"), std::string::npos);
+    EXPECT_TRUE(Autosave(folder).take_remarks().empty()) << "told once";
+    EXPECT_EQ(files_in(folder, ".unreadable"), 1u) << "nothing is thrown away";
+}
+
+TEST(Autosave, NoPlaceToWriteIsARemarkAndNoMore) {
+    const fs::path folder = fresh_test_folder();
+    std::ofstream(folder / "sessions") << "a file where a folder belongs";
+    Autosave editor(folder);
+    EXPECT_EQ(editor.lost(), nullptr);
+    editor.follow("boxes", with_bias(1), 0);
+    for (int i = 1; i < 9; ++i) editor.follow("boxes", with_bias(1 + i), 10 * i);
+    EXPECT_EQ(editor.take_remarks().size(), 1u);
+    editor.end();
+    Autosave off{fs::path()};
+    off.follow("boxes", with_bias(1), 0);
+    off.follow("boxes", with_bias(2), 10);
+    off.end();
+    EXPECT_TRUE(off.take_remarks().empty());
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,122 @@
+// What is remembered between runs, and that no file there can hinder the editor.
+#include "app/workspace.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Workspace, RemembersLayoutWindowAndRecentFiles) {
+    const fs::path folder = fresh_test_folder() / "state" / "deep";
+    {
+        Workspace w(folder);
+        EXPECT_EQ(w.data(), WorkspaceData{});
+        w.change([](WorkspaceData& d) {
+            d.layout = {.settings_width = 30, .bottom_height = 12.5f, .map_share = 0.25f};
+            d.window_width = 1400, d.window_height = 800, d.maximised = true;
+            put_first(d.recent_scenes, "/a/b.glb");
+            put_first(d.recent_presets, "/a/\xc3\xa4 \"p\".json");
+        });
+    }
+    const Workspace again(folder);
+    EXPECT_EQ(again.data().layout, (EditorLayout{.settings_width = 30, .bottom_height = 12.5f, .map_share = 0.25f}));
+    EXPECT_EQ(again.data().window_width, 1400);
+    EXPECT_EQ(again.data().window_height, 800);
+    EXPECT_TRUE(again.data().maximised);
+    EXPECT_EQ(again.data().recent_scenes, std::vector<std::string>{"/a/b.glb"});
+    EXPECT_EQ(again.data().recent_presets, std::vector<std::string>{"/a/\xc3\xa4 \"p\".json"});
+}
+
+TEST(Workspace, RecentFilesAreTheNewestFirstAndOnce) {
+    std::vector<std::string> list;
+    for (int i = 0; i < 30; ++i) put_first(list, std::to_string(i % 20));
+    ASSERT_EQ(list.size(), 12u);
+    EXPECT_EQ(list.front(), "9");
+    EXPECT_EQ(list[1], "8");
+    put_first(list, "5");
+    EXPECT_EQ(list.front(), "5");
+    EXPECT_EQ(std::count(list.begin(), list.end(), "5"), 1);
+}
+
+TEST(Workspace, TwoEditorsKeepEachOthersRecentFiles) {
+    const fs::path folder = fresh_test_folder();
+    Workspace a(folder), b(folder);
+    a.change([](WorkspaceData& d) { put_first(d.recent_scenes, "/one.glb"); });
+    b.change([](WorkspaceData& d) { put_first(d.recent_scenes, "/two.glb"); });
+    a.change([](WorkspaceData& d) { d.layout.map_share = 0.5f; });
+    EXPECT_EQ(Workspace(folder).data().recent_scenes, (std::vector<std::string>{"/two.glb", "/one.glb"}));
+    EXPECT_EQ(Workspace(folder).data().layout.map_share, 0.5f);
+}
+
+TEST(Workspace, ForeignAndBrokenFilesAreARemarkAndStayAsTheyAre) {
+    const fs::path folder = fresh_test_folder();
+    for (const char* text : {"", "{", "[1]", "not json", R"({"format":"something else","version":1})",
+                             R"({"format":"shadow-inspector-workspace","version":2})"}) {
+        std::ofstream(folder / "workspace.json") << text;
+        Workspace w(folder);
+        EXPECT_EQ(w.data(), WorkspaceData{}) << text;
+        w.change([](WorkspaceData& d) { put_first(d.recent_scenes, "/one.glb"); });
+        EXPECT_EQ(w.data().recent_scenes.size(), 1u) << "it still works in this run";
+        const auto remarks = w.take_remarks();
+        ASSERT_EQ(remarks.size(), 1u) << text;
+        EXPECT_NE(remarks[0].find("workspace.json"), std::string::npos);
+        EXPECT_EQ(file_bytes(folder / "workspace.json"), text) << "a file that is not ours was written over";
+    }
+}
+
+TEST(Workspace, MembersOfWrongKindKeepTheirDefaults) {
+    const fs::path folder = fresh_test_folder();
+    std::ofstream(folder / "workspace.json")
+        << R"({"format":"shadow-inspector-workspace","version":1,"layout":{"settings_width":-5,"bottom_height":"tall",
+               "map_share":0.3},"window":{"width":1e9,"height":600},"recent_scenes":[1,"/a.glb",null],"recent_presets":7})";
+    Workspace w(folder);
+    EXPECT_EQ(w.data().layout, (EditorLayout{.map_share = 0.3f}));
+    EXPECT_EQ(w.data().window_width, 0);
+    EXPECT_EQ(w.data().window_height, 0);
+    EXPECT_EQ(w.data().recent_scenes, std::vector<std::string>{"/a.glb"});
+    EXPECT_TRUE(w.data().recent_presets.empty());
+    EXPECT_TRUE(w.take_remarks().empty());
+}
+
+TEST(Workspace, NoPlaceToWriteIsARemarkAndNoMore) {
+    const fs::path folder = fresh_test_folder();
+    std::ofstream(folder / "file") << "no folder";
+    Workspace w(folder / "file");
+    w.change([](WorkspaceData& d) { d.layout.map_share = 0.5f; });
+    w.change([](WorkspaceData& d) { d.layout.map_share = 0.6f; });
+    EXPECT_EQ(w.data().layout.map_share, 0.6f);
+    EXPECT_EQ(w.take_remarks().size(), 1u);
+    Workspace off{fs::path()};
+    off.change([](WorkspaceData& d) { d.layout.map_share = 0.5f; });
+    EXPECT_EQ(off.data().layout.map_share, 0.5f);
+    EXPECT_TRUE(off.take_remarks().empty());
+}
+
+TEST(Workspace, TheFolderFollowsTheBaseDirectorySpecification) {
+    const auto with = [](const char* state, const char* home) {
+        const auto put = [](const char* name, const char* value) { value ? setenv(name, value, 1) : unsetenv(name); };
+        const char *old_state = std::getenv("XDG_STATE_HOME"), *old_home = std::getenv("HOME");
+        const std::optional<std::string> s = old_state ? std::optional<std::string>(old_state) : std::nullopt,
+                                         h = old_home ? std::optional<std::string>(old_home) : std::nullopt;
+        put("XDG_STATE_HOME", state), put("HOME", home);
+        const fs::path folder = state_folder();
+        put("XDG_STATE_HOME", s ? s->c_str() : nullptr), put("HOME", h ? h->c_str() : nullptr);
+        return folder;
+    };
+    EXPECT_EQ(with("/s", "/h"), "/s/shadow-inspector");
+    EXPECT_EQ(with(nullptr, "/h"), "/h/.local/state/shadow-inspector");
+    EXPECT_EQ(with("", "/h"), "/h/.local/state/shadow-inspector");
+    EXPECT_EQ(with("relative", "/h"), "/h/.local/state/shadow-inspector");
+    EXPECT_EQ(with(nullptr, nullptr), fs::path());
+}
+
+}  // namespace
+}  // namespace si
