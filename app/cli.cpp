@@ -63,8 +63,8 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
         ->required()
         ->type_name("OUT");
     auto* view = c->add_option("--view", o.render.view,
-                               "shaded, visibility, shadow-map or an overlay (`list views`); "
-                               "without it the picture with the overlay of view.overlay")
+                               "shaded, visibility, shadow-map, camera-depth or an overlay (`list views`); "
+                               "without it the picture with the overlays and panes of view.*")
                      ->type_name("V");
     add_size(*c, o, "1280x720");
     c->add_option("--report", o.render.report, "Write facts of the frame as JSON: fit, settings, passes and times")

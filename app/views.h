@@ -1,10 +1,11 @@
-// What `render` can draw: the picture, visibility, the shadow map, or an overlay.
+// What `render` can draw: the picture, visibility, a depth image, or an overlay.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "renderer/frame.h"
+#include "renderer/pane_grid.h"
 #include "renderer/renderer.h"
 
 namespace si {
@@ -20,7 +21,11 @@ std::vector<View> views();
 /// @throws UsageError naming the nearest
 View find_view(const std::string& key);
 
-/// Draws `view` into the file, PNG or PFM by extension. `frame` gets the facts.
+/// Where the panes of view.panes lie in a picture of this size.
+PaneGrid picture_grid(const Settings& settings, int width, int height);
+
+/// Draws `view` into the file, PNG or PFM by extension; the picture of several panes (view.panes) as one of the size asked
+/// for. `frame` gets the facts.
 /// @throws Error when the light has no map, or the file cannot be written.
 void write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request, const View& view,
                 const std::string& path, FrameResult* frame = nullptr);

@@ -98,6 +98,25 @@ const SceneCamera* scene_camera(const Scene& scene, glm::dmat3& axes) {
     return !scene.cameras.empty() && scene_axes(scene.cameras[0].world, axes) ? &scene.cameras[0] : nullptr;
 }
 
+/// The view of view.light, view.face as a camera; false when there is no light.
+bool look_through_light(Camera& c, const Settings& settings, const Bounds& bounds,
+                        std::span<const FittedLight> fitted) {
+    if (fitted.empty()) return false;
+    const FittedLight& light = fitted[std::size_t(std::clamp(settings.view.light, 0, int(fitted.size()) - 1))];
+    if (light.views.empty()) return false;
+    const LightView& view = light.views[std::size_t(std::clamp(settings.view.face, 0, int(light.views.size()) - 1))];
+    const double half_y = view.half_width / std::min(c.aspect, 1.0);
+    c.eye = view.eye;
+    c.axes = view.axes;
+    c.orthographic = !view.curve.perspective;
+    c.fov_y_rad = c.orthographic ? c.fov_y_rad : 2 * std::atan(half_y);
+    c.focus = std::max(glm::distance(c.eye, bounds.centre()), 1e-3 * bounds.radius());
+    c.height = c.orthographic ? 2 * half_y : 2 * half_y * c.focus;
+    c.curve.near = view.curve.near;
+    c.curve.far = view.curve.far;
+    return true;
+}
+
 double clamped_fov_rad(double fov_deg) {
     return std::clamp(finite_or(fov_deg, 45), 1e-3, 179.0) * kDegree;
 }
@@ -138,7 +157,7 @@ glm::dvec4 Camera::project(const glm::dvec3& world, int width, int height_px) co
     return {(ndc.x + 1) / 2 * width - 0.5, (1 - ndc.y) / 2 * height_px - 0.5, depth, clip.w};
 }
 
-Camera make_camera(const Scene& scene, const Settings& settings, double aspect) {
+Camera make_camera(const Scene& scene, const Settings& settings, double aspect, std::span<const FittedLight> fitted) {
     const CameraSettings& s = settings.camera;
     const Bounds bounds = view_bounds(scene);
     Camera c;
@@ -146,7 +165,16 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect) 
     c.orthographic = s.orthographic;
     c.fov_y_rad = clamped_fov_rad(s.fov);
     c.height = positive_or(s.height, 10);
+    c.curve.convention = {true, true};
     double near = 0, far = 0;
+    if (s.source == int(CameraSource::Light)) {
+        std::vector<FittedLight> own;
+        if (fitted.empty()) fitted = own = fit_lights(scene, settings);
+        if (look_through_light(c, settings, bounds, fitted)) {
+            c.curve.perspective = !c.orthographic;
+            return c;
+        }
+    }
     if (s.source == int(CameraSource::Manual)) {
         c.axes = orbit_axes(finite_or(s.azimuth, 35), finite_or(s.elevation, 25), finite_or(s.roll, 0));
         c.focus = positive_or(s.distance, bounds.radius());
@@ -170,7 +198,6 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect) 
         frame_bounds(c, bounds);
     }
     c.curve.perspective = !c.orthographic;
-    c.curve.convention = {true, true};
     fit_range(c, bounds, near, far);
     return c;
 }
@@ -194,7 +221,8 @@ CameraSettings manual_camera(const Scene& scene, const Settings& settings, doubl
     s.orthographic = c.orthographic;
     s.height = c.height;
     glm::dmat3 unused;
-    const SceneCamera* sc = scene_camera(scene, unused);
+    const bool light = settings.camera.source == int(CameraSource::Light);
+    const SceneCamera* sc = light ? nullptr : scene_camera(scene, unused);
     s.near = sc ? positive_or(sc->near, 0) : 0;
     s.far = sc ? positive_or(sc->far, 0) : 0;
     return s;

@@ -65,7 +65,7 @@ struct FrameResult {
     Image visibility;  ///< R32F
     Image overlay;     ///< the first pane's values
     /// RGBA32F: u and v of the kernel's centre in the map of view.light (v up, after the normal offset, not wrapped), the
-    /// layer among that light's views, and 1 where the kernel reads a texel of it, else 0.
+    /// layer among that light's views, and 1 where the kernel reads a texel of it, else 0. Empty when it has no map.
     Image map_coordinates;
     int map_resolution = 0;
     float overlay_min = 0, overlay_max = 1;  ///< the first pane's colour scale
@@ -86,6 +86,7 @@ struct FloatImage {
 struct ByteImage {
     int width = 0, height = 0;  ///< RGBA
     std::vector<std::uint8_t> data;
+    bool operator==(const ByteImage&) const = default;
 };
 
 /// The lit/shadow test of one pixel written out (catalogue A22).

@@ -99,11 +99,28 @@ void choose_kernel(FrameState& f) {
         f.notes.push_back("filter.method sampler cannot compare a colour map; gather is used");
     f.defines = settings_defines(f.settings);
     f.defines.push_back({"KERNEL_SIZE", std::to_string(filter.size)});
+    f.defines.push_back({"KERNEL_REACH", fmt::format("{:.1f}", filter.reach_texels)});
     f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
     f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
     f.preamble = settings_block_text() + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
+}
+
+/// Which panes there are and what they need.
+void arrange_panes(FrameState& f) {
+    const ViewSettings& v = f.settings.view;
+    const int overlays[kMaxPanes] = {v.overlay, v.overlay_2, v.overlay_3, v.overlay_4};
+    const int count = v.panes == int(Panes::Four) ? 4 : v.panes == int(Panes::Two) ? 2 : 1;
+    const Outputs& o = f.request.outputs;
+    f.separate_visibility = o.visibility || f.settings.shading.separate_visibility;
+    for (int i = 0; i < count; ++i) {
+        const int slot = int(std::find(overlays, overlays + i, overlays[i]) - overlays);
+        f.panes.push_back({overlays[i], slot});
+        const Overlay* row = f.panes.back().row();
+        f.separate_visibility |= row && row->reads_visibility && (o.overlay || o.colour);
+    }
+    f.slabs_shown = v.slabs != int(Slabs::None) && f.shown_view();
 }
 
 void set_samplers(const FrameState& f) {
@@ -170,7 +187,9 @@ FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings,
     if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)
         f.notes.push_back("bias.raster_clamp needs GL_EXT_polygon_offset_clamp, which this driver lacks; it is ignored");
 
-    f.camera = make_camera(scene, f.settings, double(request.width) / request.height);
+    f.camera = make_camera(scene, f.settings, double(request.width) / request.height, resources.fitted);
+    if (f.settings.camera.source == int(CameraSource::Light) && resources.fitted.empty())
+        f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
     f.origin = f.camera.origin();
     f.light_origin = scene.bounds.centre();
     if (!resources.scene || resources.scene->scene_id() != scene.id) {
@@ -183,9 +202,7 @@ FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings,
     f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);
     f.lights_key.add(resources.fit_key).add(f.map_resolution).add(request.no_skip);
     add_shader_settings(f.lights_key, f.settings);
-    const Overlay* overlay = f.overlay();
-    f.separate_visibility = request.outputs.visibility || f.settings.shading.separate_visibility ||
-                            (overlay && overlay->reads_visibility && (request.outputs.overlay || request.outputs.colour));
+    arrange_panes(f);
     choose_kernel(f);
     return f;
 }

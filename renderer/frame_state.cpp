@@ -9,9 +9,13 @@ GLuint FrameState::program(std::string_view vertex, std::string_view fragment, s
     wanted.vertex = vertex;
     wanted.fragment = fragment;
     wanted.includes["FILTER_FILE"] = filters()[std::size_t(settings.filter.kernel)].file;
-    wanted.includes["OVERLAY_FILE"] = overlay() ? overlay()->file : overlays()[0].file;
     wanted.defines = defines;
-    wanted.defines.insert(wanted.defines.end(), extra.begin(), extra.end());
+    for (gl::Define& d : extra) {
+        if (d.name.ends_with("_FILE"))
+            wanted.includes[d.name] = d.value;
+        else
+            wanted.defines.push_back(std::move(d));
+    }
     wanted.preamble = preamble;
     return gl.programs.get(wanted);
 }
@@ -37,14 +41,28 @@ void FrameState::begin_camera_pass(GLuint framebuffer) const {
     glDepthMask(GL_TRUE);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_BLEND);
-    Key depth = geometry_key;
-    depth.add(camera_key).add(gl.programs.source().generation());
-    if (gl.depth_key != depth.value()) {
+    const std::uint64_t depth = camera_depth_key().value();
+    if (gl.depth_key != depth) {
         const float far_depth = float(camera.curve.convention.far_depth());
         glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far_depth);
-        gl.depth_key = depth.value();
+        gl.depth_key = depth;
     }
     bind_maps();
+}
+
+Key FrameState::camera_depth_key() const {
+    Key key = geometry_key;
+    key.add(camera_key).add(gl.programs.source().generation());
+    return key;
+}
+
+const LightView* FrameState::shown_view(int* layer) const {
+    const auto light = std::size_t(settings.view.light);
+    if (light >= gl.fitted.size() || !gl.fitted[light].casts) return nullptr;
+    const auto& views = gl.fitted[light].views;
+    const int face = std::min(settings.view.face, int(views.size()) - 1);
+    if (layer) *layer = first_view[light] + face;
+    return &views[std::size_t(face)];
 }
 
 void FrameState::begin_fullscreen_pass(GLuint framebuffer, int width, int height) const {

@@ -1,6 +1,7 @@
 // Everything the passes of one frame share: facts derived from scene and settings, and the context's resources.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -14,12 +15,32 @@
 #include "renderer/renderer.h"
 #include "renderer/scene_gpu.h"
 #include "renderer/techniques.h"
+#include "renderer/texel_slabs.h"
+#include "renderer/value_range.h"
 #include "shaders/shared/frame.h"
 
 namespace si {
 
 /// Texture units, the same in every program (layout(binding) in shaders/).
 enum Unit : GLuint { kShadowMap, kShadowMapCompare, kBaseColour, kVisibility, kShaded, kOverlayValues, kNormalMap };
+
+inline constexpr int kMaxPanes = 4;
+
+/// What one pane draws into, and the range fitted to its values.
+struct PaneTargets {
+    gl::Target values, composed, slabs;
+    gl::Framebuffer values_framebuffer, composed_framebuffer, slabs_framebuffer;
+    ValueRange fitted;
+    std::uint64_t fitted_key = 0;  ///< of the values that `fitted` was found in
+};
+
+struct SlabResources {
+    gl::VertexArray vao;
+    gl::Buffer instances;
+    int count = 0;
+    std::vector<float> depths;  ///< stored depths of the region, bottom row first
+    std::uint64_t depths_key = 0, instances_key = 0;
+};
 
 /// What outlives a frame: targets with the keys of their contents, programs, buffers.
 struct Resources {
@@ -33,15 +54,18 @@ struct Resources {
     /// The shadow maps that are compared, shown and read back.
     const gl::Target& compared_map() const { return map_blurred.texture ? map_blurred : map; }
     std::vector<std::uint64_t> map_keys;    ///< per light: key of its layers' contents
-    gl::Target camera_depth, visibility, shaded, overlay, composed, map_view;
+    gl::Target camera_depth, visibility, shaded, map_coordinates, depth_range, map_view;
+    std::array<PaneTargets, kMaxPanes> panes;
     gl::Texture visibility_view;            ///< one layer of visibility as a 2-D texture
     int visibility_view_layer = -1;
-    gl::Framebuffer map_framebuffer, visibility_framebuffer, shaded_framebuffer, overlay_framebuffer,
-        composed_framebuffer, map_view_framebuffer;
+    gl::Framebuffer map_framebuffer, camera_depth_framebuffer, visibility_framebuffer, shaded_framebuffer,
+        map_coordinates_framebuffer, depth_range_framebuffer, map_view_framebuffer;
+    SlabResources slabs;
     std::uint64_t depth_key = 0;            ///< of the camera depth: what of the scene is in it
     std::uint64_t fit_key = 0;
     std::vector<FittedLight> fitted;
-    /// What the last map view was made of, for reading it back.
+    glm::vec2 drawn_range{0, 1};            ///< smallest and largest drawn depth, as in depth_range
+    /// What the last frame's map view was made of, for reading it back; light -1: the frame had none.
     struct Shown {
         MapSource source = MapSource::Light;
         int light = -1, face = 0;
@@ -67,13 +91,34 @@ struct FrameState {
     Key geometry_key, camera_key, lights_key, maps_key;  ///< what results depend on
     std::vector<std::string> notes;
 
-    const Overlay* overlay() const {
-        return settings.view.overlay > 0 ? &overlays()[std::size_t(settings.view.overlay - 1)] : nullptr;
-    }
+    /// Panes that show the same share one slot, which is the first such pane's number.
+    struct ShownPane {
+        int overlay = 0;  ///< as view.overlay
+        int slot = 0;
+        const Overlay* row() const { return overlay > 0 ? &overlays()[std::size_t(overlay - 1)] : nullptr; }
+    };
+    std::vector<ShownPane> panes;
+    bool slabs_shown = false;  ///< view.slabs has a map to show
+
+    /// The view of a light whose map is shown (view.light, view.face), or null. `layer` is its layer of the maps.
+    const LightView* shown_view(int* layer = nullptr) const;
+    /// The depth curve of what the map viewer shows, or null when there is nothing to show.
+    const DepthCurve* shown_curve() const;
+    /// Whether the map viewer's greys follow what is drawn (view.map_fit), and which greys it uses.
+    bool fits_greys() const;
+    glm::vec2 grey_range() const;
+    Key camera_depth_key() const;
+    /// The names of the results that are a pane's finished picture and its overlay's values; the picture's target.
+    std::string picture_of(const ShownPane& pane) const;
+    std::string values_of(const ShownPane& pane) const;
+    const gl::Target& target_of(const ShownPane& pane) const;
+    /// The colour scale of a pane. A fitted one reads back the pane's values, once for each change of them.
+    ValueRange range_of(const ShownPane& pane) const;
     std::string preamble;             ///< GLSL before every shader: settings block, facts about the lights
     bool surface_flags = false;       ///< some object or material needs the per-object flags
 
-    /// The program of a scene or full-screen pass under the frame's settings.
+    /// The program of a scene or full-screen pass under the frame's settings. Of the extra defines those whose name ends
+    /// in _FILE say which file such an include stands for.
     GLuint program(std::string_view vertex, std::string_view fragment, std::vector<gl::Define> extra = {}) const;
     /// Draws the batches that `filter` accepts from the camera with the fragment shader given, textures bound.
     void draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra, PassInfo& info) const;
@@ -93,9 +138,13 @@ struct FrameState {
 // One function per pass; each appends itself to the plan. (renderer/passes/)
 void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan);
 void add_depth_blur_pass(FrameState& f, std::vector<Pass>& plan);
+void add_camera_depth_pass(FrameState& f, std::vector<Pass>& plan);
 void add_visibility_pass(FrameState& f, std::vector<Pass>& plan);
 void add_shade_pass(FrameState& f, std::vector<Pass>& plan);
-void add_overlay_passes(FrameState& f, std::vector<Pass>& plan);
-void add_map_view_pass(FrameState& f, std::vector<Pass>& plan);
+void add_pane_passes(FrameState& f, std::vector<Pass>& plan);
+void add_map_coordinates_pass(FrameState& f, std::vector<Pass>& plan);
+void add_map_view_passes(FrameState& f, std::vector<Pass>& plan);
+/// Of one pane, over its picture so far, whose key is `under_key`. The caller names it and what it reads and writes.
+Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane, std::uint64_t under_key);
 
 }  // namespace si

@@ -42,6 +42,8 @@ struct LightView {
     double half_width = 1;       ///< orthographic: half extent in metres; perspective: tan of the half angle
     /// Clip space from positions relative to `origin` (world), composed in double.
     glm::dmat4 clip_from_relative(const glm::dvec3& origin) const;
+    /// The world position seen at map coordinates `uv`, z metres along the axis.
+    glm::dvec3 position_ws(const glm::dvec2& uv, double z) const;
     /// World size of a texel at distance z (metres).
     double texel_size(double z, int resolution) const {
         return 2 * half_width * (curve.perspective ? z : 1.0) / resolution;

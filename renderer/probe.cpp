@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "renderer/error.h"
 #include "renderer/renderer_impl.h"
@@ -30,9 +31,9 @@ PixelFacts draw_pixel(FrameState& f, int x, int y_bottom, int light) {
     depth.ensure("probe depth", GL_DEPTH_COMPONENT32F, 2, 2);
     glNamedFramebufferTexture(framebuffer.id(), GL_DEPTH_ATTACHMENT, depth.texture.id(), 0);
     glNamedFramebufferDrawBuffers(framebuffer.id(), 4, buffers.data());
-    f.gl.depth_key = 0;  // this depth is fresh, and not the picture's
+    const std::uint64_t pictures = std::exchange(f.gl.depth_key, 0);  // this depth is fresh, and not the picture's
     f.begin_camera_pass(framebuffer.id());
-    f.gl.depth_key = 0;
+    f.gl.depth_key = pictures;
     glViewport(-(x & ~1), -(y_bottom & ~1), f.request.width, f.request.height);
     const glm::vec4 nothing(0);
     for (GLint i = 0; i < 4; ++i) glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, i, &nothing.x);
@@ -82,11 +83,14 @@ Probe::PerLight test_light(const FrameState& f, std::size_t i, const PixelFacts&
         return p;
     }
     const glm::dvec3 position = glm::dvec3(facts.values[0]) + f.origin;
-    const glm::dvec3 geometric(facts.values[1]), shading(facts.values[2]);
+    const glm::dvec3 geometric(facts.values[1]), mapped(facts.values[2]);
+    const glm::dvec3 vertex(facts.values[3].y, facts.values[3].z, facts.values[3].w);
     const glm::dvec3 to_light = light.type == LightType::Directional ? light.to_light
                                                                      : glm::normalize(light.position - position);
     const BiasSettings& bias = f.settings.bias;
-    const glm::dvec3 normal = bias.normal_source == int(NormalSource::Shading) ? shading : geometric;
+    const glm::dvec3 normal = bias.normal_source == int(NormalSource::Mapped)    ? mapped
+                              : bias.normal_source == int(NormalSource::Shading) ? vertex
+                                                                                 : geometric;
     p.n_dot_l = glm::dot(geometric, to_light);
     p.face = light.views.size() == 6 ? face_of(position - light.position) : 0;
     const LightView& view = light.views[std::size_t(p.face)];

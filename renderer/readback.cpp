@@ -64,7 +64,16 @@ FloatImage Renderer::read_shadow_map(int light, int face) {
 }
 
 FloatImage Renderer::read_map_view_depth() {
-    return read_shadow_map(impl_->resources.shown.light, impl_->resources.shown.face);
+    const Resources& r = impl_->resources;
+    if (r.shown.light < 0) throw Error("the last frame drew no map view to read from");
+    if (r.shown.source == MapSource::Light) return read_shadow_map(r.shown.light, r.shown.face);
+    const gl::Target& t = r.camera_depth;
+    FloatImage out{t.width, t.height, 1, std::vector<float>(std::size_t(t.width) * std::size_t(t.height))};
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(t.texture.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)),
+                      out.data.data());
+    flip_rows(out.data, t.width, t.height, 1);
+    return out;
 }
 
 }  // namespace si

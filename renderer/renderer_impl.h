@@ -20,4 +20,7 @@ struct Renderer::Impl {
     gl::PassClock& pass_clock();
 };
 
+/// Fills in what the frame drew and found out; `result` has the passes already.
+void describe_frame(FrameState& f, FrameResult& result);
+
 }  // namespace si

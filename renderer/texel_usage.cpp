@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/techniques.h"
+
 namespace si {
 namespace {
 
@@ -126,6 +128,11 @@ std::vector<glm::ivec2> TexelUsage::readers(glm::ivec2 texel) const {
     std::sort(found.begin(), found.end());
     for (const std::uint32_t p : found) out.emplace_back(int(p % std::uint32_t(width_)), int(p / std::uint32_t(width_)));
     return out;
+}
+
+TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, int resolution, int layer) {
+    const Filter& filter = filters()[std::size_t(settings.filter.kernel)];
+    return TexelUsage(map_coordinates, resolution, filter.reach_texels, MapWrap(settings.map.wrap), layer);
 }
 
 }  // namespace si

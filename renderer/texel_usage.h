@@ -51,4 +51,7 @@ private:
     void count_texels();
 };
 
+/// The usage under the settings' kernel and map.wrap. @param resolution FrameResult::map_resolution
+TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, int resolution, int layer = 0);
+
 }  // namespace si

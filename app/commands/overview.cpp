@@ -6,6 +6,7 @@
 #include "app/commands/commands.h"
 #include "app/editor.h"
 #include "app/headless_context.h"
+#include "app/map_report.h"
 #include "app/notes.h"
 #include "app/views.h"
 #include "renderer/error.h"
@@ -46,6 +47,7 @@ void run_overview(const OverviewOptions& options) {
     const Session session = open_session(options.session);
     FrameResult frame;
     DriverInfo driver;
+    std::optional<MapFacts> map;
     {
         const HeadlessContext context;
         Renderer renderer;
@@ -61,11 +63,16 @@ void run_overview(const OverviewOptions& options) {
         request.timing = request.force = true;
         frame = renderer.render(session.scene, session.settings, request);
         driver = renderer.driver();
+        map = map_facts(renderer, session.scene, session.settings, request);
     }
     // The editor has a context of its own, so this one has to be gone.
     draw_editor(options, session, file("editor.png"));
     fmt::print("wrote {}\n", file("editor.png"));
     print_passes(frame, driver);
+    if (map)
+        fmt::print("the picture reads {:.1f} % of the {} x {} texels of light {}'s map{}\n",
+                   100 * map->usage.utilisation(), map->resolution, map->resolution, map->light,
+                   map->utilisations.size() > 1 ? fmt::format(", face {}", map->face) : "");
     print_notes(session.notes);
     print_notes(frame.notes);
 }

@@ -6,6 +6,7 @@
 #include "app/headless_context.h"
 #include "app/notes.h"
 #include "app/report.h"
+#include "app/views.h"
 #include "renderer/error.h"
 #include "renderer/param.h"
 #include "renderer/renderer.h"
@@ -66,8 +67,12 @@ void run_probe(const ProbeOptions& options) {
     const HeadlessContext context;
     Renderer renderer;
     FrameRequest request;
-    request.width = options.size.width, request.height = options.size.height;
-    const Probe probe = renderer.probe(session.scene, session.settings, request, x, y);
+    const PaneGrid grid = picture_grid(session.settings, options.size.width, options.size.height);
+    const auto place = grid.at({x, y});
+    if (!place) throw UsageError(fmt::format("--pixel {},{}: lies between two panes (view.panes)", x, y));
+    request.width = grid.width, request.height = grid.height;
+    Probe probe = renderer.probe(session.scene, session.settings, request, place->pixel.x, place->pixel.y);
+    probe.x = x, probe.y = y;  // of the picture asked for, of which this pane is a part
     if (options.json) {
         fmt::print("{}", json_text(probe_json(probe)));
     } else if (!probe.hit) {

@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.h"
 #include "app/headless_context.h"
+#include "app/map_report.h"
 #include "app/notes.h"
 #include "app/output.h"
 #include "app/report.h"
@@ -33,8 +34,10 @@ void run_render(const RenderOptions& options) {
     check_view_file(view, options.output);
     if (!options.report.empty()) require_writable(options.report);
     Session session = open_session(options.session);
-    // Asked for by name, the plain picture is plain; else the settings decide on an overlay.
-    if (options.view_given && view.key == "shaded") session.settings.view.overlay = 0;
+    // Asked for by name, the plain picture is plain; else the settings decide on overlays, panes and slabs.
+    if (options.view_given && view.key == "shaded") {
+        session.settings.view.overlay = session.settings.view.panes = session.settings.view.slabs = 0;
+    }
     if (view.overlay > 0) session.settings.view.overlay = view.overlay;
 
     const HeadlessContext context;
@@ -45,7 +48,12 @@ void run_render(const RenderOptions& options) {
     FrameResult frame;
     write_view(renderer, session.scene, session.settings, request, view, options.output, &frame);
     if (!options.report.empty()) {
-        write_file(options.report, json_text(report_json(session, view.key, request, frame, renderer.driver())));
+        auto report = report_json(session, view.key, request, frame, renderer.driver());
+        const PaneGrid grid = picture_grid(session.settings, request.width, request.height);
+        request.width = grid.width, request.height = grid.height;
+        const auto map = map_facts(renderer, session.scene, session.settings, request);
+        report["shadow_map"] = map ? map_facts_json(*map) : nlohmann::ordered_json(nullptr);
+        write_file(options.report, json_text(report));
     }
     print_notes(session.notes);
     print_notes(frame.notes);

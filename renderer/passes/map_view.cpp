@@ -1,50 +1,128 @@
-// The shadow map as a picture for people.
+// A depth image as a picture for people: a shadow map, or the camera's depth.
 #include <algorithm>
 
+#include "renderer/depth_histogram.h"
 #include "renderer/frame_state.h"
 
 namespace si {
+namespace {
 
-void add_map_view_pass(FrameState& f, std::vector<Pass>& plan) {
-    static constexpr int kLargestPicture = 4096;
+constexpr int kLargestPicture = 4096;
+constexpr int kBlocks = 64;  ///< per axis, of which the GPU finds the range
+
+/// Binds what shaders/lib/shown_depth.glsl reads.
+GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
+    const bool camera = f.settings.view.map_source == int(MapSource::Camera);
+    std::vector<gl::Define> extra;
+    if (camera) extra.push_back({"FROM_CAMERA", "1"});
+    const GLuint id = f.program("passes/fullscreen.vert.glsl", fragment, std::move(extra));
+    glUseProgram(id);
+    if (camera) {
+        glBindTextureUnit(kShadowMap, f.gl.camera_depth.texture.id());
+        glBindSampler(kShadowMap, 0);
+    } else {
+        f.bind_maps();
+        glUniform1i(glGetUniformLocation(id, "layer"), layer);
+    }
+    const DepthCurve& curve = *f.shown_curve();
+    glUniform4f(glGetUniformLocation(id, "curve"), float(curve.near), float(curve.far), curve.perspective ? 1.f : 0.f,
+                curve.convention.reversed ? 1.f : 0.f);
+    return id;
+}
+
+Pass range_pass(FrameState& f, const Key& shown, int layer) {
+    Pass pass;
+    pass.name = "drawn depth range";
+    pass.writes = {"depth range"};
+    if (!f.fits_greys()) pass.unneeded = "view.map_fit does not ask for it";
+    pass.key = shown.value();
+    pass.cached = &f.gl.depth_range.key;
+    pass.run = [&f, layer](PassInfo& info) {
+        f.gl.depth_range.ensure("drawn depth range", GL_RG32F, kBlocks, kBlocks);
+        f.gl.depth_range_framebuffer = gl::make_framebuffer("drawn depth range", &f.gl.depth_range, nullptr);
+        f.begin_fullscreen_pass(f.gl.depth_range_framebuffer.id(), kBlocks, kBlocks);
+        const GLuint id = use_program(f, "passes/depth_range.frag.glsl", layer);
+        glUniform2i(glGetUniformLocation(id, "blocks"), kBlocks, kBlocks);
+        FrameState::draw_fullscreen(info);
+        glBindTextureUnit(kShadowMap, 0);
+        std::vector<glm::vec2> blocks(std::size_t(kBlocks) * kBlocks);
+        glGetTextureImage(f.gl.depth_range.texture.id(), 0, GL_RG, GL_FLOAT, GLsizei(blocks.size() * sizeof(glm::vec2)),
+                          blocks.data());
+        glm::vec2 range = blocks[0];
+        for (const glm::vec2& b : blocks) range = {std::min(range.x, b.x), std::max(range.y, b.y)};
+        f.gl.drawn_range = range;
+    };
+    return pass;
+}
+
+}  // namespace
+
+const DepthCurve* FrameState::shown_curve() const {
+    if (settings.view.map_source == int(MapSource::Camera)) return &camera.curve;
+    const LightView* view = shown_view();
+    return view ? &view->curve : nullptr;
+}
+
+bool FrameState::fits_greys() const {
+    return settings.view.map_fit && settings.view.map != int(MapView::Bands) && shown_curve();
+}
+
+glm::vec2 FrameState::grey_range() const {
+    const glm::vec2 drawn = gl.drawn_range;
+    if (!fits_greys() || drawn.x > drawn.y) return {settings.view.map_black, settings.view.map_white};
+    const auto view = MapView(settings.view.map);
+    double lo = shown_depth(drawn.x, *shown_curve(), view), hi = shown_depth(drawn.y, *shown_curve(), view);
+    if (lo > hi) std::swap(lo, hi);
+    const double least = 1e-6;  // one depth alone is shown in the middle of the greys
+    if (hi - lo < least) lo = 0.5 * (lo + hi - least), hi = lo + least;
+    return {lo, hi};
+}
+
+void add_map_view_passes(FrameState& f, std::vector<Pass>& plan) {
+    const ViewSettings& v = f.settings.view;
+    const bool camera = v.map_source == int(MapSource::Camera);
+    int layer = 0;
+    const LightView* view = f.shown_view(&layer);
     Pass pass;
     pass.name = "map viewer";
-    pass.reads = {"shadow maps"};
+    pass.reads = {camera ? "camera depth" : "shadow maps"};
     pass.writes = {"map view"};
     pass.idle_reason = "the map viewer is closed";
-    const ViewSettings& v = f.settings.view;
-    const FittedLight* light =
-        std::size_t(v.light) < f.gl.fitted.size() ? &f.gl.fitted[std::size_t(v.light)] : nullptr;
-    if (!light || !light->casts) {
-        pass.unneeded = light ? light->reason : "there is no such light";
+    if (!camera && !view) {
+        const bool exists = std::size_t(v.light) < f.gl.fitted.size();
+        pass.unneeded = exists ? f.gl.fitted[std::size_t(v.light)].reason : "there is no such light";
         plan.push_back(std::move(pass));
         return;
     }
-    const int face = std::min(v.face, int(light->views.size()) - 1);
-    const LightView& view = light->views[std::size_t(face)];
-    const int layer = f.first_view[std::size_t(v.light)] + face;
-    Key key = f.maps_key;
-    key.add(layer).add(v.map).add(v.map_black).add(v.map_white).add(v.band_low).add(v.band_high);
-    key.add(f.gl.programs.source().generation());
+    Key shown;
+    shown.add(v.map_source);
+    if (camera)
+        shown.add(f.camera_depth_key());
+    else
+        shown.add(f.maps_key).add(layer).add(f.gl.programs.source().generation());
+    Pass range = range_pass(f, shown, layer);
+    range.reads = pass.reads;
+    range.idle_reason = pass.idle_reason;
+    if (f.fits_greys()) pass.reads.push_back("depth range");
+    plan.push_back(std::move(range));
+    Key key = shown;
+    key.add(v.map).add(v.map_black).add(v.map_white).add(v.band_low).add(v.band_high).add(v.map_fit);
     pass.key = key.value();
     pass.cached = &f.gl.map_view.key;
-    f.gl.shown = {MapSource::Light, v.light, face};
-    pass.run = [&f, layer, &view](PassInfo& info) {
-        const int size = std::min(f.map_resolution, kLargestPicture);
-        f.gl.map_view.ensure("map viewer", GL_RGBA8, size, size);
+    pass.run = [&f, camera, layer](PassInfo& info) {
+        glm::ivec2 size = camera ? glm::ivec2(f.request.width, f.request.height) : glm::ivec2(f.map_resolution);
+        if (const int most = std::max(size.x, size.y); most > kLargestPicture)
+            size = glm::max(size * kLargestPicture / most, glm::ivec2(1));
+        f.gl.map_view.ensure("map viewer", GL_RGBA8, size.x, size.y);
         f.gl.map_view_framebuffer = gl::make_framebuffer("map viewer", &f.gl.map_view, nullptr);
-        f.begin_fullscreen_pass(f.gl.map_view_framebuffer.id(), size, size);
-        f.bind_maps();
-        const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/map_view.frag.glsl");
-        glUseProgram(id);
+        f.begin_fullscreen_pass(f.gl.map_view_framebuffer.id(), size.x, size.y);
+        const GLuint id = use_program(f, "passes/map_view.frag.glsl", layer);
         const ViewSettings& s = f.settings.view;
-        glUniform1i(glGetUniformLocation(id, "layer"), layer);
+        const glm::vec2 greys = f.grey_range();
         glUniform1i(glGetUniformLocation(id, "mode"), s.map);
-        glUniform4f(glGetUniformLocation(id, "curve"), float(view.curve.near), float(view.curve.far),
-                    view.curve.perspective ? 1.f : 0.f, 0.f);
-        glUniform4f(glGetUniformLocation(id, "range"), float(s.map_black), float(s.map_white), float(s.band_low),
-                    float(s.band_high));
+        glUniform4f(glGetUniformLocation(id, "range"), greys.x, greys.y, float(s.band_low), float(s.band_high));
         FrameState::draw_fullscreen(info);
+        glBindTextureUnit(kShadowMap, 0);
     };
     plan.push_back(std::move(pass));
 }

@@ -20,13 +20,14 @@ void add_visibility_pass(FrameState& f, std::vector<Pass>& plan) {
             f.gl.visibility_framebuffer =
                 gl::make_framebuffer("visibility", &f.gl.visibility, &f.gl.camera_depth, light);
             const GLuint framebuffer = f.gl.visibility_framebuffer.id();
+            const std::uint64_t depth = f.gl.depth_key;
             f.begin_camera_pass(framebuffer);
             const glm::vec4 lit(1);
             glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &lit.x);
             // A light without shadows leaves every pixel lit; there is nothing to evaluate.
             const bool casts = std::size_t(light) < f.gl.fitted.size() && f.gl.fitted[std::size_t(light)].casts;
             if (!casts && !f.request.no_skip) {
-                f.gl.depth_key = 0;
+                if (f.gl.depth_key != depth) f.gl.depth_key = 0;  // cleared, and nothing drawn
                 continue;
             }
             f.draw_from_camera("passes/visibility.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);

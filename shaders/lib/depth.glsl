@@ -15,10 +15,15 @@ vec4 depth_test(float own, vec4 stored) {
 
 float depth_test(float own, float stored) { return depth_test(own, vec4(stored)).x; }
 
-/// Metres along the light's axis at depth-buffer value d in [0,1].
+/// Metres along the axis at depth-buffer value d in [0,1]; reversed: near at depth 1. Without 1 - d, which would lose the
+/// fine steps of a reversed float.
+float metres_from_depth(float d, float near, float far, bool perspective, bool reversed) {
+    float range = far - near;
+    if (!perspective) return reversed ? far - d * range : near + d * range;
+    return near * far / (reversed ? near + d * range : far - d * range);
+}
+
+/// The same under the shadow map's convention.
 float metres_from_depth(float d, float near, float far, bool perspective) {
-#if map_reversed_z
-    d = 1.0 - d;
-#endif
-    return perspective ? near * far / (far - d * (far - near)) : near + d * (far - near);
+    return metres_from_depth(d, near, far, perspective, map_reversed_z != 0);
 }

@@ -9,7 +9,8 @@ const int INSIDE = 0, OUTSIDE_SIDES = 1, OUTSIDE_FAR = 2, BEHIND = 3, NO_MAP = 4
 struct Surface {
     vec3 position;   // relative to the frame's origin, metres
     vec3 geometric;  // unit normal of the triangle, on the side that the camera sees
-    vec3 shading;    // unit interpolated normal, same side
+    vec3 vertex;     // unit interpolated normal, same side
+    vec3 shading;    // the same with its normal map
     vec3 to_eye;     // unit
     bool receives;
 };
@@ -67,8 +68,10 @@ Receiver make_receiver(Surface s, int index) {
     r.light = index;
     r.to_light = direction_to(index, s.position, r.distance_m);
     r.geometric_n_dot_l = dot(s.geometric, r.to_light);
-#if bias_normal_source == bias_normal_source_shading
+#if bias_normal_source == bias_normal_source_mapped
     vec3 bias_normal_ws = s.shading;
+#elif bias_normal_source == bias_normal_source_shading
+    vec3 bias_normal_ws = s.vertex;
 #else
     vec3 bias_normal_ws = s.geometric;
 #endif

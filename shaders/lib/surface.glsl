@@ -24,10 +24,11 @@ Surface make_surface() {
     s.geometric = n2 > 0.0 ? n * inversesqrt(n2) : s.to_eye;
     if (dot(s.geometric, s.to_eye) < 0.0) s.geometric = -s.geometric;
     float length2 = dot(normal_ws, normal_ws);
-    s.shading = length2 > 0.0 ? normal_ws * inversesqrt(length2) : s.geometric;
-    if (dot(s.shading, s.geometric) < 0.0) s.shading = -s.shading;
+    s.vertex = length2 > 0.0 ? normal_ws * inversesqrt(length2) : s.geometric;
+    if (dot(s.vertex, s.geometric) < 0.0) s.vertex = -s.vertex;
+    s.shading = s.vertex;
 #ifdef NORMAL_MAPPED
-    s.shading = mapped_normal(s.shading, dot(normal_ws, s.geometric) < 0.0);
+    s.shading = mapped_normal(s.vertex, dot(normal_ws, s.geometric) < 0.0);
 #endif
     return s;
 }

@@ -1,25 +1,21 @@
-// The shadow map as a person looks at it: as stored, linear in metres, or in bands.
-#include "lib/frame.glsl"
+// A depth image as a person looks at it: as stored, linear in metres, or in bands.
 #include "lib/depth.glsl"
-#include "lib/shadow_map.glsl"
-uniform int layer;
-uniform int mode;     // 0 raw, 1 linear, 2 bands
-uniform vec4 curve;   // near, far, 1 perspective
-uniform vec4 range;   // black, white, lower and upper band threshold
+#include "lib/shown_depth.glsl"
+uniform int mode;    // 0 raw, 1 linear, 2 bands
+uniform vec4 range;  // black, white, lower and upper band threshold
 in vec2 picture_uv;
 layout(location = 0) out vec4 colour_out;
 
 void main() {
-    float stored = map_depth(picture_uv, layer);
+    float stored = shown_depth(ivec2(picture_uv * vec2(shown_size())));
     float near = curve.x, far = curve.y;
+    bool reversed = curve.w > 0.5;
     float value = stored;
-    if (mode == 1)  // S3's remap: black at the near plane, white at the far plane
-        value = (metres_from_depth(stored, near, far, curve.z > 0.5) - near) / (far - near);
+    if (mode == 1)  // black at the near plane, white at the far plane
+        value = (metres_from_depth(stored, near, far, curve.z > 0.5, reversed) - near) / (far - near);
     if (mode == 2) {
         // Thresholds are on standard depth, 0 near and 1 far.
-#if map_reversed_z
-        stored = 1.0 - stored;
-#endif
+        if (reversed) stored = 1.0 - stored;
         colour_out = vec4(stored < range.z ? vec3(0.75, 0.15, 0.12) * (0.35 + 0.65 * stored / max(range.z, 1e-6))
                           : stored < range.w ? vec3(0.20, 0.65, 0.25)
                                              : vec3(0.15, 0.35, 0.85), 1.0);

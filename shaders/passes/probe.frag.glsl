@@ -5,7 +5,7 @@
 layout(location = 0) out vec4 position_out;   // xyz relative, w: 1 + object number
 layout(location = 1) out vec4 geometric_out;  // xyz, w: receives
 layout(location = 2) out vec4 shading_out;    // xyz
-layout(location = 3) out vec4 visibility_out; // x
+layout(location = 3) out vec4 visibility_out; // x, yzw: vertex normal
 
 void main() {
 #ifdef MASKED
@@ -15,5 +15,5 @@ void main() {
     position_out = vec4(s.position, 1.0 + surface.w);
     geometric_out = vec4(s.geometric, surface.x);
     shading_out = vec4(s.shading, 0.0);
-    visibility_out = vec4(light_visibility(s, LIGHT_INDEX), 0.0, 0.0, 0.0);
+    visibility_out = vec4(light_visibility(s, LIGHT_INDEX), s.vertex);
 }

@@ -1,6 +1,7 @@
 // One frame as a function: equal inputs give equal bytes, two ways give one picture, and the plan tells the truth.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "renderer/techniques.h"
 #include "tests/gl/frame_fixture.h"
@@ -139,44 +140,91 @@ TEST_F(FrameTest, PlanReusesWhatIsUnchangedAndRunsWhatIsNot) {
     Settings s = settings_for(scene);
     FrameRequest request = small();
     request.outputs.shadow_map = true;
-    const auto states = [&] {
-        std::vector<PassState> out;
-        for (const PassInfo& p : renderer.render(scene, s, request).passes) out.push_back(p.state);
+    using Names = std::set<std::string>;
+    Names reused;
+    const auto ran = [&] {
+        Names out;
+        reused.clear();
+        for (const PassInfo& p : renderer.render(scene, s, request).passes) {
+            if (p.state == PassState::Ran) out.insert(p.name);
+            if (p.state == PassState::Reused) reused.insert(p.name);
+        }
         return out;
     };
-    using enum PassState;
-    // shadow map, depth blur, visibility, shading, overlay values, overlay over picture, map viewer
-    EXPECT_EQ(states(), (std::vector{Ran, Skipped, Skipped, Ran, Skipped, Skipped, Ran}));
-    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Skipped, Reused, Skipped, Skipped, Reused}));
+    const std::string map = "shadow map 0 (directional)", shading = "shading (with visibility)", viewer = "map viewer";
+    EXPECT_EQ(ran(), (Names{map, shading, viewer}));
+    EXPECT_EQ(ran(), Names{});
+    EXPECT_EQ(reused, (Names{map, shading, viewer}));
     s.bias.constant += 0.5;
-    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Skipped, Ran, Skipped, Skipped, Reused}));
+    EXPECT_EQ(ran(), Names{shading});
     s.lights[0].azimuth += 1;
-    EXPECT_EQ(states(), (std::vector{Ran, Skipped, Skipped, Ran, Skipped, Skipped, Ran}));
+    EXPECT_EQ(ran(), (Names{map, shading, viewer}));
     s.camera = manual_camera(scene, s);
     s.camera.azimuth += 3;
-    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Skipped, Ran, Skipped, Skipped, Reused}));
-    s.view.overlay = 1;  // visibility
-    EXPECT_EQ(states(), (std::vector{Reused, Skipped, Ran, Ran, Ran, Ran, Reused}));
+    EXPECT_EQ(ran(), Names{shading});
+    s.view.map_fit = true;
+    EXPECT_EQ(ran(), (Names{"drawn depth range", viewer}));
+    set_setting(s, "view.map", "raw");
+    EXPECT_EQ(ran(), Names{viewer}) << "the range of what is drawn is the same for every way to show it";
+    set_setting(s, "view.overlay", "visibility");
+    const Names overlaid = {"visibility", "shading (reads visibility)", "overlay values", "overlay over picture"};
+    EXPECT_EQ(ran(), overlaid);
+    EXPECT_EQ(ran(), Names{});
+    s.view.overlay_opacity = 0.5;
+    EXPECT_EQ(ran(), Names{"overlay over picture"});
+    set_setting(s, "view.panes", "four");
+    set_setting(s, "view.overlay_3", "n-dot-l");
+    set_setting(s, "view.overlay_4", "n-dot-l");
+    EXPECT_EQ(ran(), (Names{"overlay values (n-dot-l)", "overlay over picture (n-dot-l)"})) << "drawn once for two panes";
+    EXPECT_EQ(ran(), Names{});
+    set_setting(s, "view.slabs", "both");
+    EXPECT_EQ(ran(), (Names{"texel slabs", "texel slabs (none)", "texel slabs (n-dot-l)"}));
+    EXPECT_TRUE(reused.contains("camera depth")) << "the shading pass left it";
+    renderer.probe(scene, s, request, 100, 100);
+    EXPECT_EQ(ran(), Names{}) << "a probe leaves the picture's depth alone";
+    set_setting(s, "view.slabs_texels", "8");
+    EXPECT_EQ(ran(), (Names{"texel slabs", "texel slabs (none)", "texel slabs (n-dot-l)"}));
+    request.outputs.map_coordinates = true;
+    EXPECT_EQ(ran(), Names{"map coordinates"});
+    set_setting(s, "view.map_source", "camera");
+    EXPECT_EQ(ran(), (Names{"drawn depth range", viewer}));
     s.lights[0].cast = false;
     const FrameResult dark = renderer.render(scene, s, request);
-    EXPECT_EQ(dark.passes[0].state, Skipped);
+    EXPECT_EQ(dark.passes[0].state, PassState::Skipped);
     EXPECT_EQ(dark.passes[0].draws, 0u);
     EXPECT_EQ(dark.passes[0].reason, "light.cast is off");
     request.outputs = {.colour = false};
     for (const PassInfo& p : renderer.render(scene, s, request).passes) {
-        EXPECT_EQ(p.state, Skipped) << p.name;
+        EXPECT_EQ(p.state, PassState::Skipped) << p.name;
         EXPECT_FALSE(p.reason.empty()) << p.name;
     }
+}
+
+/// Everything a frame shows: the panes, the map viewer's picture, and where the map is read.
+std::vector<ByteImage> pictures(const Scene& scene, const Settings& s, FrameRequest request, Renderer& renderer) {
+    request.outputs.shadow_map = request.outputs.map_coordinates = true;
+    const FrameResult f = renderer.render(scene, s, request);
+    std::vector<ByteImage> out;
+    for (const Pane& pane : f.panes) out.push_back(renderer.read_colour(pane.picture));
+    for (const Image& image : {f.map_view, f.map_coordinates})
+        if (image.texture) out.push_back(renderer.read_colour(image));
+    return out;
 }
 
 TEST_F(FrameTest, SkippingAndCachingLeaveThePixelsAlone) {
     const Scene scene = load_scene("stage");
     for (const auto& extra : std::vector<std::vector<std::pair<std::string, std::string>>>{
-             {}, {{"light.cast", "false"}}, {{"view.overlay", "visibility"}}, {{"light.type", "spot"}}}) {
+             {},
+             {{"light.cast", "false"}},
+             {{"view.overlay", "visibility"}},
+             {{"light.type", "spot"}},
+             {{"camera.source", "light"}, {"light.type", "point"}},
+             {{"view.slabs", "both"}, {"view.map_source", "camera"}},
+             {{"view.panes", "four"}, {"view.overlay_2", "n-dot-l"}, {"view.overlay_range", "fitted"}}}) {
         const Settings s = settings_for(scene, extra);
         FrameRequest all = small();
         all.force = all.no_skip = true;
-        EXPECT_EQ(picture(scene, s).data, picture(scene, s, all).data);
+        EXPECT_EQ(pictures(scene, s, small(), renderer), pictures(scene, s, all, renderer));
         FrameRequest timed = small();
         timed.timing = timed.force = true;
         EXPECT_EQ(picture(scene, s).data, picture(scene, s, timed).data);
@@ -190,15 +238,24 @@ TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings) {
         {"map.resolution", "512"}, {"filter.kernel", "hard"}, {"light.azimuth", "100"}, {"object.Stage/Ground.receive", "false"},
         {"caster.cull", "front"}, {"map.reversed_z", "true"}, {"light.type", "point"}, {"shading.separate_visibility", "true"},
         {"light.count", "2"}, {"light.1.elevation", "70"}, {"map.format", "colour"}, {"shading.textures", "false"},
-        {"camera.source", "manual"}, {"view.overlay", "light-uv"}, {"light.count", "1"}, {"map.format", "d24"}};
+        {"camera.source", "manual"}, {"view.overlay", "light-uv"}, {"light.count", "1"}, {"map.format", "d24"},
+        {"light.type", "directional"}, {"camera.source", "light"}, {"view.slabs", "stored"}, {"bias.constant", "2"},
+        {"view.slabs", "both"}, {"bias.unit", "metres"}, {"light.elevation", "60"}, {"view.panes", "two"},
+        {"view.overlay_2", "texels-per-pixel"}, {"view.overlay_range", "fitted"}, {"view.map_source", "camera"},
+        {"view.map_fit", "true"}, {"camera.source", "auto"}, {"view.map", "raw"}, {"view.panes", "four"},
+        {"view.overlay_4", "own-depth"}, {"view.map_source", "light"}, {"map.reversed_z", "false"},
+        {"view.slabs_u", "0.4"}, {"view.slabs", "none"}, {"view.overlay", "none"}, {"bias.normal_source", "mapped"}};
     for (const auto& [key, value] : walk) {
         set_setting(s, key, value);
-        const ByteImage cached = picture(scene, s);
+        const auto cached = pictures(scene, s, small(), renderer);
         {
             HeadlessContext fresh_context;
             Renderer fresh;
-            const ByteImage expected = fresh.read_colour(fresh.render(scene, s, small()).colour);
-            EXPECT_EQ(different_pixels(cached, expected), 0u) << "after " << key << " = " << value;
+            const auto expected = pictures(scene, s, small(), fresh);
+            ASSERT_EQ(cached.size(), expected.size());
+            for (std::size_t i = 0; i < cached.size(); ++i)
+                EXPECT_EQ(different_pixels(cached[i], expected[i]), 0u)
+                    << "picture " << i << " after " << key << " = " << value;
         }
         context.make_current();
     }

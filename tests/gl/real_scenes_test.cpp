@@ -151,17 +151,37 @@ TEST_F(RealScenes, NormalMapsTiltTheShadingNormalAlike) {
 }
 
 TEST_F(RealScenes, TheBiasFollowsTheNormalItIsToldTo) {
-    const Scene scene = mapped_floor({0.6f, 0, 0.8f}, true);
-    Settings s = settings_for(scene, {{"light.0.azimuth", "90"},
-                                      {"light.0.elevation", "45"},
-                                      {"bias.unit", "depth"},
-                                      {"bias.constant", "0"},
-                                      {"bias.slope", "1"},
-                                      {"bias.normal", "0"}});
-    const double geometric = middle(scene, s, "bias-applied").x;
-    set_setting(s, "bias.normal_source", "shading");
-    const double shading = middle(scene, s, "bias-applied").x;
-    EXPECT_GT(std::abs(geometric - shading), 0.1 * geometric);
+    // Light from +x at 45 degrees; the floor's own normal is +y, its vertex normals lean to -x, its map leans them to +x.
+    Scene scene = mapped_floor({0.6f, 0, 0.8f}, true);
+    const glm::dvec3 light = direction_from_angles(90, 45), vertex(-0.28, 0.96, 0), tangent(0.96, 0.28, 0);
+    scene.meshes[0].normals.assign(4, glm::vec3(vertex));
+    scene.meshes[0].tangents.assign(4, glm::vec4(glm::vec3(tangent), 1));
+    finalise(scene);
+    const glm::dvec3 mapped = 0.6 * tangent + 0.8 * vertex;
+    const Settings base = settings_for(scene, {{"light.0.azimuth", "90"},
+                                               {"light.0.elevation", "45"},
+                                               {"bias.unit", "texels"},
+                                               {"bias.constant", "0"},
+                                               {"bias.slope", "1"},
+                                               {"bias.normal", "0"}});
+    for (const auto& [source, normal] : {std::pair<const char*, glm::dvec3>{"geometric", {0, 1, 0}},
+                                         {"shading", vertex},
+                                         {"mapped", mapped}}) {
+        Settings s = base;
+        set_setting(s, "bias.normal_source", source);
+        const double slope = 1 - glm::dot(normal, light);
+        EXPECT_NEAR(middle(scene, s, "bias-applied").x, slope, 0.01) << source;
+        // What the offset along a normal is worth along the light.
+        set_setting(s, "bias.normal", "2");
+        EXPECT_NEAR(middle(scene, s, "bias-applied").x, slope + 2 * glm::dot(normal, light), 0.02) << source;
+        const Probe probe = renderer.probe(scene, s, small(), small().width / 2, small().height / 2);
+        ASSERT_EQ(probe.lights.size(), 1u);
+        EXPECT_NEAR(probe.lights[0].bias_texels, slope, 0.01) << source;
+        // Without its map the mapped normal is the vertex normal.
+        set_setting(s, "shading.textures", "false");
+        const glm::dvec3 plain = source == std::string("mapped") ? vertex : normal;
+        EXPECT_NEAR(middle(scene, s, "bias-applied").x, 1 + glm::dot(plain, light), 0.02) << source;
+    }
 }
 
 TEST_F(RealScenes, BlendedSurfacesCastOnlyAsMasks) {

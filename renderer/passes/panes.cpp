@@ -1,0 +1,153 @@
+// The panes: each overlay's values, and the picture with the overlay over it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "renderer/frame_state.h"
+
+namespace si {
+namespace {
+
+using ShownPane = FrameState::ShownPane;
+
+/// The name of a slot's pass or result: plain for the first.
+std::string slot_name(std::string_view name, const ShownPane& pane) {
+    if (pane.slot == 0) return std::string(name);
+    return fmt::format("{} ({})", name, pane.row() ? pane.row()->key : "none");
+}
+
+std::vector<gl::Define> overlay_defines(const FrameState& f, const Overlay& row) {
+    const int last = std::max(int(f.gl.fitted.size()) - 1, 0);
+    std::vector<gl::Define> out{{"OVERLAY_FILE", std::string(row.file)},
+                                {"LIGHT_INDEX", std::to_string(std::clamp(f.settings.view.light, 0, last))}};
+    if (row.scalar) out.push_back({"OVERLAY_SCALAR", "1"});
+    if (f.separate_visibility) out.push_back({"SEPARATE_VISIBILITY", "1"});
+    return out;
+}
+
+Pass values_pass(FrameState& f, const ShownPane& pane) {
+    Pass pass;
+    pass.name = slot_name("overlay values", pane);
+    pass.reads = {"shadow maps"};
+    if (f.separate_visibility) pass.reads.push_back("visibility");
+    pass.writes = {slot_name("overlay", pane)};
+    pass.idle_reason = "the overlay was not asked for";
+    if (!pane.row()) {
+        pass.unneeded = "no overlay is chosen";
+        return pass;
+    }
+    PaneTargets& t = f.gl.panes[std::size_t(pane.slot)];
+    Key key = f.camera_key;
+    key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(pane.overlay).add(f.settings.view.light);
+    key.add(f.settings.view.face).add(f.separate_visibility).add(f.gl.programs.source().generation());
+    pass.key = key.value();
+    pass.cached = &t.values.key;
+    pass.run = [&f, &t, pane](PassInfo& info) {
+        t.values.ensure("overlay values", GL_RGBA32F, f.request.width, f.request.height);
+        t.values_framebuffer = gl::make_framebuffer("overlay values", &t.values, &f.gl.camera_depth);
+        const GLuint framebuffer = t.values_framebuffer.id();
+        f.begin_camera_pass(framebuffer);
+        const glm::vec4 nothing(0);
+        glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &nothing.x);
+        if (f.separate_visibility) glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
+        f.draw_from_camera("passes/overlay.frag.glsl", overlay_defines(f, *pane.row()), info);
+    };
+    return pass;
+}
+
+Pass compose_pass(FrameState& f, const ShownPane& pane, std::uint64_t values_key, std::uint64_t shaded_key) {
+    Pass pass;
+    pass.name = slot_name("overlay over picture", pane);
+    pass.reads = {"shaded", slot_name("overlay", pane)};
+    pass.writes = {slot_name("composed", pane)};
+    pass.idle_reason = "the picture was not asked for";
+    if (!pane.row()) {
+        pass.unneeded = "no overlay is chosen";
+        return pass;
+    }
+    PaneTargets& t = f.gl.panes[std::size_t(pane.slot)];
+    const ViewSettings& v = f.settings.view;
+    Key key;
+    key.add(values_key).add(shaded_key).add(v.overlay_opacity).add(v.overlay_range);
+    // A fitted range follows from the values.
+    if (v.overlay_range == int(OverlayRange::Manual)) key.add(v.overlay_min).add(v.overlay_max).add(v.overlay);
+    pass.key = key.value();
+    pass.cached = &t.composed.key;
+    pass.run = [&f, &t, pane](PassInfo& info) {
+        t.composed.ensure("picture with overlay", GL_RGBA8, f.request.width, f.request.height);
+        t.composed_framebuffer = gl::make_framebuffer("picture with overlay", &t.composed, nullptr);
+        const ValueRange range = f.range_of(pane);
+        f.begin_fullscreen_pass(t.composed_framebuffer.id(), f.request.width, f.request.height);
+        const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/compose.frag.glsl");
+        glUseProgram(id);
+        glBindTextureUnit(kShaded, f.gl.shaded.texture.id());
+        glBindTextureUnit(kOverlayValues, t.values.texture.id());
+        glUniform4f(glGetUniformLocation(id, "scale"), range.min, range.max, float(f.settings.view.overlay_opacity),
+                    pane.row()->diverging ? 1.f : 0.f);
+        glUniform1i(glGetUniformLocation(id, "scalar"), pane.row()->scalar);
+        FrameState::draw_fullscreen(info);
+    };
+    return pass;
+}
+
+Pass slabs_over(FrameState& f, const ShownPane& pane, std::uint64_t composed_key, std::uint64_t shaded_key) {
+    Pass pass = slabs_pass(f, pane, pane.row() ? composed_key : shaded_key);
+    pass.name = slot_name("texel slabs", pane);
+    pass.reads = {pane.row() ? slot_name("composed", pane) : "shaded", "camera depth", "shadow maps"};
+    pass.writes = {slot_name("slabs", pane)};
+    pass.idle_reason = "the picture was not asked for";
+    return pass;
+}
+
+}  // namespace
+
+std::string FrameState::picture_of(const ShownPane& pane) const {
+    if (slabs_shown) return slot_name("slabs", pane);
+    return pane.row() ? slot_name("composed", pane) : "shaded";
+}
+
+std::string FrameState::values_of(const ShownPane& pane) const { return slot_name("overlay", pane); }
+
+const gl::Target& FrameState::target_of(const ShownPane& pane) const {
+    const PaneTargets& t = gl.panes[std::size_t(pane.slot)];
+    if (slabs_shown) return t.slabs;
+    return pane.row() ? t.composed : gl.shaded;
+}
+
+ValueRange FrameState::range_of(const ShownPane& pane) const {
+    const ViewSettings& v = settings.view;
+    if (!pane.row()) return {};
+    const Overlay& row = *pane.row();
+    PaneTargets& t = gl.panes[std::size_t(pane.slot)];
+    if (v.overlay_range == int(OverlayRange::Manual) && pane.overlay == v.overlay)
+        return {float(v.overlay_min), float(v.overlay_max)};
+    const ValueRange declared{float(row.min), float(row.max)};
+    if (v.overlay_range != int(OverlayRange::Fitted) || !row.scalar || t.values.key == 0) return declared;
+    if (t.fitted_key != t.values.key) {
+        FloatImage values{t.values.width, t.values.height, 4, {}};
+        values.data.resize(std::size_t(values.width) * std::size_t(values.height) * 4);
+        glGetTextureImage(t.values.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.data.size() * sizeof(float)),
+                          values.data.data());
+        t.fitted = fitted_range(values, row.diverging).value_or(declared);
+        t.fitted_key = t.values.key;
+    }
+    return t.fitted;
+}
+
+void add_pane_passes(FrameState& f, std::vector<Pass>& plan) {
+    const std::uint64_t shaded_key = plan.back().key;  // the shading pass stands just before
+    for (std::size_t i = 0; i < f.panes.size(); ++i) {
+        const ShownPane& pane = f.panes[i];
+        if (pane.slot != int(i)) continue;  // an earlier pane shows the same
+        Pass values = values_pass(f, pane);
+        Pass compose = compose_pass(f, pane, values.key, shaded_key);
+        Pass slabs = slabs_over(f, pane, compose.key, shaded_key);
+        if (pane.row() || i == 0) {
+            plan.push_back(std::move(values));
+            plan.push_back(std::move(compose));
+        }
+        plan.push_back(std::move(slabs));
+    }
+}
+
+}  // namespace si

@@ -1,0 +1,130 @@
+// Texels of the shown light's map as quads in the scene, over a pane's picture.
+#include <algorithm>
+
+#include "renderer/frame_state.h"
+
+namespace si {
+namespace {
+
+struct Instance {
+    glm::vec3 corners[4];  // relative to the frame's origin
+    float biased;
+};
+static_assert(sizeof(Instance) == 52);
+
+constexpr float kHiddenStrength = 0.16f;  ///< of slabs behind surfaces: there, but not in the way
+
+void read_depths(FrameState& f, int layer, const TexelRegion& region) {
+    Key key = f.maps_key;
+    key.add(layer).add(region);
+    SlabResources& s = f.gl.slabs;
+    if (s.depths_key == key.value()) return;
+    s.depths.resize(std::size_t(region.size.x) * std::size_t(region.size.y));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    const gl::Target& map = f.gl.compared_map();
+    const GLenum format = map.format == GL_R32F ? GL_RED : GL_DEPTH_COMPONENT;
+    if (!s.depths.empty())
+        glGetTextureSubImage(map.texture.id(), 0, region.first.x, region.first.y, layer, region.size.x,
+                             region.size.y, 1, format, GL_FLOAT, GLsizei(s.depths.size() * sizeof(float)),
+                             s.depths.data());
+    s.depths_key = key.value();
+}
+
+/// Farthest from the camera first, so that they blend as they lie.
+void upload_instances(FrameState& f, const LightView& view, const TexelRegion& region) {
+    std::vector<TexelSlab> slabs = texel_slabs(view, f.settings.bias, f.map_resolution, region, f.gl.slabs.depths,
+                                               Slabs(f.settings.view.slabs));
+    std::vector<std::pair<double, std::size_t>> order(slabs.size());
+    for (std::size_t i = 0; i < slabs.size(); ++i) {
+        const auto& c = slabs[i].corners;
+        order[i] = {glm::dot(c[0] + c[3] - 2.0 * f.camera.eye, f.camera.axes[2]), i};
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<Instance> instances(slabs.size());
+    for (std::size_t i = 0; i < slabs.size(); ++i) {
+        const TexelSlab& slab = slabs[order[i].second];
+        for (std::size_t c = 0; c < 4; ++c) instances[i].corners[c] = glm::vec3(slab.corners[c] - f.origin);
+        instances[i].biased = slab.biased ? 1.f : 0.f;
+    }
+    SlabResources& s = f.gl.slabs;
+    s.count = int(instances.size());
+    if (!s.vao) {
+        s.vao = gl::VertexArray::create("texel slabs");
+        s.instances = gl::Buffer::create("texel slabs");
+        for (GLuint i = 0; i < 5; ++i) {
+            glEnableVertexArrayAttrib(s.vao.id(), i);
+            glVertexArrayAttribFormat(s.vao.id(), i, i < 4 ? 3 : 1, GL_FLOAT, GL_FALSE, i * 12);
+            glVertexArrayAttribBinding(s.vao.id(), i, 0);
+        }
+        glVertexArrayBindingDivisor(s.vao.id(), 0, 1);
+    }
+    glNamedBufferData(s.instances.id(), GLsizeiptr(std::max<std::size_t>(instances.size(), 1) * sizeof(Instance)),
+                      instances.empty() ? nullptr : instances.data(), GL_STREAM_DRAW);
+    glVertexArrayVertexBuffer(s.vao.id(), 0, s.instances.id(), 0, sizeof(Instance));
+}
+
+void draw_slabs(FrameState& f, PassInfo& info) {
+    const GLuint id = f.program("passes/slabs.vert.glsl", "passes/slabs.frag.glsl");
+    glUseProgram(id);
+    glBindVertexArray(f.gl.slabs.vao.id());
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    // Slabs that lie in a surface show: nearer by a pixel's depth.
+    const bool reversed = f.camera.curve.convention.reversed;
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(reversed ? 1.f : -1.f, reversed ? 1.f : -1.f);
+    for (const bool hidden : {true, false}) {
+        if (reversed)
+            glDepthFunc(hidden ? GL_LESS : GL_GEQUAL);
+        else
+            glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
+        glUniform1f(glGetUniformLocation(id, "strength"), hidden ? kHiddenStrength : 1.f);
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, f.gl.slabs.count);
+        ++info.draws;
+        info.triangles += 2 * std::uint64_t(f.gl.slabs.count);
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+}  // namespace
+
+Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane, std::uint64_t under_key) {
+    Pass pass;
+    int layer = 0;
+    const LightView* view = f.shown_view(&layer);
+    if (!f.slabs_shown) {
+        pass.unneeded = f.settings.view.slabs == int(Slabs::None) ? "view.slabs is none" : "the light shown has no map";
+        return pass;
+    }
+    const TexelRegion region = slab_region(f.settings.view, f.map_resolution);
+    Key slabs = f.maps_key;
+    slabs.add(layer).add(region).add(f.camera_key).add(f.settings.view.slabs);
+    slabs.add(f.settings.bias.constant).add(f.settings.bias.unit);
+    Key key = slabs;
+    key.add(f.camera_depth_key()).add(under_key);
+    PaneTargets& t = f.gl.panes[std::size_t(pane.slot)];
+    const gl::Target& under = pane.row() ? t.composed : f.gl.shaded;
+    pass.key = key.value();
+    pass.cached = &t.slabs.key;
+    pass.run = [&f, &t, &under, view, layer, region, slabs_key = slabs.value()](PassInfo& info) {
+        if (f.gl.slabs.instances_key != slabs_key) {
+            read_depths(f, layer, region);
+            upload_instances(f, *view, region);
+            f.gl.slabs.instances_key = slabs_key;
+        }
+        const int w = f.request.width, h = f.request.height;
+        t.slabs.ensure("picture with texel slabs", GL_RGBA8, w, h);
+        glCopyImageSubData(under.texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, t.slabs.texture.id(), GL_TEXTURE_2D, 0, 0, 0,
+                           0, w, h, 1);
+        t.slabs_framebuffer = gl::make_framebuffer("picture with texel slabs", &t.slabs, &f.gl.camera_depth);
+        f.begin_camera_pass(t.slabs_framebuffer.id());
+        draw_slabs(f, info);
+    };
+    return pass;
+}
+
+}  // namespace si

@@ -1,0 +1,16 @@
+// The depth image that the map viewer shows: a layer of the shadow maps, or the camera's own depth.
+#ifdef FROM_CAMERA
+layout(binding = 0) uniform sampler2D shown_map;
+float shown_depth(ivec2 texel) { return texelFetch(shown_map, texel, 0).r; }
+ivec2 shown_size() { return textureSize(shown_map, 0); }
+#else
+#include "lib/shadow_map.glsl"
+uniform int layer;
+#if MAP_LAYERS > 1
+float shown_depth(ivec2 texel) { return texelFetch(shadow_map, ivec3(texel, layer), 0).r; }
+#else
+float shown_depth(ivec2 texel) { return texelFetch(shadow_map, texel, 0).r; }
+#endif
+ivec2 shown_size() { return textureSize(shadow_map, 0).xy; }
+#endif
+uniform vec4 curve;  // near, far, 1 perspective, 1 reversed: near at depth 1

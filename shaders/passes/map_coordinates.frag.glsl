@@ -1,0 +1,29 @@
+// Where in the shown light's map the kernel of each pixel is centred, and whether it reads a texel there.
+#include "lib/surface.glsl"
+layout(location = 0) out vec4 coordinates_out;  // u, v, layer among the light's views, 1: reads
+
+bool reads_map(Receiver r) {
+    if (!r.surface.receives || r.geometric_n_dot_l <= 0.0 || r.where >= BEHIND) return false;
+#if map_far_guard
+    if (r.where == OUTSIDE_FAR) return false;
+#endif
+    vec2 at = r.uvd_offset.xy;
+#if map_wrap == map_wrap_range
+    return !any(lessThan(at, vec2(0.0))) && !any(greaterThan(at, vec2(1.0)));
+#elif map_wrap == map_wrap_border
+    // A kernel centred outside still reads the texels that it reaches.
+    vec2 reach = vec2(KERNEL_REACH / float(map_resolution));
+    return all(greaterThan(at, -reach)) && all(lessThan(at, 1.0 + reach));
+#else
+    return true;
+#endif
+}
+
+void main() {
+#ifdef MASKED
+    if (masked_out()) discard;
+#endif
+    Receiver r = make_receiver(make_surface(), LIGHT_INDEX);
+    bool reads = reads_map(r);
+    coordinates_out = reads ? vec4(r.uvd_offset.xy, float(r.layer - LIGHT_FIRST_VIEW[LIGHT_INDEX]), 1.0) : vec4(0.0);
+}
