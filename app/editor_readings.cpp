@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "renderer/techniques.h"
 #include "ui/panels.h"
 
 namespace si {
@@ -102,10 +101,7 @@ bool EditorReadings::update_links(Renderer& renderer, const EditorState& state, 
     if (links_of_ == frame_) return false;
     links_of_ = frame_;
     map_coordinates_ = renderer.read_float(result.map_coordinates, 4);
-    const auto kernels = filters();
-    const auto kernel = std::size_t(std::clamp(state.settings.filter.kernel, 0, int(kernels.size()) - 1));
-    usage_.emplace(map_coordinates_, result.map_resolution, kernels[kernel].reach_texels,
-                   MapWrap(state.settings.map.wrap), shown_face(state.settings, result));
+    usage_ = texel_usage(map_coordinates_, state.settings, result.map_resolution, shown_face(state.settings, result));
     return true;
 }
 

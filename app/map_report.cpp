@@ -15,7 +15,7 @@ Json histogram_json(const DepthHistogram& h) {
 
 }  // namespace
 
-std::optional<MapFacts> map_facts(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request) {
+std::optional<MapReport> map_report(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request) {
     settings.view.map_source = static_cast<int>(MapSource::Light);
     request.outputs = {.colour = false, .shadow_map = true, .map_coordinates = true};
     request.timing = request.force = false;
@@ -23,7 +23,7 @@ std::optional<MapFacts> map_facts(Renderer& renderer, const Scene& scene, Settin
     if (!frame.map_view.texture) return std::nullopt;
     const FloatImage coordinates = renderer.read_float(frame.map_coordinates, 4);
     const FloatImage depth = renderer.read_map_view_depth();
-    MapFacts facts;
+    MapReport facts;
     facts.light = settings.view.light;
     const auto& views = frame.lights[std::size_t(facts.light)].views;
     facts.face = std::clamp(settings.view.face, 0, int(views.size()) - 1);
@@ -40,7 +40,7 @@ std::optional<MapFacts> map_facts(Renderer& renderer, const Scene& scene, Settin
     return facts;
 }
 
-Json map_facts_json(const MapFacts& facts) {
+Json map_report_json(const MapReport& facts) {
     const DepthStatistics& d = facts.depth;
     Json json = {{"light", facts.light},
                  {"face", facts.face},

@@ -1,4 +1,4 @@
-// What the shown light's map holds, and how much of it the picture reads.
+// What the shown light's map holds, and how much of it the picture reads, for reports.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@
 
 namespace si {
 
-struct MapFacts {
+struct MapReport {
     int light = 0, face = 0, resolution = 0;
     TexelUsage usage;                  ///< of the shown face
     std::vector<double> utilisations;  ///< of each face
@@ -20,8 +20,8 @@ struct MapFacts {
 };
 
 /// Draws what it takes; `request` gives the size of the picture. Nothing when the light of view.light has no map.
-std::optional<MapFacts> map_facts(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request);
+std::optional<MapReport> map_report(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request);
 
-nlohmann::ordered_json map_facts_json(const MapFacts& facts);
+nlohmann::ordered_json map_report_json(const MapReport& facts);
 
 }  // namespace si

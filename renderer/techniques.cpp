@@ -48,6 +48,10 @@ constexpr Overlay kOverlays[] = {
      .file = "overlays/normals.glsl", .scalar = false},
     {.key = "non-finite", .label = "NaN and Inf", .unit = "", .help = "Fragments whose shadow test meets a NaN or an infinite value (magenta).",
      .file = "overlays/non_finite.glsl", .scalar = false},
+    {.key = "wireframe", .label = "Wireframe", .unit = "", .help = "The edges of the triangles that the camera sees.",
+     .file = "overlays/wireframe.glsl", .scalar = false, .draw = OverlayDraw::Edges},
+    {.key = "overdraw", .label = "Overdraw", .unit = "fragments", .help = "Fragments that the triangles at each pixel make, hidden ones included: what shading costs before the depth test helps.",
+     .file = "overlays/overdraw.glsl", .min = 0, .max = 8, .draw = OverlayDraw::Count},
 };
 
 template <typename Row, std::size_t N>

@@ -19,6 +19,10 @@ struct Filter {
     int sampler_taps = 1;      ///< texture calls per light with method sampler
 };
 
+/// How an overlay's values come about: per visible fragment, along the edges of all triangles, or as a count of
+/// every fragment whatever its depth.
+enum class OverlayDraw { Fragments, Edges, Count };
+
 /// An overlay. Its file defines `vec4 overlay(Receiver r)`; scalars in x, NaN where undefined.
 struct Overlay {
     std::string_view key, label, unit, help;
@@ -27,6 +31,7 @@ struct Overlay {
     double min = 0, max = 1;    ///< colour scale when view.overlay_range is declared
     bool diverging = false;     ///< the scale is centred on zero
     bool reads_visibility = false;  ///< asks for the visibility texture
+    OverlayDraw draw = OverlayDraw::Fragments;
 };
 
 std::span<const Filter> filters();

@@ -47,7 +47,7 @@ void run_overview(const OverviewOptions& options) {
     const Session session = open_session(options.session);
     FrameResult frame;
     DriverInfo driver;
-    std::optional<MapFacts> map;
+    std::optional<MapReport> map;
     {
         const HeadlessContext context;
         Renderer renderer;
@@ -63,7 +63,7 @@ void run_overview(const OverviewOptions& options) {
         request.timing = request.force = true;
         frame = renderer.render(session.scene, session.settings, request);
         driver = renderer.driver();
-        map = map_facts(renderer, session.scene, session.settings, request);
+        map = map_report(renderer, session.scene, session.settings, request);
     }
     // The editor has a context of its own, so this one has to be gone.
     draw_editor(options, session, file("editor.png"));

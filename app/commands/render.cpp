@@ -51,8 +51,8 @@ void run_render(const RenderOptions& options) {
         auto report = report_json(session, view.key, request, frame, renderer.driver());
         const PaneGrid grid = picture_grid(session.settings, request.width, request.height);
         request.width = grid.width, request.height = grid.height;
-        const auto map = map_facts(renderer, session.scene, session.settings, request);
-        report["shadow_map"] = map ? map_facts_json(*map) : nlohmann::ordered_json(nullptr);
+        const auto map = map_report(renderer, session.scene, session.settings, request);
+        report["shadow_map"] = map ? map_report_json(*map) : nlohmann::ordered_json(nullptr);
         write_file(options.report, json_text(report));
     }
     print_notes(session.notes);

@@ -25,6 +25,36 @@ std::vector<gl::Define> overlay_defines(const FrameState& f, const Overlay& row)
     return out;
 }
 
+/// The state in which an overlay's triangles are drawn, put back at the end.
+class DrawState {
+public:
+    DrawState(OverlayDraw draw, bool reversed) : draw_(draw) {
+        if (draw == OverlayDraw::Edges) {
+            glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+            glDepthMask(GL_FALSE);
+            glEnable(GL_POLYGON_OFFSET_LINE);  // in front of the faces that they bound
+            glPolygonOffset(reversed ? 1.f : -1.f, reversed ? 4.f : -4.f);
+        } else if (draw == OverlayDraw::Count) {
+            glDisable(GL_DEPTH_TEST);
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_ONE, GL_ONE);
+        }
+    }
+    ~DrawState() {
+        if (draw_ == OverlayDraw::Fragments) return;
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        glDisable(GL_POLYGON_OFFSET_LINE);
+        glDepthMask(GL_TRUE);
+        glEnable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
+    }
+    DrawState(const DrawState&) = delete;
+    DrawState& operator=(const DrawState&) = delete;
+
+private:
+    OverlayDraw draw_;
+};
+
 Pass values_pass(FrameState& f, const ShownPane& pane) {
     Pass pass;
     pass.name = slot_name("overlay values", pane);
@@ -36,6 +66,8 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
         pass.unneeded = "no overlay is chosen";
         return pass;
     }
+    // Where nothing writes depth, it has to be there.
+    if (pane.row()->draw != OverlayDraw::Fragments) pass.reads.push_back("camera depth");
     PaneTargets& t = f.gl.panes[std::size_t(pane.slot)];
     Key key = f.camera_key;
     key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(pane.overlay).add(f.settings.view.light);
@@ -50,6 +82,7 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
         const glm::vec4 nothing(0);
         glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &nothing.x);
         if (f.separate_visibility) glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
+        const DrawState state(pane.row()->draw, f.camera.curve.convention.reversed);
         f.draw_from_camera("passes/overlay.frag.glsl", overlay_defines(f, *pane.row()), info);
     };
     return pass;

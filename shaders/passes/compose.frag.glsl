@@ -10,7 +10,7 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 under = texelFetch(shaded, at, 0), value = texelFetch(overlay_values, at, 0);
     vec3 colour = value.rgb;
-    float opacity = value.a * scale.z;
+    float opacity = min(value.a, 1.0) * scale.z;  // counts add up alpha too
     if (scalar != 0) {
         float t = (value.x - scale.x) / max(scale.y - scale.x, 1e-30);
         colour = scale.w > 0.5 ? diverging_colour(t) : sequential_colour(t);

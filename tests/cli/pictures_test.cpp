@@ -130,6 +130,61 @@ TEST_F(Pictures, TheLinearShadowMapIsInMetres) {
     EXPECT_GT(filled, 100u);
 }
 
+TEST_F(Pictures, TheCamerasDepthIsReversedOrInMetres) {
+    const Arguments depth = with(kSmall, {"--view", "camera-depth", "--set", "camera.source=manual", "--set",
+                                          "camera.near=1", "--set", "camera.far=8"});
+    const Floats raw = read_pfm(render(with(depth, {"--set", "view.map=raw"}), "raw.pfm"));
+    const Floats metres = read_pfm(render(with(depth, {"--set", "view.map=linear"}), "metres.pfm"));
+    std::size_t drawn = 0;
+    for (std::size_t i = 0; i < raw.values.size(); ++i) {
+        ASSERT_NEAR(metres.values[i], 8 / (1 + raw.values[i] * 7), 1e-4);
+        drawn += raw.values[i] > 0;
+    }
+    EXPECT_GT(drawn, 1000u);
+    EXPECT_LT(drawn, raw.values.size()) << "beyond 8 m nothing is drawn";
+}
+
+TEST_F(Pictures, AProbeMeansAPixelOfThePictureWithItsPanes) {
+    const Arguments panes = {"boxes", "--size", "322x182", "--set", "view.panes=four", "--set", "view.overlay=n-dot-l"};
+    const auto probe = [&](const char* pixel, Arguments of) {
+        return run_program(with({"probe", "--pixel", pixel, "--json"}, of), folder_);
+    };
+    const Json below = Json::parse(probe("242,152", panes).out);  // 80,60 of the pane at 162,92
+    const Json alone = Json::parse(probe("80,60", {"boxes", "--size", "160x90"}).out);
+    EXPECT_EQ(below["x"], 242);
+    EXPECT_EQ(below["position_ws"], alone["position_ws"]);
+    const ProcessResult between = probe("160,20", panes);
+    EXPECT_EQ(between.code, 2);
+    EXPECT_NE(between.err.find("between two panes"), std::string::npos) << between.err;
+}
+
+TEST_F(Pictures, TheReportTellsWhatTheMapHoldsAndHowMuchIsRead) {
+    const auto report = [&](const Arguments& more) {
+        render(with(with(kSmall, {"--report", "r.json"}), more), "a.png");
+        return Json::parse(file_bytes(folder_ / "r.json"))["shadow_map"];
+    };
+    const Json wide = report({});
+    const double share = wide["utilisation"];
+    EXPECT_GT(share, 0.05);
+    EXPECT_LT(share, 1);
+    EXPECT_EQ(wide["resolution"], 256);
+    EXPECT_EQ(wide["drawn_texels"].get<int>() + wide["empty_texels"].get<int>(), 256 * 256);
+    EXPECT_LT(wide["stored_range"][0], wide["stored_range"][1]);
+    for (const char* histogram : {"histogram_raw", "histogram_linear"}) {
+        int sum = 0;
+        for (const Json& count : wide[histogram]["counts"]) sum += count.get<int>();
+        EXPECT_EQ(sum, wide["drawn_texels"]) << histogram;
+    }
+    // A wider kernel reads more, a finer map is read less.
+    EXPECT_GT(report({"--set", "filter.kernel=pcf9"})["utilisation"], share);
+    EXPECT_LT(report({"--set", "map.resolution=1024"})["utilisation"], share);
+    const Json point = report({"--set", "light.type=point", "--set", "view.face=3"});
+    ASSERT_EQ(point["utilisation_of_faces"].size(), 6u);
+    EXPECT_EQ(point["utilisation_of_faces"][3], point["utilisation"]);
+    EXPECT_EQ(point["face"], 3);
+    EXPECT_TRUE(report({"--set", "light.cast=false"}).is_null());
+}
+
 TEST_F(Pictures, SamePresetSameBytes) {
     ASSERT_EQ(run_program({"preset", "save", "stage", "-o", "p.json", "--set", "filter.kernel=pcf5", "--set",
                            "bias.slope=2", "--about", "wide kernel"},
@@ -187,6 +242,7 @@ TEST_F(Pictures, WithoutACommandOrDisplayEverythingIsDrawn) {
     EXPECT_NE(r.out.find("no display"), std::string::npos);
     EXPECT_NE(r.out.find("shadow map 0"), std::string::npos);
     EXPECT_NE(r.out.find("triangles"), std::string::npos);
+    EXPECT_NE(r.out.find("the picture reads"), std::string::npos);
 }
 
 TEST_F(Pictures, NothingIsRepairedSilently) {

@@ -2,8 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <stb/stb_image.h>
+
+#include "app/views.h"
 #include "renderer/value_range.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/process.h"
 
 namespace si {
 namespace {
@@ -106,6 +110,40 @@ TEST_F(PanesTest, FittedRangesFollowThePicture) {
     const FrameResult difference = frame(scene, settings);
     EXPECT_EQ(difference.overlay_min, -difference.overlay_max);
     EXPECT_GT(difference.overlay_max, 0);
+}
+
+TEST_F(PanesTest, AFileHoldsAllPanesSideBySide) {
+    const Scene scene = load_scene("boxes");
+    const auto folder = fresh_test_folder();
+    for (const char* panes : {"one", "two", "four"}) {
+        const Settings s = settings_for(scene, {{"view.panes", panes},
+                                                {"view.overlay", "n-dot-l"},
+                                                {"view.overlay_2", "light-uv"},
+                                                {"view.overlay_4", "normals"},
+                                                {"view.slabs", "stored"}});
+        const std::string path = (folder / (std::string(panes) + ".png")).string();
+        const FrameRequest request{.width = 323, .height = 181};
+        write_view(renderer, scene, s, request, find_view("shaded"), path);
+        int width = 0, height = 0;
+        const std::unique_ptr<stbi_uc, void (*)(void*)> whole(stbi_load(path.c_str(), &width, &height, nullptr, 4),
+                                                              stbi_image_free);
+        ASSERT_TRUE(whole) << path;
+        ASSERT_EQ(glm::ivec2(width, height), glm::ivec2(323, 181)) << "the size asked for is that of the whole picture";
+        const PaneGrid grid = picture_grid(s, width, height);
+        const FrameResult f = renderer.render(scene, s, {.width = grid.width, .height = grid.height});
+        EXPECT_DOUBLE_EQ(f.camera.aspect, double(grid.width) / grid.height);
+        ASSERT_EQ(int(f.panes.size()), grid.count());
+        for (int i = 0; i < grid.count(); ++i) {
+            const ByteImage pane = renderer.read_colour(f.panes[std::size_t(i)].picture);
+            const glm::ivec2 corner = grid.corner(i);
+            for (int y = 0; y < pane.height; ++y)
+                for (int x = 0; x < pane.width; ++x)
+                    for (int c = 0; c < 3; ++c)
+                        ASSERT_EQ(whole.get()[((corner.y + y) * width + corner.x + x) * 4 + c],
+                                  pane.data[std::size_t((y * pane.width + x) * 4 + c)])
+                            << panes << " pane " << i << " at " << x << "," << y;
+        }
+    }
 }
 
 }  // namespace

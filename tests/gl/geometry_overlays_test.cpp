@@ -1,0 +1,81 @@
+// Overlays about the triangles themselves: their edges, and how many lie over each other.
+#include "renderer/scenes/shapes.h"
+#include "tests/gl/frame_fixture.h"
+
+namespace si {
+namespace {
+
+class GeometryOverlays : public FrameTest {
+protected:
+    /// A floor of 4 x 4 m with a plate of 2 x 2 m above and one beneath, seen from straight above, 5 m high.
+    static Scene plates() {
+        Scene scene;
+        scene.name = "plates";
+        const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
+        add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(4, 4), grey));
+        add_object(scene, "Above", -1, add_mesh(scene, "Above", make_plane(2, 2), grey), moved(0, 1, 0));
+        add_object(scene, "Below", -1, add_mesh(scene, "Below", make_plane(1, 1), grey), moved(0, -1, 0));
+        finalise(scene);
+        return scene;
+    }
+    FloatImage values(const Scene& scene, const char* overlay) {
+        const Settings s = settings_for(scene, {{"view.overlay", overlay},
+                                                {"camera.source", "manual"},
+                                                {"camera.orthographic", "true"},
+                                                {"camera.height", "5"},
+                                                {"camera.elevation", "90"},
+                                                {"camera.azimuth", "0"}});
+        FrameRequest request{.width = 100, .height = 100};
+        request.outputs.overlay = true;
+        return renderer.read_float(renderer.render(scene, s, request).overlay, 4);
+    }
+};
+
+TEST_F(GeometryOverlays, OverdrawCountsEveryLayer) {
+    const FloatImage v = values(plates(), "overdraw");
+    // 20 pixels a metre, the middle at 50: three layers in the middle, hidden ones counted, none beside the floor.
+    EXPECT_EQ(v.at(52, 47), 3);
+    EXPECT_EQ(v.at(65, 50), 2);
+    EXPECT_EQ(v.at(80, 50), 1);
+    EXPECT_EQ(v.at(95, 50), 0);
+    EXPECT_EQ(v.at(95, 50, 3), 0) << "no value there";
+}
+
+TEST_F(GeometryOverlays, WireframeDrawsVisibleEdges) {
+    const FloatImage v = values(plates(), "wireframe");
+    const auto drawn_near = [&](int x, int y) {
+        bool any = false;
+        for (int d = -1; d <= 1; ++d) any |= v.at(x + d, y, 3) > 0;
+        return any;
+    };
+    EXPECT_TRUE(drawn_near(90, 63)) << "the floor's edge";
+    EXPECT_TRUE(drawn_near(70, 63)) << "the upper plate's edge";
+    EXPECT_FALSE(drawn_near(60, 57)) << "the lower plate's edge is hidden";
+    EXPECT_FALSE(drawn_near(80, 50)) << "inside of a triangle";
+    EXPECT_FALSE(drawn_near(96, 50));
+}
+
+TEST_F(GeometryOverlays, LeaveNoTraceInLaterPasses) {
+    const Scene scene = load_scene("boxes");
+    const ByteImage before = picture(scene, settings_for(scene));
+    for (const char* overlay : {"wireframe", "overdraw"}) {
+        picture(scene, settings_for(scene, {{"view.overlay", overlay}}));
+        FrameRequest again = small();
+        again.force = true;
+        EXPECT_EQ(before, picture(scene, settings_for(scene), again)) << overlay;
+        // The depth that the overlay needs is there even when nothing else of the picture is drawn.
+        HeadlessContext fresh_context;
+        Renderer fresh;
+        FrameRequest values_only = small();
+        values_only.outputs = {.colour = false, .overlay = true};
+        const Settings s = settings_for(scene, {{"view.overlay", overlay}});
+        const FloatImage alone = fresh.read_float(fresh.render(scene, s, values_only).overlay, 4);
+        const FrameRequest both{.width = 320, .height = 180, .outputs = {.overlay = true}};
+        EXPECT_EQ(alone.data, fresh.read_float(fresh.render(scene, s, both).overlay, 4).data) << overlay;
+        EXPECT_EQ(fresh.read_colour(fresh.render(scene, settings_for(scene), small()).colour), before) << overlay;
+        context.make_current();
+    }
+}
+
+}  // namespace
+}  // namespace si
