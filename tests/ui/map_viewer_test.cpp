@@ -27,6 +27,65 @@ EditorOptions options(const std::string& scene = "boxes") {
     return o;
 }
 
+/// Finds a place over a picture: the first on a coarse grid for which `found` holds after the editor has settled.
+std::optional<glm::vec2> hover(HeadlessEditor& editor, glm::vec2 from, glm::vec2 to, const auto& found) {
+    for (float y = from.y; y < to.y; y += 23) {
+        for (float x = from.x; x < to.x; x += 23) {
+            editor.mouse.at = glm::vec2(x, y);
+            for (int i = 0; i < 3; ++i) editor.frame();
+            if (found()) return editor.mouse.at;
+        }
+    }
+    return {};
+}
+
+std::size_t differing_pixels(const ByteImage& a, const ByteImage& b, int x1) {
+    std::size_t count = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < x1; ++x) {
+            const std::size_t i = (std::size_t(y) * std::size_t(a.width) + std::size_t(x)) * 4;
+            count += !std::equal(&a.data[i], &a.data[i] + 3, &b.data[i]);
+        }
+    return count;
+}
+
+TEST(MapViewer, AHoveredPixelsFootprintHoldsTheProbesTexel) {
+    HeadlessEditor editor(options());
+    editor.settle();
+    EditorState& state = editor.model().state;
+    const auto at = hover(editor, {120, 250}, {500, 380}, [&] {
+        const EditorFrame f = editor.model().facts();
+        return state.hovered_pixel && f.map_coordinates &&
+               f.map_coordinates->at(state.hovered_pixel->x, state.hovered_pixel->y, 3) > 0;
+    });
+    ASSERT_TRUE(at) << "no pixel reads the map";
+    const glm::ivec2 pixel = *state.hovered_pixel;
+    state.probe_pixel = pixel;
+    for (int i = 0; i < 3; ++i) editor.frame();
+    const EditorFrame f = editor.model().facts();
+    ASSERT_TRUE(f.probe && f.probe->hit && f.texel_usage);
+    const glm::ivec2 texel = f.probe->lights.at(0).texel;
+    EXPECT_GT(f.texel_usage->pixels(texel), 0u);
+    const auto readers = f.texel_usage->readers(texel);
+    EXPECT_NE(std::find(readers.begin(), readers.end(), pixel), readers.end());
+}
+
+TEST(MapViewer, AHoveredTexelShowsThePixelsThatReadIt) {
+    EditorOptions o = options();
+    o.settings.map.resolution = 64;  // texels that many pixels read
+    HeadlessEditor editor(o);
+    editor.settle();
+    const ByteImage before = editor.picture();
+    EditorState& state = editor.model().state;
+    const auto at = hover(editor, {560, 120}, {860, 400}, [&] {
+        const EditorFrame f = editor.model().facts();
+        return state.hovered_texel && f.texel_usage && f.texel_usage->pixels(*state.hovered_texel) > 200;
+    });
+    ASSERT_TRUE(at) << "no texel is read";
+    const std::size_t readers = editor.model().facts().texel_usage->pixels(*state.hovered_texel);
+    EXPECT_GE(differing_pixels(before, editor.picture(), 480), readers / 2) << "the scene picture shows no readers";
+}
+
 TEST(MapViewer, LinksAreReadOnlyWhileAPictureIsHovered) {
     HeadlessEditor editor(options());
     editor.settle();
@@ -46,6 +105,21 @@ TEST(MapViewer, TheHistogramCountsEveryTexel) {
     std::uint64_t counted = facts.map_facts->histogram.below + facts.map_facts->histogram.above;
     for (const std::uint64_t c : facts.map_facts->histogram.counts) counted += c;
     EXPECT_EQ(counted, s.drawn);
+}
+
+TEST(MapViewer, FittingTheGreysNarrowsTheHistogram) {
+    EditorOptions o = options();
+    o.settings.view.map_fit = true;
+    HeadlessEditor editor(o);
+    editor.settle();
+    const EditorFrame facts = editor.model().facts();
+    ASSERT_TRUE(facts.map_facts);
+    const DepthStatistics& s = facts.map_facts->statistics;
+    EXPECT_NEAR(facts.result->map_black, s.linear_min, 1e-5);
+    EXPECT_NEAR(facts.result->map_white, s.linear_max, 1e-5);
+    EXPECT_LT(facts.map_facts->histogram.lo, facts.result->map_black);
+    EXPECT_GT(facts.map_facts->histogram.hi, facts.result->map_white);
+    EXPECT_EQ(facts.map_facts->histogram.below + facts.map_facts->histogram.above, 0u);
 }
 
 TEST(MapViewer, SavesTheStoredDepth) {
@@ -72,6 +146,18 @@ TEST(MapViewer, SavesTheStoredDepth) {
     actions.save_map = (std::filesystem::path(SI_TEST_OUTPUT_DIR) / "map.txt").string();
     editor.model().fulfil(actions);
     EXPECT_NE(editor.model().state.log.lines().back().text.find(".png"), std::string::npos);
+}
+
+TEST(MapViewer, TheCamerasDepthIsShownInItsOwnShape) {
+    EditorOptions o = options("plane");
+    o.settings.view.map_source = int(MapSource::Camera);
+    HeadlessEditor editor(o);
+    editor.settle();
+    const FrameResult& result = *editor.model().facts().result;
+    EXPECT_EQ(result.map_view_size, glm::ivec2(result.colour.width, result.colour.height));
+    EXPECT_TRUE(result.map_view_curve.convention.reversed);
+    EXPECT_DOUBLE_EQ(result.map_view_curve.near, result.camera.curve.near);
+    write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "camera_depth.png", editor.picture());
 }
 
 TEST(MapViewer, LostCastersAreFacts) {
