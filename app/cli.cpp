@@ -32,6 +32,7 @@ struct Options {
     OverviewOptions overview;
     ContactSheetOptions sheet;
     EditorOptions editor;
+    int file_scene = -1;
     bool json = false, check = false;
 };
 
@@ -132,7 +133,7 @@ void add_presets(CLI::App& app, Options& o, std::function<void()>& run) {
     diff->callback([&o, &run] { run = [&o] { run_preset_diff(o.file, o.other_file, o.json); }; });
 }
 
-int start_editor(Options& o) {
+void start_editor(Options& o) {
     EditorOptions& e = o.editor;
     if (e.headless && e.screenshot.empty()) throw UsageError("edit --headless: --screenshot F.png is missing");
     if (!e.headless && !e.screenshot.empty()) throw UsageError("edit --screenshot: only together with --headless");
@@ -152,13 +153,9 @@ int start_editor(Options& o) {
     }
     if (!o.probe.pixel.empty())
         std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe.pixel, {e.width, e.height}, "--probe");
-    const Session session = open_session(o.session);
-    e.scene = session.scene_name;
-    e.settings = session.settings;
+    e.session = o.session;
     if (lower_extension(o.session.preset) == ".json") e.preset = o.session.preset;
-    const int code = run_editor(e);
-    print_notes(session.notes);
-    return code;
+    print_notes(run_editor(e));
 }
 
 void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
@@ -170,9 +167,7 @@ void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_option("--probe", o.probe.pixel, "Probe this pixel of the scene's picture at the start")->type_name("X,Y");
     c->add_option("--tab", o.editor.tab, "The tab in front at the start: passes, probe, objects or log");
     c->callback([&o, &run] {
-        run = [&o] {
-            if (start_editor(o) != 0) throw Error("the editor ended with an error");
-        };
+        run = [&o] { start_editor(o); };
     });
 }
 
@@ -183,8 +178,11 @@ void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
 
     auto* scene = app.add_subcommand("scene", "Say what is in a scene, and what of its file was dropped and why");
     scene->add_option("SCENE", o.session.scene, kSceneHelp)->required();
+    scene->add_option("--index", o.file_scene, "Which scene of a glTF file, from 0 (default: the file's own default)")
+        ->check(CLI::Range(0, 9999))
+        ->type_name("N");
     scene->add_flag("--json", o.json, "As JSON");
-    scene->callback([&o, &run] { run = [&o] { run_scene(o.session.scene, o.json); }; });
+    scene->callback([&o, &run] { run = [&o] { run_scene(o.session.scene, o.file_scene, o.json); }; });
 
     auto* sheet = app.add_subcommand("contact-sheet", "Draw every model below a folder into one picture");
     sheet->add_option("FOLDER", o.sheet.folder, "Where to look for .gltf and .glb files")->required();
@@ -200,8 +198,10 @@ void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
         };
     });
 
-    auto* out = app.add_subcommand("export", "Write a scene as glTF");
-    out->add_option("SCENE", o.session.scene, kSceneHelp)->required();
+    auto* out = app.add_subcommand("export",
+                                   "Write a scene as glTF: the moment and the scene of the file that the settings "
+                                   "choose, and what else --preset and --set choose as its suggested settings");
+    add_session_options(*out, o, true);
     out->add_option("-o,--output", o.output, "The file: .gltf (one file, buffers inside) or .glb")
         ->required()
         ->type_name("FILE");

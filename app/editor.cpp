@@ -62,7 +62,7 @@ private:
     std::vector<WindowContext::KeyPress> keys_;
 };
 
-int run_window(const EditorOptions& options) {
+std::vector<std::string> run_window(const EditorOptions& options) {
     WindowContext window("Shadow Inspector", options.width, options.height);
     ImGuiSession imgui(options.scale > 0 ? float(options.scale) : window.content_scale());
     const WindowInput input(window);
@@ -103,17 +103,18 @@ int run_window(const EditorOptions& options) {
             window.set_title(titled + " - Shadow Inspector");
         }
     }
-    return 0;
+    return model.notes();
 }
 
 }  // namespace
 
-int run_editor(const EditorOptions& options) {
+std::vector<std::string> run_editor(const EditorOptions& options) {
     if (!options.headless) return run_window(options);
     HeadlessEditor editor(options);
     editor.settle();
+    editor.model().require_scene();
     write_png(options.screenshot, editor.picture());
-    return 0;
+    return editor.model().notes();
 }
 
 }  // namespace si

@@ -3,16 +3,14 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
-#include "renderer/settings.h"
+#include "app/session.h"
 
 namespace si {
 
 struct EditorOptions {
-    std::string scene;             ///< built-in key or path; empty: the default scene
-    Settings settings;             ///< already composed of scene suggestions, preset and --set
-    bool use_suggested = true;     ///< `settings` began with the scene's suggestions; false: with a preset, whose
-                                   ///< values all count as chosen when another scene is opened
+    SessionOptions session;        ///< the first scene and its settings
     std::filesystem::path preset;  ///< where Ctrl+S saves; may be empty
     bool headless = false;         ///< draw through EGL and write `screenshot`; needs no display
     std::filesystem::path screenshot;
@@ -22,8 +20,9 @@ struct EditorOptions {
     std::string tab;                 ///< passes, probe, objects or log in front at the start; empty: passes
 };
 
-/// Runs until the window is closed, or until the screenshot is written. Returns the exit code.
-/// @throws Error when there is no display, no OpenGL 4.5, or a file cannot be read or written.
-int run_editor(const EditorOptions& options);
+/// Runs until the window is closed, or until the screenshot is written. Returns remarks about the first scene.
+/// @throws Error when there is no display, no OpenGL 4.5, the screenshot's scene cannot be read, or a file cannot be
+/// written.
+std::vector<std::string> run_editor(const EditorOptions& options);
 
 }  // namespace si

@@ -13,7 +13,6 @@
 #include "app/views.h"
 #include "renderer/error.h"
 #include "renderer/param.h"
-#include "renderer/scenes/builtin.h"
 #include "ui/panels.h"
 
 namespace si {
@@ -75,14 +74,10 @@ std::string command_line(const Scene& scene, const Settings& settings, int width
     return text;
 }
 
-EditorModel::EditorModel(const EditorOptions& options, SceneReader read) : loading_(std::move(read)) {
-    const std::string scene = options.scene.empty() ? std::string(builtin_scenes().front().key) : options.scene;
-    scene_ = si::load_scene(scene);
-    posed_ = options.settings.scene;
-    if (const std::string remark = pose_scene(scene_, posed_); !remark.empty()) state.log.add(LogKind::Warning, remark);
-    base_ = options.use_suggested ? base_settings(scene_) : Settings{};
-    state.scene_name = scene;
-    state.settings = options.settings;
+EditorModel::EditorModel(const EditorOptions& options, SceneReader read)
+    : strict_(options.headless), loading_(std::move(read)) {
+    SessionPlan plan = plan_session(options.session);
+    state.settings = base_ = plan.settings;
     state.history.reset(state.settings);
     if (!options.preset.empty()) state.preset_path = options.preset.string();
     if (options.probe_x >= 0 && options.probe_y >= 0) {
@@ -90,14 +85,17 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read) : loadi
         state.open_tab = BottomTab::Probe;
     }
     if (!options.tab.empty()) state.open_tab = tab_named(options.tab);
-    state.log.add(LogKind::Info,
-                  fmt::format("{}: {} objects, {} triangles", scene, scene_.objects.size(), scene_.triangle_count()));
-    for (const std::string& warning : scene_.warnings) state.log.add(LogKind::Warning, warning);
+    start_loading(std::move(plan), {});
+}
+
+void EditorModel::require_scene() const {
+    if (failure_) std::rethrow_exception(failure_);
+    if (!has_scene_) throw Error("there is no scene");
 }
 
 EditorFrame EditorModel::facts() const {
     EditorFrame f;
-    f.scene = &scene_;
+    f.scene = has_scene_ ? &scene_ : nullptr;
     f.driver = drawn_ ? &renderer_.driver() : nullptr;
     f.result = drawn_ ? &result_ : nullptr;
     readings_.fill(f);
@@ -130,61 +128,112 @@ void EditorModel::finish_loading() {
 }
 
 void EditorModel::cancel_loading() {
-    if (const std::string name = loading_.wanted(); !name.empty())
-        state.log.add(LogKind::Info, fmt::format("Cancelled: {} was not loaded", name));
+    if (const std::string name = loading_.wanted(); !name.empty()) {
+        const std::string text = fmt::format("Cancelled: {} was not loaded", name);
+        state.log.add(LogKind::Info, text);
+        if (!has_scene_) problem_ = text;
+    }
     loading_.cancel();
-    arrival_.reset();
 }
 
-void EditorModel::start_loading(const std::string& name_or_path, std::optional<Arrival> arrival) {
+void EditorModel::keep_scene() {
+    if (!has_scene_ || state.settings.scene.index == file_scene_) return;
+    const Settings before = state.settings;
+    state.settings.scene.index = seen_index_ = file_scene_;
+    state.history.follow(before, state.settings);
+}
+
+void EditorModel::start_loading(Arrival arrival) {
     cancel_loading();
-    loading_.start(name_or_path);
+    if (!has_scene_) problem_.clear();
+    loading_.start(arrival.scene_name, arrival.file_scene);
     arrival_ = std::move(arrival);
+}
+
+void EditorModel::start_loading(SessionPlan plan, std::string remark) {
+    Arrival arrival{plan.scene_name, plan.settings.scene.index, {}, std::move(remark)};
+    arrival.plan = std::move(plan);
+    start_loading(std::move(arrival));
 }
 
 bool EditorModel::poll_loading() {
     if (!loading_.ended()) return false;
     std::optional<SceneLoading::Outcome> outcome = loading_.poll();
     if (!outcome) return true;
-    const std::optional<Arrival> arrival = std::exchange(arrival_, {});
     try {
         if (!outcome->scene) throw Error(outcome->error);
-        show_scene(std::move(*outcome->scene), outcome->name);
-        if (arrival) {
-            state.settings = arrival->settings;
-            state.log.add(LogKind::Info, arrival->remark);
-        }
+        show_scene(std::move(*outcome->scene), arrival_);
     } catch (const std::exception& e) {
+        if (!has_scene_) {
+            problem_ = e.what();
+            failure_ = std::current_exception();
+        }
+        keep_scene();
         report(e.what());
     }
     return true;
 }
 
-void EditorModel::show_scene(Scene loaded, const std::string& name_or_path) {
-    const Settings base = base_settings(loaded);
-    posed_ = {};
-    state.settings = rebased(state.settings, base_, base);
-    scene_ = std::move(loaded);
-    base_ = base;
-    state.scene_name = name_or_path;
-    state.probe_pixel.reset();
-    state.map_window = {};
-    state.log.add(LogKind::Info, fmt::format("{}: {} objects, {} triangles", name_or_path, scene_.objects.size(),
+Settings EditorModel::base_of_scene() const {
+    return suggests_ ? base_settings(scene_) : Settings{};
+}
+
+void EditorModel::show_scene(Scene loaded, const Arrival& arrival) {
+    const bool first = !has_scene_;
+    std::vector<std::string> left_out, notes;
+    if (arrival.plan) {
+        Session session = compose_session(*arrival.plan, std::move(loaded), first && strict_ ? nullptr : &left_out);
+        // What was changed by hand while the first scene was being read is kept.
+        state.settings = first ? rebased(state.settings, base_, session.settings) : session.settings;
+        suggests_ = !arrival.plan->preset;
+        scene_ = std::move(session.scene);
+        notes = std::move(session.notes);
+        base_ = base_of_scene();
+    } else {
+        const Settings base = base_settings(loaded);
+        state.settings = rebased(state.settings, base_, base);
+        suggests_ = true;
+        scene_ = std::move(loaded);
+        for (const std::string& warning : scene_.warnings) notes.push_back(warning);
+        base_ = base;
+    }
+    state.settings.scene.index = file_scene_ = seen_index_ = arrival.file_scene;
+    posed_ = state.settings.scene;
+    has_scene_ = true;
+    failure_ = nullptr;
+    problem_.clear();
+    state.scene_name = arrival.scene_name;
+    state.playback.playing = false;
+    if (first) {
+        state.history.reset(state.settings);
+        notes_ = notes;
+    } else {
+        state.probe_pixel.reset();
+        state.map_window = {};
+    }
+    state.log.add(LogKind::Info, fmt::format("{}: {} objects, {} triangles", state.scene_name, scene_.objects.size(),
                                              scene_.triangle_count()));
-    for (const std::string& warning : scene_.warnings) state.log.add(LogKind::Warning, warning);
+    for (const std::string& note : notes) state.log.add(LogKind::Warning, note);
+    for (const std::string& text : left_out) report(text);
+    if (!arrival.remark.empty()) state.log.add(LogKind::Info, arrival.remark);
 }
 
 void EditorModel::load_preset_file(const std::string& name_or_path) {
-    const Preset preset = si::load_preset(name_or_path);
+    SessionPlan plan = plan_session({.scene = {}, .preset = name_or_path, .sets = {}});
+    const std::string& about = plan.preset->about;
     const std::string remark =
-        preset.about.empty() ? "Opened " + name_or_path : fmt::format("Opened {}: {}", name_or_path, preset.about);
-    if (!preset.scene.empty() && preset.scene != state.scene_name) {
-        start_loading(preset.scene, Arrival{preset.settings, remark});
-        return;
-    }
-    if (!preset.scene.empty()) cancel_loading();  // it belongs to the scene that is shown
-    state.settings = preset.settings;
+        about.empty() ? "Opened " + name_or_path : fmt::format("Opened {}: {}", name_or_path, about);
+    const bool has_own_scene = !plan.preset->scene.empty();
+    const bool shown = plan.scene_name == state.scene_name && plan.settings.scene.index == file_scene_;
+    if (has_own_scene && !shown) return start_loading(std::move(plan), remark);
+    if (has_own_scene) cancel_loading();  // it belongs to the scene that is shown
+    std::vector<std::string> left_out;
+    if (has_scene_) check_objects(scene_, plan.settings, name_or_path, &left_out);
+    state.settings = plan.settings;
+    suggests_ = false;
+    base_ = base_of_scene();
     state.log.add(LogKind::Info, remark);
+    for (const std::string& text : left_out) report(text);
 }
 
 void EditorModel::save_preset_file(const std::filesystem::path& path) {
@@ -197,7 +246,7 @@ void EditorModel::open(const std::filesystem::path& path) {
         if (path.extension() == ".json")
             load_preset_file(path.string());
         else
-            start_loading(path.string());
+            start_loading({.scene_name = path.string()});
     } catch (const std::exception& e) {
         report(e.what());
     }
@@ -207,14 +256,23 @@ bool EditorModel::poll_shaders() {
     return shaders_changed_ = renderer_.shaders_changed() || shaders_changed_;
 }
 
+void EditorModel::follow_file_scene() {
+    const int wanted = seen_index_ = state.settings.scene.index;
+    if (wanted == file_scene_)
+        cancel_loading();
+    else
+        start_loading({.scene_name = state.scene_name, .file_scene = wanted});
+}
+
 void EditorModel::follow_time() {
-    if (state.settings.scene == posed_) return;
     posed_ = state.settings.scene;
     if (const std::string remark = pose_scene(scene_, posed_); !remark.empty()) state.log.add(LogKind::Warning, remark);
-    const Settings base = base_settings(scene_);
+    const Settings base = base_of_scene();
+    const Settings before = state.settings;
     for (const SettingRef& ref : all_settings(base))
         if (ref.param->scope == Scope::Light && get_value(state.settings, ref) == get_value(base_, ref))
             set_value(state.settings, ref, get_value(base, ref));
+    if (state.settings != before) state.history.follow(before, state.settings);
     base_ = base;
 }
 
@@ -227,6 +285,7 @@ bool EditorModel::draw_scene(const EditorActions& actions) {
     wanted.outputs.overlay = true;
     wanted.outputs.map_coordinates = actions.want_links;
     wanted.timing = actions.want_timing;
+    if (!has_scene_) return false;
     const bool same = drawn_ && !shaders_changed_ && wanted.width == request_.width &&
                       wanted.height == request_.height && wanted.outputs == request_.outputs &&
                       wanted.timing == request_.timing && drawn_settings_ == state.settings &&
@@ -272,18 +331,19 @@ bool EditorModel::fulfil(const EditorActions& actions) {
         }
         changed = true;
     };
-    if (actions.cancel_load) attempt([&] { cancel_loading(); });
-    if (actions.load_scene) attempt([&] { start_loading(*actions.load_scene); });
+    if (actions.cancel_load) attempt([&] { cancel_loading(), keep_scene(); });
+    if (actions.load_scene) attempt([&] { start_loading({.scene_name = *actions.load_scene}); });
     if (actions.load_preset) attempt([&] { load_preset_file(*actions.load_preset); });
     if (actions.save_preset) attempt([&] { save_preset_file(*actions.save_preset); });
     if (actions.save_map) attempt([&] { save_map(*actions.save_map); });
-    if (actions.copy_command_line) {
+        if (actions.copy_command_line && has_scene_) {
         const std::string text = command_line(scene_, state.settings, request_.width, request_.height);
         ImGui::SetClipboardText(text.c_str());
         state.log.add(LogKind::Info, "Copied: " + text);
         changed = true;
     }
-    if (state.settings.scene != posed_) attempt([&] { follow_time(); });
+    if (has_scene_ && state.settings.scene.index != seen_index_) attempt([&] { follow_file_scene(); });
+    if (has_scene_ && state.settings.scene != posed_) attempt([&] { follow_time(); });
     const bool drawn = draw_scene(actions);
     try {
         if (drawn_)

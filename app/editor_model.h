@@ -1,13 +1,16 @@
 // What stands behind the editor's panels: scene, settings, renderer and the last frame's facts.
 #pragma once
 
+#include <exception>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/editor.h"
 #include "app/editor_readings.h"
 #include "app/scene_loading.h"
+#include "app/session.h"
 #include "renderer/renderer.h"
 #include "ui/editor_ui.h"
 
@@ -22,8 +25,8 @@ std::string command_line(const Scene& scene, const Settings& settings, int width
 /// Needs a current OpenGL context all its life.
 class EditorModel {
 public:
-    /// Waits for the first scene. `read` reads the later ones; empty: load_scene(). @throws Error when the scene cannot
-    /// be loaded.
+    /// Starts to read the first scene. `read` makes scenes; empty: load_scene(). @throws UsageError, Error for what is
+    /// wrong with the options themselves.
     explicit EditorModel(const EditorOptions& options, SceneReader read = {});
 
     EditorState state;
@@ -44,18 +47,31 @@ public:
     bool loading_moved() const;
     /// Waits for the scene that is being read and switches to it.
     void finish_loading();
+    /// @throws Error why there is no scene, or (headless) what of the options the first one lacks.
+    void require_scene() const;
+    /// Remarks about the first scene.
+    const std::vector<std::string>& notes() const { return notes_; }
 
 private:
-    /// What a preset brings once its scene is there.
+    /// What to do with a scene once it is there. Without a plan, what was changed by hand is kept.
     struct Arrival {
-        Settings settings;
-        std::string remark;
+        std::string scene_name;
+        int file_scene = -1;
+        std::optional<SessionPlan> plan = {};
+        std::string remark = {};
     };
-    void start_loading(const std::string& name_or_path, std::optional<Arrival> arrival = {});
+    void start_loading(Arrival arrival);
+    void start_loading(SessionPlan plan, std::string remark);
     void cancel_loading();
+    /// What was being read will not come: scene.index is again that of what is shown.
+    void keep_scene();
     /// Switches to the scene once it is read. Returns whether anything happened.
     bool poll_loading();
-    void show_scene(Scene loaded, const std::string& name_or_path);
+    void show_scene(Scene loaded, const Arrival& arrival);
+    /// What the present scene's settings are when nothing is chosen; program defaults under a preset.
+    Settings base_of_scene() const;
+    /// Reads the scene of the file that scene.index chooses.
+    void follow_file_scene();
     void load_preset_file(const std::string& name_or_path);
     void save_preset_file(const std::filesystem::path& path);
     /// Moves the scene to the moment that the settings name, and what it suggests along with it.
@@ -66,11 +82,18 @@ private:
 
     Renderer renderer_;
     Scene scene_;
+    bool has_scene_ = false;
+    bool suggests_ = true;  ///< the settings began with the scene's suggestions, not with a preset
+    bool strict_ = false;   ///< what the first scene lacks is an error, and not just left out
+    std::exception_ptr failure_;
+    std::vector<std::string> notes_;
     Settings base_;
     SceneSettings posed_;
+    int file_scene_ = -1;   ///< scene.index of what is shown
+    int seen_index_ = -1;   ///< scene.index as last acted upon
     std::vector<PresetEntry> presets_;
     SceneLoading loading_;
-    std::optional<Arrival> arrival_;
+    Arrival arrival_;
     mutable int shown_percent_ = -1;  ///< of loading, as last told to the editor
 
     FrameRequest request_;

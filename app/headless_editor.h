@@ -14,7 +14,7 @@ namespace si {
 
 class HeadlessEditor {
 public:
-    /// @throws Error when there is no OpenGL, the scene cannot be loaded, or the size cannot be drawn.
+    /// Starts to read the first scene. @throws Error when there is no OpenGL, or the size cannot be drawn.
     explicit HeadlessEditor(const EditorOptions& options, SceneReader read = {});
     ~HeadlessEditor();
 

@@ -12,6 +12,7 @@ namespace si {
 
 struct SceneLoading::Job {
     std::string name;
+    int file_scene = -1;
     std::atomic<bool> cancelled{false};
     std::atomic<double> progress{0};
     std::future<Scene> scene;  ///< last: its destructor joins the thread, which uses the others
@@ -25,11 +26,13 @@ SceneLoading::~SceneLoading() {
     cancel();
 }
 
-void SceneLoading::launch(const std::string& name_or_path) {
+void SceneLoading::launch(const Wish& wish) {
     auto job = std::make_unique<Job>();
-    job->name = name_or_path;
+    job->name = wish.name;
+    job->file_scene = wish.file_scene;
     job->scene = std::async(std::launch::async, [&state = *job, read = read_] {
         GltfOptions options;
+        options.scene = state.file_scene;
         options.progress = [&state](double fraction) {
             state.progress = fraction;
             return !state.cancelled;
@@ -41,12 +44,13 @@ void SceneLoading::launch(const std::string& name_or_path) {
     job_ = std::move(job);
 }
 
-void SceneLoading::start(const std::string& name_or_path) {
+void SceneLoading::start(const std::string& name_or_path, int file_scene) {
     cancel();
+    const Wish wish{name_or_path, file_scene};
     if (job_)
-        next_ = name_or_path;
+        next_ = wish;
     else
-        launch(name_or_path);
+        launch(wish);
 }
 
 void SceneLoading::cancel() {
@@ -55,7 +59,7 @@ void SceneLoading::cancel() {
 }
 
 std::string SceneLoading::wanted() const {
-    if (next_) return *next_;
+    if (next_) return next_->name;
     return job_ && !job_->cancelled ? job_->name : std::string();
 }
 
@@ -77,8 +81,9 @@ std::optional<SceneLoading::Outcome> SceneLoading::poll() {
             return outcome;
         }
         if (!next_) return {};
-        outcome.name = *std::exchange(next_, {});
-        launch(outcome.name);
+        const Wish wish = *std::exchange(next_, {});
+        outcome.name = wish.name;
+        launch(wish);
         return {};
     } catch (const std::exception& e) {
         outcome.error = e.what();

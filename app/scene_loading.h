@@ -26,7 +26,8 @@ public:
     SceneLoading& operator=(const SceneLoading&) = delete;
 
     /// In place of what was wanted before. @throws std::system_error when there is no thread to be had.
-    void start(const std::string& name_or_path);
+    /// @param file_scene which scene of a glTF file; -1: its default
+    void start(const std::string& name_or_path, int file_scene = -1);
     /// Nothing is wanted any more.
     void cancel();
 
@@ -51,11 +52,15 @@ public:
 
 private:
     struct Job;
-    void launch(const std::string& name_or_path);
+    struct Wish {
+        std::string name;
+        int file_scene = -1;
+    };
+    void launch(const Wish& wish);
 
     SceneReader read_;
     std::unique_ptr<Job> job_;
-    std::optional<std::string> next_;  ///< wanted as soon as the cancelled job has ended
+    std::optional<Wish> next_;  ///< wanted as soon as the cancelled job has ended
 };
 
 }  // namespace si

@@ -23,7 +23,46 @@ std::string scene_of_preset(const Preset& preset, const std::string& preset_path
     return fs::exists(beside, error) ? beside.string() : preset.scene;
 }
 
+/// @throws UsageError when the scene lacks the chosen camera; with `left_out`, the first one is chosen instead.
+void check_camera(const Scene& scene, CameraSettings& camera, std::vector<std::string>* left_out) {
+    const int count = int(scene.cameras.size());
+    if (camera.index <= 0 || camera.index < count) return;
+    const std::string text = fmt::format(
+        "camera.index {}: {} has {} camera{}; {}", camera.index, scene.name, count, count == 1 ? "" : "s",
+        count == 0 ? "leave it out" : fmt::format("choose 0 to {}, or -1 to show everything", count - 1));
+    if (!left_out) throw UsageError(text);
+    left_out->push_back(text);
+    camera.index = 0;
+}
+
+GltfOptions options_of(const SessionPlan& plan) {
+    GltfOptions options;
+    options.scene = plan.settings.scene.index;
+    return options;
+}
+
 }  // namespace
+
+void check_objects(const Scene& scene, Settings& settings, const std::string& preset,
+                   std::vector<std::string>* left_out) {
+    if (settings.objects.empty()) return;
+    std::vector<std::string> paths;
+    for (const Node& node : scene.nodes) paths.push_back(node.path);
+    std::erase_if(settings.objects, [&](const auto& entry) {
+        const std::string& path = entry.first;
+        if (std::find(paths.begin(), paths.end(), path) != paths.end()) return false;
+        const std::string nearest = nearest_name(path, paths);
+        const std::string text = fmt::format("object.{}: {} has no such node{}", path, scene.name,
+                                             nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
+        if (left_out)
+            left_out->push_back(text);
+        else if (preset.empty())
+            throw UsageError(text);
+        else
+            throw Error(fmt::format("{}: {}", preset, text));
+        return true;
+    });
+}
 
 void apply_set(Settings& settings, const std::string& assignment) {
     // Node paths may hold '='; values never do.
@@ -44,21 +83,10 @@ void apply_suggested(const Scene& scene, Settings& settings) {
     }
 }
 
-void check_objects(const Scene& scene, const Settings& settings) {
-    if (settings.objects.empty()) return;
-    std::vector<std::string> paths;
-    for (const Node& node : scene.nodes) paths.push_back(node.path);
-    for (const auto& [path, object] : settings.objects) {
-        if (std::find(paths.begin(), paths.end(), path) != paths.end()) continue;
-        const std::string nearest = nearest_name(path, paths);
-        throw UsageError(fmt::format("object.{}: {} has no such node{}", path, scene.name,
-                                     nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
-    }
-}
-
 std::string pose_scene(Scene& scene, const SceneSettings& settings) {
     if (!scene.rig || scene.rig->animations.empty()) {
-        return settings == SceneSettings{}
+        const SceneSettings still{.index = settings.index};
+        return settings == still
                    ? ""
                    : fmt::format("{} has no animation: scene.animation and scene.time have no effect", scene.name);
     }
@@ -72,39 +100,59 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
     return "";
 }
 
-Session open_session(const SessionOptions& options) {
-    Settings trial;
-    for (const std::string& assignment : options.sets) apply_set(trial, assignment);
-    std::optional<Preset> preset;
-    if (!options.preset.empty()) preset = load_preset(options.preset);
+SessionPlan plan_session(const SessionOptions& options) {
+    SessionPlan plan;
+    plan.sets = options.sets;
+    Settings trial;  // before a preset is looked for, so that a wrong --set is what is told first
+    for (const std::string& assignment : plan.sets) apply_set(trial, assignment);
+    plan.scene_name = options.scene;
+    if (!options.preset.empty()) {
+        plan.preset = load_preset(options.preset);
+        plan.preset_path = options.preset;
+        if (plan.scene_name.empty()) plan.scene_name = scene_of_preset(*plan.preset, options.preset);
+    }
+    if (plan.scene_name.empty()) plan.scene_name = std::string(builtin_scenes().front().key);
+    if (plan.preset) plan.settings = plan.preset->settings;
+    for (const std::string& assignment : plan.sets) apply_set(plan.settings, assignment);
+    return plan;
+}
 
-    Session session;
-    session.scene_name = options.scene;
-    if (session.scene_name.empty() && preset) session.scene_name = scene_of_preset(*preset, options.preset);
-    if (session.scene_name.empty()) session.scene_name = std::string(builtin_scenes().front().key);
-    session.scene = load_scene(session.scene_name);
+Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::string>* left_out) {
+    Session session{.scene_name = plan.scene_name, .scene = std::move(scene), .settings = {}, .notes = {}};
     // First of all, since what the scene suggests depends on where things are.
-    Settings moment = preset ? preset->settings : Settings{};
-    for (const std::string& assignment : options.sets) apply_set(moment, assignment);
-    const std::string remark = pose_scene(session.scene, moment.scene);
-    if (preset) {
-        session.settings = preset->settings;
-        try {
-            check_objects(session.scene, session.settings);
-        } catch (const UsageError& e) {
-            throw Error(fmt::format("{}: {}", options.preset, e.what()));
-        }
+    SceneSettings moment = plan.settings.scene;
+    std::string remark;
+    try {
+        remark = pose_scene(session.scene, moment);
+    } catch (const UsageError& e) {
+        if (!left_out) throw;
+        left_out->push_back(e.what());
+        moment = {.index = moment.index};
+        pose_scene(session.scene, moment);
+    }
+    if (plan.preset) {
+        session.settings = plan.preset->settings;
+        check_objects(session.scene, session.settings, plan.preset_path, left_out);
     } else {
         apply_suggested(session.scene, session.settings);
     }
-    for (const std::string& assignment : options.sets) apply_set(session.settings, assignment);
-    check_objects(session.scene, session.settings);
+    for (const std::string& assignment : plan.sets) apply_set(session.settings, assignment);
+    session.settings.scene = moment;
+    check_objects(session.scene, session.settings, {}, left_out);
+    check_camera(session.scene, session.settings.camera, left_out);
     session.notes = sanitise(session.settings);
+    if (moment.index >= 0 && session.scene.file_scenes.empty())
+        session.notes.push_back(fmt::format("{} is no glTF file: scene.index has no effect", session.scene.name));
     if (!remark.empty()) session.notes.push_back(remark);
     for (const std::string& warning : session.scene.warnings) {
         session.notes.push_back(fmt::format("{}: {}", session.scene_name, warning));
     }
     return session;
+}
+
+Session open_session(const SessionOptions& options) {
+    const SessionPlan plan = plan_session(options);
+    return compose_session(plan, load_scene(plan.scene_name, options_of(plan)));
 }
 
 }  // namespace si

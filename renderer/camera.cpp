@@ -93,9 +93,11 @@ bool scene_axes(const glm::dmat4& world, glm::dmat3& axes) {
     return true;
 }
 
-/// The scene's first camera when its transform is usable; its orthonormal axes go to `axes`.
-const SceneCamera* scene_camera(const Scene& scene, glm::dmat3& axes) {
-    return !scene.cameras.empty() && scene_axes(scene.cameras[0].world, axes) ? &scene.cameras[0] : nullptr;
+/// The scene's camera that is chosen, when there is one whose transform is usable; its orthonormal axes go to `axes`.
+const SceneCamera* scene_camera(const Scene& scene, int index, glm::dmat3& axes) {
+    if (index < 0 || std::size_t(index) >= scene.cameras.size()) return nullptr;
+    const SceneCamera& camera = scene.cameras[std::size_t(index)];
+    return scene_axes(camera.world, axes) ? &camera : nullptr;
 }
 
 /// The view of view.light, view.face as a camera; false when there is no light.
@@ -182,7 +184,7 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect, 
         c.eye = target + c.focus * c.axes[2];
         near = positive_or(s.near, 0);
         far = positive_or(s.far, 0);
-    } else if (const SceneCamera* sc = scene_camera(scene, c.axes)) {
+    } else if (const SceneCamera* sc = scene_camera(scene, s.index, c.axes)) {
         c.eye = glm::dvec3(sc->world[3]);
         c.orthographic = sc->orthographic;
         c.fov_y_rad = clamped_fov_rad(sc->fov_y_deg);
@@ -222,7 +224,7 @@ CameraSettings manual_camera(const Scene& scene, const Settings& settings, doubl
     s.height = c.height;
     glm::dmat3 unused;
     const bool light = settings.camera.source == int(CameraSource::Light);
-    const SceneCamera* sc = light ? nullptr : scene_camera(scene, unused);
+    const SceneCamera* sc = light ? nullptr : scene_camera(scene, s.index, unused);
     s.near = sc ? positive_or(sc->near, 0) : 0;
     s.far = sc ? positive_or(sc->far, 0) : 0;
     return s;

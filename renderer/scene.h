@@ -106,6 +106,8 @@ struct SceneLight {
 struct Scene {
     std::string name;    ///< built-in key, or the file's path
     std::string about;   ///< a sentence
+    std::vector<std::string> file_scenes;  ///< names (or "") of the scenes in the file that this one is from
+    int file_scene = 0;                    ///< which of them this is
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Mesh> meshes;

@@ -33,6 +33,7 @@ enum class Slabs { None, Stored, Biased, Both };
 
 struct CameraSettings {
     int source = 0;  ///< CameraSource
+    int index = 0;   ///< of the scene's cameras; -1: none of them
     double target_x = 0, target_y = 0, target_z = 0;
     double azimuth = 35, elevation = 25, roll = 0;
     double distance = 10;
@@ -43,8 +44,9 @@ struct CameraSettings {
     bool operator==(const CameraSettings&) const = default;
 };
 
-/// What of a moving scene is shown.
+/// What of a file is shown.
 struct SceneSettings {
+    int index = -1;     ///< of the file's scenes; -1: its default one
     int animation = 0;  ///< -1: the rest pose
     double time = 0;    ///< s
     bool operator==(const SceneSettings&) const = default;

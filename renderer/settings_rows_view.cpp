@@ -29,7 +29,7 @@ constexpr auto kShading = std::to_array<Param>({
 static_assert(kShading.size() == members<ShadingSettings>(), "a member of ShadingSettings has no row");
 
 constexpr Choice kSources[] = {
-    {"auto", "automatic", "The scene's own camera, or one that shows the whole scene."},
+    {"auto", "automatic", "The scene's own camera (camera.index), or one that shows the whole scene."},
     {"manual", "by hand", "As the settings below say."},
     {"light", "through the light",
      "What the map of view.light sees: its place, direction and projection (view.face of a point light), near and far "
@@ -51,6 +51,10 @@ std::string_view height_idle(const Settings& s, int i) {
 constexpr auto kCamera = std::to_array<Param>({
     {SI_FIELD(camera.source), .label = "Camera", .unit = "", SI_CHOICES(kSources),
      .help = "Where the camera comes from."},
+    {SI_FIELD(camera.index), .label = "Scene's camera", .unit = "", .min = -1, .max = 9999,
+     SI_IDLE(s.camera.source != at(CameraSource::Automatic), "without effect: set camera.source to auto"),
+     .help = "Which of the scene's own cameras is used, counted from 0; -1 is none of them: a camera that shows the "
+             "whole scene. Without effect on scenes without cameras."},
     {SI_FIELD(camera.target_x), .label = "Target x", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
      .help = "The point the camera looks at, world x."},
     {SI_FIELD(camera.target_y), .label = "Target y", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
@@ -79,6 +83,8 @@ constexpr auto kCamera = std::to_array<Param>({
 static_assert(kCamera.size() == members<CameraSettings>(), "a member of CameraSettings has no row");
 
 constexpr auto kScene = std::to_array<Param>({
+    {SI_FIELD(scene.index), .label = "Scene of the file", .unit = "", .min = -1, .max = 9999,
+     .help = "Which scene of a glTF file is shown, counted from 0; -1 is the file's default. Another one is read anew."},
     {SI_FIELD(scene.animation), .label = "Animation", .unit = "", .min = -1, .max = 9999,
      .help = "Which animation of the scene's file is shown, counted from 0; -1 is the rest pose. Without effect on scenes "
              "without animations."},

@@ -9,6 +9,7 @@
 #include "renderer/techniques.h"
 #include "ui/camera_steering.h"
 #include "ui/panels.h"
+#include "ui/playback.h"
 #include "ui/theme.h"
 
 namespace si {
@@ -29,8 +30,8 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (io.WantTextInput || state.flight.on || state.handle_drag) return;  // letters and Escape mean something else
     Settings& s = state.settings;
     if (io.KeyCtrl) {
-        if (pressed('Z') && !io.KeyShift) s = state.history.undo();
-        if (pressed('Y') || (pressed('Z') && io.KeyShift)) s = state.history.redo();
+        if (pressed('Z') && !io.KeyShift) undo(state);
+        if (pressed('Y') || (pressed('Z') && io.KeyShift)) redo(state);
         if (pressed('S') && !state.preset_path.empty()) actions.save_preset = state.preset_path;
         if (pressed('O') && !state.preset_path.empty()) actions.load_preset = state.preset_path;
         if (pressed('Q')) actions.quit = true;
@@ -38,8 +39,9 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     }
     if (pressed('F')) frame_selection(state, frame);
     if (pressed('L')) toggle_light_camera(state);
+    if (pressed(' ')) toggle_play(state, frame);
     if (pressed('M')) s.view.map = (s.view.map + 1) % 3;
-    if (pressed(ImGuiKey_Home)) s.camera = CameraSettings{};
+    if (pressed(ImGuiKey_Home)) s.camera = CameraSettings{.index = s.camera.index};
     if (pressed(ImGuiKey_Escape)) state.probe_pixel.reset(), state.show_shortcuts = false;
     for (char digit = '0'; digit <= '9'; ++digit) {
         const int overlay = digit - '0';
@@ -103,6 +105,7 @@ void child(const char* id, ImVec2 size, const auto& draw) {
 EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     EditorActions actions;
     state.dragging = false;
+    play_on(state, frame, double(ImGui::GetIO().DeltaTime));
     shortcuts(state, frame, actions);
 
     const ImGuiIO& io = ImGui::GetIO();
@@ -135,13 +138,15 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     const float map = std::clamp(left * layout.map_share, em * 8, std::max(em * 8, left - em * 12));
 
     ImGui::BeginGroup();
-    const float pictures = std::max(rest.y - bottom - bar, em * 6);
+    const float time = time_bar_height(frame);
+    const float pictures = std::max(rest.y - bottom - bar - time, em * 6);
     child("scene", {left - map - bar, pictures}, spaced([&] { draw_viewport(state, frame, actions); }));
     ImGui::SameLine();
     if (const float d = splitter("map splitter", true, {bar, pictures}); d != 0)
         layout.map_share = std::clamp((map - d) / left, 0.1f, 0.85f);
     ImGui::SameLine();
     child("map", {map, pictures}, spaced([&] { draw_map_viewer(state, frame, actions); }));
+    if (time > 0) child("time", {left, time}, spaced([&] { draw_time_bar(state, frame); }));
     if (const float d = splitter("bottom splitter", false, {left, bar}); d != 0)
         layout.bottom_height = (bottom - d) / em;
     child("bottom", {left, bottom}, spaced([&] { bottom_tabs(state, frame); }));
@@ -158,7 +163,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     actions.want_timing = state.tab == BottomTab::Passes;
     const bool turning_wheel = ImGui::GetTime() < state.wheel_until;
     state.history.observe(state.settings, ImGui::IsAnyItemActive() || state.dragging || turning_wheel);
-    actions.redraw = turning_wheel || state.open_tab.has_value() || state.flight.moving;
+    actions.redraw = state.playback.playing || turning_wheel || state.open_tab.has_value() || state.flight.moving;
     return actions;
 }
 

@@ -41,6 +41,13 @@ struct Flight {
     double speed = 1;                 ///< factor
 };
 
+/// How scene.time runs while it plays.
+struct Playback {
+    bool playing = false;
+    bool loop = true;
+    double speed = 1;  ///< seconds of the animation in a second
+};
+
 enum class BottomTab { Passes, Probe, Objects, Log };
 
 struct EditorState {
@@ -59,6 +66,7 @@ struct EditorState {
     std::optional<glm::ivec2> hovered_pixel;  ///< under the mouse in the scene picture, row 0 at the top
     int active_pane = 0;                      ///< under the mouse, or where a press began
     std::optional<glm::ivec2> hovered_texel;  ///< under the mouse in the map viewer, y up
+    Playback playback;
     BottomTab tab = BottomTab::Passes;
     std::optional<BottomTab> open_tab = BottomTab::Passes;  ///< brought to the front in the next frame
     std::string object_search;

@@ -1,28 +1,51 @@
 #include "ui/history.h"
 
+#include "renderer/param.h"
+
 namespace si {
 
 void History::reset(const Settings& settings) {
     steps_.assign(1, settings);
     at_ = 0;
+    untouched_ = settings;
 }
 
 void History::observe(const Settings& settings, bool busy) {
-    if (busy || settings == steps_[at_]) return;
+    if (!busy && settings != untouched_) commit(settings);
+}
+
+void History::tick(double time_s) {
+    untouched_.scene.time = time_s;
+}
+
+void History::follow(const Settings& before, const Settings& after) {
+    if (steps_[at_] == before) steps_[at_] = after;
+    for (const SettingRef& ref : all_settings(after))
+        if (const Value value = get_value(after, ref); value != get_value(before, ref))
+            set_value(untouched_, ref, value);
+}
+
+void History::commit(const Settings& settings) {
+    untouched_ = settings;
+    if (settings == steps_[at_]) return;
     steps_.resize(at_ + 1);
     steps_.push_back(settings);
     if (steps_.size() > kLimit) steps_.erase(steps_.begin());
     at_ = steps_.size() - 1;
 }
 
-const Settings& History::undo() {
-    if (can_undo()) --at_;
+const Settings& History::move_to(std::size_t step) {
+    at_ = step;
+    untouched_ = steps_[at_];
     return steps_[at_];
 }
 
+const Settings& History::undo() {
+    return move_to(can_undo() ? at_ - 1 : at_);
+}
+
 const Settings& History::redo() {
-    if (can_redo()) ++at_;
-    return steps_[at_];
+    return move_to(can_redo() ? at_ + 1 : at_);
 }
 
 }  // namespace si

@@ -14,6 +14,9 @@ void draw_probe(EditorState& state, const EditorFrame& frame);
 void draw_objects(EditorState& state, const EditorFrame& frame);
 void draw_log(EditorState& state, const EditorFrame& frame);
 void draw_shortcuts(EditorState& state);
+/// Only where time_bar_height() is not 0: the scene has animations.
+void draw_time_bar(EditorState& state, const EditorFrame& frame);
+float time_bar_height(const EditorFrame& frame);
 
 /// The colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner; `room` is the
 /// picture's width on the screen.
@@ -27,7 +30,7 @@ int shown_light(const Settings& settings);
 /// The face of the shown light, clamped.
 int shown_face(const Settings& settings, const FrameResult& result);
 
-/// A built-in scene's label; a file without its folders.
+/// A built-in scene's label; a file without its folders; "No scene" when there is none.
 std::string scene_label(const std::string& name_or_path);
 
 /// Three significant digits with a prefix: "4.20 mm", "13.0 km".

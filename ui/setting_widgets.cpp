@@ -95,6 +95,20 @@ bool combo(const Param& p, int& value) {
     return changed;
 }
 
+bool named_combo(const NamedValues& names, int& value) {
+    const auto named = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == value; });
+    const std::string shown = named != names.end() ? named->second : fmt::format("{} (not there)", value);
+    bool changed = false;
+    if (!ImGui::BeginCombo("##value", shown.c_str())) return false;
+    for (const auto& [number, name] : names) {
+        const bool selected = number == value;
+        if (ImGui::Selectable(name.c_str(), selected) && !selected) value = number, changed = true;
+        if (selected) ImGui::SetItemDefaultFocus();
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
 bool integer(const Param& p, int& value, const std::string& unit) {
     const int lo = int(p.min), hi = int(p.max);
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
@@ -122,7 +136,7 @@ bool real(const Param& p, double& value, const std::string& unit) {
 }
 
 /// The widget and its menu inside the ID scope of the row.
-bool widget_and_menu(Settings& settings, const SettingRef& ref, float width) {
+bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, const NamedValues& names) {
     const Param& p = *ref.param;
     const bool idle = !idle_reason(settings, ref).empty();
     Value value = get_value(settings, ref);
@@ -134,7 +148,7 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width) {
     if (auto* b = std::get_if<bool>(&value))
         changed = ImGui::Checkbox("##value", b);
     else if (auto* i = std::get_if<int>(&value))
-        changed = p.choices ? combo(p, *i) : integer(p, *i, unit);
+        changed = p.choices ? combo(p, *i) : !names.empty() ? named_combo(names, *i) : integer(p, *i, unit);
     else
         changed = real(p, std::get<double>(value), unit);
     if (idle) ImGui::PopStyleVar();
@@ -152,9 +166,9 @@ bool setting_changed(const Settings& settings, const SettingRef& ref) {
     return get_value(settings, ref) != default_value(ref);
 }
 
-bool setting_widget(Settings& settings, const SettingRef& ref, float width) {
+bool setting_widget(Settings& settings, const SettingRef& ref, float width, const NamedValues& names) {
     ImGui::PushID(setting_key(ref).c_str());
-    bool changed = widget_and_menu(settings, ref, width);
+    bool changed = widget_and_menu(settings, ref, width, names);
     changed |= reset_menu(settings, ref);
     ImGui::PopID();
     return changed;
@@ -166,7 +180,7 @@ bool setting_widget(Settings& settings, std::string_view key, float width) {
     return ref && setting_widget(settings, *ref, width);
 }
 
-bool setting_row(Settings& settings, const SettingRef& ref) {
+bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& names) {
     const Param& p = *ref.param;
     bool changed = false;
     ImGui::TableNextRow();
@@ -187,7 +201,7 @@ bool setting_row(Settings& settings, const SettingRef& ref) {
     ImGui::OpenPopupOnItemClick("row menu", ImGuiPopupFlags_MouseButtonRight);
     if (ImGui::IsItemHovered()) tooltip(settings, ref);
     ImGui::TableNextColumn();
-    changed |= widget_and_menu(settings, ref, 0);
+    changed |= widget_and_menu(settings, ref, 0, names);
     changed |= reset_menu(settings, ref);
     ImGui::PopID();
     return changed;

@@ -4,16 +4,18 @@
 #include <string>
 
 #include "renderer/param.h"
+#include "ui/scene_choices.h"
 
 namespace si {
 
 /// The widget alone, `width` pixels wide (0: what is left). Returns whether the value changed.
-bool setting_widget(Settings& settings, const SettingRef& ref, float width = 0);
+/// @param names what to choose from in place of a bare number; empty: nothing
+bool setting_widget(Settings& settings, const SettingRef& ref, float width = 0, const NamedValues& names = {});
 /// By dotted key; asserts that the key exists.
 bool setting_widget(Settings& settings, std::string_view key, float width = 0);
 
 /// Label and widget in the two columns of the present table row.
-bool setting_row(Settings& settings, const SettingRef& ref);
+bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& names = {});
 
 /// Whether the row's label, key or help mention `text`, without regard to case; a whole key finds its setting alone.
 bool setting_matches(const SettingRef& ref, std::string_view text);

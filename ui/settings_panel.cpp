@@ -24,7 +24,7 @@ struct Group {
 constexpr Group kGroups[] = {
     {"bias", "Bias", true},      {"filter", "Filter", true},    {"map", "Shadow map", true},
     {"caster", "Casters", true}, {"light", "Lights", true},     {"camera", "Camera", false},
-    {"scene", "Time", false},    {"shading", "Shading", false}, {"view", "View", false},
+    {"scene", "Scene and time", false},    {"shading", "Shading", false}, {"view", "View", false},
 };
 
 std::string_view prefix_of(std::string_view key) {
@@ -82,7 +82,7 @@ void light_tabs(Settings& s) {
     }
 }
 
-void draw_group(EditorState& state, const Group& group) {
+void draw_group(EditorState& state, const EditorFrame& frame, const Group& group) {
     const std::vector<SettingRef> rows = rows_of(state, group.prefix);
     if (rows.empty()) return;
     const bool filtered = !state.search.empty() || state.only_changed;
@@ -120,7 +120,7 @@ void draw_group(EditorState& state, const Group& group) {
             table = begin_rows(ref.param->scope == Scope::Light ? "of one light" : "rows");
             if (!table) break;
         }
-        setting_row(state.settings, ref);
+        setting_row(state.settings, ref, scene_choices(frame.scene, ref.param->key));
     }
     if (table) ImGui::EndTable();
     ImGui::PopID();
@@ -146,7 +146,7 @@ void draw_settings(EditorState& state, const EditorFrame& frame) {
     bool any = false;
     for (const Group& group : groups()) {
         any |= !rows_of(state, group.prefix).empty();
-        draw_group(state, group);
+        draw_group(state, frame, group);
     }
     if (!any) ImGui::TextDisabled(state.only_changed ? "Nothing is changed." : "No setting matches.");
     if (frame.result && !frame.result->notes.empty()) {

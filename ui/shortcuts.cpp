@@ -19,6 +19,7 @@ constexpr std::pair<const char*, const char*> kShortcuts[] = {
     {"F", "frame the selected object, or the whole scene"},
     {"L", "look through the light, and back"},
     {"Home", "the scene's own camera"},
+    {"Space", "play or pause the animation"},
     {"1 to 9", "overlays; the same key again, or 0: none"},
     {"M", "map viewer: raw, linear, bands"},
     {"Ctrl+Z, Ctrl+Y", "undo, redo"},

@@ -6,6 +6,7 @@
 
 #include "renderer/scenes/builtin.h"
 #include "ui/panels.h"
+#include "ui/playback.h"
 #include "ui/theme.h"
 
 namespace si {
@@ -53,6 +54,7 @@ void preset_menu(const EditorFrame& frame, EditorActions& actions) {
 }  // namespace
 
 std::string scene_label(const std::string& name) {
+    if (name.empty()) return "No scene";
     for (const BuiltinScene& scene : builtin_scenes())
         if (scene.key == name) return std::string(scene.label);
     const auto slash = name.find_last_of('/');
@@ -79,9 +81,9 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& a
     ImGui::SameLine();
     preset_menu(frame, actions);
     ImGui::SameLine(0, em * 1.5f);
-    if (button("Undo", "Ctrl+Z", state.history.can_undo())) state.settings = state.history.undo();
+    if (button("Undo", "Ctrl+Z", state.history.can_undo() || state.playback.playing)) undo(state);
     ImGui::SameLine();
-    if (button("Redo", "Ctrl+Y", state.history.can_redo())) state.settings = state.history.redo();
+    if (button("Redo", "Ctrl+Y", state.history.can_redo())) redo(state);
     ImGui::SameLine(0, em * 1.5f);
     if (button("Copy command line", "The command that renders this picture without a window"))
         actions.copy_command_line = true;

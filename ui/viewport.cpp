@@ -59,7 +59,7 @@ void header(EditorState& state, const FrameResult* result) {
 /// What stands where there is no picture.
 void no_picture(const EditorFrame& frame, ImVec2 origin, ImVec2 size) {
     const float em = ImGui::GetFontSize();
-    const std::string text = frame.problem.empty() ? "No picture yet" : std::string(frame.problem);
+    const std::string text = frame.problem.empty() && !frame.loading ? "No picture yet" : std::string(frame.problem);
     ImGui::SetCursorScreenPos({origin.x + em, origin.y + em});
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - 2 * em);
     ImGui::TextUnformatted(text.c_str());

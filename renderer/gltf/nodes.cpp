@@ -15,18 +15,21 @@ namespace {
 
 constexpr std::size_t kMostObjects = 1'000'000;
 
-std::vector<int> scene_roots(Context& context, const tinygltf::Model& model, int wanted) {
+std::vector<int> scene_roots(Context& context, const tinygltf::Model& model, int wanted, Scene& scene) {
+    for (const tinygltf::Scene& s : model.scenes) scene.file_scenes.push_back(printable(s.name));
     if (wanted >= 0 && static_cast<std::size_t>(wanted) >= model.scenes.size()) {
         context.fail(Place("scenes"),
                      fmt::format("scene {} does not exist, the file has {}", wanted, model.scenes.size()),
                      "choose another scene");
     }
-    if (wanted < 0) wanted = model.defaultScene >= 0 ? model.defaultScene : 0;
+    const bool chosen = wanted >= 0;
+    if (!chosen) wanted = model.defaultScene >= 0 ? model.defaultScene : 0;
     std::vector<int> roots;
     if (!model.scenes.empty()) {
-        if (model.scenes.size() > 1) {
-            context.warn(Place("scenes"),
-                         fmt::format("the file has {} scenes; scene {} is shown", model.scenes.size(), wanted));
+        scene.file_scene = wanted;
+        if (model.scenes.size() > 1 && !chosen) {
+            context.warn(Place("scenes"), fmt::format("the file has {} scenes; scene {} is shown, scene.index chooses",
+                                                      model.scenes.size(), wanted));
         }
         std::vector<char> seen(model.nodes.size(), 0);
         for (const int node : model.scenes[static_cast<std::size_t>(wanted)].nodes) {
@@ -118,7 +121,7 @@ Placed place_nodes(Context& context, const Json& root, const tinygltf::Model& mo
     const auto push_reversed = [&](const std::vector<int>& nodes, int parent) {
         for (auto it = nodes.rbegin(); it != nodes.rend(); ++it) stack.push_back({*it, parent});
     };
-    push_reversed(scene_roots(context, model, scene_index), -1);
+    push_reversed(scene_roots(context, model, scene_index, scene), -1);
     std::vector<glm::dmat4> world;
     while (!stack.empty()) {
         const Visit visit = stack.back();

@@ -88,6 +88,67 @@ TEST(SceneCommand, TheLightsOfAFileAreSettingsThatASetReplaces) {
     EXPECT_EQ(report({"--set", "light.0.type=point"})["settings"]["light.type"], "point");
 }
 
+/// Two scenes: "near" of one triangle with two cameras, "far" of the triangle twice.
+std::string two_scenes() {
+    GltfFile file;
+    const int mesh = file.mesh({{"attributes", {{"POSITION", file.triangle_positions()}}}});
+    file.root({{"mesh", mesh}});
+    const Json lens = {{"yfov", 0.5}, {"znear", 0.1}};
+    file.json["cameras"] = {{{"type", "perspective"}, {"name", "front"}, {"perspective", lens}},
+                            {{"type", "perspective"}, {"name", "back"}, {"perspective", lens}}};
+    file.root({{"camera", 0}, {"translation", {0, 0, 9}}});
+    file.root({{"camera", 1}, {"translation", {0, 0, -9}}, {"rotation", {0, 1, 0, 0}}});
+    file.json["scenes"][0]["name"] = "near";
+    const int a = file.append("nodes", {{"mesh", mesh}});
+    const int b = file.append("nodes", {{"mesh", mesh}, {"translation", {3, 0, 0}}});
+    file.json["scenes"].push_back({{"name", "far"}, {"nodes", {a, b}}});
+    return file.glb();
+}
+
+TEST(SceneCommand, ListsTheScenesAndCamerasOfAFileByNumber) {
+    const auto folder = fresh_test_folder();
+    write(folder / "two.glb", two_scenes());
+    const std::string text = run_program({"scene", "two.glb"}, folder).out;
+    for (const char* part : {"  0 near\n", "  1 far\n", "this is 0", "  0 front: perspective", "  1 back: perspective"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
+    const Json far = Json::parse(run_program({"scene", "two.glb", "--index", "1", "--json"}, folder).out);
+    EXPECT_EQ(far["file_scenes"], Json({"near", "far"}));
+    EXPECT_EQ(far["file_scene"], 1);
+    EXPECT_EQ(far["triangles"], 2);
+    EXPECT_TRUE(far["cameras"].empty());
+    EXPECT_TRUE(far["warnings"].empty()) << "what was chosen is no surprise";
+    EXPECT_EQ(run_program({"scene", "two.glb", "--index", "2"}, folder).code, 1);
+}
+
+TEST(SceneCommand, SettingsChooseSceneAndCamera) {
+    const auto folder = fresh_test_folder();
+    write(folder / "two.glb", two_scenes());
+    const auto run = [&](const std::vector<std::string>& sets) {
+        std::vector<std::string> arguments = {"render", "two.glb",  "-o",    "a.png", "--size",
+                                              "32x32",  "--report", "a.json"};
+        for (const std::string& set : sets) arguments.insert(arguments.end(), {"--set", set});
+        return run_program(arguments, folder);
+    };
+    const auto report = [&](const std::vector<std::string>& sets) {
+        const ProcessResult r = run(sets);
+        EXPECT_EQ(r.code, 0) << r.err;
+        return Json::parse(file_bytes(folder / "a.json"));
+    };
+    EXPECT_EQ(report({})["camera"]["eye"], Json({0.0, 0.0, 9.0}));
+    EXPECT_EQ(report({"camera.index=1"})["camera"]["eye"], Json({0.0, 0.0, -9.0}));
+    const Json framed = report({"camera.index=-1"})["camera"]["eye"];
+    EXPECT_NE(framed[0], 0.0);
+    EXPECT_LT(framed[2], 6.0) << "as near as the triangle fills the picture";
+    EXPECT_EQ(report({"scene.index=1"})["scene"]["triangles"], 2);
+    const ProcessResult no_camera = run({"camera.index=2"}), no_scene = run({"scene.index=2"});
+    EXPECT_EQ(no_camera.code, 2);
+    EXPECT_NE(no_camera.err.find("has 2 cameras; choose 0 to 1, or -1"), std::string::npos) << no_camera.err;
+    EXPECT_EQ(no_scene.code, 1);
+    EXPECT_NE(no_scene.err.find("scene 2 does not exist, the file has 2"), std::string::npos) << no_scene.err;
+    EXPECT_NE(run_program({"render", "boxes", "-o", "b.png", "--set", "scene.index=0"}, folder).err.find("no effect"),
+              std::string::npos);
+}
+
 TEST(ContactSheet, ShowsModelsAndNamesFailures) {
     const auto folder = fresh_test_folder();
     write(folder / "models/deep/good.glb", rich_model());

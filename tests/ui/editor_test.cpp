@@ -17,10 +17,9 @@ namespace {
 
 const std::filesystem::path kOut = SI_TEST_OUTPUT_DIR;
 
-EditorOptions options(int width, int height, const std::string& scene = "boxes") {
+EditorOptions options(int width, int height, const std::vector<std::string>& sets = {}) {
     EditorOptions o;
-    o.scene = scene;
-    o.settings = base_settings(load_scene(scene));
+    o.session = {.scene = "boxes", .preset = {}, .sets = sets};
     o.width = width;
     o.height = height;
     return o;
@@ -46,9 +45,7 @@ class EditorSizes : public testing::TestWithParam<std::pair<int, int>> {};
 
 TEST_P(EditorSizes, ShowsSceneMapAndNumbers) {
     const auto [width, height] = GetParam();
-    EditorOptions o = options(width, height);
-    o.settings.view.overlay = 4;
-    HeadlessEditor editor(o);
+    HeadlessEditor editor(options(width, height, {"view.overlay=depth-difference"}));
     editor.model().state.probe_pixel = glm::ivec2(200, 200);
     editor.model().state.open_tab = BottomTab::Probe;
     editor.mouse.at = glm::vec2(width / 6, height / 4);  // numbers are read where the mouse is
@@ -68,9 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, EditorSizes,
                          testing::Values(std::pair{1280, 720}, std::pair{1920, 1080}, std::pair{3840, 2160}));
 
 TEST(Editor, ShowsThePixelsThatTheRendererDrew) {
-    EditorOptions o = options(1280, 720);
-    o.settings.view.frustum = false;
-    HeadlessEditor editor(o);
+    HeadlessEditor editor(options(1280, 720, {"view.frustum=false"}));
     editor.settle();
     const ByteImage whole = editor.picture();
     const FrameResult& result = *editor.model().facts().result;
@@ -79,7 +74,7 @@ TEST(Editor, ShowsThePixelsThatTheRendererDrew) {
     request.width = result.colour.width;
     request.height = result.colour.height;
     const Scene scene = load_scene("boxes");
-    const ByteImage alone = renderer.read_colour(renderer.render(scene, o.settings, request).colour);
+    const ByteImage alone = renderer.read_colour(renderer.render(scene, editor.model().state.settings, request).colour);
     // Look for the picture near the upper left corner: it must be there to the bit.
     const auto equal_at = [&](int x0, int y0) {
         for (int y = 0; y < alone.height; y += 7)
@@ -109,6 +104,7 @@ TEST(Editor, DrawsTheSceneAgainOnlyWhenSomethingChanged) {
 TEST(Editor, EveryOverlayAndMapView) {
     HeadlessEditor editor(options(1280, 720));
     editor.mouse.at = glm::vec2(200, 250);  // numbers are read where the mouse is
+    editor.settle();
     const std::size_t overlays = find_setting("view.overlay")->param->choices().size();
     for (std::size_t overlay = 0; overlay < overlays; ++overlay) {
         for (int map = 0; map < 3; ++map) {
@@ -123,6 +119,7 @@ TEST(Editor, EveryOverlayAndMapView) {
 
 TEST(Editor, EveryKindOfLightEveryFace) {
     HeadlessEditor editor(options(1280, 720));
+    editor.settle();
     for (int type = 0; type < 3; ++type)
         for (int face = 0; face < (type == 2 ? 6 : 1); ++face) {
             Settings& s = editor.model().state.settings;

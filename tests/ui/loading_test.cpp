@@ -16,13 +16,15 @@
 #include "renderer/gltf_loader.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/ui/ui_harness.h"
+#include "tests/unit/gltf_test_file.h"
+#include "ui/scene_choices.h"
 
 namespace si {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// Reads "boxes" under any name, as far as the test lets it.
+/// Reads "boxes" under any name but "plane", as far as the test lets it.
 class Puppet {
 public:
     SceneReader reader() {
@@ -50,6 +52,7 @@ private:
         return value;
     }
     Scene read(const std::string& name, const GltfOptions& options) {
+        if (name == "plane") return load_scene(name);
         std::unique_lock lock(mutex_);
         started_.push_back(name);
         most_ = std::max(most_, ++reading_);
@@ -82,8 +85,7 @@ private:
 
 EditorOptions plane() {
     EditorOptions o;
-    o.scene = "plane";
-    o.settings = base_settings(load_scene(o.scene));
+    o.session.scene = "plane";
     o.width = 1280;
     o.height = 720;
     return o;
@@ -205,6 +207,7 @@ TEST(Loading, ClosingTheEditorCancelsAndJoins) {
     Puppet puppet;
     {
         HeadlessEditor editor(plane(), puppet.reader());
+        editor.settle();
         editor.model().open("city.gltf");
         puppet.advance(0.2);
     }
@@ -232,6 +235,134 @@ TEST(Loading, APresetWaitsForItsSceneAndGoesWithItsCancel) {
     l.editor.settle();
     EXPECT_EQ(l.shown(), "town.gltf");
     EXPECT_EQ(l.editor.model().state.settings.bias.constant, 3.25);
+}
+
+EditorOptions first(const std::string& scene, const std::vector<std::string>& sets = {}) {
+    EditorOptions o = plane();
+    o.session.scene = scene;
+    o.session.sets = sets;
+    return o;
+}
+
+TEST(Loading, TheFirstSceneIsReadOnceWhileTheEditorDraws) {
+    Puppet puppet;
+    HeadlessEditor editor(first("city.gltf", {"bias.constant=2"}), puppet.reader());
+    EditorModel& model = editor.model();
+    ByteImage before;
+    for (const double progress : {0.2, 0.6}) {
+        puppet.advance(progress);
+        EXPECT_TRUE(model.loading_moved()) << "a window would sleep on";
+        editor.frame();
+        ASSERT_TRUE(model.facts().loading);
+        EXPECT_EQ(model.facts().loading->progress, progress);
+        EXPECT_EQ(model.facts().scene, nullptr);
+        const ByteImage picture = editor.picture();
+        EXPECT_NE(picture.data, before.data) << "the progress is seen";
+        before = picture;
+    }
+    EXPECT_EQ(model.state.settings.bias.constant, 2);
+    model.state.settings.map.resolution = 512;  // the panels work already
+    puppet.release();
+    editor.settle();
+    EXPECT_EQ(puppet.started(), std::vector<std::string>{"city.gltf"});
+    ASSERT_TRUE(model.facts().result);
+    EXPECT_EQ(model.state.scene_name, "city.gltf");
+    Settings expected = base_settings(load_scene("boxes"));
+    expected.bias.constant = 2;
+    expected.map.resolution = 512;
+    EXPECT_EQ(model.state.settings, expected);
+    EXPECT_FALSE(model.state.history.can_undo());
+    EXPECT_NO_THROW(model.require_scene());
+}
+
+TEST(Loading, AFirstSceneThatFailsLeavesAnEditorThatOpensAnother) {
+    Puppet puppet;
+    puppet.release("city.gltf: it is broken; mend it");
+    HeadlessEditor editor(first("city.gltf"), puppet.reader());
+    editor.settle();
+    EditorModel& model = editor.model();
+    EXPECT_EQ(model.facts().problem, "city.gltf: it is broken; mend it");
+    EXPECT_EQ(model.state.log.lines().back().kind, LogKind::Error);
+    EXPECT_EQ(model.state.tab, BottomTab::Log);
+    EXPECT_FALSE(model.facts().result);
+    EXPECT_THROW(model.require_scene(), Error);
+    // Keys and buttons that need a scene do no harm.
+    EditorActions actions = editor.frame();
+    actions.copy_command_line = true;
+    model.fulfil(actions);
+    editor.mouse.at = glm::vec2(270, 330);
+    editor.mouse.left = true;
+    editor.frame();
+    editor.mouse.left = false;
+    editor.frame();
+    model.open("plane");
+    editor.settle();
+    EXPECT_TRUE(model.facts().result);
+    EXPECT_TRUE(model.facts().problem.empty());
+    EXPECT_EQ(model.state.scene_name, "plane");
+    EXPECT_NO_THROW(model.require_scene());
+}
+
+TEST(Loading, ACancelledFirstSceneLeavesAnEditorThatSaysSo) {
+    Puppet puppet;
+    HeadlessEditor editor(first("city.gltf"), puppet.reader());
+    puppet.advance(0.3);
+    EditorActions actions = editor.frame();
+    actions.cancel_load = true;
+    editor.model().fulfil(actions);
+    editor.settle();
+    EXPECT_EQ(editor.model().facts().problem, "Cancelled: city.gltf was not loaded");
+    EXPECT_EQ(editor.model().state.log.unseen_errors(), 0);
+}
+
+TEST(Loading, WhatTheFirstSceneLacksIsLeftOutAndTold) {
+    EditorOptions o = first("boxes", {"object.Nobody.cast=false", "bias.constant=2"});
+    {
+        HeadlessEditor editor(o);
+        editor.settle();
+        EXPECT_TRUE(editor.model().facts().result);
+        EXPECT_TRUE(editor.model().state.settings.objects.empty());
+        EXPECT_EQ(editor.model().state.settings.bias.constant, 2);
+        EXPECT_NE(last_line(editor).find("object.Nobody: boxes has no such node"), std::string::npos);
+    }
+    o.headless = true;
+    HeadlessEditor strict(o);
+    strict.settle();
+    EXPECT_THROW(strict.model().require_scene(), UsageError);
+}
+
+TEST(Loading, AnotherSceneOfTheFileIsReadWhenItsIndexIsChosen) {
+    test::TemporaryFolder folder;
+    test::GltfFile file;
+    file.add_triangle();
+    file.json["scenes"][0]["name"] = "one";
+    file.json["scenes"].push_back({{"name", "two"}, {"nodes", {file.append("nodes", {{"mesh", 0}}),
+                                                               file.append("nodes", {{"mesh", 0}})}}});
+    HeadlessEditor editor(first(folder.write("two.glb", file.glb()).string()));
+    editor.settle();
+    EditorModel& model = editor.model();
+    const auto objects = [&] { return model.facts().scene->objects.size(); };
+    EXPECT_EQ(objects(), 1u);
+    const NamedValues expected{{-1, "-1: the file's default"}, {0, "0: one"}, {1, "1: two"}};
+    EXPECT_EQ(scene_choices(model.facts().scene, "scene.index"), expected);
+    model.state.settings.bias.constant = 7;
+    model.state.settings.scene.index = 1;
+    editor.frame();
+    editor.settle();
+    EXPECT_EQ(objects(), 2u);
+    EXPECT_EQ(model.state.settings.scene.index, 1);
+    EXPECT_EQ(model.state.settings.bias.constant, 7);
+    model.state.settings = model.state.history.undo();
+    editor.frame();
+    editor.settle();
+    EXPECT_EQ(objects(), 1u) << "undo reads the one before";
+    model.state.settings.scene.index = 5;
+    editor.frame();
+    editor.settle();
+    EXPECT_EQ(objects(), 1u);
+    EXPECT_EQ(model.state.settings.scene.index, -1) << "what is shown";
+    EXPECT_NE(last_line(editor).find("scene 5 does not exist"), std::string::npos) << last_line(editor);
+    EXPECT_FALSE(model.loading()) << "it is not tried again and again";
 }
 
 TEST(Loading, AFileIsReadThroughTheLoaderWithItsProgress) {

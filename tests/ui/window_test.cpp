@@ -257,8 +257,7 @@ TEST_F(Window, ShowsTheSamePictureAsWithoutAWindow) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(900, 700);
     EditorOptions o;
-    o.scene = "boxes";
-    o.settings = base_settings(load_scene("boxes"));
+    o.session.scene = "boxes";
     o.width = kWidth;
     o.height = kHeight;
     HeadlessEditor editor(o);
