@@ -310,6 +310,7 @@ bool EditorModel::draw_scene(const EditorActions& actions) {
 }
 
 void EditorModel::save_map(const std::string& path) {
+    require_scene();
     require_writable(path);
     const bool camera = state.settings.view.map_source == int(MapSource::Camera);
     const View view = find_view(camera ? "camera-depth" : "shadow-map");

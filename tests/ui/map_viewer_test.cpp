@@ -20,8 +20,7 @@ constexpr int kWidth = 1280, kHeight = 720;
 
 EditorOptions options(const std::string& scene = "boxes") {
     EditorOptions o;
-    o.scene = scene;
-    o.settings = base_settings(load_scene(scene));
+    o.session.scene = scene;
     o.width = kWidth;
     o.height = kHeight;
     return o;
@@ -72,7 +71,7 @@ TEST(MapViewer, AHoveredPixelsFootprintHoldsTheProbesTexel) {
 
 TEST(MapViewer, AHoveredTexelShowsThePixelsThatReadIt) {
     EditorOptions o = options();
-    o.settings.map.resolution = 64;  // texels that many pixels read
+    o.session.sets.push_back("map.resolution=64");  // texels that many pixels read
     HeadlessEditor editor(o);
     editor.settle();
     const ByteImage before = editor.picture();
@@ -109,7 +108,7 @@ TEST(MapViewer, TheHistogramCountsEveryTexel) {
 
 TEST(MapViewer, FittingTheGreysNarrowsTheHistogram) {
     EditorOptions o = options();
-    o.settings.view.map_fit = true;
+    o.session.sets.push_back("view.map_fit=true");
     HeadlessEditor editor(o);
     editor.settle();
     const EditorFrame facts = editor.model().facts();
@@ -150,7 +149,7 @@ TEST(MapViewer, SavesTheStoredDepth) {
 
 TEST(MapViewer, TheCamerasDepthIsShownInItsOwnShape) {
     EditorOptions o = options("plane");
-    o.settings.view.map_source = int(MapSource::Camera);
+    o.session.sets.push_back("view.map_source=camera");
     HeadlessEditor editor(o);
     editor.settle();
     const FrameResult& result = *editor.model().facts().result;
@@ -162,7 +161,7 @@ TEST(MapViewer, TheCamerasDepthIsShownInItsOwnShape) {
 
 TEST(MapViewer, LostCastersAreFacts) {
     EditorOptions o = options();
-    o.settings.caster.cull = int(Cull::Front);
+    o.session.sets = {"caster.cull=front"};
     HeadlessEditor editor(o);
     editor.settle();
     ASSERT_FALSE(editor.model().facts().lost_casters.empty()) << "the floor has no back";
