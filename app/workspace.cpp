@@ -54,6 +54,7 @@ WorkspaceData from_json(const Json& json) {
     take(layout, "settings_width", d.layout.settings_width, 4, 400);
     take(layout, "bottom_height", d.layout.bottom_height, 2, 400);
     take(layout, "map_share", d.layout.map_share, 0.05, 0.95);
+    d.layout.map_plots = layout.value("map_plots", Json()) != Json(false);
     const Json& window = part("window");
     take(window, "width", d.window_width, 200, 32768);
     take(window, "height", d.window_height, 150, 32768);
@@ -70,7 +71,8 @@ std::string to_text(const WorkspaceData& d) {
                     {"layout",
                      {{"settings_width", d.layout.settings_width},
                       {"bottom_height", d.layout.bottom_height},
-                      {"map_share", d.layout.map_share}}},
+                      {"map_share", d.layout.map_share},
+                      {"map_plots", d.layout.map_plots}}},
                     {"window", {{"width", d.window_width}, {"height", d.window_height}, {"maximised", d.maximised}}},
                     {"recent_scenes", d.recent_scenes},
                     {"recent_presets", d.recent_presets}};

@@ -22,6 +22,9 @@ struct Choice {
     std::string_view key, label, help;
 };
 
+/// What of a driver a setting needs beyond OpenGL 4.5.
+enum class DriverFeature { None, PolygonOffsetClamp };
+
 enum class Scope { Scene, Light, Object };
 
 struct Param {
@@ -36,6 +39,7 @@ struct Param {
     std::string_view (*idle)(const Settings& s, int light) = nullptr;
     std::string_view help;
     Scope scope = Scope::Scene;
+    DriverFeature needs = DriverFeature::None;
     bool shader = false;  ///< the shaders see it, as a define (Cost::Program) or in the settings block
 };
 

@@ -154,7 +154,8 @@ constexpr auto kBias = std::to_array<Param>({
      SI_IDLE(s.bias.raster_slope == 0 && s.bias.raster_units == 0,
              "without effect: bias.raster_slope and bias.raster_units are 0"),
      .help = "Largest offset that raster slope and units may add, in depth [0,1]; 0 is no limit. Needs "
-             "glPolygonOffsetClamp."},
+             "glPolygonOffsetClamp.",
+     .needs = DriverFeature::PolygonOffsetClamp},
 });
 static_assert(kBias.size() == members<BiasSettings>(), "a member of BiasSettings has no row");
 

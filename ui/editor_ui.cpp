@@ -10,6 +10,7 @@
 #include "ui/camera_steering.h"
 #include "ui/panels.h"
 #include "ui/playback.h"
+#include "ui/setting_widgets.h"
 #include "ui/theme.h"
 
 namespace si {
@@ -106,6 +107,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     EditorActions actions;
     state.dragging = false;
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
+    use_driver(frame.driver);
     shortcuts(state, frame, actions);
 
     const ImGuiIO& io = ImGui::GetIO();

@@ -27,6 +27,8 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
+const DriverInfo* driver_in_use = nullptr;
+
 void tooltip(const Settings& settings, const SettingRef& ref) {
     const Param& p = *ref.param;
     ImGui::BeginTooltip();
@@ -43,7 +45,7 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     else
         ImGui::TextUnformatted("Right-click to reset");
     ImGui::PopStyleColor();
-    if (const auto idle = idle_reason(settings, ref); !idle.empty()) {
+    if (const auto idle = without_effect(settings, ref); !idle.empty()) {
         std::string text(idle);
         text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
@@ -138,7 +140,7 @@ bool real(const Param& p, double& value, const std::string& unit) {
 /// The widget and its menu inside the ID scope of the row.
 bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, const NamedValues& names) {
     const Param& p = *ref.param;
-    const bool idle = !idle_reason(settings, ref).empty();
+    const bool idle = !without_effect(settings, ref).empty();
     Value value = get_value(settings, ref);
     bool changed = false;
     const bool narrow = width > 0 && width < ImGui::GetFontSize() * 7;  // no room for the unit
@@ -161,6 +163,16 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, con
 }
 
 }  // namespace
+
+void use_driver(const DriverInfo* driver) {
+    driver_in_use = driver;
+}
+
+std::string_view without_effect(const Settings& settings, const SettingRef& ref) {
+    if (driver_in_use && ref.param->needs == DriverFeature::PolygonOffsetClamp && !driver_in_use->polygon_offset_clamp)
+        return "without effect: this driver lacks GL_EXT_polygon_offset_clamp";
+    return idle_reason(settings, ref);
+}
 
 bool setting_changed(const Settings& settings, const SettingRef& ref) {
     return get_value(settings, ref) != default_value(ref);
@@ -186,7 +198,7 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(setting_key(ref).c_str());
-    const bool idle = !idle_reason(settings, ref).empty();
+    const bool idle = !without_effect(settings, ref).empty();
     const float dot = ImGui::GetFontSize() * 0.75f;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ImGui::AlignTextToFramePadding();

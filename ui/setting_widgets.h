@@ -4,9 +4,17 @@
 #include <string>
 
 #include "renderer/param.h"
+#include "renderer/renderer.h"
 #include "ui/scene_choices.h"
 
 namespace si {
+
+/// The driver by which the widgets drawn from now on judge what has an effect; null: as if it could everything. The
+/// pointer has to last until the next call.
+void use_driver(const DriverInfo* driver);
+
+/// Why turning the setting changes nothing: for what that driver lacks, or under the other settings. Empty when it acts.
+std::string_view without_effect(const Settings& settings, const SettingRef& ref);
 
 /// The widget alone, `width` pixels wide (0: what is left). Returns whether the value changed.
 /// @param names what to choose from in place of a bare number; empty: nothing

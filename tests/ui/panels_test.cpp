@@ -7,6 +7,7 @@
 
 #include "renderer/param.h"
 #include "tests/ui/ui_harness.h"
+#include "ui/setting_widgets.h"
 
 namespace si::test {
 namespace {
@@ -110,6 +111,19 @@ TEST(Panels, NoIdIsUsedTwiceInTheSettings) {
     std::size_t rows = 0;
     for (const Param& p : params()) rows += p.scope != Scope::Object;
     EXPECT_GE(closed.size(), rows);
+}
+
+TEST(Panels, WhatTheDriverLacksHasNoEffect) {
+    Settings s;
+    s.bias.raster_slope = 1;
+    DriverInfo driver;
+    driver.polygon_offset_clamp = true;
+    use_driver(&driver);
+    EXPECT_TRUE(without_effect(s, *find_setting("bias.raster_clamp")).empty());
+    driver.polygon_offset_clamp = false;
+    EXPECT_NE(without_effect(s, *find_setting("bias.raster_clamp")).find("driver"), std::string_view::npos);
+    EXPECT_TRUE(without_effect(s, *find_setting("bias.raster_slope")).empty());
+    use_driver(nullptr);
 }
 
 TEST(Panels, DraggingASliderIsOneStepOfUndo) {

@@ -20,14 +20,14 @@ TEST(Workspace, RemembersLayoutWindowAndRecentFiles) {
         Workspace w(folder);
         EXPECT_EQ(w.data(), WorkspaceData{});
         w.change([](WorkspaceData& d) {
-            d.layout = {.settings_width = 30, .bottom_height = 12.5f, .map_share = 0.25f};
+            d.layout = {.settings_width = 30, .bottom_height = 12.5f, .map_share = 0.25f, .map_plots = false};
             d.window_width = 1400, d.window_height = 800, d.maximised = true;
             put_first(d.recent_scenes, "/a/b.glb");
             put_first(d.recent_presets, "/a/\xc3\xa4 \"p\".json");
         });
     }
     const Workspace again(folder);
-    EXPECT_EQ(again.data().layout, (EditorLayout{.settings_width = 30, .bottom_height = 12.5f, .map_share = 0.25f}));
+    EXPECT_EQ(again.data().layout, (EditorLayout{.settings_width = 30, .bottom_height = 12.5f, .map_share = 0.25f, .map_plots = false}));
     EXPECT_EQ(again.data().window_width, 1400);
     EXPECT_EQ(again.data().window_height, 800);
     EXPECT_TRUE(again.data().maximised);
