@@ -11,6 +11,7 @@
 
 #include "renderer/atomic_file.h"
 #include "renderer/error.h"
+#include "renderer/gltf/extras.h"
 #include "renderer/gltf_loader.h"
 
 namespace si {
@@ -250,8 +251,8 @@ void Writer::add_cameras() {
             camera["perspective"] = {{"yfov", glm::radians(c.fov_y_deg)}, {"znear", near}};
             if (c.far > 0) camera["perspective"]["zfar"] = far;
         }
-        if (c.near <= 0) camera["extras"]["znear_automatic"] = true;
-        if (c.far <= 0 && c.orthographic) camera["extras"]["zfar_automatic"] = true;
+        if (c.near <= 0) camera["extras"][gltf::kExtrasKey]["znear_automatic"] = true;
+        if (c.far <= 0 && c.orthographic) camera["extras"][gltf::kExtrasKey]["zfar_automatic"] = true;
         root_["cameras"].push_back(std::move(camera));
         Json node = {{"name", c.name.empty() ? "Camera" : c.name}, {"camera", root_["cameras"].size() - 1}};
         set_matrix(node, c.world);
@@ -291,8 +292,8 @@ Json Writer::document() {
     Json scene = Json::object();
     if (!scene_.name.empty()) scene["name"] = scene_.name;
     if (!roots_.empty()) scene["nodes"] = roots_;
-    if (!scene_.about.empty()) scene["extras"]["about"] = scene_.about;
-    for (const auto& [key, value] : scene_.suggested) scene["extras"]["suggested"][key] = value;
+    if (!scene_.about.empty()) scene["extras"][gltf::kExtrasKey]["about"] = scene_.about;
+    for (const auto& [key, value] : scene_.suggested) scene["extras"][gltf::kExtrasKey]["suggested"][key] = value;
     root_["scene"] = 0;
     root_["scenes"] = Json::array({std::move(scene)});
     for (const auto& [name, unused] : extensions_) root_["extensionsUsed"].push_back(name);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "renderer/error.h"
+#include "renderer/gltf/extras.h"
 #include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
 #include "renderer/gltf/text.h"
@@ -39,6 +40,7 @@ void load(Context& context, Scene& scene) {
     check_look(context, root, sizes);
     const tinygltf::Model model = read_model(context, root);
     scene.about = about(root);
+    read_scene_extras(context, root, context.options().scene, scene);
 
     Buffers buffers(context, root, container);
     Accessors accessors(context, model, buffers);

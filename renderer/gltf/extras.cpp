@@ -1,0 +1,61 @@
+#include "renderer/gltf/extras.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "renderer/error.h"
+#include "renderer/gltf/text.h"
+#include "renderer/param.h"
+
+namespace si::gltf {
+namespace {
+
+constexpr std::size_t kMostSuggestions = 500;
+
+/// Our part of an object's extras, or null.
+const Json* own_extras(const Json& object) {
+    const auto extras = object.find("extras");
+    if (extras == object.end() || !extras->is_object()) return nullptr;
+    const auto own = extras->find(kExtrasKey);
+    return own != extras->end() && own->is_object() ? &*own : nullptr;
+}
+
+}  // namespace
+
+void read_scene_extras(Context& context, const Json& root, int scene_index, Scene& scene) {
+    const auto scenes = root.find("scenes");
+    if (scenes == root.end() || !scenes->is_array()) return;
+    if (scene_index < 0) {
+        const auto chosen = root.find("scene");
+        scene_index = chosen != root.end() && chosen->is_number_unsigned() ? chosen->get<int>() : 0;
+    }
+    if (std::size_t(scene_index) >= scenes->size()) return;
+    const Json* own = own_extras((*scenes)[std::size_t(scene_index)]);
+    if (!own) return;
+    if (const auto about = own->find("about"); about != own->end() && about->is_string())
+        scene.about = printable(about->get_ref<const std::string&>(), 500);
+    const auto suggested = own->find("suggested");
+    if (suggested == own->end()) return;
+    if (!suggested->is_object() || suggested->size() > kMostSuggestions) {
+        context.warn("its suggested settings are no object of at most 500 members; they are left out");
+        return;
+    }
+    for (const auto& [key, value] : suggested->items()) {
+        try {
+            if (!value.is_string()) throw UsageError(fmt::format("{}: the value is no text", key));
+            Settings unused;
+            set_setting(unused, key, value.get_ref<const std::string&>());
+            scene.suggested.emplace_back(key, value.get<std::string>());
+        } catch (const UsageError& e) {
+            context.warn(fmt::format("a suggested setting is left out: {}", printable(e.what(), 300)));
+        }
+    }
+}
+
+bool camera_flag(const Json& camera, const char* name) {
+    const Json* own = own_extras(camera);
+    return own && own->value(name, Json()) == Json(true);
+}
+
+}  // namespace si::gltf
