@@ -34,24 +34,44 @@ RayTruth::RayTruth(const Scene& scene)
         const auto at = [&](std::uint32_t k) {
             return glm::dvec3(world * glm::dvec4(glm::dvec3(mesh.positions[k]), 1));
         };
+        Group group{triangles_.size(), 0};
+        Bounds box;
         for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3) {
             Triangle t{at(mesh.indices[k]), at(mesh.indices[k + 1]), at(mesh.indices[k + 2]), {}, int(i)};
             const glm::dvec3 n = glm::cross(t.b - t.a, t.c - t.a);
             if (!(glm::dot(n, n) > 0)) continue;
             t.normal = glm::normalize(n);
             triangles_.push_back(t);
+            for (const glm::dvec3& corner : {t.a, t.b, t.c}) box.add(corner);
         }
+        group.end = triangles_.size();
+        group.centre = box.centre();
+        group.radius = box.radius() * (1 + 1e-9) + 1e-9 * radius_;
+        if (group.end > group.begin) groups_.push_back(group);
     }
+}
+
+template <class Visit>
+bool RayTruth::along(const glm::dvec3& origin, const glm::dvec3& direction, Visit visit) const {
+    const double length2 = glm::dot(direction, direction);
+    for (const Group& g : groups_) {
+        const glm::dvec3 aside = glm::cross(g.centre - origin, direction);
+        if (glm::dot(aside, aside) > g.radius * g.radius * length2) continue;
+        for (std::size_t i = g.begin; i < g.end; ++i)
+            if (visit(i)) return true;
+    }
+    return false;
 }
 
 std::optional<Hit> RayTruth::first_hit(const glm::dvec3& origin_ws, const glm::dvec3& direction) const {
     const glm::dvec3 origin = origin_ws - centre_;
     Hit hit;
     hit.distance = kFar;
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    along(origin, direction, [&](std::size_t i) {
         const double t = intersect(triangles_[i], origin, direction);
         if (t > 0 && t < hit.distance) hit.distance = t, hit.triangle = int(i);
-    }
+        return false;
+    });
     if (hit.triangle < 0) return std::nullopt;
     hit.position = origin_ws + hit.distance * direction;
     hit.normal = triangles_[std::size_t(hit.triangle)].normal;
@@ -64,12 +84,11 @@ bool RayTruth::occluded(const glm::dvec3& point_ws, const FittedLight& light, in
     const double reach = light.type == LightType::Directional ? kFar : glm::distance(light.position, point_ws);
     // Neighbours in the receiver's own plane are met at distance 0.
     const double from = std::max(least, 1e-9 * radius_);
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-        if (int(i) == own) continue;
+    return along(origin, dir, [&](std::size_t i) {
+        if (int(i) == own) return false;
         const double t = intersect(triangles_[i], origin, dir);
-        if (t > from && t < reach) return true;
-    }
-    return false;
+        return t > from && t < reach;
+    });
 }
 
 glm::dvec3 direction_to(const FittedLight& light, const glm::dvec3& point_ws) {

@@ -35,7 +35,18 @@ public:
     const Triangle& triangle(int i) const { return triangles_[std::size_t(i)]; }
 
 private:
+    /// The triangles of one object, and a ball that holds them.
+    struct Group {
+        std::size_t begin = 0, end = 0;
+        glm::dvec3 centre{0};
+        double radius = 0;
+    };
+    /// Calls `visit` with the number of each triangle whose group's ball the line meets, until it returns true.
+    template <class Visit>
+    bool along(const glm::dvec3& origin, const glm::dvec3& direction, Visit visit) const;
+
     std::vector<Triangle> triangles_;
+    std::vector<Group> groups_;
     glm::dvec3 centre_{0};
     double radius_ = 1;
 };

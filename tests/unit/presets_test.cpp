@@ -166,9 +166,16 @@ TEST_F(PresetFiles, ALinkStaysALink) {
     EXPECT_EQ(load_preset(real.string()).settings, sample().settings);
 }
 
-TEST(Presets, BuiltInOnesAreSoundAndSorted) {
+TEST(Presets, BuiltInOnesAreSoundAndInTheirFilesOrder) {
     const auto list = builtin_presets();  // parses them all
-    EXPECT_TRUE(std::is_sorted(list.begin(), list.end(), [](auto& a, auto& b) { return a.key < b.key; }));
+    // The number before a file's name orders it and is no part of its key.
+    std::vector<std::string> files, keys;
+    for (const auto& entry : fs::directory_iterator(fs::path(SI_SOURCE_DIR) / "assets/presets"))
+        files.push_back(entry.path().stem().string());
+    std::sort(files.begin(), files.end());
+    for (std::string& file : files) file.erase(0, file.find('-') + 1);
+    for (const BuiltinPreset& p : list) keys.push_back(p.key);
+    EXPECT_EQ(keys, files);
     for (const auto& preset : list) {
         EXPECT_FALSE(preset.about.empty()) << preset.key;
         EXPECT_NO_THROW(load_preset(preset.key));

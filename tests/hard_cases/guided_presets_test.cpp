@@ -1,0 +1,88 @@
+// Every guided preset loads without a fault and shows what its sentence says, counted against ray-traced truth.
+#include <algorithm>
+#include <set>
+
+#include "app/output.h"
+#include "app/presets.h"
+#include "app/session.h"
+#include "renderer/param.h"
+#include "renderer/scenes/builtin.h"
+#include "tests/hard_cases/guided_claims.h"
+#include "tests/support/guided.h"
+
+namespace si::test {
+namespace {
+
+std::vector<std::string> claimed_keys() {
+    std::vector<std::string> list;
+    for (const Claims* claims : {&guided_surface_claims(), &guided_map_claims()})
+        for (const auto& [key, claim] : *claims) list.push_back(key);
+    return list;
+}
+
+std::string identifier(const testing::TestParamInfo<std::string>& info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+class GuidedPresets : public testing::TestWithParam<std::string> {};
+
+TEST_P(GuidedPresets, ShowsWhatItsSentenceClaims) {
+    const Claims& surface = guided_surface_claims();
+    const auto it = surface.find(GetParam());
+    (it != surface.end() ? it->second : guided_map_claims().at(GetParam()))();
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, GuidedPresets, testing::ValuesIn(claimed_keys()), identifier);
+
+TEST(GuidedPresetFiles, EachHasATextATopicASceneAndACountedClaim) {
+    std::vector<std::string> keys, claimed = claimed_keys();
+    std::set<std::string> titles, abouts, topics;
+    std::string topic;
+    for (const BuiltinPreset& p : builtin_presets()) {
+        keys.push_back(p.key);
+        EXPECT_TRUE(titles.insert(p.title).second && !p.title.empty()) << p.key << ": " << p.title;
+        EXPECT_TRUE(abouts.insert(p.about).second) << p.key;
+        EXPECT_GT(p.about.size(), 60u) << p.key;
+        EXPECT_LT(p.about.size(), 330u) << p.key << ": longer than a glance";
+        EXPECT_EQ(p.about.back(), '.') << p.key;
+        if (p.topic != topic) {
+            EXPECT_TRUE(topics.insert(p.topic).second) << p.key << ": the topic " << p.topic << " is torn apart";
+        }
+        topic = p.topic;
+        const auto scenes = builtin_scenes();
+        EXPECT_TRUE(std::any_of(scenes.begin(), scenes.end(), [&](const BuiltinScene& s) { return s.key == p.scene; }))
+            << p.key;
+    }
+    std::sort(keys.begin(), keys.end());
+    std::sort(claimed.begin(), claimed.end());
+    EXPECT_EQ(keys, claimed) << "a preset without a counted claim, or a claim without a preset";
+    EXPECT_GE(keys.size(), 30u);
+}
+
+TEST(GuidedPresetFiles, OpenWithoutRemarksButForTheCastersTheyLose) {
+    for (const BuiltinPreset& p : builtin_presets()) {
+        SCOPED_TRACE(p.key);
+        const Session session = open_session({.scene = {}, .preset = p.key, .sets = {}});
+        EXPECT_TRUE(session.notes.empty()) << session.notes.front();
+        FrameRequest request;
+        request.width = 64, request.height = 36;
+        const FrameResult frame = hard_renderer().render(session.scene, session.settings, request);
+        for (const std::string& note : frame.notes)
+            EXPECT_TRUE(p.topic == "Front-face culling" && note.find("casts no shadow") != std::string::npos) << note;
+        for (const SettingRef& ref : changed_settings(session.settings))
+            EXPECT_EQ(idle_reason(session.settings, ref), "") << setting_key(ref);
+    }
+}
+
+TEST(GuidedPresetFiles, AreWrittenAsTheProgramWritesThem) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(SI_SOURCE_DIR) / "assets/presets")) {
+        const std::string text = read_text_file(entry.path());
+        EXPECT_EQ(preset_text(parse_preset(text, entry.path().string())), text) << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,134 @@
+#include "tests/support/guided.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/presets.h"
+#include "app/session.h"
+#include "renderer/scenes/builtin.h"
+
+namespace si::test {
+namespace {
+
+bool named(const Guided::Nodes& nodes, const std::string& path) {
+    return std::any_of(nodes.begin(), nodes.end(), [&](const std::string& node) {
+        return node.ends_with('*') ? path.starts_with(std::string_view(node).substr(0, node.size() - 1)) : path == node;
+    });
+}
+
+/// The scene with these nodes' objects alone.
+Scene only(Scene scene, const Guided::Nodes& nodes) {
+    std::erase_if(scene.objects, [&](const Object& o) { return !named(nodes, scene.nodes[std::size_t(o.node)].path); });
+    return scene;
+}
+
+}  // namespace
+
+Guided::Guided(const std::string& key, const std::vector<std::string>& changes, int width, int height) {
+    const Preset preset = load_preset(key);
+    scene = load_scene(preset.scene);
+    settings = preset.settings;
+    for (const std::string& change : changes) apply_set(settings, change);
+    shot = shoot(scene, settings, width, height);
+    if (shot.frame.map_view.texture) map_view = hard_renderer().read_colour(shot.frame.map_view);
+    rays_.emplace(scene);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            glm::dvec3 origin, direction;
+            shot.frame.camera.pixel_ray(x, y, width, height, origin, direction);
+            hits_.push_back(rays_->first_hit(origin, direction));
+        }
+}
+
+bool Guided::looked_at(std::size_t pixel, const Nodes& receivers) const {
+    if (!hits_[pixel]) return false;
+    const Hit& hit = *hits_[pixel];
+    // Edge-on to the light, where rounding decides the side, is left out.
+    if (glm::dot(hit.normal, direction_to(shot.light(), hit.position)) <= 0.02) return false;
+    const int object = rays_->triangle(hit.triangle).object;
+    return receivers.empty() ||
+           named(receivers, scene.nodes[std::size_t(scene.objects[std::size_t(object)].node)].path);
+}
+
+/// Calls `use(hit, visibility)` for the pixels that are looked at.
+template <class Use>
+void Guided::each_pixel(const Nodes& receivers, Use use) const {
+    for (std::size_t i = 0; i < hits_.size(); ++i)
+        if (looked_at(i, receivers)) use(*hits_[i], shot.visibility.data[i]);
+}
+
+int Guided::edges(const Nodes& receivers) const {
+    int count = 0;
+    for (std::size_t i = 0; i + 1 < hits_.size(); ++i)
+        if ((i + 1) % std::size_t(shot.width) != 0 && looked_at(i, receivers) && looked_at(i + 1, receivers))
+            count += (shot.visibility.data[i] < 0.5f) != (shot.visibility.data[i + 1] < 0.5f);
+    return count;
+}
+
+double Guided::mean_of_drawn(const std::function<double(int x, int y)>& value) const {
+    const FloatImage& map = shot.maps.at(0);
+    const double empty = shot.view().curve.convention.far_depth();
+    double sum = 0;
+    int count = 0;
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x)
+            if (map.at(x, y) != empty) sum += value(x, y), ++count;
+    EXPECT_GT(count, 100) << "too few texels to say anything";
+    return sum / std::max(count, 1);
+}
+
+bool Guided::shadowed(const RayTruth& rays, const Hit& hit) const {
+    return rays.occluded(hit.position + 1e-5 * hit.normal, shot.light(), -1);
+}
+
+double Guided::wrongly_dark(const Nodes& receivers) const {
+    int lit = 0, wrong = 0;
+    each_pixel(receivers, [&](const Hit& hit, float v) {
+        if (!shadowed(*rays_, hit)) ++lit, wrong += v < 0.5f;
+    });
+    EXPECT_GT(lit, 100) << "too few pixels to say anything";
+    return double(wrong) / std::max(lit, 1);
+}
+
+double Guided::wrongly_lit(const Nodes& receivers, const Nodes& casters) const {
+    std::optional<RayTruth> some;
+    if (!casters.empty()) some.emplace(only(scene, casters));
+    int shadow = 0, wrong = 0;
+    each_pixel(receivers, [&](const Hit& hit, float v) {
+        if (shadowed(some ? *some : *rays_, hit)) ++shadow, wrong += v >= 0.5f;
+    });
+    EXPECT_GT(shadow, 30) << "too few pixels to say anything";
+    return double(wrong) / std::max(shadow, 1);
+}
+
+double Guided::lit_where(const std::function<bool(const glm::dvec4&, bool)>& chosen) const {
+    int count = 0, lit = 0;
+    each_pixel({}, [&](const Hit& hit, float v) {
+        if (!chosen(uvdw(view_of(shot.light(), hit.position), hit.position), shadowed(*rays_, hit))) return;
+        ++count, lit += v >= 0.5f;
+    });
+    EXPECT_GT(count, 100) << "too few pixels to say anything";
+    return count > 0 ? double(lit) / count : -1;
+}
+
+double Guided::grey() const {
+    int count = 0, seen = 0;
+    each_pixel({}, [&](const Hit&, float v) { ++seen, count += v > 0.01f && v < 0.99f; });
+    return double(count) / std::max(seen, 1);
+}
+
+int Guided::grey_levels() const {
+    std::set<long> levels;
+    each_pixel({}, [&](const Hit&, float v) {
+        if (v > 0.005f && v < 0.995f) levels.insert(std::lround(v * 1000));
+    });
+    return int(levels.size());
+}
+
+double Guided::dark() const {
+    int count = 0, seen = 0;
+    each_pixel({}, [&](const Hit&, float v) { ++seen, count += v < 0.5f; });
+    return double(count) / std::max(seen, 1);
+}
+
+}  // namespace si::test
