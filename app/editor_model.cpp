@@ -209,6 +209,9 @@ void EditorModel::show_scene(Scene loaded, const Arrival& arrival) {
         notes_ = notes;
     } else {
         state.probe_pixel.reset();
+        state.selected_object.clear();
+        state.camera_before_light.reset();
+        state.frozen.reset();
         state.map_window = {};
     }
     state.log.add(LogKind::Info, fmt::format("{}: {} objects, {} triangles", state.scene_name, scene_.objects.size(),

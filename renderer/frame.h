@@ -107,6 +107,7 @@ struct Probe {
         double own = 0, own_m = 0;           ///< the fragment's own depth before bias
         double bias_depth = 0, bias_texels = 0, bias_m = 0;
         double normal_offset_m = 0;
+        glm::dvec3 offset_position_ws{0};  ///< after the normal offset
         double texel_m = 0;
         double compared = 0;     ///< depth after bias
         double visibility = 1;   ///< what the renderer's filter computed

@@ -6,9 +6,9 @@
 
 namespace si {
 
-/// `settings` with everything that the fit chose (distance, near, far, extent, for directional lights the place) written
-/// out under light.fit = manual: fit_lights() then finds the same views within rounding. Settings that leave nothing to
-/// the fit come back as they are.
+/// `settings` with everything that the fit chose (distance, near, far, extent, for directional lights the place)
+/// written out under light.fit = manual: fit_lights() then finds the same views within rounding. Settings that leave
+/// nothing to the fit come back as they are.
 /// @param fitted what fit_lights() made of `settings`
 LightSettings manual_light(const LightSettings& settings, const FittedLight& fitted);
 

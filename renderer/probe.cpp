@@ -115,7 +115,8 @@ Probe::PerLight test_light(const FrameState& f, std::size_t i, const PixelFacts&
     p.bias_m = p.bias_depth / per_m;
     p.bias_texels = p.bias_m / p.texel_m;
     p.normal_offset_m = bias.normal * p.texel_m;
-    const glm::dvec4 moved = view.clip_from_relative(position + normal * p.normal_offset_m) * glm::dvec4(0, 0, 0, 1);
+    p.offset_position_ws = position + normal * p.normal_offset_m;
+    const glm::dvec4 moved = view.clip_from_relative(p.offset_position_ws) * glm::dvec4(0, 0, 0, 1);
     const glm::dvec3 tap = to_unit(glm::dvec3(moved) / moved.w);
     p.compared = tap.z - (view.curve.convention.reversed ? -p.bias_depth : p.bias_depth);
     p.texel = glm::ivec2(glm::clamp(glm::floor(glm::dvec2(tap) * double(n)), glm::dvec2(-1e9), glm::dvec2(1e9)));

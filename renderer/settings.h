@@ -131,6 +131,8 @@ struct ViewSettings {
     int overlay_range = 0;  ///< OverlayRange
     double overlay_min = 0, overlay_max = 1;
     bool frustum = true;
+    bool bounds = false;
+    bool axes = true;
     int slabs = 0;  ///< Slabs
     double slabs_u = 0.5, slabs_v = 0.5;
     int slabs_texels = 32;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/param.h"
 #include "ui/camera_gesture.h"
 #include "ui/panels.h"
 #include "ui/selection.h"
@@ -12,8 +13,8 @@
 namespace si {
 namespace {
 
-constexpr float kClickPixels = 3;      ///< a press that moves further is a drag
-constexpr double kWheelSeconds = 0.4;  ///< turns of the wheel closer than this are one step of undo
+constexpr float kClickPixels = 3;        ///< a press that moves further is a drag
+constexpr double kWheelSeconds = 0.4;    ///< turns of the wheel closer than this are one step of undo
 constexpr double kRadiiPerSecond = 0.4;  ///< a flight's speed at factor 1, in radii of the scene
 constexpr double kFast = 4;              ///< with Shift
 constexpr double kSpeedPerStep = 1.25;   ///< of the wheel
@@ -44,11 +45,16 @@ void fly_on(EditorState& state, const EditorFrame& frame) {
     flight.moving = moving;
 }
 
+void frame_bounds(EditorState& state, const EditorFrame& frame, const Bounds& bounds) {
+    take_camera(state, frame);
+    look_at_bounds(state.settings.camera, bounds, frame.result ? frame.result->camera.aspect : 1.5);
+}
+
 }  // namespace
 
 void take_camera(EditorState& state, const EditorFrame& frame) {
-    if (frame.scene && frame.result)
-        state.settings.camera = manual_camera(*frame.scene, state.settings, frame.result->camera.aspect);
+    const double aspect = frame.result ? frame.result->camera.aspect : 1.5;
+    if (frame.scene) state.settings.camera = manual_camera(*frame.scene, state.settings, aspect);
 }
 
 void steer_camera(EditorState& state, const EditorFrame& frame, const PictureView& view) {
@@ -86,9 +92,21 @@ void steer_camera(EditorState& state, const EditorFrame& frame, const PictureVie
 void frame_selection(EditorState& state, const EditorFrame& frame) {
     if (!frame.scene) return;
     const Bounds selected = bounds_of(*frame.scene, state.selected_object);
-    const double aspect = frame.result ? frame.result->camera.aspect : 1.5;
-    state.settings.camera = manual_camera(*frame.scene, state.settings, aspect);
-    look_at_bounds(state.settings.camera, selected.empty() ? frame.scene->bounds : selected, aspect);
+    frame_bounds(state, frame, selected.empty() ? frame.scene->bounds : selected);
+}
+
+void frame_light(EditorState& state, const EditorFrame& frame, const glm::dvec3& position) {
+    if (!frame.scene) return;
+    Bounds both = frame.scene->bounds;
+    both.add(position);
+    frame_bounds(state, frame, both);
+}
+
+void reset_camera(EditorState& state, const EditorFrame& frame) {
+    state.settings.camera = CameraSettings{.index = state.settings.camera.index};
+    if (!frame.scene) return;
+    for (const auto& [key, value] : frame.scene->suggested)
+        if (key.starts_with("camera.")) set_setting(state.settings, key, value);
 }
 
 void toggle_light_camera(EditorState& state) {
@@ -102,6 +120,13 @@ void toggle_light_camera(EditorState& state) {
     camera = state.camera_before_light.value_or(CameraSettings{});
     if (camera.source == int(CameraSource::Light)) camera.source = int(CameraSource::Automatic);
     state.camera_before_light.reset();
+}
+
+void toggle_frozen_camera(EditorState& state, const EditorFrame& frame) {
+    if (state.frozen)
+        state.frozen.reset();
+    else if (frame.result)
+        state.frozen = frame.result->camera;
 }
 
 }  // namespace si

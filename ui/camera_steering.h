@@ -14,7 +14,13 @@ void steer_camera(EditorState& state, const EditorFrame& frame, const PictureVie
 void take_camera(EditorState& state, const EditorFrame& frame);
 /// Frames the selected object, or all of the scene when none is.
 void frame_selection(EditorState& state, const EditorFrame& frame);
+/// Frames all of the scene and a light that stands at `position`.
+void frame_light(EditorState& state, const EditorFrame& frame, const glm::dvec3& position);
+/// The scene's own camera, or the one that the scene suggests.
+void reset_camera(EditorState& state, const EditorFrame& frame);
 /// Looks through the shown light; a second call goes back to the camera before.
 void toggle_light_camera(EditorState& state);
+/// Keeps the present camera as the frozen one, or lets go of it.
+void toggle_frozen_camera(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

@@ -41,9 +41,14 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (pressed('F')) frame_selection(state, frame);
     if (pressed('L')) toggle_light_camera(state);
     if (pressed(' ')) toggle_play(state, frame);
+    if (pressed('K')) toggle_frozen_camera(state, frame);
     if (pressed('M')) s.view.map = (s.view.map + 1) % 3;
-    if (pressed(ImGuiKey_Home)) s.camera = CameraSettings{.index = s.camera.index};
-    if (pressed(ImGuiKey_Escape)) state.probe_pixel.reset(), state.show_shortcuts = false;
+    if (pressed(ImGuiKey_Home)) reset_camera(state, frame);
+    if (pressed(ImGuiKey_Escape)) {
+        if (!state.probe_pixel) state.selected_object.clear();
+        state.probe_pixel.reset();
+        state.show_shortcuts = false;
+    }
     for (char digit = '0'; digit <= '9'; ++digit) {
         const int overlay = digit - '0';
         if (pressed(digit) && std::size_t(overlay) <= overlays().size())

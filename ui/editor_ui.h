@@ -78,8 +78,9 @@ struct EditorState {
     std::optional<PictureView> scene_view;  ///< where the scene picture was drawn last
     bool press_moved = false;  ///< the press in the scene picture became a drag
     bool press_taken = false;  ///< the press in the scene picture is on a mark in it, no gesture of the camera
-    std::optional<LightHit> hovered_light;   ///< under the mouse in the scene picture
-    std::optional<HandleDrag> handle_drag;   ///< under way
+    std::optional<LightHit> hovered_light;  ///< under the mouse in the scene picture
+    std::optional<HandleDrag> handle_drag;  ///< under way
+    char hovered_axis = 0;                  ///< 'x', 'y' or 'z': an end of the gnomon is under the mouse
     Flight flight;
     std::optional<CameraSettings> camera_before_light;  ///< what looking through the light goes back to
     std::optional<Camera> frozen;  ///< the shadow camera while another one flies about

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kSnapDegrees = 5;
-constexpr double kLeast = 1e-4;      // of the distance or range: what near, extent and distance stay above
+constexpr double kLeast = 1e-4;       // of the distance or range: what near, extent and distance stay above
 constexpr double kLeastRange = 0.01;  // of far: what far stays beyond near
 
 double snapped(double value, double step) {
@@ -92,7 +92,8 @@ bool drag_cone(LightSettings& s, const LightPose& start, LightHandle h, const Ra
     const glm::dvec3 axis = -start.to_light, side = handle_way(start, h), edge = glm::cross(axis, side);
     const double half = half_cone_rad(start.settings), reach = cone_reach(start) * std::cos(half);
     const bool in_rim = std::abs(glm::dot(ray.direction, axis)) > std::abs(glm::dot(ray.direction, edge));
-    const auto at = in_rim ? meet_plane(ray, start.position + axis * reach, axis) : meet_plane(ray, start.position, edge);
+    const auto at =
+        in_rim ? meet_plane(ray, start.position + axis * reach, axis) : meet_plane(ray, start.position, edge);
     if (!at) return false;
     const glm::dvec3 d = *at - start.position;
     double angle = std::atan2(glm::dot(d, side), glm::dot(d, axis));

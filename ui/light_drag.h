@@ -13,13 +13,14 @@ namespace si {
 /// only hold the distance; a directional light turns under its fit.
 LightPose grab_light(const LightPose& pose, LightHandle handle, const FittedLight& fitted);
 
-/// The light after `handle`, grabbed in the pose `start`, was dragged so that it appears at `to` (pixels); nothing when no
-/// place of it can appear there.
+/// The light after `handle`, grabbed in the pose `start`, was dragged so that it appears at `to` (pixels); nothing when
+/// no place of it can appear there.
 /// @param step 0, or lengths go in steps of so many metres and angles in steps of 5 degrees
 std::optional<LightSettings> drag_light(const LightPose& start, LightHandle handle, const PictureView& view,
                                         const glm::dvec2& to, double step = 0);
 
-/// What of the lights a point of the picture shows: a handle of one, or the mark where one stands.
+/// What of the lights a point of the picture shows: a handle of the shown one, the mark of another, or the pointer to
+/// the shown one when it is outside the picture.
 struct LightHit {
     int light = 0;
     std::optional<LightHandle> handle;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/camera_steering.h"
 #include "ui/light_marks.h"
 #include "ui/panels.h"
 
@@ -41,6 +42,8 @@ std::optional<LightHit> hit(const EditorState& state, const FrameResult& result,
         for (const PlacedHandle& p : place_handles(pose_of(state, result, shown), view))
             take(p.on_screen, {shown, p.handle});
     if (found) return found;
+    if (shown < count)
+        if (const auto at = pointer_place(pose_of(state, result, shown), view)) take(*at, {shown, {}});
     for (int i = 0; i < count; ++i)
         if (i != shown)
             if (const auto at = view.point(pose_of(state, result, i).position)) take(*at, {i, {}});
@@ -96,8 +99,10 @@ void steer_lights(EditorState& state, const EditorFrame& frame, const PictureVie
     state.press_taken = true;
     if (on->handle)
         begin_drag(state, *frame.result, view, *on, mouse);
-    else
+    else if (on->light != shown_light(state.settings))
         state.settings.view.light = on->light;
+    else
+        frame_light(state, frame, pose_of(state, *frame.result, on->light).position);
 }
 
 void draw_lights(const EditorState& state, const EditorFrame& frame, const PicturePainter& painter) {
@@ -111,12 +116,14 @@ void draw_lights(const EditorState& state, const EditorFrame& frame, const Pictu
                              hovered && hovered->light == i);
     if (shown >= count) return;  // a light was added a moment ago
     const LightPose pose = pose_of(state, result, shown);
-    draw_shown_light(painter, pose);
+    draw_shown_light(painter, pose, hovered && hovered->light == shown && !hovered->handle);
     draw_handles(painter, pose, hovered ? hovered->handle : std::nullopt);
     if (state.handle_drag && state.handle_drag->moved)
         draw_numbers(painter, pose, state.handle_drag->handle, result.map_resolution);
     else if (hovered && hovered->handle)
         handle_tooltip(pose, *hovered->handle);
+    else if (hovered && hovered->light == shown)
+        ImGui::SetTooltip("Light %d stands outside the picture: click to bring it in", shown);
     else if (hovered)
         ImGui::SetTooltip("Light %d: click to show its map and handles", hovered->light);
 }

@@ -10,8 +10,8 @@ namespace si {
 namespace {
 
 constexpr double kArrowPixels = 58, kBallPixels = 92;  // at scale 1
-constexpr double kRim = 0.7;         // of the distance to the target
-constexpr double kLeastSine = 0.12;  // between the line of sight and the way a handle moves
+constexpr double kRim = 0.7;                           // of the distance to the target
+constexpr double kLeastSine = 0.12;                    // between the line of sight and the way a handle moves
 
 /// Whether a movement of the mouse moves the handle by a sensible amount in this view.
 bool can_move(const LightPose& pose, const PlacedHandle& placed, const PictureView& view) {
@@ -39,15 +39,24 @@ bool is_cone(LightHandle h) {
 
 std::string_view handle_name(LightHandle h) {
     switch (h) {
-        case LightHandle::Position: return "Place";
-        case LightHandle::AxisX: return "Place along x";
-        case LightHandle::AxisY: return "Place along y";
-        case LightHandle::AxisZ: return "Place along z";
-        case LightHandle::Direction: return "Direction";
-        case LightHandle::Target: return "Target";
-        case LightHandle::Near: return "Near plane";
-        case LightHandle::Far: return "Far plane";
-        default: return is_cone(h) ? "Cone" : "Extent";
+        case LightHandle::Position:
+            return "Place";
+        case LightHandle::AxisX:
+            return "Place along x";
+        case LightHandle::AxisY:
+            return "Place along y";
+        case LightHandle::AxisZ:
+            return "Place along z";
+        case LightHandle::Direction:
+            return "Direction";
+        case LightHandle::Target:
+            return "Target";
+        case LightHandle::Near:
+            return "Near plane";
+        case LightHandle::Far:
+            return "Far plane";
+        default:
+            return is_cone(h) ? "Cone" : "Extent";
     }
 }
 
@@ -75,8 +84,8 @@ std::vector<LightHandle> handles_of(const LightPose& pose) {
     using enum LightHandle;
     std::vector<LightHandle> all{Position, AxisX, AxisY, AxisZ};
     if (pose.type != LightType::Point) all.push_back(Direction);
-    const bool placed_by_fit = pose.type == LightType::Directional && pose.orthographic() &&
-                               pose.settings.fit != int(LightFit::Manual);
+    const bool placed_by_fit =
+        pose.type == LightType::Directional && pose.orthographic() && pose.settings.fit != int(LightFit::Manual);
     if (pose.type != LightType::Point && !placed_by_fit) all.push_back(Target);
     if (pose.type == LightType::Spot) all.insert(all.end(), {ConeRight, ConeTop, ConeLeft, ConeBottom});
     if (!pose.has_map) return all;
@@ -110,14 +119,19 @@ glm::dvec3 handle_place(const LightPose& pose, LightHandle h, const PictureView&
     const LightView& map = pose.view;
     const auto along = [&](double z) { return map.eye - map.axes[2] * z; };
     switch (h) {
-        case LightHandle::Position: return pose.position;
-        case LightHandle::Target: return pose.target;
-        case LightHandle::Near: return along(map.curve.near);
-        case LightHandle::Far: return along(map.curve.far);
+        case LightHandle::Position:
+            return pose.position;
+        case LightHandle::Target:
+            return pose.target;
+        case LightHandle::Near:
+            return along(map.curve.near);
+        case LightHandle::Far:
+            return along(map.curve.far);
         case LightHandle::Direction:
             return pose.type == LightType::Spot ? pose.position - pose.to_light * direction_ball(pose, view)
                                                 : pose.target + pose.to_light * direction_ball(pose, view);
-        default: break;
+        default:
+            break;
     }
     const glm::dvec3 way = handle_way(pose, h);
     if (is_axis(h)) return pose.position + way * (kArrowPixels * view.ui_scale * view.metres_per_pixel(pose.position));

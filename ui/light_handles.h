@@ -10,12 +10,22 @@
 namespace si {
 
 enum class LightHandle {
-    Position, AxisX, AxisY, AxisZ,
+    Position,
+    AxisX,
+    AxisY,
+    AxisZ,
     Direction,
     Target,
-    ExtentRight, ExtentTop, ExtentLeft, ExtentBottom,
-    ConeRight, ConeTop, ConeLeft, ConeBottom,
-    Near, Far
+    ExtentRight,
+    ExtentTop,
+    ExtentLeft,
+    ExtentBottom,
+    ConeRight,
+    ConeTop,
+    ConeLeft,
+    ConeBottom,
+    Near,
+    Far
 };
 
 bool is_axis(LightHandle handle);
@@ -34,8 +44,8 @@ struct LightPose {
     glm::dvec3 target{0};    ///< world; what the light turns about or looks at
     glm::dvec3 position{0};  ///< world; where the light's mark stands
     glm::dvec3 to_light{0, 1, 0};
-    double distance = 1;     ///< m, from target to position
-    bool has_map = true;     ///< near, far and extent mean something
+    double distance = 1;  ///< m, from target to position
+    bool has_map = true;  ///< near, far and extent mean something
     bool orthographic() const { return !view.curve.perspective; }
 };
 
@@ -45,10 +55,12 @@ LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, i
 /// The handles that the light has, whatever the view.
 std::vector<LightHandle> handles_of(const LightPose& pose);
 
-/// Where a handle stands, world. Arrows and the direction's ball have a size on the screen, so that depends on the view.
+/// Where a handle stands, world. Arrows and the direction's ball have a size on the screen, so that depends on the
+/// view.
 glm::dvec3 handle_place(const LightPose& pose, LightHandle handle, const PictureView& view);
 
-/// Radius of the ball on whose surface the direction's handle moves, about the target (directional) or the light (spot).
+/// Radius of the ball on whose surface the direction's handle moves, about the target (directional) or the light
+/// (spot).
 double direction_ball(const LightPose& pose, const PictureView& view);
 /// Distance from the light at which the rim of a spot light's cone is drawn.
 double cone_reach(const LightPose& pose);

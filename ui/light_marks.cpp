@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "ui/light_lines.h"
@@ -15,7 +16,8 @@ namespace {
 
 constexpr ImU32 kLight = theme::kAccent, kFar = IM_COL32(196, 158, 84, 175), kHot = IM_COL32_WHITE;
 constexpr int kRimSegments = 64;
-constexpr double kEdgeDistance = 12;  // of the pointer to a light outside the picture, pixels at scale 1
+// How far the pointer to a light outside stays from the picture's edges, pixels at scale 1.
+constexpr double kEdge = 12, kCaptionEdge = 42;
 
 std::string_view help(LightHandle h, LightType type) {
     const bool directional = type == LightType::Directional;
@@ -73,34 +75,38 @@ void draw_rim(const PicturePainter& p, const LightPose& pose) {
     for (int i = 0; i < kRimSegments; ++i) p.line(at(i), at(i + 1), faded(kLight, 190), 1.2);
 }
 
-/// At the picture's edge, where the light would be found.
-void draw_pointer(const PicturePainter& p, const LightPose& pose) {
-    const PictureView& view = p.view();
-    const auto seen = view.point(pose.position);
-    if (seen && view.contains(*seen)) return;
-    const glm::dvec3 v = glm::transpose(view.camera.axes) * (pose.position - view.camera.eye);
-    const glm::dvec2 middle = view.origin + 0.5 * view.size;
-    glm::dvec2 way = seen ? *seen - middle : glm::dvec2(v.x, -v.y);
-    if (!(glm::length(way) > 0) || !std::isfinite(glm::length(way))) return;
-    way = glm::normalize(way);
-    const glm::dvec2 room = 0.5 * view.size - double(p.px(kEdgeDistance));
-    const double reach = std::min(way.x != 0 ? std::abs(room.x / way.x) : 1e9, way.y != 0 ? std::abs(room.y / way.y) : 1e9);
-    arrow_head(p, middle + reach * way, way, 11, kLight);
-}
-
 }  // namespace
 
-void draw_shown_light(const PicturePainter& p, const LightPose& pose) {
+std::optional<glm::dvec2> pointer_place(const LightPose& pose, const PictureView& view) {
+    const auto seen = view.point(pose.position);
+    if (seen && view.contains(*seen)) return {};
+    const glm::dvec3 v = glm::transpose(view.camera.axes) * (pose.position - view.camera.eye);
+    // Captions stand along the upper edge.
+    const glm::dvec2 lo = view.origin + glm::dvec2(kEdge, kCaptionEdge) * view.ui_scale;
+    const glm::dvec2 hi = view.origin + view.size - kEdge * view.ui_scale, middle = 0.5 * (lo + hi);
+    glm::dvec2 way = seen ? *seen - middle : glm::dvec2(v.x, -v.y);
+    if (!(glm::length(way) > 0) || !std::isfinite(glm::length(way))) return {};
+    way = glm::normalize(way);
+    const glm::dvec2 room = 0.5 * (hi - lo);
+    const double across = way.x != 0 ? std::abs(room.x / way.x) : std::numeric_limits<double>::infinity();
+    const double upwards = way.y != 0 ? std::abs(room.y / way.y) : std::numeric_limits<double>::infinity();
+    return middle + std::min(across, upwards) * way;
+}
+
+void draw_shown_light(const PicturePainter& p, const LightPose& pose, bool pointer_hovered) {
     if (pose.has_map)
         for (const Segment& s : frustum_edges(pose.view)) p.line(s.from, s.to, s.far ? kFar : kLight);
     if (pose.type == LightType::Spot) draw_rim(p, pose);
-    draw_pointer(p, pose);
+    const PictureView& view = p.view();
+    if (const auto at = pointer_place(pose, view))
+        arrow_head(p, *at, *at - view.origin - 0.5 * view.size, 12, pointer_hovered ? kHot : kLight);
 }
 
 void draw_other_light(const PicturePainter& p, const LightPose& pose, const FittedLight& fitted, bool hovered) {
     if (pose.has_map && fitted.views.size() == 1)
         for (const Segment& s : frustum_edges(pose.view)) p.thin_line(s.from, s.to, faded(kLight, hovered ? 120 : 55));
-    if (const auto at = p.view().point(pose.position)) p.dot(*at, hovered ? 5.5 : 4, faded(kLight, hovered ? 255 : 150));
+    if (const auto at = p.view().point(pose.position))
+        p.dot(*at, hovered ? 5.5 : 4, faded(kLight, hovered ? 255 : 150));
 }
 
 void draw_handles(const PicturePainter& p, const LightPose& pose, std::optional<LightHandle> hovered) {
@@ -116,15 +122,17 @@ void draw_handles(const PicturePainter& p, const LightPose& pose, std::optional<
         const bool hot = hovered == h.handle;
         const double more = hot ? 1.5 : 0;
         const ImU32 colour = hot ? kHot : kLight;
-        const auto way_from = [&](const glm::dvec3& from) { return h.on_screen - view.point(from).value_or(h.on_screen); };
+        const auto way_from = [&](const glm::dvec3& from) {
+            return h.on_screen - view.point(from).value_or(h.on_screen);
+        };
         if (is_axis(h.handle)) {
             const ImU32 axis = theme::kAxes[int(h.handle) - int(LightHandle::AxisX)];
             p.line(pose.position, h.at, hot ? kHot : axis, 1.6);
             arrow_head(p, h.on_screen, way_from(pose.position), 10 + 2 * more, hot ? kHot : axis);
         } else if (h.handle == LightHandle::Direction) {
             const bool spot = pose.type == LightType::Spot;
-            arrow_head(p, h.on_screen, (spot ? 1.0 : -1.0) * way_from(spot ? pose.position : pose.target), 13 + 2 * more,
-                       colour);
+            arrow_head(p, h.on_screen, (spot ? 1.0 : -1.0) * way_from(spot ? pose.position : pose.target),
+                       13 + 2 * more, colour);
         } else if (h.handle == LightHandle::Target) {
             p.list().AddCircle(to_imgui(h.on_screen), p.px(5.5 + more), IM_COL32(0, 0, 0, 160), 24, p.px(3.6));
             p.list().AddCircle(to_imgui(h.on_screen), p.px(5.5 + more), colour, 24, p.px(1.6));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/clip.h"
 #include "ui/theme.h"
 
 namespace si {
@@ -18,20 +19,7 @@ std::optional<std::pair<glm::dvec2, glm::dvec2>> PicturePainter::visible(const g
                                                                          const glm::dvec3& to) const {
     const auto on = view_.segment(from, to);
     if (!on) return {};
-    // Liang and Barsky: the interval of the segment inside all four sides.
-    const glm::dvec2 lo = view_.origin - kBeyond, hi = view_.origin + view_.size + kBeyond, way = on->second - on->first;
-    double begin = 0, end = 1;
-    for (int axis = 0; axis < 2; ++axis) {
-        if (way[axis] == 0) {
-            if (on->first[axis] < lo[axis] || on->first[axis] > hi[axis]) return {};
-            continue;
-        }
-        const double a = (lo[axis] - on->first[axis]) / way[axis], b = (hi[axis] - on->first[axis]) / way[axis];
-        begin = std::max(begin, std::min(a, b));
-        end = std::min(end, std::max(a, b));
-    }
-    if (begin > end) return {};
-    return std::pair{on->first + begin * way, on->first + end * way};
+    return clip_to_box(on->first, on->second, view_.origin - kBeyond, view_.origin + view_.size + kBeyond);
 }
 
 void PicturePainter::line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, double width) const {
@@ -53,20 +41,15 @@ void PicturePainter::dashes(const glm::dvec3& from, const glm::dvec3& to, ImU32 
     if (!(length > 0)) return;
     const glm::dvec2 way = (on->second - on->first) / length;
     for (double t = 0; t < length; t += (kDash + kGap) * scale) {
-        const ImVec2 a = to_imgui(on->first + way * t), b = to_imgui(on->first + way * std::min(t + kDash * scale, length));
+        const ImVec2 a = to_imgui(on->first + way * t),
+                     b = to_imgui(on->first + way * std::min(t + kDash * scale, length));
         list_.AddLine(a, b, kEdge, px(width + 1.4));
         list_.AddLine(a, b, colour, px(width));
     }
 }
 
-void PicturePainter::box(const glm::dvec3 (&corners)[8], ImU32 colour, bool thin) const {
-    for (int i = 0; i < 8; ++i)
-        for (int bit = 1; bit < 8; bit <<= 1)
-            if (!(i & bit))
-                thin ? thin_line(corners[i], corners[i | bit], colour) : line(corners[i], corners[i | bit], colour, 1.2);
-}
-
 void PicturePainter::dot(const glm::dvec2& at, double radius, ImU32 colour) const {
+    if (!view_.contains(at)) return;  // a place close to the camera's plane appears beyond what a float holds
     list_.AddCircleFilled(to_imgui(at), px(radius + 1.4), IM_COL32(0, 0, 0, 160), 24);
     list_.AddCircleFilled(to_imgui(at), px(radius), colour, 24);
 }

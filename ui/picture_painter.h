@@ -24,8 +24,6 @@ public:
     /// A line without an edge: for many, or for faint ones.
     void thin_line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour) const;
     void dashes(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, double width = 1.2) const;
-    /// The edges of a box given by eight corners: bit 0 of the index is x, bit 1 y, bit 2 z.
-    void box(const glm::dvec3 (&corners)[8], ImU32 colour, bool thin) const;
     void dot(const glm::dvec2& at, double radius, ImU32 colour) const;
 
     /// Text on a dark veil with its upper left corner at `at`, moved as far as it takes to stay in the picture.

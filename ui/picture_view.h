@@ -31,8 +31,8 @@ struct PictureView {
 
 /// Where a ray meets a plane; nothing when it runs along it or the place lies before the ray's beginning.
 std::optional<glm::dvec3> meet_plane(const Ray& ray, const glm::dvec3& point, const glm::dvec3& normal);
-/// Metres from `origin` along a line (unit `direction`) to where a ray passes it closest; nothing when they are parallel
-/// or that place lies before the ray's beginning.
+/// Metres from `origin` along a line (unit `direction`) to where a ray passes it closest; nothing when they are
+/// parallel or that place lies before the ray's beginning.
 std::optional<double> nearest_on_line(const Ray& ray, const glm::dvec3& origin, const glm::dvec3& direction);
 
 }  // namespace si

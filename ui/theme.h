@@ -16,6 +16,9 @@ inline constexpr ImU32 kError = IM_COL32(236, 116, 100, 255);
 inline constexpr ImU32 kWarning = IM_COL32(226, 180, 92, 255);
 inline constexpr ImU32 kAxes[3] = {IM_COL32(222, 110, 98, 255), IM_COL32(126, 186, 96, 255),
                                    IM_COL32(104, 152, 224, 255)};  ///< x, y, z
+inline constexpr ImU32 kLit = IM_COL32(255, 240, 176, 255);       ///< what light reaches
+inline constexpr ImU32 kShadowed = IM_COL32(92, 146, 236, 255);   ///< what is kept from it
+inline constexpr ImU32 kSelected = IM_COL32(236, 236, 234, 255);
 inline constexpr ImU32 kVeil = IM_COL32(18, 18, 19, 205);  ///< under text on pictures
 
 /// Fills the font atlas of the current ImGui context: [0] body, [1] strong, [2] small. Call before the first frame.

@@ -6,10 +6,12 @@
 
 #include "renderer/pane_grid.h"
 #include "ui/camera_steering.h"
+#include "ui/gnomon.h"
 #include "ui/light_gizmo.h"
 #include "ui/panels.h"
 #include "ui/picture_marks.h"
 #include "ui/picture_painter.h"
+#include "ui/scene_marks.h"
 #include "ui/setting_widgets.h"
 #include "ui/theme.h"
 
@@ -26,7 +28,19 @@ bool any_overlay(const FrameResult* result) {
     return result && std::any_of(result->panes.begin(), result->panes.end(), [](const Pane& p) { return p.overlay > 0; });
 }
 
-void header(EditorState& state, const FrameResult* result) {
+/// A button that stays down while `on`; returns whether it was pressed.
+bool toggle(const char* label, bool on, const char* help) {
+    flow(ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x);
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    if (on) ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
+    const bool pressed = ImGui::Button(label);
+    if (on) ImGui::PopStyleColor(2);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+    return pressed;
+}
+
+void header(EditorState& state, const EditorFrame& frame) {
+    const FrameResult* result = frame.result;
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
     const bool labels = ImGui::GetContentRegionAvail().x > em * 20;  // the tooltips say it too
@@ -53,7 +67,21 @@ void header(EditorState& state, const FrameResult* result) {
         labelled("Opacity", "view.overlay_opacity", em * 4.5f);
         labelled("Scale", "view.overlay_range", em * 7);
     }
-    if (labels) labelled("Frustum", "view.frustum", ImGui::GetFrameHeight());  // else among the settings
+    if (!labels) return;  // the rest is among the settings or has a key
+    labelled("Lights", "view.frustum", ImGui::GetFrameHeight());
+    if (toggle("Through light", s.camera.source == int(CameraSource::Light), "Look through the shown light (L)"))
+        toggle_light_camera(state);
+    if (toggle("Freeze", state.frozen.has_value(),
+               "Keep this camera and fly about with another (K): its frustum stays drawn in the scene and in the map"))
+        toggle_frozen_camera(state, frame);
+}
+
+/// A double click chooses the object that its probe finds; the background chooses none.
+void select_probed(EditorState& state, const EditorFrame& frame) {
+    if (!state.select_probed || !frame.probe || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    if (!state.probe_pixel || glm::ivec2(frame.probe->x, frame.probe->y) != *state.probe_pixel) return;
+    state.selected_object = frame.probe->hit ? frame.probe->object : std::string();
+    state.select_probed = false;
 }
 
 /// What stands where there is no picture.
@@ -99,11 +127,15 @@ void steer(EditorState& state, const EditorFrame& frame, EditorActions& actions,
     const PictureView view{frame.result->camera, {lo.x, lo.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
     state.scene_view = view;
     if (ImGui::IsItemActivated()) state.press_moved = state.press_taken = false;
+    steer_gnomon(state, frame, view);
     steer_lights(state, frame, view);
-    if (!state.press_taken) steer_camera(state, frame, view);
+    const bool taken = state.press_taken;
+    if (!taken) steer_camera(state, frame, view);
+    if (!ImGui::IsItemActive()) state.press_taken = false;
     const glm::ivec2 pixel = panes.pixel(state.active_pane, mouse);
     if (!hovered || !panes.holds(pixel)) return;
-    if (released && !state.press_moved && !state.press_taken) {
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !taken) state.select_probed = true;
+    if (released && !state.press_moved && !taken) {
         state.probe_pixel = pixel;
         state.open_tab = BottomTab::Probe;
     }
@@ -119,8 +151,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     list.AddImage(texture_id(pane.picture.texture), lo, hi, {0, 1}, {1, 0});  // stored bottom row first
     list.PushClipRect(lo, hi, true);
     const PictureView view{result.camera, {lo.x, lo.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
-    const PicturePainter painter(view, list);
-    draw_lights(state, frame, painter);
+    draw_scene_marks(PicturePainter(view, list), state, frame);
     draw_probe_mark(state, result, lo, size);
     draw_readers(state, frame, lo, size);
     draw_legend(pane, lo.x, hi.y, size.x);
@@ -146,7 +177,7 @@ int shown_face(const Settings& settings, const FrameResult& result) {
 
 void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     state.hovered_pixel.reset();
-    header(state, frame.result);
+    header(state, frame);
     const float em = ImGui::GetFontSize();
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
     const ImVec2 size(std::floor(std::max(available.x, 16.0f)), std::floor(std::max(available.y, 16.0f)));
@@ -169,6 +200,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
     steer(state, frame, actions, panes);
+    select_probed(state, frame);
     for (int i = 0; i < panes.grid.count(); ++i) draw_pane(state, frame, panes, i);
     if (panes.grid.count() > 1)
         for (int i = 0; i < panes.grid.count(); ++i) {

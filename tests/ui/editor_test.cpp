@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, EditorSizes,
                          testing::Values(std::pair{1280, 720}, std::pair{1920, 1080}, std::pair{3840, 2160}));
 
 TEST(Editor, ShowsThePixelsThatTheRendererDrew) {
-    HeadlessEditor editor(options(1280, 720, {"view.frustum=false"}));
+    HeadlessEditor editor(options(1280, 720, {"view.frustum=false", "view.axes=false"}));
     editor.settle();
     const ByteImage whole = editor.picture();
     const FrameResult& result = *editor.model().facts().result;

@@ -88,7 +88,8 @@ TEST(LightDrag, APlaceMovesWithTheMouse) {
 
 TEST(LightDrag, AnArrowMovesAlongItsAxisOnly) {
     Case c(LightType::Point, 60, 30);
-    for (const auto& [handle, way] : {std::pair{LightHandle::AxisX, glm::dvec3(1, 0, 0)}, {LightHandle::AxisY, {0, 1, 0}}}) {
+    for (const auto& [handle, way] :
+         {std::pair{LightHandle::AxisX, glm::dvec3(1, 0, 0)}, {LightHandle::AxisY, {0, 1, 0}}}) {
         const glm::dvec3 before = c.fitted().position;
         c.drag(handle, front_view(), {40, -40});
         expect_near(c.fitted().position, before + way * 40.0 * kMetresPerPixel);
@@ -122,7 +123,8 @@ TEST(LightDrag, ASpotLightsTargetMovesAndItStays) {
 
 TEST(LightDrag, PlanesMoveAlongTheAxis) {
     for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point}) {
-        Case c(type);  // from +x; near and far are to the left of the light. The first face of a point light looks to +x.
+        Case c(
+            type);  // from +x; near and far are to the left of the light. The first face of a point light looks to +x.
         const double sign = type == LightType::Point ? 1 : -1;
         const LightView before = c.fitted().views[0];
         c.drag(LightHandle::Near, front_view(), {sign * 8, 31});
@@ -170,8 +172,8 @@ TEST(LightDrag, AnExtentIsTheDistanceFromTheAxis) {
     Case c(LightType::Directional);
     const LightPose pose = c.pose();
     int tried = 0;
-    for (const LightHandle h : {LightHandle::ExtentRight, LightHandle::ExtentTop, LightHandle::ExtentLeft,
-                                LightHandle::ExtentBottom}) {
+    for (const LightHandle h :
+         {LightHandle::ExtentRight, LightHandle::ExtentTop, LightHandle::ExtentLeft, LightHandle::ExtentBottom}) {
         const glm::dvec3 way = handle_way(pose, h);
         if (std::abs(way.z) > 0.5) continue;  // along the line of sight
         const double before = c.fitted().views[0].half_width;
@@ -189,7 +191,8 @@ TEST(LightDrag, AnExtentIsTheDistanceFromTheAxis) {
 TEST(LightDrag, AConeOpensToTheMouse) {
     Case c(LightType::Spot);  // from +x: its axis is -x, and the rim's handles up and down lie in the picture's plane
     for (const double cone : {50.0, 220.0})
-        for (const LightHandle h : {LightHandle::ConeRight, LightHandle::ConeTop, LightHandle::ConeLeft, LightHandle::ConeBottom}) {
+        for (const LightHandle h :
+             {LightHandle::ConeRight, LightHandle::ConeTop, LightHandle::ConeLeft, LightHandle::ConeBottom}) {
             c.light.cone = cone;
             c.light.distance = 9;
             const LightPose pose = c.pose();
@@ -217,7 +220,8 @@ TEST(LightDrag, TheConeCanBeOpenedLookingDownTheAxis) {
     const glm::dvec3 way = handle_way(pose, LightHandle::ConeRight);
     const double r = cone_reach(pose), half = 25 * kDegree;
     c.drag(LightHandle::ConeRight, front_view(), {10 * way.x, -10 * way.y});
-    EXPECT_NEAR(c.light.cone, 2 * std::atan2(r * std::sin(half) + 10 * kMetresPerPixel, r * std::cos(half)) / kDegree, 1e-9);
+    EXPECT_NEAR(c.light.cone, 2 * std::atan2(r * std::sin(half) + 10 * kMetresPerPixel, r * std::cos(half)) / kDegree,
+                1e-9);
 }
 
 TEST(LightDrag, ADirectionFollowsTheMouseOnItsBall) {
@@ -264,7 +268,8 @@ TEST(LightDrag, HandlesStayUnderTheMouseInPerspective) {
                     c.light = first.light;
                     const LightHandle h = placed.handle;
                     const LightPose start = grab_light(c.pose(), h, c.fitted());
-                    // What moves along a line is dragged along it; a cone's rim may be dragged anywhere, and the rest too.
+                    // What moves along a line is dragged along it; a cone's rim may be dragged anywhere, and the rest
+                    // too.
                     glm::dvec2 to = placed.on_screen + by;
                     if (is_axis(h) || is_extent(h) || h == Near || h == Far) {
                         const glm::dvec3 way = h == Near || h == Far ? start.view.axes[2] : handle_way(start, h);

@@ -104,6 +104,10 @@ TEST(LightGizmo, WithinNinePixelsAHandleIsHit) {
     g.ui.move(at + glm::vec2(14, 0));
     g.ui.frames(2);
     EXPECT_FALSE(g.ui.state.hovered_light);
+    g.ui.click(at);
+    g.ui.move(at + glm::vec2(3, 0));
+    g.ui.frames(2);
+    EXPECT_TRUE(g.ui.state.hovered_light) << "and again after a click";
 }
 
 TEST(LightGizmo, ControlGoesInSteps) {

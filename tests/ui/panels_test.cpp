@@ -15,6 +15,7 @@ namespace {
 constexpr int kWidth = 1280, kHeight = 720;
 // Where things stand at 1280 x 720: the search field, and the first row below its group's heading.
 constexpr glm::vec2 kSearch{1040, 56}, kFirstLabel{965, 115}, kFirstValue{1170, 115}, kPicture{200, 250};
+constexpr float kCheckbox = 1091;  // the left end of the column of values, where checkboxes stand too
 
 const std::string kObjectPath = "Root/Box";
 
@@ -100,7 +101,7 @@ TEST(Panels, NoIdIsUsedTwiceInTheSettings) {
     std::set<unsigned> closed;
     unsigned last = 0;
     for (float y = 75; y < 3990; y += 5) {
-        ui.move({kFirstValue.x, y});
+        ui.move({kCheckbox, y});
         ui.frame();
         const unsigned id = ui.hovered();
         if (id == last) continue;

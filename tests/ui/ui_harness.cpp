@@ -81,9 +81,11 @@ UiHarness::~UiHarness() {
 EditorActions UiHarness::frame() {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {float(width_), float(height_)};
-    io.DeltaTime = 1.0f / 60;
+    io.DeltaTime = float(frame_seconds);
     result_ = made_up_frame(scene, state.settings);
     probe_ = made_up_probe(state.settings.light_count);
+    probe_.object = probed_object;
+    if (state.probe_pixel) probe_.x = state.probe_pixel->x, probe_.y = state.probe_pixel->y;
     EditorFrame facts;
     facts.loading = loading;
     if (with_facts) {

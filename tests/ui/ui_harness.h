@@ -31,7 +31,10 @@ public:
     std::vector<LostCaster> lost_casters;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
-    /// One frame, 1/60 s after the one before.
+    double frame_seconds = 1.0 / 60;
+    std::string probed_object = "Root/Box";  ///< what probes find
+
+    /// One frame, `frame_seconds` after the one before.
     EditorActions frame();
     EditorActions frames(int count);
     void move(glm::vec2 to);

@@ -142,7 +142,9 @@ protected:
         const bool told = read(pipe_ends[0], number, sizeof number - 1) > 0;
         close(pipe_ends[0]);
         setenv("DISPLAY", (":" + std::to_string(std::atoi(number))).c_str(), 1);
-        return told && wait_until([&] { return xdotool("getdisplaygeometry"); }, 5) && server_->running();
+        // A server that lost the race for its number ends.
+        wait_until([&] { return !server_->running() || xdotool("getdisplaygeometry"); }, 60);
+        return told && server_->running();
     }
 
     void start() {
@@ -236,6 +238,66 @@ TEST_F(Window, TheSceneIsTurnedProbedFramedAndShownUnderAnOverlay) {
     EXPECT_TRUE(program_->running()) << log();
 }
 
+/// The editor without a window as `edit boxes --size 1280x720` shows it.
+std::unique_ptr<HeadlessEditor> twin() {
+    EditorOptions o;
+    o.session.scene = "boxes";
+    o.width = kWidth;
+    o.height = kHeight;
+    auto editor = std::make_unique<HeadlessEditor>(o);
+    editor->settle();
+    return editor;
+}
+
+TEST_F(Window, AHandleOfTheLightIsDraggedAndUndone) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    const auto editor = twin();
+    const EditorState& state = editor->model().state;
+    const FittedLight& fitted = editor->model().facts().result->lights[0];
+    const auto handles = place_handles(light_pose(state.settings.lights[0], fitted, 0), *state.scene_view);
+    const auto drag_handle = [&](const std::function<bool(LightHandle)>& wanted) {
+        const auto found = std::find_if(handles.begin(), handles.end(), [&](const auto& h) { return wanted(h.handle); });
+        ASSERT_NE(found, handles.end());
+        drag(int(found->on_screen.x), int(found->on_screen.y), 24, 18);
+    };
+    const nlohmann::json before = saved();
+    drag_handle([](LightHandle h) { return h == LightHandle::Direction; });
+    const nlohmann::json turned = saved();
+    screen("window_handle");
+    EXPECT_TRUE(turned.contains("light.azimuth")) << turned;
+    EXPECT_FALSE(turned.contains("light.fit")) << "a light turns under its fit";
+    EXPECT_FALSE(turned.contains("camera.source")) << "the camera turned too";
+    keys("ctrl+z");
+    EXPECT_EQ(saved(), before);
+    drag_handle(is_extent);
+    const nlohmann::json wider = saved();
+    EXPECT_EQ(wider.value("light.fit", ""), "manual") << wider;
+    EXPECT_TRUE(wider.contains("light.extent") && wider.contains("light.near") && wider.contains("light.far"));
+    keys("ctrl+z");
+    EXPECT_EQ(saved(), before);
+    EXPECT_TRUE(program_->running()) << log();
+}
+
+TEST_F(Window, TheCameraFliesWhileAKeyIsHeld) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    mouse(200, 330);
+    xdotool("mousedown 3");
+    breathe();
+    xdotool("keydown w");
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    xdotool("keyup w");
+    breathe();
+    xdotool("mouseup 3");
+    breathe();
+    const nlohmann::json flown = saved();
+    EXPECT_EQ(flown.value("camera.source", ""), "manual") << flown;
+    EXPECT_TRUE(flown.contains("camera.target_x") && flown.contains("camera.target_z"));
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    EXPECT_EQ(saved(), flown) << "it flies on";
+    keys("ctrl+z");
+    EXPECT_FALSE(saved().contains("camera.source"));
+}
+
 TEST_F(Window, AStillEditorSleepsAndAResizeIsFollowed) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(900, 700);
@@ -256,13 +318,7 @@ TEST_F(Window, AStillEditorSleepsAndAResizeIsFollowed) {
 TEST_F(Window, ShowsTheSamePictureAsWithoutAWindow) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(900, 700);
-    EditorOptions o;
-    o.session.scene = "boxes";
-    o.width = kWidth;
-    o.height = kHeight;
-    HeadlessEditor editor(o);
-    editor.settle();
-    const ByteImage expected = editor.picture();
+    const ByteImage expected = twin()->picture();
     // The pictures and the settings; the panel of passes shows times.
     const auto differing = [&] {
         const ByteImage seen = screen("window_still");
