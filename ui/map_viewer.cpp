@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "renderer/techniques.h"
+#include "ui/camera_outline.h"
 #include "ui/depth_plots.h"
 #include "ui/map_marks.h"
 #include "ui/panels.h"
@@ -240,6 +241,12 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         if (state.hovered_pixel)
             outline_texels(rect, {state.hovered_pixel->x, n.y - 1 - state.hovered_pixel->y}, 1, IM_COL32_WHITE);
     } else {
+        // What the frozen camera sees of the map; the live one's outline stands beside it once it has moved away.
+        const LightView& light_view = fitted->views[std::size_t(shown_face(state.settings, result))];
+        if (state.frozen) {
+            map_lines(rect, camera_outline_in_map(result.camera, light_view), IM_COL32(150, 150, 148, 160));
+            map_lines(rect, camera_outline_in_map(*state.frozen, light_view), kFootprint);
+        }
         if (frame.probe && frame.probe->hit)
             for (const Probe::PerLight& p : frame.probe->lights)
                 if (p.casts && p.light == shown_light(state.settings) &&
