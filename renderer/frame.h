@@ -19,6 +19,7 @@ struct Outputs {
     bool shadow_map = false; ///< the depth as stored, and the map viewer's picture of it
     bool visibility = false; ///< one float per pixel for view.light, 1 lit, 0 in shadow
     bool overlay = false;    ///< the raw values of the panes' overlays
+    bool surface_ids = false; ///< the object and triangle behind each pixel
     bool map_coordinates = false;  ///< where in the map of view.light each pixel's kernel is centred
     bool operator==(const Outputs&) const = default;
 };
@@ -67,6 +68,7 @@ struct FrameResult {
     /// RGBA32F: u and v of the kernel's centre in the map of view.light (v up, after the normal offset, not wrapped), the
     /// layer among that light's views, and 1 where the kernel reads a texel of it, else 0. Empty when it has no map.
     Image map_coordinates;
+    Image surface_ids; ///< RG32UI, see SurfaceIds
     int map_resolution = 0;
     float overlay_min = 0, overlay_max = 1;  ///< the first pane's colour scale
     Image map_view;    ///< RGBA8: the depth image of view.map_source as view.map shows it
@@ -82,6 +84,12 @@ struct FloatImage {
     int width = 0, height = 0, channels = 1;
     std::vector<float> data;
     float at(int x, int y, int c = 0) const { return data[(std::size_t(y) * width + x) * channels + c]; }
+};
+/// Which triangle each pixel shows, top row first. x: 1 + index in Scene::objects, 0 for nothing. y: the triangle's
+/// number in its draw; modulo the mesh's triangle count its number in the mesh, as some drivers count on through instances.
+struct SurfaceIds {
+    int width = 0, height = 0;
+    std::vector<glm::uvec2> data;
 };
 struct ByteImage {
     int width = 0, height = 0;  ///< RGBA

@@ -63,6 +63,7 @@ void describe_frame(FrameState& f, FrameResult& result) {
     r.shown = {};
     if (valid("map viewer")) describe_map_view(f, result);
     if (valid("visibility")) result.visibility = visibility_image(r, f.settings.view.light);
+    if (valid("surface ids")) result.surface_ids = image_of(r.surface_ids);
     if (valid("map coordinates")) result.map_coordinates = image_of(r.map_coordinates);
     result.camera = f.camera;
     result.lights = r.fitted;

@@ -55,11 +55,12 @@ struct Resources {
     const gl::Target& compared_map() const { return map_blurred.texture ? map_blurred : map; }
     std::vector<std::uint64_t> map_keys;    ///< per light: key of its layers' contents
     gl::Target camera_depth, visibility, shaded, map_coordinates, depth_range, map_view;
+    gl::Target surface_ids;                 ///< RG32UI
     std::array<PaneTargets, kMaxPanes> panes;
     gl::Texture visibility_view;            ///< one layer of visibility as a 2-D texture
     int visibility_view_layer = -1;
     gl::Framebuffer map_framebuffer, camera_depth_framebuffer, visibility_framebuffer, shaded_framebuffer,
-        map_coordinates_framebuffer, depth_range_framebuffer, map_view_framebuffer;
+        map_coordinates_framebuffer, depth_range_framebuffer, map_view_framebuffer, surface_ids_framebuffer;
     SlabResources slabs;
     std::uint64_t depth_key = 0;            ///< of the camera depth: what of the scene is in it
     std::uint64_t fit_key = 0;
@@ -139,6 +140,7 @@ struct FrameState {
 void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan);
 void add_depth_blur_pass(FrameState& f, std::vector<Pass>& plan);
 void add_camera_depth_pass(FrameState& f, std::vector<Pass>& plan);
+void add_surface_ids_pass(FrameState& f, std::vector<Pass>& plan);
 void add_visibility_pass(FrameState& f, std::vector<Pass>& plan);
 void add_shade_pass(FrameState& f, std::vector<Pass>& plan);
 void add_pane_passes(FrameState& f, std::vector<Pass>& plan);

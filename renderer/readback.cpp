@@ -37,6 +37,16 @@ FloatImage Renderer::read_float(const Image& image, int channels) {
     return out;
 }
 
+SurfaceIds Renderer::read_surface_ids(const Image& image) {
+    SurfaceIds out{image.width, image.height, {}};
+    out.data.resize(std::size_t(image.width) * std::size_t(image.height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(image.texture, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, GLsizei(out.data.size() * sizeof(glm::uvec2)),
+                      out.data.data());
+    flip_rows(out.data, out.width, out.height, 1);
+    return out;
+}
+
 FloatImage Renderer::read_shadow_map(int light, int face) {
     const Resources& r = impl_->resources;
     int layer = 0;

@@ -38,6 +38,7 @@ std::vector<std::string> wanted_results(const FrameState& f) {
         if (o.colour) wanted.push_back(f.picture_of(pane));
         if (o.overlay) wanted.push_back(f.values_of(pane));
     }
+    if (o.surface_ids) wanted.push_back("surface ids");
     if (o.visibility) wanted.push_back("visibility");
     if (o.map_coordinates) wanted.push_back("map coordinates");
     if (o.shadow_map) wanted.insert(wanted.end(), {"map view", "shadow maps"});
@@ -59,6 +60,7 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
     add_light_depth_passes(f, plan);
     add_depth_blur_pass(f, plan);
     add_camera_depth_pass(f, plan);
+    add_surface_ids_pass(f, plan);
     add_visibility_pass(f, plan);
     add_shade_pass(f, plan);
     add_pane_passes(f, plan);

@@ -32,6 +32,7 @@ public:
 
     ByteImage read_colour(const Image& image);
     FloatImage read_float(const Image& image, int channels);
+    SurfaceIds read_surface_ids(const Image& image);
     /// The stored depth of a light's map from the last frame that asked for shadows, raw, in [0,1].
     FloatImage read_shadow_map(int light, int face);
     /// The depth image behind the last frame's `map_view`, as stored, in [0,1]. @throws Error when there is none.

@@ -1,0 +1,60 @@
+#include "renderer/reference/alpha_mask.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace si {
+namespace {
+
+/// The texel that a wrap mode finds for an integer coordinate (OpenGL 4.5, table 8.20).
+int wrapped(double texel, int size, TextureWrap wrap) {
+    if (wrap == TextureWrap::Clamp) return int(std::clamp(texel, 0.0, size - 1.0));
+    const double period = wrap == TextureWrap::Mirror ? 2.0 * size : double(size);
+    const double in_period = std::clamp(texel - period * std::floor(texel / period), 0.0, period - 1);
+    return in_period < size ? int(in_period) : int(2.0 * size - 1 - in_period);
+}
+
+}  // namespace
+
+AlphaTexture::AlphaTexture(const Texture& t)
+    : width(t.width), height(t.height), wrap_s(t.wrap_s), wrap_t(t.wrap_t), nearest(t.nearest_mag) {
+    alpha.resize(t.rgba.size() / 4);
+    for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] = t.rgba[4 * i + 3];
+}
+
+double AlphaTexture::at(const glm::dvec2& uv) const {
+    const auto texel = [&](double x, double y) {
+        return alpha[std::size_t(wrapped(y, height, wrap_t)) * std::size_t(width) +
+                     std::size_t(wrapped(x, width, wrap_s))] /
+               255.0;
+    };
+    const double x = uv.x * width, y = uv.y * height;
+    if (nearest) return texel(std::floor(x), std::floor(y));
+    const double x0 = std::floor(x - 0.5), y0 = std::floor(y - 0.5), fx = x - 0.5 - x0, fy = y - 0.5 - y0;
+    const double top = (1 - fx) * texel(x0, y0) + fx * texel(x0 + 1, y0);
+    const double bottom = (1 - fx) * texel(x0, y0 + 1) + fx * texel(x0 + 1, y0 + 1);
+    return (1 - fy) * top + fy * bottom;
+}
+
+AlphaMask::AlphaMask(const Mesh& mesh, const Material& material, double cutoff,
+                     std::shared_ptr<const AlphaTexture> texture)
+    : indices_(mesh.indices), texture_(std::move(texture)), base_(material.base_colour.a), cutoff_(cutoff) {
+    if (texture_) uv_ = mesh.uv.empty() ? std::vector<glm::vec2>(mesh.positions.size(), glm::vec2(0)) : mesh.uv;
+    // Eight bits, as the vertex buffer holds them.
+    for (const glm::vec4& c : mesh.colours)
+        vertex_alpha_.push_back(std::uint8_t(std::lround(std::clamp(c.a, 0.f, 1.f) * 255.f)));
+}
+
+bool AlphaMask::solid(std::uint32_t triangle, double u, double v) const {
+    const std::uint32_t* i = &indices_[3 * std::size_t(triangle)];
+    const double w = 1 - u - v;
+    double alpha = base_;
+    if (!vertex_alpha_.empty())
+        alpha *= (w * vertex_alpha_[i[0]] + u * vertex_alpha_[i[1]] + v * vertex_alpha_[i[2]]) / 255.0;
+    if (texture_)
+        alpha *= texture_->at(w * glm::dvec2(uv_[i[0]]) + u * glm::dvec2(uv_[i[1]]) + v * glm::dvec2(uv_[i[2]]));
+    return !(alpha < cutoff_);
+}
+
+}  // namespace si

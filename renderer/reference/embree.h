@@ -1,0 +1,24 @@
+// Owners of Embree's objects. Only sources of this folder include it.
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <memory>
+#include <type_traits>
+
+namespace si::embree {
+
+template <auto Release>
+struct Releaser {
+    template <typename T>
+    void operator()(T* p) const {
+        Release(p);
+    }
+};
+
+using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Releaser<rtcReleaseDevice>>;
+using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Releaser<rtcReleaseScene>>;
+using Geometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Releaser<rtcReleaseGeometry>>;
+using Buffer = std::unique_ptr<std::remove_pointer_t<RTCBuffer>, Releaser<rtcReleaseBuffer>>;
+
+}  // namespace si::embree

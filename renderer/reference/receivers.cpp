@@ -1,0 +1,93 @@
+#include "renderer/reference/receivers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace si {
+namespace {
+
+/// The point of triangle t nearest to barycentric (1-u-v, u, v) along straight lines towards its inside.
+glm::dvec3 inside(const TriangleWs& t, double u, double v) {
+    if (!std::isfinite(u + v)) u = v = 1.0 / 3;  // seen edge-on
+    double w = std::max(1 - u - v, 0.0);
+    u = std::max(u, 0.0), v = std::max(v, 0.0);
+    const double sum = u + v + w;
+    return (w * t.a + u * t.b + v * t.c) / sum;
+}
+
+/// A triangle with what all of its pixels share.
+struct Prepared {
+    std::uint32_t object = Receiver::kNothing, primitive = 0;
+    TriangleWs corners;
+    glm::dvec3 e1{0}, e2{0}, normal{0};
+    float edge_m = 0;
+
+    void load(const TruthGeometry& geometry, std::uint32_t new_object, std::uint32_t drawn_primitive) {
+        if (new_object >= geometry.objects.size() || geometry.objects[new_object].mesh->indices.empty())
+            throw Error(fmt::format("a pixel shows object {}, but the traced scene has {}", new_object,
+                                    geometry.objects.size()));
+        // Drivers may count on through the instances of a draw.
+        const auto count = std::uint32_t(geometry.objects[new_object].mesh->triangles());
+        const std::uint32_t new_primitive = drawn_primitive % count;
+        if (new_object == object && new_primitive == primitive) return;
+        object = new_object, primitive = new_primitive;
+        corners = geometry.triangle(object, primitive);
+        e1 = corners.b - corners.a, e2 = corners.c - corners.a;
+        const glm::dvec3 cross = glm::cross(e1, e2);
+        const double length = glm::length(cross);
+        normal = length > 0 ? cross / length : glm::dvec3(0);
+        edge_m = float(std::max({glm::length(e1), glm::length(e2), glm::length(e2 - e1)}));
+    }
+
+    Receiver meet(const glm::dvec3& origin, const glm::dvec3& dir) const {
+        Receiver r;
+        r.object = object, r.primitive = primitive, r.edge_m = edge_m;
+        r.normal_ws = glm::dot(normal, dir) > 0 ? -normal : normal;
+        if (normal == glm::dvec3(0)) r.normal_ws = -dir;
+        // Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997.
+        const glm::dvec3 p = glm::cross(dir, e2), s = origin - corners.a, q = glm::cross(s, e1);
+        const double det = glm::dot(e1, p);
+        r.position_ws = inside(corners, glm::dot(s, p) / det, glm::dot(dir, q) / det);
+        return r;
+    }
+};
+
+/// Neighbours lie on one surface when each is nearer to the other's plane than half as steep as from it.
+bool joined(const Receiver& a, const Receiver& b) {
+    if (!a.hit() || !b.hit()) return false;
+    const glm::dvec3 d = b.position_ws - a.position_ws;
+    const double most = 0.5 * glm::length(d);
+    return std::abs(glm::dot(d, a.normal_ws)) <= most && std::abs(glm::dot(d, b.normal_ws)) <= most;
+}
+
+}  // namespace
+
+Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
+                          const Workers& workers) {
+    Receivers out{ids.width, ids.height, {}};
+    out.pixels.resize(ids.data.size());
+    const auto width = std::size_t(ids.width);
+    for_blocks(std::size_t(ids.height), workers.part(0, 0.8), [&](std::size_t y) {
+        Prepared triangle;
+        for (std::size_t x = 0; x < width; ++x) {
+            const glm::uvec2 id = ids.data[y * width + x];
+            if (id.x == 0) continue;
+            triangle.load(geometry, id.x - 1, id.y);
+            glm::dvec3 origin, dir;
+            camera.pixel_ray(double(x), double(y), ids.width, ids.height, origin, dir);
+            out.pixels[y * width + x] = triangle.meet(origin, dir);
+        }
+    });
+    for_blocks(std::size_t(ids.height), workers.part(0.8, 1), [&](std::size_t y) {
+        for (std::size_t x = 0; x < width; ++x) {
+            Receiver& r = out.pixels[y * width + x];
+            if (x + 1 < width) r.joins_right = joined(r, out.pixels[y * width + x + 1]);
+            if (y + 1 < std::size_t(ids.height)) r.joins_below = joined(r, out.pixels[(y + 1) * width + x]);
+        }
+    });
+    return out;
+}
+
+}  // namespace si

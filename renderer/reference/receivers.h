@@ -1,0 +1,40 @@
+// The surface point behind each pixel, in double.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "renderer/camera.h"
+#include "renderer/frame.h"
+#include "renderer/reference/truth_geometry.h"
+#include "renderer/reference/workers.h"
+
+namespace si {
+
+struct Receiver {
+    static constexpr std::uint32_t kNothing = 0xffffffff;
+    glm::dvec3 position_ws{0};
+    glm::dvec3 normal_ws{0};  ///< of the triangle, unit, on the side that the camera sees
+    float edge_m = 0;         ///< the triangle's longest edge
+    std::uint32_t object = kNothing, primitive = 0;
+    /// Whether the right and the lower neighbour show the same surface: neither lies off the other's plane.
+    bool joins_right = false, joins_below = false;
+    bool hit() const { return object != kNothing; }
+};
+
+/// One per pixel, top row first.
+struct Receivers {
+    int width = 0, height = 0;
+    std::vector<Receiver> pixels;
+    const Receiver& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
+};
+
+/// Meets each pixel's ray with the plane of the triangle that the GPU drew there, in double, and keeps the point inside
+/// the triangle (rasterisers snap corners, so the ray may pass by a hair).
+/// @param ids Outputs::surface_ids of a frame of the same scene and camera
+/// @throws Cancelled; Error when an id names no triangle of the geometry
+Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
+                          const Workers& workers);
+
+}  // namespace si

@@ -1,0 +1,285 @@
+#include "renderer/reference/truth.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include "renderer/reference/truth_rays.h"
+
+namespace si {
+namespace {
+
+constexpr int kTile = 32;  ///< pixels a side: neighbours' rays meet the same nodes
+constexpr int kFirstParts = 8;
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+/// Rays of one batch, those that need double apart.
+struct Batch {
+    std::vector<RTCRay> plain, grazing;
+    std::vector<ExactRay> exact;
+    std::vector<std::uint32_t> plain_of, grazing_of;  ///< what the caller numbers the rays by
+
+    void clear() { plain.clear(), grazing.clear(), exact.clear(), plain_of.clear(), grazing_of.clear(); }
+
+    /// @param direction unit @param length unit frame
+    void add(std::uint32_t number, const Receiver& r, const glm::vec3& origin, const glm::dvec3& direction, double cosine,
+             double length) {
+        if (cosine >= kGrazing) {
+            plain.push_back(make_ray(origin, glm::vec3(direction), float(length), unsigned(plain.size())));
+            plain_of.push_back(number);
+            return;
+        }
+        grazing.push_back(make_ray(origin, glm::vec3(direction), float(length), unsigned(grazing.size())));
+        grazing_of.push_back(number);
+        exact.push_back({glm::dvec3(origin), direction, length, r.object, r.primitive});
+    }
+
+    template <typename Occluded>
+    void trace(const TruthScene::Impl& scene, std::span<const ObjectTraits> culls, Occluded&& occluded) {
+        occlude(scene, plain, {culls, {}});
+        for (std::size_t i = 0; i < plain.size(); ++i) occluded(plain_of[i], plain[i].tfar < 0);
+        occlude(scene, grazing, {culls, exact});
+        for (std::size_t i = 0; i < grazing.size(); ++i) occluded(grazing_of[i], grazing[i].tfar < 0);
+    }
+    std::size_t size() const { return plain.size() + grazing.size(); }
+};
+
+/// A share of the light, and the standard error of the estimate.
+struct Estimate {
+    double visibility = 1, error = 0;
+};
+
+class Tracer {
+public:
+    Tracer(const TruthScene& scene, const Receivers& receivers, const TruthQuery& query, Truth& out)
+        : scene_(scene.impl()), receivers_(receivers), query_(query), out_(out) {
+        if (query.options.as_rasterised) culls_ = query.traits;
+    }
+
+    void trace_hard(const Workers& workers) {
+        for_tiles(workers, [&](int x0, int y0, int x1, int y1) {
+            thread_local Batch batch;
+            thread_local std::vector<float> hits;
+            std::array<std::size_t, kPixelStates> pixels{};
+            batch.clear();
+            for (int y = y0; y < y1; ++y)
+                for (int x = x0; x < x1; ++x) ++pixels[std::size_t(classify(index(x, y), batch))];
+            batch.trace(scene_, culls_, [&](std::uint32_t i, bool occluded) {
+                out_.hard.data[i] = occluded ? 0.f : 1.f;
+                if (occluded) out_.nearest_m.data[i] = nearest(i, hits);
+            });
+            const std::lock_guard guard(lock_);
+            for (std::size_t s = 0; s < kPixelStates; ++s) out_.pixels[s] += pixels[s];
+            out_.rays += batch.size();
+        });
+    }
+
+    /// Few samples everywhere, then four times as many where the light is seen in part, or may be as a neighbour's is,
+    /// and again where the error is too large.
+    void trace_area(const Workers& workers) {
+        const int most = std::max(1, int(std::sqrt(double(std::max(query_.options.samples, 1)))));
+        error_.assign(out_.state.size(), 0);
+        std::vector<std::uint8_t> wanted(out_.state.size());
+        for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = sees_light(i);
+        for (int parts = std::min(kFirstParts, most), level = 0;; parts = std::min(2 * parts, most), ++level) {
+            // Most of the work is in the first two levels.
+            const double lo = level == 0 ? 0 : level == 1 ? 0.4 : 1 - std::exp2(-level - 1.0) * 2;
+            const double hi = parts == most ? 1 : level == 0 ? 0.4 : 1 - std::exp2(-level - 2.0) * 2;
+            sample(parts, wanted, workers.part(std::min(lo, hi), hi));
+            if (parts == most) break;
+            wanted = level == 0 ? near_partial() : wanted;
+            for (std::size_t i = 0; i < wanted.size(); ++i)
+                wanted[i] = wanted[i] && (level == 0 || error_[i] > query_.options.noise);
+        }
+        double squares = 0;
+        for (std::size_t i = 0; i < error_.size(); ++i) {
+            if (out_.state[i] != PixelState::Counted) continue;
+            squares += double(error_[i]) * error_[i];
+            out_.partial += partial(i);
+        }
+        if (out_.counted() > 0) out_.noise = std::sqrt(squares / double(out_.counted()));
+    }
+
+private:
+    const TruthScene::Impl& scene_;
+    const Receivers& receivers_;
+    const TruthQuery& query_;
+    Truth& out_;
+    std::span<const ObjectTraits> culls_;
+    std::mutex lock_;
+    std::vector<float> error_;  ///< estimated, by pixel
+
+    std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(receivers_.width) + std::size_t(x); }
+    bool partial(std::size_t i) const { return out_.visibility.data[i] > 0 && out_.visibility.data[i] < 1; }
+    bool sees_light(std::size_t i) const {
+        return out_.state[i] == PixelState::Counted || out_.state[i] == PixelState::OutsideCone;
+    }
+
+    template <typename Work>
+    void for_tiles(const Workers& workers, Work&& work) {
+        const std::size_t across = std::size_t((receivers_.width + kTile - 1) / kTile);
+        const std::size_t down = std::size_t((receivers_.height + kTile - 1) / kTile);
+        for_blocks(across * down, workers, [&](std::size_t t) {
+            const int x0 = int(t % across) * kTile, y0 = int(t / across) * kTile;
+            work(x0, y0, std::min(x0 + kTile, receivers_.width), std::min(y0 + kTile, receivers_.height));
+        });
+    }
+
+    PixelState classify(std::size_t i, Batch& batch) {
+        const Receiver& r = receivers_.pixels[i];
+        PixelState& state = out_.state[i];
+        if (!r.hit()) return state = PixelState::Background;
+        if (!query_.traits[r.object].receives) return state = PixelState::NotReceiving;
+        double distance = 0;
+        const glm::dvec3 direction = query_.emitter.direction_from(r.position_ws, distance);
+        const double cosine = glm::dot(r.normal_ws, direction);
+        if (!(cosine > 0)) {
+            out_.hard.data[i] = 0;
+            return state = PixelState::FacesAway;
+        }
+        if (query_.emitter.casts)
+            batch.add(std::uint32_t(i), r, ray_origin(scene_, r), direction, cosine, distance * scene_.scale);
+        return state = query_.emitter.reaches(direction) ? PixelState::Counted : PixelState::OutsideCone;
+    }
+
+    /// Metres to the surface nearest the light, on the same ray as the shadow's.
+    float nearest(std::size_t i, std::vector<float>& hits) const {
+        const Receiver& r = receivers_.pixels[i];
+        const glm::vec3 origin = ray_origin(scene_, r);
+        double distance = 0;
+        const glm::dvec3 direction = query_.emitter.direction_from(r.position_ws, distance);
+        HitRules rules{query_.traits, {}};
+        const ExactRay exact{glm::dvec3(origin), direction, distance * scene_.scale, r.object, r.primitive};
+        if (glm::dot(r.normal_ws, direction) < kGrazing) rules.exact = {&exact, 1};
+        all_hits(scene_, make_ray(origin, glm::vec3(direction), float(distance * scene_.scale), 0), rules, hits);
+        const double lift = glm::dot(glm::dvec3(origin) - scene_.to_unit(r.position_ws), direction);
+        const double most = metres_to_near_plane(r.position_ws, direction) * scene_.scale;
+        double farthest = kNaN;
+        for (const float t : hits)
+            if (t + lift <= most && !(t + lift <= farthest)) farthest = t + lift;
+        return float(farthest / scene_.scale);
+    }
+
+    double metres_to_near_plane(const glm::dvec3& point, const glm::dvec3& direction) const {
+        if (query_.views.empty()) return std::numeric_limits<double>::infinity();
+        const LightView& view = query_.views[view_index(point - query_.emitter.position_ws, query_.views.size())];
+        const double z = glm::dot(view.eye - point, view.axes[2]), rises = glm::dot(direction, view.axes[2]);
+        return rises > 0 ? (z - view.curve.near) / rises : std::numeric_limits<double>::infinity();
+    }
+
+    void sample(int parts, const std::vector<std::uint8_t>& wanted, const Workers& workers) {
+        for_tiles(workers, [&](int x0, int y0, int x1, int y1) {
+            thread_local Batch batch;
+            std::uint64_t rays = 0;
+            for (int y = y0; y < y1; ++y)
+                for (int x = x0; x < x1; ++x) {
+                    const std::size_t i = index(x, y);
+                    if (!wanted[i]) continue;
+                    const Estimate e = sampled(i, parts, batch);
+                    out_.visibility.data[i] = float(e.visibility);
+                    error_[i] = float(e.error);
+                    rays += batch.size();
+                }
+            const std::lock_guard guard(lock_);
+            out_.rays += rays;
+        });
+    }
+
+    /// The share of the light seen, of the part above the surface's horizon.
+    Estimate sampled(std::size_t i, int parts, Batch& batch) const {
+        const Receiver& r = receivers_.pixels[i];
+        const glm::vec3 origin = ray_origin(scene_, r);
+        const LightSamples samples(query_.emitter, r.position_ws, parts, i);
+        enum : std::uint8_t { kBelow, kDark, kLit };
+        thread_local std::vector<std::uint8_t> seen;
+        seen.assign(std::size_t(parts) * std::size_t(parts), kBelow);
+        batch.clear();
+        for (int y = 0; y < parts; ++y)
+            for (int x = 0; x < parts; ++x) {
+                const LightRay ray = samples.ray(x, y);
+                const double length = glm::length(ray.towards);
+                const glm::dvec3 direction = ray.towards / length;
+                const double cosine = glm::dot(r.normal_ws, direction);
+                if (!(cosine > 0)) continue;
+                batch.add(std::uint32_t(y * parts + x), r, origin, direction, cosine,
+                          length * ray.length * scene_.scale);
+            }
+        batch.trace(scene_, culls_, [](std::uint32_t k, bool occluded) { seen[k] = occluded ? kDark : kLit; });
+        const std::size_t lit = std::size_t(std::count(seen.begin(), seen.end(), kLit));
+        const std::size_t above = lit + std::size_t(std::count(seen.begin(), seen.end(), kDark));
+        if (above == 0) return {out_.hard.data[i], 0};
+        // Four neighbouring parts see about the same: k lit of them vary by k (4 - k) / 3 in all.
+        double variance = 0;
+        for (int y = 0; y + 1 < parts; y += 2)
+            for (int x = 0; x + 1 < parts; x += 2) {
+                const std::uint8_t* top = &seen[std::size_t(y * parts + x)];
+                const std::uint8_t* low = top + parts;
+                const int k = (top[0] == kLit) + (top[1] == kLit) + (low[0] == kLit) + (low[1] == kLit);
+                if (top[0] != kBelow && top[1] != kBelow && low[0] != kBelow && low[1] != kBelow)
+                    variance += k * (4 - k) / 3.0;
+            }
+        return {double(lit) / double(above), std::sqrt(variance) / double(above)};
+    }
+
+    /// Pixels that see a part of the light, and their neighbours.
+    std::vector<std::uint8_t> near_partial() const {
+        std::vector<std::uint8_t> out(out_.state.size(), 0);
+        for (int y = 0; y < receivers_.height; ++y)
+            for (int x = 0; x < receivers_.width; ++x) {
+                if (!partial(index(x, y))) continue;
+                for (int v = std::max(y - 1, 0); v <= std::min(y + 1, receivers_.height - 1); ++v)
+                    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, receivers_.width - 1); ++u)
+                        out[index(u, v)] = sees_light(index(u, v));
+            }
+        return out;
+    }
+};
+
+FloatImage image(int width, int height, float value) {
+    return {width, height, 1, std::vector<float>(std::size_t(width) * std::size_t(height), value)};
+}
+
+}  // namespace
+
+TruthQuery truth_query(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights, int light,
+                       const TruthOptions& options) {
+    if (light < 0 || std::size_t(light) >= lights.size())
+        throw Error(fmt::format("view.light is {}, but light.count is {}", light, lights.size()));
+    const FittedLight& fitted = lights[std::size_t(light)];
+    return {emitter_of(fitted, settings.lights[std::size_t(light)]), object_traits(scene, settings), fitted.views,
+            options};
+}
+
+Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, const TruthQuery& query,
+                       const Workers& workers) {
+    if (query.traits.size() != scene.geometry().objects.size())
+        throw Error("the traced scene and its settings do not belong together");
+    Truth out;
+    out.width = receivers.width, out.height = receivers.height;
+    out.state.resize(receivers.pixels.size());
+    out.hard = image(out.width, out.height, 1);
+    out.nearest_m = image(out.width, out.height, kNaN);
+    Tracer tracer(scene, receivers, query, out);
+    const bool area = query.options.area && query.emitter.casts;
+    tracer.trace_hard(workers.part(0, area ? 0.05 : 1));
+    out.visibility = out.hard;
+    if (area) tracer.trace_area(workers.part(0.05, 1));
+    return out;
+}
+
+std::size_t view_index(const glm::dvec3& d, std::size_t views) {
+    if (views != 6) return 0;
+    const glm::dvec3 a = glm::abs(d);
+    if (a.x >= a.y && a.x >= a.z) return d.x >= 0 ? 0 : 1;
+    if (a.y >= a.z) return d.y >= 0 ? 2 : 3;
+    return d.z >= 0 ? 4 : 5;
+}
+
+std::size_t view_index(const FittedLight& light, const glm::dvec3& point_ws) {
+    return view_index(point_ws - light.position, light.views.size());
+}
+
+}  // namespace si

@@ -1,0 +1,76 @@
+// The ray-traced truth about one light's shadows: what each pixel's surface sees of the light.
+//
+//     auto geometry = std::make_shared<TruthGeometry>(scene, settings);           // a copy; any thread from here on
+//     TruthScene casters(geometry);                                               // the hierarchy
+//     Receivers receivers = place_receivers(*geometry, frame.camera, renderer.read_surface_ids(frame.surface_ids), {});
+//     Truth truth = trace_visibility(casters, receivers, truth_query(scene, settings, frame.lights, 0), {});
+//     truth.visibility.at(x, y);                                                  // 1 lit ... 0 in shadow
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "renderer/frame.h"
+#include "renderer/reference/emitter.h"
+#include "renderer/reference/receivers.h"
+#include "renderer/reference/truth_scene.h"
+
+namespace si {
+
+/// Whether a pixel counts in comparisons, and if not, why.
+enum class PixelState : std::uint8_t {
+    Counted,       ///< faces the light and lies in its cone
+    Background,    ///< shows no surface
+    FacesAway,     ///< N_g.L <= 0: no light whatever stands between
+    OutsideCone,   ///< of a spot light
+    NotReceiving,  ///< object.PATH.receive is off
+};
+inline constexpr std::size_t kPixelStates = 5;
+
+struct TruthOptions {
+    bool area = false;           ///< the light has its size; else it is a point or a direction
+    bool as_rasterised = false;  ///< faces that culling leaves out of the shadow map cast nothing here either
+    int samples = 1024;          ///< area: most rays a pixel. 64 everywhere, then four times as many, as noise demands
+    double noise = 0.005;        ///< area: wanted standard error of a pixel's visibility
+    bool operator==(const TruthOptions&) const = default;
+};
+
+struct TruthQuery {
+    Emitter emitter;
+    std::vector<ObjectTraits> traits;  ///< by object
+    std::vector<LightView> views;      ///< whose near planes bound what a map stores; may be empty
+    TruthOptions options;
+};
+
+/// The query for a light of a frame. @throws Error when there is no such light
+TruthQuery truth_query(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights, int light,
+                       const TruthOptions& options = {});
+
+struct Truth {
+    int width = 0, height = 0;
+    std::vector<PixelState> state;  ///< top row first, as all images here
+    /// 1 lit to 0 in shadow. Where a pixel does not count: 1 (Background, NotReceiving), 0 (FacesAway), or what is true
+    /// of the surface (OutsideCone), as the shadow mapped visibility has it.
+    FloatImage visibility;
+    FloatImage hard;  ///< the same for a light without size: 0 or 1
+    /// Metres along the pixel's light ray from its surface to the surface nearest the light, which is what a shadow map
+    /// stores: under the culling of casters and beyond the map's near plane. NaN where none stands before the pixel's.
+    FloatImage nearest_m;
+    std::array<std::size_t, kPixelStates> pixels{};  ///< per state
+    std::uint64_t rays = 0;  ///< to the light
+    double noise = 0;        ///< area: root mean square of the counted pixels' estimated standard errors
+    std::size_t partial = 0; ///< area: counted pixels that see a part of the light
+
+    std::size_t counted() const { return pixels[std::size_t(PixelState::Counted)]; }
+};
+
+/// Traces every pixel. Equal for any number of threads. @throws Cancelled
+Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, const TruthQuery& query,
+                       const Workers& workers);
+
+/// The view of a light whose map a point falls into: the only one, or a point light's by the largest coordinate.
+std::size_t view_index(const FittedLight& light, const glm::dvec3& point_ws);
+std::size_t view_index(const glm::dvec3& from_light, std::size_t views);
+
+}  // namespace si

@@ -1,0 +1,57 @@
+// What of a scene the ray-traced truth needs: a copy of the triangles as drawn, so that a trace may go on while the
+// scene moves or is replaced.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "renderer/key.h"
+#include "renderer/reference/alpha_mask.h"
+#include "renderer/scene.h"
+#include "renderer/settings.h"
+
+namespace si {
+
+struct TruthMesh {
+    std::vector<glm::vec3> positions;    ///< as uploaded: deformed, without degenerate triangles
+    std::vector<std::uint32_t> indices;
+    std::unique_ptr<const AlphaMask> mask;  ///< null: solid
+    std::size_t triangles() const { return indices.size() / 3; }
+};
+
+struct TruthObject {
+    std::shared_ptr<const TruthMesh> mesh;
+    glm::dmat4 world{1.0};
+    bool casts = true;
+};
+
+/// A corner's place in double: the object's transform is never rounded.
+struct TriangleWs {
+    glm::dvec3 a{0}, b{0}, c{0};
+};
+
+/// All objects of a scene by their number (Scene::objects).
+struct TruthGeometry {
+    std::vector<TruthObject> objects;
+    Bounds bounds;
+    std::uint64_t key = 0;
+
+    TruthGeometry(const Scene& scene, const Settings& settings);
+    /// Of what casts, instances counted.
+    std::size_t caster_triangles() const;
+    TriangleWs triangle(std::uint32_t object, std::uint32_t primitive) const;
+};
+
+/// What TruthGeometry depends on: scene, the objects that cast, and what blended ones do.
+Key truth_geometry_key(const Scene& scene, const Settings& settings);
+
+/// What settings say of each object besides, by its number.
+struct ObjectTraits {
+    bool receives = true;
+    Cull cull = Cull::None;  ///< of its faces in the shadow map, the object's own choice before the scene's
+};
+std::vector<ObjectTraits> object_traits(const Scene& scene, const Settings& settings);
+
+}  // namespace si

@@ -1,0 +1,61 @@
+// Rays through a TruthScene. For the sources of this folder; others use trace_visibility() and its kin.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "renderer/reference/embree.h"
+#include "renderer/reference/receivers.h"
+#include "renderer/reference/truth_scene.h"
+
+namespace si {
+
+/// One casting object in the hierarchy; its geometry (or instance) has the caster's index as its id.
+struct Caster {
+    std::uint32_t object = 0;
+    bool mirrored = false;  ///< flattened with a mirroring transform: its winding is turned
+};
+
+struct TruthScene::Impl {
+    embree::Device device;
+    std::vector<embree::Scene> meshes;  ///< of instanced meshes
+    embree::Scene scene;
+    std::vector<Caster> casters;
+    const TruthGeometry* geometry = nullptr;
+    glm::dvec3 centre{0};
+    double scale = 1;  ///< unit lengths per metre
+    double radius = 1; ///< of the scene, unit lengths
+    std::size_t triangles = 0, instances = 0;
+
+    glm::dvec3 to_unit(const glm::dvec3& position_ws) const { return (position_ws - centre) * scale; }
+};
+
+/// A receiver's point in the unit frame, lifted off its surface by what single precision may err.
+glm::vec3 ray_origin(const TruthScene::Impl& scene, const Receiver& receiver);
+
+/// A ray from a receiver that single precision cannot judge, as it leaves along the surface: hits are tested again in
+/// double, without the receiver's own triangle.
+struct ExactRay {
+    glm::dvec3 origin{0}, direction{0};  ///< unit frame, unit length
+    double length = 0;
+    std::uint32_t object = 0, primitive = 0;
+};
+/// Cosine between surface and ray below which a ray needs to be exact.
+inline constexpr double kGrazing = 1e-3;
+
+/// Which hits count.
+struct HitRules {
+    std::span<const ObjectTraits> culls;    ///< by object; empty: every face counts
+    std::span<const ExactRay> exact;        ///< by the ray's id; empty: none
+};
+
+/// Fills what all rays have in common.
+RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, float length, unsigned id);
+
+/// Marks occluded rays by a negative tfar.
+void occlude(const TruthScene::Impl& scene, std::span<RTCRay> rays, const HitRules& rules);
+
+/// Parameters (in lengths of the ray's direction) of all hits up to the ray's end, in no order.
+void all_hits(const TruthScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<float>& out);
+
+}  // namespace si

@@ -1,0 +1,62 @@
+#include "tests/support/traced.h"
+
+#include "tests/support/ray_truth.h"
+
+namespace si::test {
+
+Receiver receiver_on(const TruthGeometry& geometry, std::uint32_t object, std::uint32_t primitive, double u, double v,
+                     bool turned) {
+    const TriangleWs t = geometry.triangle(object, primitive);
+    const glm::dvec3 e1 = t.b - t.a, e2 = t.c - t.a, normal = glm::normalize(glm::cross(e1, e2));
+    Receiver r;
+    r.position_ws = t.a + u * e1 + v * e2;
+    r.normal_ws = turned ? -normal : normal;
+    r.edge_m = float(std::max(glm::length(e1), glm::length(e2)));
+    r.object = object, r.primitive = primitive;
+    return r;
+}
+
+Receivers row_of(std::vector<Receiver> pixels) {
+    return {int(pixels.size()), 1, std::move(pixels)};
+}
+
+SurfaceIds ids_by_rays(const Scene& scene, const Camera& camera, int width, int height) {
+    const RayTruth rays(scene);
+    std::vector<std::uint32_t> first;  // triangle of each object in the list
+    std::uint32_t count = 0;
+    for (const Object& o : scene.objects) {
+        first.push_back(count);
+        count += std::uint32_t(scene.meshes[std::size_t(o.mesh)].indices.size() / 3);
+    }
+    SurfaceIds ids{width, height, {}};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            glm::dvec3 origin, dir;
+            camera.pixel_ray(x, y, width, height, origin, dir);
+            const auto hit = rays.first_hit(origin, dir);
+            if (!hit) {
+                ids.data.emplace_back(0, 0);
+                continue;
+            }
+            const auto object = std::uint32_t(rays.triangle(hit->triangle).object);
+            ids.data.emplace_back(object + 1, std::uint32_t(hit->triangle) - first[object]);
+        }
+    return ids;
+}
+
+Emitter sun(const glm::dvec3& to_light, double angular_radius_deg) {
+    Emitter e;
+    e.to_light = glm::normalize(to_light);
+    e.size = angular_radius_deg;
+    return e;
+}
+
+TruthQuery query_for(const Scene& scene, const Emitter& emitter, const TruthOptions& options) {
+    return {emitter, object_traits(scene, Settings{}), {}, options};
+}
+
+std::shared_ptr<const TruthGeometry> geometry_of(const Scene& scene, const Settings& settings) {
+    return std::make_shared<TruthGeometry>(scene, settings);
+}
+
+}  // namespace si::test

@@ -1,0 +1,173 @@
+// Lights with a size: penumbrae against closed forms, the noise of samples, and what progressive refinement spends.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "renderer/scenes/shapes.h"
+#include "tests/support/traced.h"
+
+namespace si {
+namespace {
+
+using test::geometry_of;
+using test::query_for;
+using test::sun;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kHeight = 2;  // m, of the half plane x > 0 over the floor
+
+/// Share of a unit disk at x < s, the light that an edge leaves.
+double disk_share(double s) {
+    s = std::clamp(s, -1.0, 1.0);
+    return 0.5 + (std::asin(s) + s * std::sqrt(1 - s * s)) / kPi;
+}
+
+/// A floor, and a plane over it so wide that only its edge at x = 0 matters.
+Scene half_plane() {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(8, 8), grey));
+    add_object(scene, "half plane", -1, add_mesh(scene, "half plane", make_plane(200, 200), grey),
+               moved(100, kHeight, 0));
+    finalise(scene);
+    return scene;
+}
+
+struct Penumbra {
+    double rms = 0, mean = 0, largest = 0;
+    std::size_t partial = 0;
+    Truth truth;
+};
+
+/// Traces floor points along x in [-reach, reach] against share(x).
+template <typename Share>
+Penumbra penumbra(const Emitter& light, double reach, const TruthOptions& options, Share&& share) {
+    const Scene scene = half_plane();
+    const auto geometry = geometry_of(scene);
+    Receivers receivers;
+    receivers.width = 400, receivers.height = 4;
+    for (int y = 0; y < receivers.height; ++y)
+        for (int x = 0; x < receivers.width; ++x) {
+            Receiver r;
+            r.position_ws = {reach * (2 * (x + 0.5) / receivers.width - 1), 0, 0.1 * y};
+            r.normal_ws = {0, 1, 0};
+            r.edge_m = 8, r.object = 0;
+            receivers.pixels.push_back(r);
+        }
+    Penumbra p;
+    p.truth = trace_visibility(TruthScene(geometry), receivers, query_for(scene, light, options), {});
+    double squares = 0, sum = 0;
+    for (std::size_t i = 0; i < receivers.pixels.size(); ++i) {
+        const double expected = share(receivers.pixels[i].position_ws.x);
+        const double error = p.truth.visibility.data[i] - expected;
+        if (expected > 0 && expected < 1) {
+            ++p.partial;
+            squares += error * error, sum += error;
+        }
+        p.largest = std::max(p.largest, std::abs(error));
+    }
+    p.rms = std::sqrt(squares / double(p.partial)), p.mean = sum / double(p.partial);
+    return p;
+}
+
+void expect_penumbra(const Penumbra& p, const char* what) {
+    EXPECT_GT(p.partial, 300u) << what;
+    EXPECT_LT(p.rms, 0.004) << what << ": 1024 stratified samples err by 0.0022 at an edge";
+    EXPECT_LT(std::abs(p.mean), 0.0012) << what;
+    EXPECT_LT(p.largest, 0.02) << what;
+}
+
+const TruthOptions kFine{.area = true, .samples = 1024, .noise = 0};
+
+TEST(AreaLight, SunBehindAnEdge) {
+    const double radius_deg = 2, tangent = std::tan(radius_deg * kPi / 180);
+    expect_penumbra(penumbra(sun({0, 1, 0}, radius_deg), 2 * kHeight * tangent, kFine,
+                             [&](double x) { return disk_share(-x / (kHeight * tangent)); }),
+                    "sun");
+}
+
+TEST(AreaLight, SpotsDiskBehindAnEdge) {
+    Emitter spot = sun({0, 1, 0});
+    spot.type = LightType::Spot;
+    const double height = 5, radius = 0.8;
+    spot.position_ws = {0, height, 0.15};
+    spot.size = radius, spot.cos_cone = 0.2;
+    // The point x sees the light's part at y < x (1 - D / H) through the edge.
+    const double reach = 2 * radius / (height / kHeight - 1);
+    expect_penumbra(penumbra(spot, reach, kFine,
+                             [&](double x) { return disk_share(x * (1 - height / kHeight) / radius); }),
+                    "spot");
+}
+
+TEST(AreaLight, PointLightsSphereBehindAnEdge) {
+    Emitter point = sun({0, 1, 0});
+    point.type = LightType::Point;
+    const double height = 50, radius = 1;
+    point.position_ws = {0, height, 0.15};
+    point.size = radius;
+    // From far away a sphere is the disk that its outline cuts out, nearly.
+    const double tangent = radius / std::sqrt(height * height - radius * radius);
+    expect_penumbra(penumbra(point, 2 * kHeight * tangent, kFine,
+                             [&](double x) {
+                                 const double shift = x / kHeight - x / height;
+                                 return disk_share(-shift / tangent);
+                             }),
+                    "point");
+}
+
+TEST(AreaLight, NoiseFallsAsStratifiedSamplesDo) {
+    const double tangent = std::tan(2 * kPi / 180);
+    const auto at = [&](int samples) {
+        return penumbra(sun({0, 1, 0}, 2), 2 * kHeight * tangent, {.area = true, .samples = samples, .noise = 0},
+                        [&](double x) { return disk_share(-x / (kHeight * tangent)); });
+    };
+    const Penumbra coarse = at(64), middle = at(256), fine = at(1024);
+    // Independent samples would err by 0.047 and gain a factor of 4 only.
+    EXPECT_LT(coarse.rms, 0.025);
+    EXPECT_GT(coarse.rms / fine.rms, 5.5);
+    EXPECT_GT(coarse.rms, middle.rms);
+    for (const Penumbra* p : {&coarse, &middle, &fine}) {
+        // The estimate is over all counted pixels; it may err on the safe side.
+        const double own = p->truth.noise * std::sqrt(double(p->truth.counted()) / double(p->partial));
+        EXPECT_GT(own, 0.8 * p->rms);
+        EXPECT_LT(own, 3 * p->rms);
+    }
+}
+
+TEST(AreaLight, RefinesOnlyWherePartsAreSeen) {
+    const double tangent = std::tan(0.5 * kPi / 180);
+    const auto share = [&](double x) { return disk_share(-x / (kHeight * tangent)); };
+    const auto at = [&](double noise) {
+        return penumbra(sun({0, 1, 0}, 0.5), 10 * kHeight * tangent, {.area = true, .samples = 1024, .noise = noise},
+                        share);
+    };
+    const Penumbra coarse = at(1), target = at(0.008), fine = at(0);
+    const auto per_pixel = [](const Penumbra& p) { return double(p.truth.rays) / double(p.truth.counted()) - 1; };
+    // A tenth of the pixels lies in the penumbra; they and their neighbours get 256, the others 64.
+    EXPECT_NEAR(per_pixel(coarse), 64 + 0.1 * 256, 5);
+    EXPECT_GT(per_pixel(target), 1.2 * per_pixel(coarse));
+    EXPECT_LT(per_pixel(target), 0.95 * per_pixel(fine)) << "some pixels were good enough";
+    EXPECT_NEAR(per_pixel(fine), 64 + 0.1 * (256 + 1024), 25);
+    EXPECT_LT(fine.rms, 0.6 * coarse.rms);
+    EXPECT_LT(target.rms, 0.008);
+    EXPECT_NEAR(double(target.truth.partial), double(target.partial), 0.1 * double(target.partial));
+}
+
+TEST(AreaLight, OfSizeZeroIsHard) {
+    const Penumbra p = penumbra(sun({0.3, 1, 0}, 0), 2, {.area = true, .samples = 64},
+                                [](double x) { return x + 0.3 * kHeight < 0 ? 1.0 : 0.0; });
+    EXPECT_EQ(p.truth.visibility.data, p.truth.hard.data);
+    EXPECT_LT(p.largest, 1e-6);
+}
+
+TEST(AreaLight, GrazingSunCountsOnlyWhatIsAboveTheHorizon) {
+    // Half of this sun is below the floor's horizon; of the rest the floor hides nothing.
+    const Penumbra p = penumbra(sun({-1, 0.001, 0}, 3), 0.5, {.area = true, .samples = 256, .noise = 0},
+                                [](double) { return 1.0; });
+    EXPECT_EQ(p.truth.counted(), p.truth.state.size());
+    EXPECT_EQ(p.largest, 0);
+}
+
+}  // namespace
+}  // namespace si
