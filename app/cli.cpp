@@ -28,6 +28,8 @@ struct Options {
     PresetTexts texts;
     RenderOptions render;
     ProbeOptions probe;
+    TruthCommandOptions truth;
+    MeasureOptions measure;
     ListOptions list;
     OverviewOptions overview;
     ContactSheetOptions sheet;
@@ -77,6 +79,52 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
             o.render.size = size_of(o);
             o.render.view_given = view->count() > 0;
             run_render(o.render);
+        };
+    });
+}
+
+void add_truth(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("truth", "Trace rays for what is true about a light's shadows, into a file");
+    add_session_options(*c, o, true);
+    c->add_option("-o,--output", o.output, "The file: .png (8 bit) or .pfm (float); 1 lit to 0 in shadow")
+        ->required()
+        ->type_name("OUT");
+    c->add_flag("--area", o.truth.truth.area, "Give the light its size (light.size); else it is a point or a direction");
+    c->add_flag("--as-rasterised", o.truth.truth.as_rasterised,
+                "Leave out the faces that culling leaves out of the shadow map (caster.cull)");
+    c->add_option("--samples", o.truth.truth.samples, "With --area: most rays a pixel (default 1024)")
+        ->check(CLI::Range(1, 1 << 20))
+        ->type_name("N");
+    c->add_option("--noise", o.truth.truth.noise, "With --area: wanted standard error of a pixel (default 0.005)")
+        ->check(CLI::Range(0.0, 1.0))
+        ->type_name("E");
+    c->add_option("--threads", o.truth.threads, "Threads that trace (default: all)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    add_size(*c, o, "1280x720");
+    c->add_option("--report", o.truth.report, "Write counts, rays, noise and times as JSON")->type_name("F.json");
+    c->callback([&o, &run] {
+        run = [&o] {
+            o.truth.session = o.session;
+            o.truth.output = o.output;
+            o.truth.size = size_of(o);
+            run_truth(o.truth);
+        };
+    });
+}
+
+void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("measure", "Compare a light's shadows with the ray-traced truth, in numbers");
+    add_session_options(*c, o, true);
+    c->add_flag("--area", o.measure.truth.area, "Against a light of its size (light.size), not a point or direction");
+    add_size(*c, o, "1280x720");
+    c->add_flag("--json", o.json, "All numbers as JSON");
+    c->callback([&o, &run] {
+        run = [&o] {
+            o.measure.session = o.session;
+            o.measure.size = size_of(o);
+            o.measure.json = o.json;
+            run_measure(o.measure);
         };
     });
 }
@@ -289,6 +337,8 @@ int run_cli(int argc, const char* const* argv) {
     std::function<void()> run = [&options] { run_default(options); };
     add_edit(app, options, run);
     add_render(app, options, run);
+    add_truth(app, options, run);
+    add_measure(app, options, run);
     add_probe(app, options, run);
     add_list(app, options, run);
     add_presets(app, options, run);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "renderer/error.h"
+#include "renderer/light_receiver.h"
 #include "renderer/renderer_impl.h"
 
 namespace si {
@@ -49,11 +50,15 @@ PixelFacts draw_pixel(FrameState& f, int x, int y_bottom, int light) {
     return facts;
 }
 
-int face_of(const glm::dvec3& d) {
-    const glm::dvec3 a = glm::abs(d);
-    if (a.x >= a.y && a.x >= a.z) return d.x >= 0 ? 0 : 1;
-    if (a.y >= a.z) return d.y >= 0 ? 2 : 3;
-    return d.z >= 0 ? 4 : 5;
+std::string_view place_name(MapPlace place) {
+    switch (place) {
+        case MapPlace::Inside: return "inside";
+        case MapPlace::BeforeNear: return "before near";
+        case MapPlace::Sides: return "sides";
+        case MapPlace::BeyondFar: return "beyond far";
+        case MapPlace::Behind: return "behind";
+    }
+    return "";
 }
 
 std::string verdict(const FrameState& f, const Probe::PerLight& p, bool receives) {
@@ -85,44 +90,24 @@ Probe::PerLight test_light(const FrameState& f, std::size_t i, const PixelFacts&
     const glm::dvec3 position = glm::dvec3(facts.values[0]) + f.origin;
     const glm::dvec3 geometric(facts.values[1]), mapped(facts.values[2]);
     const glm::dvec3 vertex(facts.values[3].y, facts.values[3].z, facts.values[3].w);
-    const glm::dvec3 to_light = light.type == LightType::Directional ? light.to_light
-                                                                     : glm::normalize(light.position - position);
     const BiasSettings& bias = f.settings.bias;
     const glm::dvec3 normal = bias.normal_source == int(NormalSource::Mapped)    ? mapped
                               : bias.normal_source == int(NormalSource::Shading) ? vertex
                                                                                  : geometric;
-    p.n_dot_l = glm::dot(geometric, to_light);
-    p.face = light.views.size() == 6 ? face_of(position - light.position) : 0;
-    const LightView& view = light.views[std::size_t(p.face)];
-    p.clip = view.clip_from_relative(position) * glm::dvec4(0, 0, 0, 1);
-    const double w = p.clip.w;
-    p.ndc = glm::dvec3(p.clip) / w;
-    const auto to_unit = [&](const glm::dvec3& ndc) {
-        const double z = view.curve.convention.zero_to_one ? ndc.z : ndc.z * 0.5 + 0.5;
-        return glm::dvec3(ndc.x * 0.5 + 0.5, ndc.y * 0.5 + 0.5, z);
-    };
-    p.uvd = to_unit(p.ndc);
     const int n = f.map_resolution;
-    const double z = view.curve.perspective ? w : 1.0;
-    p.texel_m = view.texel_size(z, n);
-    p.own = p.uvd.z;
-    p.own_m = view.curve.distance(p.own);
-    const double per_m = view.curve.slope(p.own_m);
-    const double amount = std::max(bias.slope * (1 - std::clamp(glm::dot(normal, to_light), 0.0, 1.0)), bias.constant);
-    p.bias_depth = bias.unit == int(BiasUnit::Texels)   ? amount * p.texel_m * per_m
-                   : bias.unit == int(BiasUnit::Metres) ? amount * per_m
-                                                        : amount;
-    p.bias_m = p.bias_depth / per_m;
-    p.bias_texels = p.bias_m / p.texel_m;
-    p.normal_offset_m = bias.normal * p.texel_m;
+    const LightReceiver r = light_receiver(light, bias, n, position, geometric, normal);
+    const LightView& view = light.views[r.view];
+    p.face = int(r.view);
+    p.n_dot_l = r.n_dot_l;
+    p.clip = r.clip, p.ndc = r.ndc, p.uvd = r.uvd;
+    p.texel_m = r.texel_m;
+    p.own = r.uvd.z, p.own_m = r.own_m;
+    p.bias_depth = r.bias_depth, p.bias_m = r.bias_m, p.bias_texels = r.bias_m / r.texel_m;
+    p.normal_offset_m = r.normal_offset_m;
     p.offset_position_ws = position + normal * p.normal_offset_m;
-    const glm::dvec4 moved = view.clip_from_relative(p.offset_position_ws) * glm::dvec4(0, 0, 0, 1);
-    const glm::dvec3 tap = to_unit(glm::dvec3(moved) / moved.w);
-    p.compared = tap.z - (view.curve.convention.reversed ? -p.bias_depth : p.bias_depth);
-    p.texel = glm::ivec2(glm::clamp(glm::floor(glm::dvec2(tap) * double(n)), glm::dvec2(-1e9), glm::dvec2(1e9)));
-    const bool beyond = view.curve.convention.reversed ? p.uvd.z < 0 : p.uvd.z > 1;
-    const bool sides = p.uvd.x < 0 || p.uvd.x > 1 || p.uvd.y < 0 || p.uvd.y > 1;
-    p.where = w <= 0 ? "behind" : beyond ? "beyond far" : sides ? "sides" : p.own_m < view.curve.near ? "before near" : "inside";
+    p.compared = r.compared;
+    p.texel = glm::ivec2(glm::clamp(glm::floor(glm::dvec2(r.tap) * double(n)), glm::dvec2(-1e9), glm::dvec2(1e9)));
+    p.where = place_name(r.place);
     glm::ivec2 at = p.texel;
     if (f.settings.map.wrap == int(MapWrap::Repeat)) at = ((at % n) + n) % n;
     const bool in_map = at.x >= 0 && at.y >= 0 && at.x < n && at.y < n;
@@ -167,7 +152,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
         FloatImage map;
         if (f.gl.fitted[i].casts) {
             const glm::dvec3 d = out.position_ws - f.gl.fitted[i].position;
-            map = read_shadow_map(int(i), f.gl.fitted[i].views.size() == 6 ? face_of(d) : 0);
+            map = read_shadow_map(int(i), int(view_index(d, f.gl.fitted[i].views.size())));
         }
         out.lights.push_back(test_light(f, i, facts, &map));
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/session.h"
+#include "renderer/reference/truth.h"
 
 namespace si {
 
@@ -27,6 +28,25 @@ struct RenderOptions {
     PictureSize size;
 };
 void run_render(const RenderOptions& options);
+
+struct TruthCommandOptions {
+    SessionOptions session;
+    std::string output, report;
+    PictureSize size;
+    TruthOptions truth;
+    int threads = 0;  ///< 0: all
+};
+/// The ray-traced visibility of view.light as a picture.
+void run_truth(const TruthCommandOptions& options);
+
+struct MeasureOptions {
+    SessionOptions session;
+    PictureSize size;
+    TruthOptions truth;
+    bool json = false;
+};
+/// How far the shadows of view.light are from the truth, in numbers.
+void run_measure(const MeasureOptions& options);
 
 struct ProbeOptions {
     SessionOptions session;

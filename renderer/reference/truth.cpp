@@ -7,6 +7,7 @@
 #include <limits>
 #include <mutex>
 
+#include "renderer/light_receiver.h"
 #include "renderer/reference/truth_rays.h"
 
 namespace si {
@@ -69,7 +70,7 @@ public:
                 for (int x = x0; x < x1; ++x) ++pixels[std::size_t(classify(index(x, y), batch))];
             batch.trace(scene_, culls_, [&](std::uint32_t i, bool occluded) {
                 out_.hard.data[i] = occluded ? 0.f : 1.f;
-                if (occluded) out_.nearest_m.data[i] = nearest(i, hits);
+                if (occluded && query_.options.nearest) out_.nearest_m.data[i] = nearest(i, hits);
             });
             const std::lock_guard guard(lock_);
             for (std::size_t s = 0; s < kPixelStates; ++s) out_.pixels[s] += pixels[s];
@@ -268,18 +269,6 @@ Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, cons
     out.visibility = out.hard;
     if (area) tracer.trace_area(workers.part(0.05, 1));
     return out;
-}
-
-std::size_t view_index(const glm::dvec3& d, std::size_t views) {
-    if (views != 6) return 0;
-    const glm::dvec3 a = glm::abs(d);
-    if (a.x >= a.y && a.x >= a.z) return d.x >= 0 ? 0 : 1;
-    if (a.y >= a.z) return d.y >= 0 ? 2 : 3;
-    return d.z >= 0 ? 4 : 5;
-}
-
-std::size_t view_index(const FittedLight& light, const glm::dvec3& point_ws) {
-    return view_index(point_ws - light.position, light.views.size());
 }
 
 }  // namespace si

@@ -33,6 +33,7 @@ struct TruthOptions {
     bool as_rasterised = false;  ///< faces that culling leaves out of the shadow map cast nothing here either
     int samples = 1024;          ///< area: most rays a pixel. 64 everywhere, then four times as many, as noise demands
     double noise = 0.005;        ///< area: wanted standard error of a pixel's visibility
+    bool nearest = true;         ///< find Truth::nearest_m
     bool operator==(const TruthOptions&) const = default;
 };
 
@@ -55,7 +56,8 @@ struct Truth {
     FloatImage visibility;
     FloatImage hard;  ///< the same for a light without size: 0 or 1
     /// Metres along the pixel's light ray from its surface to the surface nearest the light, which is what a shadow map
-    /// stores: under the culling of casters and beyond the map's near plane. NaN where none stands before the pixel's.
+    /// stores: under the culling of casters and beyond the map's near plane. NaN where none stands before the pixel's, and
+    /// everywhere without TruthOptions::nearest.
     FloatImage nearest_m;
     std::array<std::size_t, kPixelStates> pixels{};  ///< per state
     std::uint64_t rays = 0;  ///< to the light
@@ -68,9 +70,5 @@ struct Truth {
 /// Traces every pixel. Equal for any number of threads. @throws Cancelled
 Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, const TruthQuery& query,
                        const Workers& workers);
-
-/// The view of a light whose map a point falls into: the only one, or a point light's by the largest coordinate.
-std::size_t view_index(const FittedLight& light, const glm::dvec3& point_ws);
-std::size_t view_index(const glm::dvec3& from_light, std::size_t views);
 
 }  // namespace si

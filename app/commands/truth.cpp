@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "app/commands/commands.h"
+#include "app/headless_context.h"
+#include "app/notes.h"
+#include "app/output.h"
+#include "app/report.h"
+#include "app/views.h"
+#include "renderer/error.h"
+#include "renderer/reference/truth_task.h"
+
+namespace si {
+namespace {
+
+/// Percent done on stderr, where a person looks on.
+Workers workers_of(const TruthCommandOptions& options) {
+    Workers workers{.threads = options.threads};
+    if (!::isatty(STDERR_FILENO)) return workers;
+    workers.progress = [last = -1](double t) mutable {
+        const int percent = int(t * 100);
+        if (percent != last) fmt::print(stderr, "\rtracing {} %{}", last = percent, percent == 100 ? "\r\033[K" : "");
+        std::fflush(stderr);
+    };
+    return workers;
+}
+
+nlohmann::ordered_json truth_json(const TracedTruth& traced, const TruthTask& task, const TruthCommandOptions& options,
+                                  int light) {
+    const Truth& t = *traced.truth;
+    const auto pixels = [&](PixelState s) { return t.pixels[std::size_t(s)]; };
+    double sum = 0, hard = 0;
+    for (std::size_t i = 0; i < t.state.size(); ++i)
+        if (t.state[i] == PixelState::Counted) sum += t.visibility.data[i], hard += t.hard.data[i];
+    nlohmann::ordered_json json = {{"format", "shadow-inspector-truth"},
+                                   {"version", 1},
+                                   {"light", light},
+                                   {"width", t.width},
+                                   {"height", t.height},
+                                   {"area", task.query.options.area},
+                                   {"light_size", task.query.emitter.size},
+                                   {"as_rasterised", task.query.options.as_rasterised},
+                                   {"triangles", traced.scene->triangle_count()},
+                                   {"instances", traced.scene->instance_count()},
+                                   {"pixels",
+                                    {{"counted", t.counted()},
+                                     {"background", pixels(PixelState::Background)},
+                                     {"faces_away", pixels(PixelState::FacesAway)},
+                                     {"outside_cone", pixels(PixelState::OutsideCone)},
+                                     {"not_receiving", pixels(PixelState::NotReceiving)}}},
+                                   {"rays", t.rays}};
+    json["visibility_mean"] = t.counted() ? nlohmann::ordered_json(sum / double(t.counted())) : nullptr;
+    json["hard_visibility_mean"] = t.counted() ? nlohmann::ordered_json(hard / double(t.counted())) : nullptr;
+    if (task.query.options.area) {
+        json["partly_lit"] = t.partial;
+        json["noise"] = t.noise;
+        json["samples"] = options.truth.samples;
+    }
+    json["time_ms"] = {{"build", traced.build_ms}, {"place", traced.place_ms}, {"trace", traced.trace_ms}};
+    return json;
+}
+
+}  // namespace
+
+void run_truth(const TruthCommandOptions& options) {
+    check_view_file({.key = "truth", .scalar = true}, options.output);
+    require_writable(options.output);
+    if (!options.report.empty()) require_writable(options.report);
+    const Session session = open_session(options.session);
+    const HeadlessContext context;
+    Renderer renderer;
+    const int light = session.settings.view.light;
+    const FrameRequest request{.width = options.size.width, .height = options.size.height};
+    const TruthTask task = truth_task(renderer, session.scene, session.settings, request, light, options.truth);
+    TruthCache cache;
+    const TracedTruth traced = cache.trace(task, workers_of(options));
+    const FloatImage& picture = traced.truth->visibility;
+    lower_extension(options.output) == ".pfm" ? write_pfm(options.output, picture)
+                                              : write_grey_png(options.output, picture);
+    if (!options.report.empty()) write_file(options.report, json_text(truth_json(traced, task, options, light)));
+    print_notes(session.notes);
+}
+
+}  // namespace si

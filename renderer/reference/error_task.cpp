@@ -1,0 +1,88 @@
+#include "renderer/reference/error_task.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "renderer/light_receiver.h"
+#include "renderer/reference/light_space.h"
+#include "renderer/techniques.h"
+
+namespace si {
+namespace {
+
+/// Fills what each pixel's place in the map says: outside of it, how much bias acts, and where its kernel looks if the
+/// two visibilities differ.
+std::vector<Footprint> place_in_map(const ErrorTask& task, const FittedLight& light, const TracedTruth& traced,
+                                    PixelFacts& facts, const Workers& workers) {
+    const Truth& truth = *traced.truth;
+    const std::size_t n = truth.state.size(), width = std::size_t(truth.width);
+    std::vector<Footprint> footprints(n);
+    facts.outside_map.assign(n, 0);
+    facts.bias_m.assign(n, 0);
+    facts.joins.assign(n, 0);
+    for_blocks(std::size_t(truth.height), workers, [&](std::size_t y) {
+        for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+            const Receiver& r = traced.receivers->pixels[i];
+            facts.joins[i] = std::uint8_t(r.joins_right | r.joins_below << 1);
+            if (truth.state[i] != PixelState::Counted || !light.casts) continue;
+            // The geometric normal; by how much another one moves the kernel is in the map coordinates.
+            const LightReceiver at = light_receiver(light, task.bias, task.truth.map_resolution, r.position_ws, r.normal_ws,
+                                                    r.normal_ws);
+            facts.outside_map[i] = !at.in_map();
+            const double slant = glm::dot(at.to_light, light.views[at.view].axes[2]);
+            facts.bias_m[i] = float(at.bias_m / std::max(slant, 1e-6) + at.normal_offset_m * at.n_dot_l);
+            const double difference = task.measured.data[i] - truth.visibility.data[i];
+            if (!at.in_map() || std::abs(difference) <= kRightVisibility) continue;
+            const float* kernel = &task.map_coordinates.data[4 * i];
+            footprints[i].own = glm::dvec2(at.uvd) * double(task.truth.map_resolution);
+            footprints[i].centre = kernel[3] > 0
+                                       ? glm::dvec2(kernel[0], kernel[1]) * double(task.truth.map_resolution)
+                                       : footprints[i].own;
+            footprints[i].view = int(at.view);
+        }
+    });
+    return footprints;
+}
+
+}  // namespace
+
+double kernel_reach_texels(const Settings& settings) {
+    return filters()[std::size_t(settings.filter.kernel)].reach_texels + settings.map.blur_texels;
+}
+
+ErrorTask error_task(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
+                     int light, const TruthOptions& options, const std::shared_ptr<const TruthGeometry>& known) {
+    ErrorTask task;
+    TruthOptions all = options;
+    all.nearest = true;  // by which lost casters and peter-panning are told apart
+    task.truth = truth_task(renderer, scene, settings, request, light, all, known);
+    FrameRequest wanted = request;
+    wanted.outputs = {.colour = false, .visibility = true, .map_coordinates = true};
+    wanted.timing = false;
+    Settings shown = settings;
+    shown.view.light = light;
+    const FrameResult frame = renderer.render(scene, shown, wanted);
+    task.measured = renderer.read_float(frame.visibility, 1);
+    if (frame.map_coordinates.texture) task.map_coordinates = renderer.read_float(frame.map_coordinates, 4);
+    task.bias = settings.bias;
+    task.light = light;
+    task.reach_texels = kernel_reach_texels(settings);
+    return task;
+}
+
+MeasuredError measure_error(const ErrorTask& task, TruthCache& cache, const Workers& workers) {
+    MeasuredError out;
+    out.traced = cache.trace(task.truth, workers.part(0, 0.8));
+    const auto start = std::chrono::steady_clock::now();
+    const FittedLight& light = task.truth.lights[std::size_t(task.light)];
+    const std::vector<Footprint> footprints =
+        place_in_map(task, light, out.traced, out.facts, workers.part(0.8, 0.85));
+    out.facts.edge_texels =
+        edge_distances(*out.traced.scene, *out.traced.receivers, *out.traced.truth, light, task.truth.map_resolution,
+                       task.reach_texels, footprints, workers.part(0.85, 1));
+    out.metrics = error_metrics(task.measured, *out.traced.truth, out.facts, &out.artefacts);
+    out.classify_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return out;
+}
+
+}  // namespace si

@@ -1,0 +1,59 @@
+// From a frame to its truth: what must be taken on the renderer's thread, and what any thread then computes and keeps.
+//
+//     TruthCache cache;                                                              // lives as long as the session
+//     TruthTask task = truth_task(renderer, scene, settings, request, light, {.area = true}, cache.geometry());
+//     TracedTruth traced = cache.trace(task, {.stop = token, .progress = report});   // on any one thread
+//     traced.truth->visibility.at(x, y);
+#pragma once
+
+#include <list>
+#include <memory>
+
+#include "renderer/reference/truth.h"
+#include "renderer/renderer.h"
+
+namespace si {
+
+/// Everything that a trace needs; it touches neither scene nor GPU any more.
+struct TruthTask {
+    std::shared_ptr<const TruthGeometry> geometry;
+    Camera camera;
+    SurfaceIds ids;
+    TruthQuery query;
+    std::vector<FittedLight> lights;  ///< of the frame
+    int map_resolution = 0;
+    std::uint64_t receivers_key = 0;
+    std::uint64_t key = 0;  ///< of the truth: scene, objects, camera, size, light, options; not the map's resolution
+};
+
+/// Draws which triangle each pixel shows, and copies the scene's triangles unless `known` holds them already.
+/// @param light index of light.*. @throws Error when there is no such light, or as Renderer::render() does
+TruthTask truth_task(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
+                     int light, const TruthOptions& options = {},
+                     const std::shared_ptr<const TruthGeometry>& known = nullptr);
+
+struct TracedTruth {
+    std::shared_ptr<const TruthScene> scene;
+    std::shared_ptr<const Receivers> receivers;
+    std::shared_ptr<const Truth> truth;
+    double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time; 0 where the cache had it
+};
+
+/// The last hierarchy and receivers, and the last truths. Used by one thread at a time.
+class TruthCache {
+public:
+    /// @throws Cancelled, Error; what was complete by then is kept
+    TracedTruth trace(const TruthTask& task, const Workers& workers = {});
+    /// The triangles of the last trace, for truth_task().
+    std::shared_ptr<const TruthGeometry> geometry() const { return scene_ ? scene_->shared_geometry() : nullptr; }
+    void clear() { *this = {}; }
+
+private:
+    static constexpr std::size_t kKept = 4;  ///< truths: hard and area of two lights
+    std::shared_ptr<const TruthScene> scene_;
+    std::shared_ptr<const Receivers> receivers_;
+    std::uint64_t receivers_key_ = 0;
+    std::list<std::pair<std::uint64_t, std::shared_ptr<const Truth>>> truths_;  ///< latest first
+};
+
+}  // namespace si

@@ -1,0 +1,82 @@
+// The `truth` command: pictures, reports, mistakes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::json;
+
+class TruthCommand : public testing::Test {
+protected:
+    void SetUp() override { folder_ = fresh_test_folder(); }
+    /// The report; the picture is t.pfm.
+    Json trace(std::vector<std::string> more, const char* scene = "boxes") {
+        std::vector<std::string> arguments = {"truth", scene, "-o", "t.pfm", "--size", "160x90", "--report", "t.json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ProcessResult r = run_program(arguments, folder_);
+        EXPECT_EQ(r.code, 0) << r.err;
+        EXPECT_EQ(r.out, "");
+        EXPECT_EQ(r.err, "");
+        return r.code == 0 ? Json::parse(file_bytes(folder_ / "t.json")) : Json();
+    }
+    std::filesystem::path folder_;
+};
+
+TEST_F(TruthCommand, WritesThePictureAndItsFacts) {
+    const Json hard = trace({});
+    const std::string picture = file_bytes(folder_ / "t.pfm");
+    EXPECT_EQ(picture.size(), std::string("Pf\n160 90\n-1.0\n").size() + 160 * 90 * 4);
+    EXPECT_EQ(hard["format"], "shadow-inspector-truth");
+    EXPECT_GT(hard["pixels"]["counted"], 1000);
+    int sum = 0;
+    for (const auto& [state, count] : hard["pixels"].items()) sum += count.get<int>();
+    EXPECT_EQ(sum, 160 * 90);
+    EXPECT_GT(hard["visibility_mean"], 0.2);
+    EXPECT_LT(hard["visibility_mean"], 0.99);
+    EXPECT_EQ(hard["visibility_mean"], hard["hard_visibility_mean"]);
+    EXPECT_FALSE(hard.contains("noise"));
+
+    EXPECT_EQ(trace({"--threads", "1"})["rays"], hard["rays"]);
+    EXPECT_EQ(file_bytes(folder_ / "t.pfm"), picture) << "the threads show";
+
+    const Json area = trace({"--area", "--set", "light.0.size=5", "--samples", "256"});
+    EXPECT_NE(file_bytes(folder_ / "t.pfm"), picture);
+    EXPECT_GT(area["partly_lit"], 200);
+    EXPECT_GT(area["noise"], 0);
+    EXPECT_LT(area["noise"], 0.02);
+    EXPECT_GT(area["rays"], 64 * hard["rays"].get<int>());
+    EXPECT_EQ(area["hard_visibility_mean"], hard["visibility_mean"]);
+}
+
+TEST_F(TruthCommand, HasTheCulledFacesUnlessAsRasterised) {
+    // The stage has a wall of a single plane.
+    const double all = trace({}, "stage")["visibility_mean"];
+    EXPECT_EQ(trace({"--set", "caster.cull=front"}, "stage")["visibility_mean"], all);
+    EXPECT_EQ(trace({"--set", "caster.cull=none", "--as-rasterised"}, "stage")["visibility_mean"], all);
+    const double front = trace({"--set", "caster.cull=front", "--as-rasterised"}, "stage")["visibility_mean"];
+    const double back = trace({"--set", "caster.cull=back", "--as-rasterised"}, "stage")["visibility_mean"];
+    EXPECT_GT(std::max(front, back), all + 1e-3);
+}
+
+TEST_F(TruthCommand, RefusesWhatItCannotWrite) {
+    const auto code = [&](std::vector<std::string> arguments) {
+        const ProcessResult r = run_program(arguments, folder_);
+        EXPECT_TRUE(r.err.starts_with("shadow-inspector: ")) << r.err;
+        EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+        return r.code;
+    };
+    EXPECT_EQ(code({"truth", "boxes", "-o", "t.jpg"}), 2);
+    EXPECT_EQ(code({"truth", "boxes"}), 2);
+    EXPECT_EQ(code({"truth", "boxes", "-o", "t.png", "--samples", "0"}), 2);
+    EXPECT_EQ(code({"truth", "boxes", "-o", "nowhere/t.png"}), 1);
+    EXPECT_EQ(code({"truth", "boxes", "-o", "t.png", "--set", "light.count=0", "--size", "64x64"}), 1);
+    EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+}  // namespace
+}  // namespace si

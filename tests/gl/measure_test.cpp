@@ -1,0 +1,161 @@
+// Measured errors of real frames: acne where bias is missing, sampling errors that fall with resolution, lost casters.
+#include "renderer/reference/error_task.h"
+#include "renderer/scenes/shapes.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+class MeasureTest : public FrameTest {
+protected:
+    TruthCache cache;
+    MeasuredError measured;
+    const ErrorMetrics& measure(const Scene& scene, const Settings& settings, const TruthOptions& options = {},
+                                int width = 320, int height = 240) {
+        const ErrorTask task = error_task(renderer, scene, settings, {.width = width, .height = height}, 0, options,
+                                          cache.geometry());
+        measured = measure_error(task, cache);
+        return measured.metrics;
+    }
+    static Settings hard(int resolution) {
+        Settings s = test::hard_settings();
+        s.map.resolution = resolution;
+        s.filter.kernel = test::kernel("hard");
+        s.bias = test::no_bias();
+        s.bias.unit = int(BiasUnit::Texels);
+        s.bias.constant = 3;
+        return s;
+    }
+};
+
+TEST_F(MeasureTest, FindsNothingButEdgesInAWellBiasedFrame) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const char* kernel : {"hard", "pcf3"}) {
+        Settings s = hard(512);
+        s.filter.kernel = test::kernel(kernel);
+        s.bias.constant = 8;
+        const ErrorMetrics& m = measure(scene, s);
+        EXPECT_GT(m.counted, 20000u);
+        EXPECT_EQ(m.acne, 0) << kernel;
+        EXPECT_EQ(m.leak, 0) << kernel;
+        EXPECT_EQ(m.any_acne, 0) << kernel;
+        EXPECT_GT(m.boundary_false_shadow + m.boundary_false_light, 0) << kernel << ": edges are never right";
+        EXPECT_LT(m.mae, 0.03) << kernel;
+        EXPECT_GT(m.iou, 0.9) << kernel;
+        EXPECT_LT(m.boundary_px_mean, 1.5) << kernel;
+        EXPECT_EQ(m.outside_map, 0) << kernel;
+    }
+}
+
+TEST_F(MeasureTest, CallsMissingBiasAcne) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = hard(512);
+    s.bias.constant = 0;
+    const ErrorMetrics& m = measure(scene, s);
+    // On a plane without bias half of all texels lie before it.
+    EXPECT_GT(m.false_shadow, 0.3);
+    EXPECT_GT(m.acne, 0.95 * m.false_shadow);
+    EXPECT_GE(m.any_acne, m.acne);
+    EXPECT_LT(m.false_light, 0.01);
+    EXPECT_LT(m.signed_mean, -0.3);
+    std::size_t acne = 0;
+    for (const Artefact a : measured.artefacts) acne += a == Artefact::Acne;
+    EXPECT_EQ(acne, m.artefacts[std::size_t(Artefact::Acne)]);
+    EXPECT_NEAR(double(acne) / double(m.counted), m.acne, 1e-12);
+}
+
+TEST_F(MeasureTest, CallsTooMuchBiasPeterPanning) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.1);
+    Settings s = hard(1024);
+    s.bias.unit = int(BiasUnit::Metres);
+    s.bias.constant = 3;  // more than the box is thick along the light
+    const ErrorMetrics& m = measure(scene, s);
+    EXPECT_GT(m.leak, 0.01);
+    EXPECT_EQ(m.acne, 0);
+    EXPECT_GT(m.artefacts[std::size_t(Artefact::PeterPanning)], 300u);
+    EXPECT_EQ(m.artefacts[std::size_t(Artefact::LostCaster)], 0u);
+    EXPECT_GT(m.signed_mean, 0.01);
+}
+
+TEST_F(MeasureTest, CallsCulledFacesLostCasters) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
+    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(2, 2), grey), moved(0, 1.2, 0));
+    finalise(scene);
+    Settings s = hard(512);
+    EXPECT_EQ(measure(scene, s).leak, 0);
+    s.caster.cull = int(Cull::Front);
+    const ErrorMetrics& m = measure(scene, s);
+    EXPECT_GT(m.leak, 0.01);
+    EXPECT_GT(m.artefacts[std::size_t(Artefact::LostCaster)], 300u);
+    EXPECT_EQ(m.artefacts[std::size_t(Artefact::PeterPanning)] + m.artefacts[std::size_t(Artefact::Leak)], 0u);
+    EXPECT_LT(measure(scene, s, {.as_rasterised = true}).false_light, 0.01) << "without the faces that culling drops";
+}
+
+TEST_F(MeasureTest, KeepsWhatTheMapDoesNotHoldApart) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = hard(512);
+    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].extent = 1.2;
+    const ErrorMetrics& m = measure(scene, s);
+    EXPECT_GT(m.outside_map, 0.3);
+    EXPECT_EQ(m.artefacts[std::size_t(Artefact::OutsideMap)], std::size_t(std::lround(m.outside_map * double(m.counted))));
+    EXPECT_EQ(m.acne, 0);
+    EXPECT_EQ(m.leak, 0);
+    EXPECT_GT(m.outside_false_light, 0) << "a part of the shadow falls outside";
+}
+
+TEST_F(MeasureTest, ErrorOfTheHardKernelFallsWithSlopeMinusOne) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    std::vector<double> x, y;
+    for (const int resolution : {1024, 2048, 4096, 8192}) {
+        Settings s = hard(resolution);
+        s.camera.distance = 5;
+        const ErrorMetrics& m = measure(scene, s, {}, 960, 720);
+        EXPECT_EQ(m.acne, 0) << resolution;
+        EXPECT_EQ(m.leak, 0) << resolution;
+        x.push_back(std::log2(resolution));
+        y.push_back(std::log2(m.false_shadow + m.false_light));
+    }
+    double mean_x = 0, mean_y = 0, xy = 0, xx = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) mean_x += x[i] / double(x.size()), mean_y += y[i] / double(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) xy += (x[i] - mean_x) * (y[i] - mean_y), xx += (x[i] - mean_x) * (x[i] - mean_x);
+    EXPECT_NEAR(xy / xx, -1, 0.2);
+}
+
+TEST_F(MeasureTest, TruthIsKeptWhereOnlyTheMapChanges) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = hard(512);
+    measure(scene, s);
+    const auto truth = measured.traced.truth;
+    EXPECT_GT(measured.traced.trace_ms, 0);
+    s.map.resolution = 1024;
+    s.filter.kernel = test::kernel("pcf5");
+    s.bias.constant = 7;
+    measure(scene, s);
+    EXPECT_EQ(measured.traced.truth, truth) << "a sweep over maps traces once";
+    EXPECT_EQ(measured.traced.trace_ms, 0);
+    s.lights[0].azimuth += 10;
+    measure(scene, s);
+    EXPECT_NE(measured.traced.truth, truth);
+    EXPECT_EQ(measured.traced.build_ms, 0) << "the hierarchy stays";
+    EXPECT_EQ(measured.traced.place_ms, 0) << "and what the camera sees";
+    s.camera.azimuth += 10;
+    measure(scene, s);
+    EXPECT_GT(measured.traced.place_ms, 0);
+    s.lights[0].azimuth -= 10, s.camera.azimuth -= 10;
+    measure(scene, s);
+    EXPECT_EQ(measured.traced.truth, truth) << "the last few are kept";
+    const auto hard_truth = measured.traced.truth;
+    s.lights[0].size = 2;
+    measure(scene, s);
+    EXPECT_EQ(measured.traced.truth, hard_truth) << "a point has no size";
+    measure(scene, s, {.area = true, .samples = 64});
+    EXPECT_NE(measured.traced.truth, hard_truth);
+    EXPECT_GT(measured.traced.truth->partial, 100u);
+}
+
+}  // namespace
+}  // namespace si
