@@ -11,6 +11,7 @@ namespace si {
 namespace {
 
 constexpr double kReach = 28, kCorner = 44, kLetterDisc = 7.5, kPlainDisc = 5, kHit = 8;  // pixels at scale 1
+constexpr double kLeastWidth = 390;  // of the picture, at scale 1: in a smaller one the axes would be in the way
 
 struct AxisEnd {
     int axis = 0;
@@ -18,6 +19,10 @@ struct AxisEnd {
     glm::dvec2 at{0};
     double towards = 0;  ///< -1 away from the viewer to 1 towards
 };
+
+bool is_shown(const EditorState& state, const PictureView& view) {
+    return state.settings.view.axes && view.size.x >= kLeastWidth * view.ui_scale;
+}
 
 glm::dvec2 middle(const PictureView& view) {
     return view.origin + view.size - kCorner * view.ui_scale;
@@ -51,7 +56,7 @@ std::optional<AxisEnd> end_under(const PictureView& view, const glm::dvec2& mous
 void steer_gnomon(EditorState& state, const EditorFrame& frame, const PictureView& view) {
     const glm::dvec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
     state.hovered_axis = {};
-    if (!state.settings.view.axes) return;
+    if (!is_shown(state, view)) return;
     if (state.press_taken || !ImGui::IsItemHovered() || (ImGui::IsItemActive() && !ImGui::IsItemActivated())) return;
     const auto end = end_under(view, mouse);
     if (!end) return;
@@ -64,9 +69,9 @@ void steer_gnomon(EditorState& state, const EditorFrame& frame, const PictureVie
 }
 
 void draw_gnomon(const EditorState& state, const PicturePainter& p) {
-    if (!state.settings.view.axes) return;
-    ImDrawList& list = p.list();
     const PictureView& view = p.view();
+    if (!is_shown(state, view)) return;
+    ImDrawList& list = p.list();
     const ImVec2 centre = to_imgui(middle(view));
     if (state.hovered_axis) list.AddCircleFilled(centre, p.px(kReach + 12), IM_COL32(255, 255, 255, 16), 48);
     ImFont* font = theme::small();

@@ -23,6 +23,11 @@ int light_count(const EditorState& state, const FrameResult& result) {
     return std::min(state.settings.light_count, int(result.lights.size()));
 }
 
+/// Seen through itself a light has no handles: the camera would move with each.
+bool shows_handles(const EditorState& state) {
+    return state.settings.camera.source != int(CameraSource::Light);
+}
+
 LightPose pose_of(const EditorState& state, const FrameResult& result, int light) {
     const int face = light == shown_light(state.settings) ? shown_face(state.settings, result) : 0;
     return light_pose(state.settings.lights[std::size_t(light)], result.lights[std::size_t(light)], face);
@@ -38,11 +43,12 @@ std::optional<LightHit> hit(const EditorState& state, const FrameResult& result,
         nearest = glm::distance(at, mouse);
         found = what;
     };
-    if (shown < count)
+    const bool handles = shown < count && shows_handles(state);
+    if (handles)
         for (const PlacedHandle& p : place_handles(pose_of(state, result, shown), view))
             take(p.on_screen, {shown, p.handle});
     if (found) return found;
-    if (shown < count)
+    if (handles)
         if (const auto at = pointer_place(pose_of(state, result, shown), view)) take(*at, {shown, {}});
     for (int i = 0; i < count; ++i)
         if (i != shown)
@@ -117,7 +123,7 @@ void draw_lights(const EditorState& state, const EditorFrame& frame, const Pictu
     if (shown >= count) return;  // a light was added a moment ago
     const LightPose pose = pose_of(state, result, shown);
     draw_shown_light(painter, pose, hovered && hovered->light == shown && !hovered->handle);
-    draw_handles(painter, pose, hovered ? hovered->handle : std::nullopt);
+    if (shows_handles(state)) draw_handles(painter, pose, hovered ? hovered->handle : std::nullopt);
     if (state.handle_drag && state.handle_drag->moved)
         draw_numbers(painter, pose, state.handle_drag->handle, result.map_resolution);
     else if (hovered && hovered->handle)

@@ -17,7 +17,7 @@
 namespace si {
 namespace {
 
-constexpr ImU32 kBounds = IM_COL32(168, 186, 206, 74), kFrozen = IM_COL32(150, 214, 206, 230);
+constexpr ImU32 kBounds = IM_COL32(168, 186, 206, 74);
 constexpr ImU32 kOffset = IM_COL32(240, 130, 176, 255);
 constexpr double kLeastTick = 3;  // pixels at scale 1: a shorter normal offset is not drawn
 
@@ -94,8 +94,8 @@ void draw_caster_bounds(const PicturePainter& p, const Scene& scene, const Setti
 
 void draw_frozen_camera(const PicturePainter& p, const Camera& frozen) {
     if (same_view(frozen, p.view().camera)) return;
-    for (const auto& [from, to] : camera_edges(frozen)) p.line(from, to, kFrozen, 1.2);
-    if (const auto at = p.view().point(frozen.eye)) p.dot(*at, 4, kFrozen);
+    for (const auto& [from, to] : camera_edges(frozen)) p.line(from, to, theme::kFrozen, 1.2);
+    if (const auto at = p.view().point(frozen.eye)) p.dot(*at, 4, theme::kFrozen);
 }
 
 void draw_probe_ray(const PicturePainter& p, const EditorState& state, const EditorFrame& frame) {
@@ -123,7 +123,7 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
     };
     if (state.settings.camera.source == int(CameraSource::Light) && shown_light(state.settings) >= 0)
         say(fmt::format("Through light {}; L goes back", shown_light(state.settings)), theme::kAccent);
-    if (state.frozen) say("Shadow camera frozen", kFrozen);
+    if (state.frozen) say("Shadow camera frozen", theme::kFrozen);
     if (state.flight.on) say(fmt::format("Flying, speed {:.2g}×", state.flight.speed), theme::kText);
     const Probe::PerLight* answer = nullptr;
     const auto ray = shown_ray(state, frame, &answer);

@@ -18,6 +18,7 @@ inline constexpr ImU32 kAxes[3] = {IM_COL32(222, 110, 98, 255), IM_COL32(126, 18
                                    IM_COL32(104, 152, 224, 255)};  ///< x, y, z
 inline constexpr ImU32 kLit = IM_COL32(255, 240, 176, 255);       ///< what light reaches
 inline constexpr ImU32 kShadowed = IM_COL32(92, 146, 236, 255);   ///< what is kept from it
+inline constexpr ImU32 kFrozen = IM_COL32(150, 214, 206, 230);      ///< the frozen camera
 inline constexpr ImU32 kSelected = IM_COL32(236, 236, 234, 255);
 inline constexpr ImU32 kVeil = IM_COL32(18, 18, 19, 205);  ///< under text on pictures
 

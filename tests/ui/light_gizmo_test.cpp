@@ -155,6 +155,21 @@ TEST(LightGizmo, WithoutTheFrustumThereIsNothingToDrag) {
     EXPECT_NE(g.settings.camera, camera) << "the camera turns instead";
 }
 
+TEST(LightGizmo, SeenThroughItselfALightHasNoHandles) {
+    Gizmo g(LightType::Spot);
+    g.settings.camera.source = int(CameraSource::Light);
+    g.ui.frames(3);
+    const Settings before = g.settings;
+    const PictureView& v = g.view();
+    for (double x = 5; x < v.size.x; x += 25)
+        for (double y = 5; y < v.size.y; y += 25) {
+            g.ui.move(v.origin + glm::dvec2(x, y));
+            g.ui.frame();
+            EXPECT_FALSE(g.ui.state.hovered_light) << x << ", " << y;
+        }
+    EXPECT_EQ(g.settings, before);
+}
+
 TEST(LightGizmo, ALightMayDisappearUnderAHandle) {
     Gizmo g(LightType::Spot);
     const glm::vec2 at = g.place(LightHandle::Far);
