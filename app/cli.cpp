@@ -13,6 +13,7 @@
 #include "app/editor.h"
 #include "app/notes.h"
 #include "app/output.h"
+#include "app/workspace.h"
 #include "renderer/error.h"
 #include "renderer/param.h"
 
@@ -35,7 +36,7 @@ struct Options {
     ContactSheetOptions sheet;
     EditorOptions editor;
     int file_scene = -1;
-    bool json = false, check = false;
+    bool json = false, check = false, no_state = false;
 };
 
 void add_session_options(CLI::App& command, Options& o, bool scene_required) {
@@ -194,14 +195,16 @@ void start_editor(Options& o) {
     if (!o.size.empty()) {
         const PictureSize size = parse_size(o.size);
         e.width = size.width, e.height = size.height;
+        e.size_given = true;
     }
-    static const std::vector<std::string> kTabs = {"passes", "probe", "objects", "log"};
+    static const std::vector<std::string> kTabs = {"passes", "probe", "objects", "compare", "log"};
     if (!e.tab.empty() && std::find(kTabs.begin(), kTabs.end(), e.tab) == kTabs.end()) {
         throw UsageError(fmt::format("--tab {}: it is one of {}", e.tab, fmt::join(kTabs, ", ")));
     }
     if (!o.probe.pixel.empty())
         std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe.pixel, {e.width, e.height}, "--probe");
     e.session = o.session;
+    if (!e.headless && !o.no_state) e.state_folder = state_folder();
     if (lower_extension(o.session.preset) == ".json") e.preset = o.session.preset;
     print_notes(run_editor(e));
 }
@@ -213,7 +216,10 @@ void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_option("--screenshot", o.editor.screenshot, "Where --headless writes the picture")->type_name("F.png");
     add_size(*c, o, "1600x900");
     c->add_option("--probe", o.probe.pixel, "Probe this pixel of the scene's picture at the start")->type_name("X,Y");
-    c->add_option("--tab", o.editor.tab, "The tab in front at the start: passes, probe, objects or log");
+    c->add_option("--tab", o.editor.tab, "The tab in front at the start: passes, probe, objects, compare or log");
+    c->add_flag("--no-state", o.no_state,
+                "Neither read nor keep layout, recent files and autosaves "
+                "($XDG_STATE_HOME/shadow-inspector, by default below ~/.local/state)");
     c->callback([&o, &run] {
         run = [&o] { start_editor(o); };
     });

@@ -63,7 +63,10 @@ private:
 };
 
 std::vector<std::string> run_window(const EditorOptions& options) {
-    WindowContext window("Shadow Inspector", options.width, options.height);
+    const WorkspaceData kept = Workspace(options.state_folder).data();
+    const bool as_kept = !options.size_given && kept.window_width > 0;
+    WindowContext window("Shadow Inspector", as_kept ? kept.window_width : options.width,
+                         as_kept ? kept.window_height : options.height, !options.size_given && kept.maximised);
     ImGuiSession imgui(options.scale > 0 ? float(options.scale) : window.content_scale());
     const WindowInput input(window);
     EditorModel model(options);
@@ -78,6 +81,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         for (const auto& path : window.take_dropped()) model.open(path), due = kSettleFrames;
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
         if (model.loading_moved()) due = std::max(due, 1);
+        model.keep();
         const int width = window.framebuffer_width(), height = window.framebuffer_height();
         if (due == 0 || width == 0 || height == 0) {
             if (due > 0) window.wait_events(kPollSeconds);  // minimised
@@ -103,6 +107,9 @@ std::vector<std::string> run_window(const EditorOptions& options) {
             window.set_title(titled + " - Shadow Inspector");
         }
     }
+    const auto [width, height] = window.size();
+    model.keep_window(width, height, window.maximised());
+    model.end();
     return model.notes();
 }
 

@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "app/output.h"
@@ -18,17 +17,6 @@
 namespace si {
 namespace {
 
-/// Quoted for a POSIX shell where it needs to be.
-std::string shell_word(const std::string& text) {
-    const auto plain = [](unsigned char c) {
-        return std::isalnum(c) || std::string_view("-_./=+:,@%").find(char(c)) != std::string_view::npos;
-    };
-    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
-}
-
 int percent(double fraction) {
     return int(fraction * 100);
 }
@@ -37,8 +25,9 @@ BottomTab tab_named(const std::string& name) {
     if (name.empty() || name == "passes") return BottomTab::Passes;
     if (name == "probe") return BottomTab::Probe;
     if (name == "objects") return BottomTab::Objects;
+    if (name == "compare") return BottomTab::Compare;
     if (name == "log") return BottomTab::Log;
-    throw UsageError(fmt::format("no tab '{}' in the editor; there are passes, probe, objects and log", name));
+    throw UsageError(fmt::format("no tab '{}' in the editor; there are passes, probe, objects, compare and log", name));
 }
 
 /// `settings`, with what still is as `from` has it replaced by what `to` has: a person's changes survive a change of
@@ -56,29 +45,12 @@ Settings rebased(const Settings& settings, const Settings& from, const Settings&
 
 }  // namespace
 
-Settings base_settings(const Scene& scene) {
-    Settings s;
-    apply_suggested(scene, s);
-    return s;
-}
-
-std::string command_line(const Scene& scene, const Settings& settings, int width, int height) {
-    const Settings base = base_settings(scene);
-    std::string text =
-        fmt::format("shadow-inspector render {} -o out.png --size {}x{}", shell_word(scene.name), width, height);
-    for (const SettingRef& ref : all_settings(settings)) {
-        const Value value = get_value(settings, ref);
-        if (value != get_value(base, ref))
-            text += " --set " + shell_word(setting_key(ref) + "=" + value_text(*ref.param, value));
-    }
-    return text;
-}
-
 EditorModel::EditorModel(const EditorOptions& options, SceneReader read)
-    : strict_(options.headless), loading_(std::move(read)) {
+    : strict_(options.headless), memory_(options.state_folder), loading_(std::move(read)) {
     SessionPlan plan = plan_session(options.session);
     state.settings = base_ = plan.settings;
     state.history.reset(state.settings);
+    state.layout = memory_.workspace().layout;
     if (!options.preset.empty()) state.preset_path = options.preset.string();
     if (options.probe_x >= 0 && options.probe_y >= 0) {
         state.probe_pixel = glm::ivec2(options.probe_x, options.probe_y);
@@ -99,7 +71,10 @@ EditorFrame EditorModel::facts() const {
     f.driver = drawn_ ? &renderer_.driver() : nullptr;
     f.result = drawn_ ? &result_ : nullptr;
     readings_.fill(f);
-    f.presets = presets_;
+    f.presets = desk_.entries();
+    f.comparison = comparison_;
+    f.unsaved = unsaved_;
+    memory_.fill(f);
     f.shader_log = shader_log_;
     f.problem = problem_;
     if (const std::string name = loading_.wanted(); !name.empty()) {
@@ -134,6 +109,12 @@ void EditorModel::cancel_loading() {
         if (!has_scene_) problem_ = text;
     }
     loading_.cancel();
+    give_up_step();
+}
+
+void EditorModel::give_up_step() {
+    if (std::exchange(arrival_.step, false)) state.history.stay();
+    state.between_steps = false;
 }
 
 void EditorModel::keep_scene() {
@@ -148,10 +129,13 @@ void EditorModel::start_loading(Arrival arrival) {
     if (!has_scene_) problem_.clear();
     loading_.start(arrival.scene_name, arrival.file_scene);
     arrival_ = std::move(arrival);
+    state.between_steps = arrival_.step;
 }
 
 void EditorModel::start_loading(SessionPlan plan, std::string remark) {
-    Arrival arrival{plan.scene_name, plan.settings.scene.index, {}, std::move(remark)};
+    Arrival arrival{
+        .scene_name = plan.scene_name, .file_scene = plan.settings.scene.index, .remark = std::move(remark)};
+    if (plan.preset) arrival.guide = note_preset(plan.preset_path, *plan.preset, plan.scene_name);
     arrival.plan = std::move(plan);
     start_loading(std::move(arrival));
 }
@@ -169,7 +153,10 @@ bool EditorModel::poll_loading() {
             failure_ = std::current_exception();
         }
         keep_scene();
+        give_up_step();
         report(e.what());
+        if (std::error_code error; !std::filesystem::exists(arrival_.scene_name, error))
+            memory_.drop(arrival_.scene_name);
     }
     return true;
 }
@@ -190,8 +177,10 @@ void EditorModel::show_scene(Scene loaded, const Arrival& arrival) {
         notes = std::move(session.notes);
         base_ = base_of_scene();
     } else {
+        if (arrival.settings) pose_scene(loaded, arrival.settings->scene);
         const Settings base = base_settings(loaded);
-        state.settings = rebased(state.settings, base_, base);
+        state.settings = arrival.settings ? *arrival.settings : rebased(state.settings, base_, base);
+        if (arrival.settings) check_objects(loaded, state.settings, arrival.scene_name, &left_out);
         suggests_ = true;
         scene_ = std::move(loaded);
         for (const std::string& warning : scene_.warnings) notes.push_back(warning);
@@ -199,12 +188,18 @@ void EditorModel::show_scene(Scene loaded, const Arrival& arrival) {
     }
     state.settings.scene.index = file_scene_ = seen_index_ = arrival.file_scene;
     posed_ = state.settings.scene;
+    given_ = state.settings;
     has_scene_ = true;
     failure_ = nullptr;
     problem_.clear();
     state.scene_name = arrival.scene_name;
     state.playback.playing = false;
+    state.guide = arrival.guide;
+    arrival_.step = state.between_steps = false;
+    memory_.note_scene(state.scene_name);
+    if (arrival.lost) memory_.forget_lost();
     if (first) {
+        state.history.set_place({state.scene_name, state.guide});
         state.history.reset(state.settings);
         notes_ = notes;
     } else {
@@ -219,29 +214,6 @@ void EditorModel::show_scene(Scene loaded, const Arrival& arrival) {
     for (const std::string& note : notes) state.log.add(LogKind::Warning, note);
     for (const std::string& text : left_out) report(text);
     if (!arrival.remark.empty()) state.log.add(LogKind::Info, arrival.remark);
-}
-
-void EditorModel::load_preset_file(const std::string& name_or_path) {
-    SessionPlan plan = plan_session({.scene = {}, .preset = name_or_path, .sets = {}});
-    const std::string& about = plan.preset->about;
-    const std::string remark =
-        about.empty() ? "Opened " + name_or_path : fmt::format("Opened {}: {}", name_or_path, about);
-    const bool has_own_scene = !plan.preset->scene.empty();
-    const bool shown = plan.scene_name == state.scene_name && plan.settings.scene.index == file_scene_;
-    if (has_own_scene && !shown) return start_loading(std::move(plan), remark);
-    if (has_own_scene) cancel_loading();  // it belongs to the scene that is shown
-    std::vector<std::string> left_out;
-    if (has_scene_) check_objects(scene_, plan.settings, name_or_path, &left_out);
-    state.settings = plan.settings;
-    suggests_ = false;
-    base_ = base_of_scene();
-    state.log.add(LogKind::Info, remark);
-    for (const std::string& text : left_out) report(text);
-}
-
-void EditorModel::save_preset_file(const std::filesystem::path& path) {
-    si::save_preset({.about = {}, .scene = state.scene_name, .settings = state.settings}, path);
-    state.log.add(LogKind::Info, "Saved " + path.string());
 }
 
 void EditorModel::open(const std::filesystem::path& path) {
@@ -338,16 +310,25 @@ bool EditorModel::fulfil(const EditorActions& actions) {
     if (actions.cancel_load) attempt([&] { cancel_loading(), keep_scene(); });
     if (actions.load_scene) attempt([&] { start_loading({.scene_name = *actions.load_scene}); });
     if (actions.load_preset) attempt([&] { load_preset_file(*actions.load_preset); });
-    if (actions.save_preset) attempt([&] { save_preset_file(*actions.save_preset); });
+    if (actions.open_file) attempt([&] { open(*actions.open_file); });
+    if (actions.save_preset)
+        attempt([&] { save_preset_file(*actions.save_preset, actions.save_about, actions.replace); });
+    if (actions.restore_lost) attempt([&] { restore_lost(); });
+    if (actions.discard_lost) attempt([&] { memory_.forget_lost(); });
+    if (actions.reset_all && has_scene_)
+        attempt([&] { given_ = state.settings = base_settings(scene_), state.guide = {}; });
+    if (state.between_steps && !arrival_.step) attempt([&] { follow_step(); });
     if (actions.save_map) attempt([&] { save_map(*actions.save_map); });
-        if (actions.copy_command_line && has_scene_) {
-        const std::string text = command_line(scene_, state.settings, request_.width, request_.height);
+    if (actions.copy_command_line && has_scene_) {
+        const std::string text =
+            command_line(state.scene_name, scene_, state.settings, request_.width, request_.height);
         ImGui::SetClipboardText(text.c_str());
         state.log.add(LogKind::Info, "Copied: " + text);
         changed = true;
     }
     if (has_scene_ && state.settings.scene.index != seen_index_) attempt([&] { follow_file_scene(); });
     if (has_scene_ && state.settings.scene != posed_) attempt([&] { follow_time(); });
+    changed |= compare();
     const bool drawn = draw_scene(actions);
     try {
         if (drawn_)

@@ -7,20 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "app/command_line.h"
 #include "app/editor.h"
+#include "app/editor_memory.h"
 #include "app/editor_readings.h"
+#include "app/preset_desk.h"
 #include "app/scene_loading.h"
 #include "app/session.h"
 #include "renderer/renderer.h"
 #include "ui/editor_ui.h"
 
 namespace si {
-
-/// Defaults with the scene's suggested settings over them. @throws Error when a suggestion has no such setting.
-Settings base_settings(const Scene& scene);
-
-/// The command that renders what `settings` show, with --set for everything that differs from the scene's base.
-std::string command_line(const Scene& scene, const Settings& settings, int width, int height);
 
 /// Needs a current OpenGL context all its life.
 class EditorModel {
@@ -51,18 +48,36 @@ public:
     void require_scene() const;
     /// Remarks about the first scene.
     const std::vector<std::string>& notes() const { return notes_; }
+    /// Call now and then, also while nothing is drawn: keeps what a crash would lose.
+    void keep();
+    /// The window has this size in screen coordinates at scale 1.
+    void keep_window(int width, int height, bool maximised) { memory_.note_window(width, height, maximised); }
+    /// The clean end: nothing is left to restore.
+    void end() { memory_.end(state); }
 
 private:
-    /// What to do with a scene once it is there. Without a plan, what was changed by hand is kept.
+    /// What to do with a scene once it is there. Without plan and settings, what was changed by hand is kept.
     struct Arrival {
         std::string scene_name;
         int file_scene = -1;
         std::optional<SessionPlan> plan = {};
+        std::optional<Settings> settings = {};  ///< just these
+        GuideNote guide = {};
         std::string remark = {};
+        bool step = false;  ///< undone or redone
+        bool lost = false;  ///< what a crash left
     };
     void start_loading(Arrival arrival);
     void start_loading(SessionPlan plan, std::string remark);
+    /// Shows the settings of `arrival` under their scene, which is read unless it is shown already.
+    void show(Arrival arrival);
     void cancel_loading();
+    /// The undone or redone step that waits for its scene will not come.
+    void give_up_step();
+    void follow_step();
+    void restore_lost();
+    /// A preset was opened: what it says, and its file as the one to save to.
+    GuideNote note_preset(const std::string& name_or_path, Preset preset, const std::string& scene_name);
     /// What was being read will not come: scene.index is again that of what is shown.
     void keep_scene();
     /// Switches to the scene once it is read. Returns whether anything happened.
@@ -73,7 +88,9 @@ private:
     /// Reads the scene of the file that scene.index chooses.
     void follow_file_scene();
     void load_preset_file(const std::string& name_or_path);
-    void save_preset_file(const std::filesystem::path& path);
+    void save_preset_file(const std::string& path, const std::optional<std::string>& about, bool replace);
+    /// What the panels are told of presets. Returns whether it changed.
+    bool compare();
     /// Moves the scene to the moment that the settings name, and what it suggests along with it.
     void follow_time();
     bool draw_scene(const EditorActions& actions);
@@ -91,7 +108,11 @@ private:
     SceneSettings posed_;
     int file_scene_ = -1;   ///< scene.index of what is shown
     int seen_index_ = -1;   ///< scene.index as last acted upon
-    std::vector<PresetEntry> presets_;
+    PresetDesk desk_;
+    Settings given_;  ///< as scene or preset brought them
+    bool unsaved_ = false;
+    const ComparisonFacts* comparison_ = nullptr;
+    EditorMemory memory_;
     SceneLoading loading_;
     Arrival arrival_;
     mutable int shown_percent_ = -1;  ///< of loading, as last told to the editor

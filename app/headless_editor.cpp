@@ -76,9 +76,11 @@ EditorActions HeadlessEditor::frame() {
 }
 
 void HeadlessEditor::settle() {
-    model_->finish_loading();
-    // Sizes settle in two frames, the picture of that size is there in the next, numbers read from it in one more.
-    for (int i = 0; i < 6; ++i) frame();
+    do {
+        model_->finish_loading();
+        // Sizes settle in two frames, the picture of that size is there in the next, numbers read from it in one more.
+        for (int i = 0; i < 6; ++i) frame();
+    } while (model_->loading());  // a frame may ask for a scene
 }
 
 ByteImage HeadlessEditor::picture() const {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -32,7 +33,7 @@ bool WindowContext::display_available() {
     return set("DISPLAY") || set("WAYLAND_DISPLAY");
 }
 
-WindowContext::WindowContext(const std::string& title, int width, int height) {
+WindowContext::WindowContext(const std::string& title, int width, int height, bool maximised) {
     if (!glfwInit()) throw Error(fmt::format("no window: glfwInit failed ({}); {}", last_glfw_error(), kHeadlessHint));
     glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
@@ -40,6 +41,7 @@ WindowContext::WindowContext(const std::string& title, int width, int height) {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_MAXIMIZED, maximised ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
@@ -118,6 +120,15 @@ int WindowContext::framebuffer_height() const {
     int w = 0, h = 0;
     glfwGetFramebufferSize(window_, &w, &h);
     return h;
+}
+
+std::pair<int, int> WindowContext::size() const {
+    const float scale = content_scale();
+    return {int(std::lround(float(framebuffer_width()) / scale)), int(std::lround(float(framebuffer_height()) / scale))};
+}
+
+bool WindowContext::maximised() const {
+    return glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
 }
 
 float WindowContext::content_scale() const {

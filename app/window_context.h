@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -14,7 +15,7 @@ class WindowContext {
 public:
     /// @param width, height in screen coordinates at scale 1; shrunk to fit the monitor's work area.
     /// @throws Error when there is no display or no OpenGL 4.5.
-    WindowContext(const std::string& title, int width, int height);
+    WindowContext(const std::string& title, int width, int height, bool maximised = false);
     ~WindowContext();
     WindowContext(const WindowContext&) = delete;
     WindowContext& operator=(const WindowContext&) = delete;
@@ -28,6 +29,9 @@ public:
     void swap();
     int framebuffer_width() const;
     int framebuffer_height() const;
+    /// In screen coordinates at scale 1, as the constructor takes it.
+    std::pair<int, int> size() const;
+    bool maximised() const;
     /// The monitor's scale for text and widgets; 1 at about 96 dots per inch.
     float content_scale() const;
     /// Whether the last wait brought input, a resize or an uncovered window; cleared by the call.

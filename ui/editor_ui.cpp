@@ -29,15 +29,24 @@ bool pressed(ImGuiKey key) {
 void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || state.flight.on || state.handle_drag) return;  // letters and Escape mean something else
+    if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {  // keys are for it
+        if (pressed(ImGuiKey_Escape)) state.show_shortcuts = false;
+        return;
+    }
     Settings& s = state.settings;
     if (io.KeyCtrl) {
         if (pressed('Z') && !io.KeyShift) undo(state);
         if (pressed('Y') || (pressed('Z') && io.KeyShift)) redo(state);
-        if (pressed('S') && !state.preset_path.empty()) actions.save_preset = state.preset_path;
-        if (pressed('O') && !state.preset_path.empty()) actions.load_preset = state.preset_path;
+        if (pressed('S') && !io.KeyShift) actions.save_preset = state.preset_path;
+        if (pressed('S') && io.KeyShift)
+            ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
+        if (pressed('O')) ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
+        if (pressed('C') && io.KeyShift) actions.copy_command_line = true;
         if (pressed('Q')) actions.quit = true;
         return;
     }
+    if (pressed(ImGuiKey_PageDown)) actions.load_preset = neighbour_preset(state, frame, +1);
+    if (pressed(ImGuiKey_PageUp)) actions.load_preset = neighbour_preset(state, frame, -1);
     if (pressed('F')) frame_selection(state, frame);
     if (pressed('L')) toggle_light_camera(state);
     if (pressed(' ')) toggle_play(state, frame);
@@ -83,12 +92,13 @@ void tab(EditorState& state, BottomTab which, const char* label, const auto& dra
     ImGui::EndTabItem();
 }
 
-void bottom_tabs(EditorState& state, const EditorFrame& frame) {
+void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     if (!ImGui::BeginTabBar("bottom")) return;
     const auto asked = state.open_tab;
     tab(state, BottomTab::Passes, "Passes", [&] { draw_passes(frame); });
     tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame); });
     tab(state, BottomTab::Objects, "Objects", [&] { draw_objects(state, frame); });
+    tab(state, BottomTab::Compare, "Compare", [&] { draw_compare(state, frame, actions); });
     const int errors = state.log.unseen_errors();
     const std::string log = errors > 0 ? fmt::format("Log ({})###Log", errors) : std::string("Log###Log");
     if (errors > 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
@@ -145,8 +155,9 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     const float map = std::clamp(left * layout.map_share, em * 8, std::max(em * 8, left - em * 12));
 
     ImGui::BeginGroup();
-    const float time = time_bar_height(frame);
-    const float pictures = std::max(rest.y - bottom - bar - time, em * 6);
+    draw_strips(state, frame, actions, left);
+    const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
+    const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
     child("scene", {left - map - bar, pictures}, spaced([&] { draw_viewport(state, frame, actions); }));
     ImGui::SameLine();
     if (const float d = splitter("map splitter", true, {bar, pictures}); d != 0)
@@ -156,7 +167,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     if (time > 0) child("time", {left, time}, spaced([&] { draw_time_bar(state, frame); }));
     if (const float d = splitter("bottom splitter", false, {left, bar}); d != 0)
         layout.bottom_height = (bottom - d) / em;
-    child("bottom", {left, bottom}, spaced([&] { bottom_tabs(state, frame); }));
+    child("bottom", {left, bottom}, spaced([&] { bottom_tabs(state, frame, actions); }));
     ImGui::EndGroup();
     ImGui::SameLine();
     if (const float d = splitter("settings splitter", true, {bar, rest.y}); d != 0)
@@ -165,11 +176,15 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     child("settings", {settings, rest.y}, spaced([&] { draw_settings(state, frame); }));
     ImGui::PopStyleVar();
     draw_shortcuts(state);
+    draw_file_dialog(state, actions);
+    draw_replace_dialog(state, actions);
     ImGui::End();
 
     actions.want_timing = state.tab == BottomTab::Passes;
     const bool turning_wheel = ImGui::GetTime() < state.wheel_until;
-    state.history.observe(state.settings, ImGui::IsAnyItemActive() || state.dragging || turning_wheel);
+    const bool gesture = ImGui::IsAnyItemActive() || state.dragging || turning_wheel;
+    state.history.set_place({state.scene_name, state.guide});
+    state.history.observe(state.settings, gesture || state.between_steps);
     actions.redraw = state.playback.playing || turning_wheel || state.open_tab.has_value() || state.flight.moving;
     return actions;
 }

@@ -14,6 +14,7 @@
 #include "renderer/lost_casters.h"
 #include "renderer/renderer.h"
 #include "renderer/texel_usage.h"
+#include "ui/file_dialog.h"
 #include "ui/history.h"
 #include "ui/light_drag.h"
 #include "ui/log.h"
@@ -48,7 +49,21 @@ struct Playback {
     double speed = 1;  ///< seconds of the animation in a second
 };
 
-enum class BottomTab { Passes, Probe, Objects, Log };
+enum class BottomTab { Passes, Probe, Objects, Compare, Log };
+
+/// What the present state is compared with.
+enum class CompareKind { Scene, Defaults, Preset };
+struct CompareWith {
+    CompareKind kind = CompareKind::Scene;
+    std::string preset;  ///< built-in key or path
+    bool operator==(const CompareWith&) const = default;
+};
+
+/// A file that exists and is to be replaced, once a person agrees.
+struct Replacement {
+    std::string path;
+    std::optional<std::string> about;
+};
 
 struct EditorState {
     Settings settings;
@@ -56,7 +71,13 @@ struct EditorState {
     Log log;
     std::string scene_name;   ///< built-in key or path, as loaded
     std::string scene_input;  ///< path being typed
-    std::string preset_path = "preset.json";
+    std::string preset_path = "preset.json";  ///< the file that is saved to
+    GuideNote guide;           ///< of the preset that was opened last
+    std::string hidden_guide;  ///< key of the note that is not to be shown
+    CompareWith compare;
+    FileDialog file_dialog;
+    std::optional<Replacement> replace;
+    bool between_steps = false;  ///< undo or redo waits for the scene of its step
     std::string search;
     bool only_changed = false;
     std::optional<glm::ivec2> probe_pixel;  ///< of the scene picture, row 0 at the top
@@ -89,7 +110,20 @@ struct EditorState {
 
 /// A preset that ships with the program.
 struct PresetEntry {
-    std::string key, about;
+    std::string key, title, topic, about;
+};
+
+/// What a crash left behind.
+struct LostFacts {
+    std::string scene, when;  ///< "3 minutes ago"
+};
+
+/// What state.compare names.
+struct ComparisonFacts {
+    CompareWith with;
+    Settings settings;
+    std::string scene;    ///< that it was made for; empty: any
+    std::string problem;  ///< why there are no settings
 };
 
 /// A scene that is being read while the editor shows another.
@@ -117,6 +151,10 @@ struct EditorFrame {
     const FloatImage* overlay_values = nullptr;   ///< of the active pane
     std::span<const LostCaster> lost_casters;  ///< of the shown light
     std::span<const PresetEntry> presets;
+    std::span<const std::string> recent_scenes, recent_presets;  ///< paths, the newest first
+    const ComparisonFacts* comparison = nullptr;
+    bool unsaved = false;  ///< state.preset_path does not hold the present settings
+    std::optional<LostFacts> lost;
     std::string_view shader_log;
     std::string_view problem;  ///< why there is no picture
     std::optional<LoadingFacts> loading;
@@ -131,6 +169,11 @@ struct EditorActions {
     bool want_links = false;       ///< which pixel reads which texel: a picture is hovered and nothing is dragged
     bool want_timing = false;
     std::optional<std::string> load_scene, load_preset, save_preset, save_map;
+    std::optional<std::string> open_file;   ///< a scene or a preset, by its extension
+    std::optional<std::string> save_about;  ///< the sentence to save along
+    bool replace = false;                   ///< save over a file that was neither opened nor saved before
+    bool reset_all = false;                 ///< to the scene's own settings
+    bool restore_lost = false, discard_lost = false;
     bool cancel_load = false;  ///< keep the scene that is shown
     bool copy_command_line = false;
     bool quit = false;

@@ -12,11 +12,19 @@ void draw_settings(EditorState& state, const EditorFrame& frame);
 void draw_passes(const EditorFrame& frame);
 void draw_probe(EditorState& state, const EditorFrame& frame);
 void draw_objects(EditorState& state, const EditorFrame& frame);
+void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_log(EditorState& state, const EditorFrame& frame);
 void draw_shortcuts(EditorState& state);
 /// Only where time_bar_height() is not 0: the scene has animations.
 void draw_time_bar(EditorState& state, const EditorFrame& frame);
 float time_bar_height(const EditorFrame& frame);
+/// The popup "guided presets", while it is open.
+void draw_presets_menu(const EditorState& state, const EditorFrame& frame, EditorActions& actions);
+/// What to look at and what a crash left, where there is such a thing; as wide as asked, as high as the text needs.
+void draw_strips(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width);
+
+/// The guided preset `step` places after the open one; none beyond either end.
+std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step);
 
 /// The colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner; `room` is the
 /// picture's width on the screen.

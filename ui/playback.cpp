@@ -11,6 +11,19 @@ const Animation* chosen_animation(const EditorFrame& frame, const SceneSettings&
     return std::size_t(settings.animation) < all.size() ? &all[std::size_t(settings.animation)] : nullptr;
 }
 
+namespace {
+
+/// The settings of a step of this scene at once; those of another wait for it.
+void show_step(EditorState& state, const Settings& settings) {
+    const Place& place = state.history.place();
+    state.between_steps = !place.scene.empty() && place.scene != state.scene_name;
+    if (state.between_steps) return;
+    state.settings = settings;
+    state.guide = place.guide;
+}
+
+}  // namespace
+
 void toggle_play(EditorState& state, const EditorFrame& frame) {
     if (state.playback.playing) return stop_playing(state);
     const Animation* animation = chosen_animation(frame, state.settings.scene);
@@ -29,13 +42,15 @@ void stop_playing(EditorState& state) {
 }
 
 void undo(EditorState& state) {
+    if (state.between_steps) return;
     stop_playing(state);
-    state.settings = state.history.undo();
+    show_step(state, state.history.undo());
 }
 
 void redo(EditorState& state) {
+    if (state.between_steps) return;
     stop_playing(state);
-    state.settings = state.history.redo();
+    show_step(state, state.history.redo());
 }
 
 void play_on(EditorState& state, const EditorFrame& frame, double seconds) {

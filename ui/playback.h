@@ -14,7 +14,8 @@ const Animation* chosen_animation(const EditorFrame& frame, const SceneSettings&
 void toggle_play(EditorState& state, const EditorFrame& frame);
 void stop_playing(EditorState& state);
 
-/// One step back or forward; stops playing first, so that what it has moved can be undone too.
+/// One step back or forward; stops playing first, so that what it has moved can be undone too. A step of another scene
+/// sets state.between_steps and comes once that scene is read.
 void undo(EditorState& state);
 void redo(EditorState& state);
 

@@ -20,6 +20,7 @@ inline constexpr ImU32 kLit = IM_COL32(255, 240, 176, 255);       ///< what ligh
 inline constexpr ImU32 kShadowed = IM_COL32(92, 146, 236, 255);   ///< what is kept from it
 inline constexpr ImU32 kFrozen = IM_COL32(150, 214, 206, 230);      ///< the frozen camera
 inline constexpr ImU32 kSelected = IM_COL32(236, 236, 234, 255);
+inline constexpr ImU32 kNote = IM_COL32(50, 50, 52, 255);  ///< behind remarks to the person
 inline constexpr ImU32 kVeil = IM_COL32(18, 18, 19, 205);  ///< under text on pictures
 
 /// Fills the font atlas of the current ImGui context: [0] body, [1] strong, [2] small. Call before the first frame.

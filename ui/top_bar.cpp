@@ -1,4 +1,5 @@
-// Scene, preset, undo.
+// File menu, scene, guided presets, the preset in work, undo.
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -18,6 +19,38 @@ bool button(const char* label, const char* hint, bool enabled = true) {
     if (!enabled) ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", hint);
     return pressed;
+}
+
+void recent_menu(const char* label, std::span<const std::string> paths, std::optional<std::string>& wish) {
+    if (!ImGui::BeginMenu(label, !paths.empty())) return;
+    for (const std::string& path : paths) {
+        if (ImGui::MenuItem((scene_label(path) + "##" + path).c_str())) wish = path;
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.c_str());
+    }
+    ImGui::EndMenu();
+}
+
+void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    if (ImGui::Button("File")) ImGui::OpenPopup("file");
+    if (!ImGui::BeginPopup("file")) return;
+    if (ImGui::MenuItem("Open…", "Ctrl+O")) ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
+    recent_menu("Recent scenes", frame.recent_scenes, actions.load_scene);
+    recent_menu("Recent presets", frame.recent_presets, actions.load_preset);
+    ImGui::Separator();
+    if (ImGui::MenuItem("Save the preset", "Ctrl+S")) actions.save_preset = state.preset_path;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.preset_path.c_str());
+    if (ImGui::MenuItem("Save the preset as…", "Ctrl+Shift+S"))
+        ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
+    ImGui::Separator();
+    if (ImGui::MenuItem("Compare with a preset…")) state.open_tab = BottomTab::Compare;
+    if (ImGui::MenuItem("Reset all to the scene's own settings")) actions.reset_all = true;
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("The program's defaults with what the scene suggests over them; undo gives all back");
+    if (ImGui::MenuItem("Copy command line", "Ctrl+Shift+C")) actions.copy_command_line = true;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The command that renders this picture without a window");
+    ImGui::Separator();
+    if (ImGui::MenuItem("Quit", "Ctrl+Q")) actions.quit = true;
+    ImGui::EndPopup();
 }
 
 void scene_combo(EditorState& state, EditorActions& actions, float width) {
@@ -40,15 +73,44 @@ void scene_combo(EditorState& state, EditorActions& actions, float width) {
     ImGui::EndCombo();
 }
 
-void preset_menu(const EditorFrame& frame, EditorActions& actions) {
-    if (ImGui::Button("Presets")) ImGui::OpenPopup("presets");
-    if (!ImGui::BeginPopup("presets")) return;
-    for (const PresetEntry& preset : frame.presets) {
-        if (ImGui::Selectable(preset.key.c_str())) actions.load_preset = preset.key;
-        if (ImGui::IsItemHovered() && !preset.about.empty()) ImGui::SetTooltip("%s", preset.about.c_str());
+void guided_presets(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    const auto before = neighbour_preset(state, frame, -1), after = neighbour_preset(state, frame, +1);
+    if (ImGui::ArrowButton("previous preset", ImGuiDir_Left) && before) actions.load_preset = before;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The guided preset before (Page up)");
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (button("Guided presets", "Artefacts and remedies, each with a sentence on what to look at"))
+        ImGui::OpenPopup("guided presets");
+    draw_presets_menu(state, frame, actions);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ImGui::ArrowButton("next preset", ImGuiDir_Right) && after) actions.load_preset = after;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The guided preset after (Page down)");
+}
+
+/// The end of a text that fits, behind an ellipsis: of a path the file's name matters most.
+std::string fitting(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    for (std::size_t at = 1; at < text.size(); ++at) {
+        if ((static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) continue;  // inside a character
+        const std::string end = "…" + text.substr(at);
+        if (ImGui::CalcTextSize(end.c_str()).x <= width) return end;
     }
-    if (frame.presets.empty()) ImGui::TextDisabled("No presets ship with this build.");
-    ImGui::EndPopup();
+    return "…";
+}
+
+/// The file that Ctrl+S writes, and whether it holds what is shown.
+void preset_name(const EditorState& state, const EditorFrame& frame, float width) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", fitting(scene_label(state.preset_path), width).c_str());
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s\n%s", state.preset_path.c_str(),
+                          frame.unsaved ? "Ctrl+S saves the present settings there" : "It holds the present settings");
+    if (!frame.unsaved) return;
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float em = ImGui::GetFontSize();
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + em * 0.17f, at.y + ImGui::GetFrameHeight() * 0.5f}, em * 0.17f,
+                                                theme::kAccent, 12);
+    ImGui::Dummy({em * 0.34f, ImGui::GetFrameHeight()});
 }
 
 }  // namespace
@@ -63,34 +125,27 @@ std::string scene_label(const std::string& name) {
 
 void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const float em = ImGui::GetFontSize();
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("Scene");
-    ImGui::SameLine();
+    file_menu(state, frame, actions);
+    ImGui::SameLine(0, em);
     scene_combo(state, actions, em * 11);
-    ImGui::SameLine(0, em * 1.5f);
-    ImGui::TextDisabled("Preset");
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(em * 12);
-    ImGui::InputTextWithHint("##preset", "file name", &state.preset_path);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The file that Save writes and Open reads");
-    ImGui::SameLine();
-    const bool named = !state.preset_path.empty();
-    if (button("Open", "Read the settings from this file (Ctrl+O)", named)) actions.load_preset = state.preset_path;
-    ImGui::SameLine();
-    if (button("Save", "Write the settings to this file (Ctrl+S)", named)) actions.save_preset = state.preset_path;
-    ImGui::SameLine();
-    preset_menu(frame, actions);
-    ImGui::SameLine(0, em * 1.5f);
+    ImGui::SameLine(0, em);
+    guided_presets(state, frame, actions);
+    ImGui::SameLine(0, em);
     if (button("Undo", "Ctrl+Z", state.history.can_undo() || state.playback.playing)) undo(state);
     ImGui::SameLine();
     if (button("Redo", "Ctrl+Y", state.history.can_redo())) redo(state);
-    ImGui::SameLine(0, em * 1.5f);
-    if (button("Copy command line", "The command that renders this picture without a window"))
-        actions.copy_command_line = true;
+    ImGui::SameLine(0, em);
+    if (button("Compare", "What differs from the scene's own settings, the defaults or a preset"))
+        state.open_tab = BottomTab::Compare;
+    ImGui::SameLine(0, em);
+    if (button("Save", fmt::format("Writes {} (Ctrl+S)", state.preset_path).c_str()))
+        actions.save_preset = state.preset_path;
+    ImGui::SameLine();
     const char* help = "Help";
     const float width = ImGui::CalcTextSize(help).x + 2 * ImGui::GetStyle().FramePadding.x;
-    ImGui::SameLine(
-        std::max(ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x, ImGui::GetCursorPosX()));
+    const float right = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
+    preset_name(state, frame, std::max(right - ImGui::GetCursorPosX() - 2 * em, em * 3));
+    ImGui::SameLine(std::max(right, ImGui::GetCursorPosX()));
     if (button(help, "Mouse and keyboard (F1)")) state.show_shortcuts = true;
 }
 

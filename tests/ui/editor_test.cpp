@@ -194,10 +194,10 @@ TEST(Editor, AnotherSceneBringsItsSuggestionsAndKeepsWhatWasChosen) {
 TEST(Editor, TheCommandLineNamesWhatWasChanged) {
     const Scene scene = load_scene("boxes");
     Settings s = base_settings(scene);
-    EXPECT_EQ(command_line(scene, s, 640, 480), "shadow-inspector render boxes -o out.png --size 640x480");
+    EXPECT_EQ(command_line("boxes", scene, s, 640, 480), "shadow-inspector render boxes -o out.png --size 640x480");
     s.bias.constant = 2.5;
     s.objects["It's a node"].cast = false;
-    EXPECT_EQ(command_line(scene, s, 640, 480),
+    EXPECT_EQ(command_line("boxes", scene, s, 640, 480),
               "shadow-inspector render boxes -o out.png --size 640x480 --set bias.constant=2.5 "
               "--set 'object.It'\\''s a node.cast=false'");
 }

@@ -1,0 +1,19 @@
+// The command that draws without a window what the editor shows.
+#pragma once
+
+#include <string>
+
+#include "renderer/scene.h"
+#include "renderer/settings.h"
+
+namespace si {
+
+/// Defaults with the scene's suggested settings over them. @throws Error when a suggestion has no such setting.
+Settings base_settings(const Scene& scene);
+
+/// The command that renders what `settings` show, with --set for everything that differs from the scene's base.
+/// @param scene_name built-in key or path, as the editor was given it
+std::string command_line(const std::string& scene_name, const Scene& scene, const Settings& settings, int width,
+                         int height);
+
+}  // namespace si

@@ -1,0 +1,368 @@
+// Presets in the editor: walked through, saved, compared, undone across scenes, and kept through a crash.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/headless_editor.h"
+#include "app/output.h"
+#include "app/setting_json.h"
+#include "renderer/param.h"
+#include "renderer/scenes/builtin.h"
+#include "tests/support/process.h"
+#include "ui/playback.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPageUp = 401, kPageDown = 402;
+
+EditorOptions options(const std::string& scene = "boxes") {
+    EditorOptions o;
+    o.session.scene = scene;
+    o.width = 1280;
+    o.height = 720;
+    return o;
+}
+
+/// A small editor: what is drawn does not matter here.
+class PresetEditing : public testing::Test {
+protected:
+    void SetUp() override { folder_ = fresh_test_folder(); }
+
+    void open(const EditorOptions& o = options()) {
+        editor_.reset();  // one at a time
+        editor_ = std::make_unique<HeadlessEditor>(o);
+        ImGui::GetIO().KeyMap[ImGuiKey_PageUp] = kPageUp;
+        ImGui::GetIO().KeyMap[ImGuiKey_PageDown] = kPageDown;
+        editor_->settle();
+    }
+    EditorModel& model() { return editor_->model(); }
+    EditorState& state() { return editor_->model().state; }
+    void wish(const EditorActions& actions) {
+        EditorActions all = actions;
+        all.scene_width = 320, all.scene_height = 180;
+        model().fulfil(all);
+        editor_->settle();
+    }
+    void press(int key) {
+        ImGui::GetIO().KeysDown[key] = true;
+        editor_->frame();
+        ImGui::GetIO().KeysDown[key] = false;
+        editor_->settle();
+    }
+    void undo() {
+        si::undo(state());
+        editor_->settle();
+    }
+    void redo() {
+        si::redo(state());
+        editor_->settle();
+    }
+    EditorOptions remembering() const {
+        EditorOptions o = options();
+        o.state_folder = folder_ / "state";
+        return o;
+    }
+    void expect_no_errors() {
+        for (const LogLine& line : state().log.lines()) EXPECT_NE(line.kind, LogKind::Error) << line.text;
+    }
+    std::string path(const char* name) const { return (folder_ / name).string(); }
+
+    fs::path folder_;
+    std::unique_ptr<HeadlessEditor> editor_;
+};
+
+TEST_F(PresetEditing, PageDownWalksThroughTheGuidedPresetsAndPageUpBack) {
+    open();
+    const std::vector<BuiltinPreset> all = builtin_presets();
+    ASSERT_GT(all.size(), 30u);
+    std::string scene = "boxes";
+    int walked = 0;
+    for (const BuiltinPreset& p : all) {
+        press(kPageDown);
+        ASSERT_EQ(state().guide.key, p.key);
+        EXPECT_EQ(state().guide.about, p.about);
+        EXPECT_EQ(state().scene_name, p.scene);
+        EXPECT_EQ(state().settings, load_preset(p.key).settings) << p.key;
+        ++walked;
+    }
+    EXPECT_EQ(walked, int(all.size()));
+    press(kPageDown);
+    EXPECT_EQ(state().guide.key, all.back().key) << "the walk ends";
+    press(kPageUp);
+    EXPECT_EQ(state().guide.key, all[all.size() - 2].key);
+    expect_no_errors();
+}
+
+TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyWhenAPersonAgrees) {
+    open();
+    state().settings.bias.constant = 3;
+    std::ofstream(path("mine.json")) << "precious";
+    wish({.save_preset = path("mine.json"), .save_about = "Mine."});
+    ASSERT_TRUE(state().replace) << "nobody was asked";
+    EXPECT_EQ(file_bytes(path("mine.json")), "precious");
+    EXPECT_EQ(state().replace->path, path("mine.json"));
+    state().replace.reset();  // cancelled
+    editor_->settle();
+    EXPECT_EQ(file_bytes(path("mine.json")), "precious");
+    wish({.save_preset = path("mine.json"), .save_about = "Mine.", .replace = true});
+    EXPECT_EQ(load_preset(path("mine.json")).settings.bias.constant, 3);
+    EXPECT_EQ(load_preset(path("mine.json")).about, "Mine.");
+    EXPECT_EQ(load_preset(path("mine.json")).scene, "boxes");
+    EXPECT_FALSE(model().facts().unsaved);
+    // From now on it is the editor's own: no question, and its sentence stays.
+    state().settings.bias.constant = 4;
+    editor_->settle();
+    EXPECT_TRUE(model().facts().unsaved);
+    wish({.save_preset = path("mine.json")});
+    EXPECT_FALSE(state().replace);
+    EXPECT_EQ(load_preset(path("mine.json")).settings.bias.constant, 4);
+    EXPECT_EQ(load_preset(path("mine.json")).about, "Mine.");
+    expect_no_errors();
+}
+
+TEST_F(PresetEditing, WhatWasOpenedMayBeSavedAndKeepsItsTexts) {
+    save_preset({"T", "P", "Look here.", "boxes", {}}, path("told.json"));
+    open();
+    wish({.open_file = path("told.json")});
+    EXPECT_EQ(state().preset_path, path("told.json"));
+    EXPECT_EQ(state().guide, (GuideNote{path("told.json"), "T", "Look here."}));
+    state().settings.map.resolution = 64;
+    wish({.save_preset = state().preset_path});
+    const Preset saved = load_preset(path("told.json"));
+    EXPECT_EQ(saved.title, "T");
+    EXPECT_EQ(saved.topic, "P");
+    EXPECT_EQ(saved.about, "Look here.");
+    EXPECT_EQ(saved.settings.map.resolution, 64);
+}
+
+TEST_F(PresetEditing, APresetNamesItsSceneSoThatItIsFoundFromAnywhere) {
+    fs::copy_file(fs::path(SI_SOURCE_DIR) / "assets/scenes/boxes.gltf", folder_ / "own.gltf");
+    open(options(path("own.gltf")));
+    wish({.save_preset = path("with scene.json")});
+    EXPECT_EQ(load_preset(path("with scene.json")).scene, "own.gltf") << "beside it";
+    fs::create_directory(folder_ / "deep");
+    wish({.save_preset = path("deep/p.json")});
+    EXPECT_EQ(load_preset(path("deep/p.json")).scene, path("own.gltf"));
+    state().settings.bias.constant = 9;
+    wish({.open_file = path("with scene.json")});
+    EXPECT_EQ(state().scene_name, path("own.gltf"));
+    EXPECT_NE(state().settings.bias.constant, 9);
+    EXPECT_FALSE(model().facts().unsaved);
+    expect_no_errors();
+}
+
+TEST_F(PresetEditing, DifferencesAreTakenOverOneByOneAndUndone) {
+    open();
+    state().compare = {CompareKind::Preset, "acne"};
+    state().open_tab = BottomTab::Compare;
+    editor_->settle();
+    const EditorFrame facts = model().facts();
+    ASSERT_TRUE(facts.comparison);
+    EXPECT_EQ(facts.comparison->settings, load_preset("acne").settings);
+    EXPECT_EQ(facts.comparison->scene, "boxes");
+    // The button of the second row: the table shows rows in table order, 22.5 pixels apart.
+    const Settings before = state().settings;
+    const auto rows = differing_settings(before, facts.comparison->settings);
+    ASSERT_GT(rows.size(), 3u);
+    for (int y = 500; y < 720 && state().settings == before; y += 6) {
+        editor_->mouse.at = glm::vec2(870, y);
+        for (const bool down : {false, true, false}) {
+            editor_->mouse.left = down;
+            editor_->frame();
+            editor_->frame();
+        }
+    }
+    const auto left = differing_settings(state().settings, facts.comparison->settings);
+    EXPECT_EQ(left.size() + 1, rows.size()) << "one row was taken over";
+    editor_->mouse.at.reset();
+    editor_->settle();
+    undo();
+    EXPECT_EQ(state().settings, before);
+    write_png(fs::path(SI_TEST_OUTPUT_DIR) / "editor_compare.png", editor_->picture());
+}
+
+TEST_F(PresetEditing, ResettingAllGivesTheScenesOwnSettingsAndIsUndone) {
+    open();
+    wish({.load_preset = "acne"});
+    const Settings acne = state().settings;
+    wish({.reset_all = true});
+    EXPECT_EQ(state().settings, base_settings(load_scene("boxes")));
+    EXPECT_TRUE(state().guide.about.empty());
+    undo();
+    EXPECT_EQ(state().settings, acne);
+    EXPECT_EQ(state().guide.key, "acne") << "what was said of it comes back too";
+}
+
+TEST_F(PresetEditing, UndoAndRedoGoBackAcrossScenes) {
+    open();
+    const Settings first = state().settings;
+    wish({.load_preset = "constant-bias"});
+    ASSERT_EQ(state().scene_name, "figures");
+    state().settings.bias.constant = 0.2;
+    editor_->settle();
+    undo();
+    EXPECT_EQ(state().settings, load_preset("constant-bias").settings);
+    undo();
+    EXPECT_EQ(state().scene_name, "boxes");
+    EXPECT_EQ(state().settings, first);
+    EXPECT_TRUE(state().guide.key.empty());
+    EXPECT_FALSE(state().history.can_undo());
+    redo();
+    EXPECT_EQ(state().scene_name, "figures");
+    EXPECT_EQ(state().settings, load_preset("constant-bias").settings);
+    EXPECT_EQ(state().guide.key, "constant-bias");
+    redo();
+    EXPECT_EQ(state().settings.bias.constant, 0.2);
+    EXPECT_FALSE(state().history.can_redo());
+    expect_no_errors();
+}
+
+TEST_F(PresetEditing, AnUndoWhoseSceneIsGoneLeavesEverythingAsItIs) {
+    fs::copy_file(fs::path(SI_SOURCE_DIR) / "assets/scenes/boxes.gltf", folder_ / "gone.gltf");
+    open(options(path("gone.gltf")));
+    wish({.load_scene = "plane"});
+    const Settings now = state().settings;
+    fs::remove(folder_ / "gone.gltf");
+    undo();
+    EXPECT_EQ(state().scene_name, "plane");
+    EXPECT_EQ(state().settings, now);
+    EXPECT_FALSE(state().between_steps);
+    EXPECT_TRUE(state().history.can_undo()) << "and may be tried again";
+    EXPECT_FALSE(state().history.can_redo());
+}
+
+TEST_F(PresetEditing, WhatACrashLeftIsRestoredAndUndone) {
+    open(remembering());
+    model().keep();
+    wish({.load_preset = "peter-panning"});
+    state().settings.bias.constant = 0.0123;
+    editor_->settle();
+    model().keep();
+    const Settings lost = state().settings;
+    open(remembering());  // the one before ends without end()
+    ASSERT_TRUE(model().facts().lost);
+    EXPECT_EQ(model().facts().lost->scene, "figures");
+    write_png(fs::path(SI_TEST_OUTPUT_DIR) / "editor_lost_session.png", editor_->picture());
+    const Settings fresh = state().settings;
+    wish({.restore_lost = true});
+    EXPECT_EQ(state().scene_name, "figures");
+    EXPECT_EQ(state().settings, lost);
+    EXPECT_FALSE(model().facts().lost);
+    undo();
+    EXPECT_EQ(state().scene_name, "boxes");
+    EXPECT_EQ(state().settings, fresh);
+    model().end();
+    open(remembering());
+    EXPECT_FALSE(model().facts().lost) << "a clean end leaves nothing";
+    expect_no_errors();
+}
+
+TEST_F(PresetEditing, ADiscardedSessionIsGone) {
+    open(remembering());
+    model().keep();
+    state().settings.bias.constant = 5;
+    model().keep();
+    open(remembering());
+    ASSERT_TRUE(model().facts().lost);
+    wish({.discard_lost = true});
+    EXPECT_FALSE(model().facts().lost);
+    model().end();
+    open(remembering());
+    EXPECT_FALSE(model().facts().lost);
+}
+
+TEST_F(PresetEditing, ALostSceneThatIsGoneStaysOnOffer) {
+    fs::copy_file(fs::path(SI_SOURCE_DIR) / "assets/scenes/boxes.gltf", folder_ / "lost.gltf");
+    EditorOptions o = remembering();
+    o.session.scene = path("lost.gltf");
+    open(o);
+    model().keep();
+    state().settings.bias.constant = 5;
+    model().keep();
+    fs::rename(folder_ / "lost.gltf", folder_ / "moved.gltf");
+    open(remembering());
+    wish({.restore_lost = true});
+    EXPECT_EQ(state().scene_name, "boxes");
+    EXPECT_TRUE(model().facts().lost) << "a try that failed threw it away";
+    fs::rename(folder_ / "moved.gltf", folder_ / "lost.gltf");
+    wish({.restore_lost = true});
+    EXPECT_EQ(state().settings.bias.constant, 5);
+    EXPECT_FALSE(model().facts().lost);
+}
+
+TEST_F(PresetEditing, LayoutAndRecentFilesOutliveTheEditor) {
+    fs::copy_file(fs::path(SI_SOURCE_DIR) / "assets/scenes/boxes.gltf", folder_ / "recent.gltf");
+    open(remembering());
+    state().layout.map_share = 0.3f;
+    wish({.load_scene = path("recent.gltf")});
+    wish({.save_preset = path("recent.json")});
+    model().keep_window(1111, 777, false);
+    model().end();
+    open(remembering());
+    EXPECT_EQ(state().layout.map_share, 0.3f);
+    const EditorFrame facts = model().facts();
+    ASSERT_EQ(facts.recent_scenes.size(), 1u);
+    EXPECT_EQ(facts.recent_scenes[0], path("recent.gltf"));
+    ASSERT_EQ(facts.recent_presets.size(), 1u);
+    EXPECT_EQ(facts.recent_presets[0], path("recent.json"));
+    EXPECT_EQ(Workspace(folder_ / "state").data().window_width, 1111);
+    fs::remove(folder_ / "recent.gltf");
+    wish({.load_scene = path("recent.gltf")});
+    EXPECT_TRUE(model().facts().recent_scenes.empty()) << "what is gone is no longer offered";
+    open();
+    EXPECT_EQ(state().layout, EditorLayout{}) << "without a folder nothing is remembered";
+}
+
+TEST_F(PresetEditing, WithoutAStateFolderNothingIsWritten) {
+    open();
+    model().keep();
+    state().settings.bias.constant = 5;
+    model().keep();
+    model().end();
+    EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+// What is copied draws what is shown.
+TEST_F(PresetEditing, TheCopiedCommandLineDrawsTheSamePicture) {
+    open();
+    for (const char* key : {"acne", "front-culling-exceptions", "ninety-ten", "far-guard", "reversed-depth"}) {
+        wish({.load_preset = key});
+        state().settings.view.frustum = false;
+        EditorActions copy;
+        copy.scene_width = 320, copy.scene_height = 180;
+        model().fulfil(copy);
+        copy.copy_command_line = true;
+        model().fulfil(copy);
+        const std::string command = ImGui::GetClipboardText();
+        const std::string program = "shadow-inspector ";
+        ASSERT_TRUE(command.starts_with(program)) << command;
+        EXPECT_NE(command.find("--size 320x180"), std::string::npos) << command;
+        // Through a shell, as a person would; with a report to compare the settings.
+        const std::string line = "cd '" + folder_.string() + "' && env -u DISPLAY '" SI_PROGRAM "' " +
+                                 command.substr(program.size()) + " --report report.json 2> errors.txt";
+        ASSERT_EQ(std::system(line.c_str()), 0) << line << file_bytes(path("errors.txt"));
+        const auto report = nlohmann::json::parse(file_bytes(path("report.json")));
+        for (const SettingRef& ref : changed_settings(state().settings)) {
+            if (ref.param->scope == Scope::Light && ref.light >= state().settings.light_count) continue;
+            EXPECT_EQ(report["settings"][setting_key(ref)],
+                      nlohmann::json(setting_to_json(ref, get_value(state().settings, ref))))
+                << key << " " << setting_key(ref);
+        }
+        Renderer renderer;
+        const FrameRequest request{.width = 320, .height = 180};
+        const Scene scene = load_scene(state().scene_name);
+        const ByteImage picture = renderer.read_colour(renderer.render(scene, state().settings, request).colour);
+        write_png(folder_ / "expected.png", picture);
+        EXPECT_EQ(file_bytes(path("out.png")), file_bytes(path("expected.png"))) << key;
+    }
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,35 @@
+// Chooses a file: folders and the files that the editor can read, or a name to save a preset under.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace si {
+
+struct EditorState;
+struct EditorActions;
+
+struct FileDialog {
+    enum class Job { Open, SavePreset };
+    struct Entry {
+        std::string name;
+        bool folder = false;
+    };
+    bool asked = false;  ///< to be opened in the next frame
+    Job job = Job::Open;
+    std::filesystem::path folder;
+    std::string folder_input, name, about;
+    std::vector<Entry> entries;  ///< of `folder`, folders first
+    std::string problem;         ///< why the folder cannot be read
+};
+
+/// Opens the dialog in the folder of `path`, with its name when saving.
+void ask_for_file(FileDialog& dialog, FileDialog::Job job, const std::filesystem::path& path,
+                  const std::string& about = {});
+/// Draws it while it is open; the chosen file becomes a wish.
+void draw_file_dialog(EditorState& state, EditorActions& actions);
+/// Asks before a file is replaced that was neither opened nor saved before.
+void draw_replace_dialog(EditorState& state, EditorActions& actions);
+
+}  // namespace si
