@@ -192,10 +192,8 @@ FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings,
         f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
     f.origin = f.camera.origin();
     f.light_origin = scene.bounds.centre();
-    if (!resources.scene || resources.scene->scene_id() != scene.id) {
-        resources.scene.reset();  // the old scene's memory first
-        resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy);
-    }
+    if (!resources.scene || resources.scene->scene_id() != scene.id)
+        resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
     resources.scene->arrange(scene, f.settings);
 
     f.geometry_key = resources.scene->key();

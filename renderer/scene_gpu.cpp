@@ -59,9 +59,12 @@ GLenum wrap_mode(TextureWrap wrap) {
 
 }  // namespace
 
-SceneGpu::SceneGpu(const Scene& scene, bool anisotropy) : scene_id_(scene.id) {
+SceneGpu::SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before)
+    : scene_id_(scene.id), rig_(scene.rig) {
+    if (before && rig_ && before->rig_ == rig_) textures_ = std::move(before->textures_);
+    before.reset();
     upload_geometry(scene);
-    upload_textures(scene, anisotropy);
+    if (textures_.size() != scene.textures.size()) upload_textures(scene, anisotropy);
 }
 
 void SceneGpu::upload_geometry(const Scene& scene) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 #include "renderer/gl/handle.h"
@@ -30,7 +31,8 @@ struct Batch {
 
 class SceneGpu {
 public:
-    explicit SceneGpu(const Scene& scene, bool anisotropy);
+    /// @param before what was there; another pose of the same scene hands on its textures, all else is freed first
+    explicit SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before = {});
     std::uint64_t scene_id() const { return scene_id_; }
 
     /// Sorts the objects into batches under the object settings; cheap when nothing changed.
@@ -45,6 +47,7 @@ public:
 
 private:
     std::uint64_t scene_id_ = 0;
+    std::shared_ptr<const Rig> rig_;  ///< what poses of one scene have in common; null: the scene has no other pose
     gl::VertexArray vao_;
     gl::Buffer positions_, attributes_, colours_, normal_map_, indices_;
     std::vector<gl::Texture> textures_;

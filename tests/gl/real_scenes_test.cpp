@@ -150,6 +150,40 @@ TEST_F(RealScenes, NormalMapsTiltTheShadingNormalAlike) {
         }
 }
 
+TEST_F(RealScenes, PosesShareTheirTexturesAndOtherScenesBringTheirOwn) {
+    const auto moving = [](const glm::vec3& n) {
+        Scene scene = mapped_floor(n, false);
+        auto rig = std::make_shared<Rig>();
+        rig->rest.resize(scene.nodes.size());
+        AnimationChannel turn{.node = 0, .property = AnimatedProperty::Rotation, .width = 4};
+        turn.times_s = {0, 1};
+        turn.values = {0, 0, 0, 1, 0, 0.38268f, 0, 0.92388f};
+        rig->animations.push_back({.name = "turn", .duration_s = 1, .channels = {turn}});
+        scene.rig = rig;
+        return scene;
+    };
+    const auto normal = [&](Renderer& r, const Scene& scene) {
+        Settings s = settings_for(scene, {{"camera.source", "manual"}, {"camera.elevation", "60"},
+                                          {"camera.distance", "3"}, {"view.overlay", "normals"}});
+        FrameRequest request = small();
+        request.outputs = {.colour = false, .overlay = true};
+        return r.read_float(r.render(scene, s, request).overlay, 4).data;
+    };
+    Scene scene = moving({0.6f, 0, 0.8f}), other = moving({0, 0.6f, 0.8f});
+    pose(scene, 0, 0);
+    const std::vector<float> start = normal(renderer, scene);
+    pose(scene, 0, 1);
+    const std::vector<float> turned = normal(renderer, scene);
+    EXPECT_NE(turned, start);
+    pose(other, 0, 1);
+    const std::vector<float> others = normal(renderer, other);
+    EXPECT_NE(others, turned);
+    Renderer fresh;
+    EXPECT_EQ(normal(fresh, scene), turned);
+    Renderer fresher;
+    EXPECT_EQ(normal(fresher, other), others);
+}
+
 TEST_F(RealScenes, TheBiasFollowsTheNormalItIsToldTo) {
     // Light from +x at 45 degrees; the floor's own normal is +y, its vertex normals lean to -x, its map leans them to +x.
     Scene scene = mapped_floor({0.6f, 0, 0.8f}, true);
