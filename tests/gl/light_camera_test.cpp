@@ -142,6 +142,29 @@ TEST_F(LightCamera, UtilisationOfAFlatMapIsWhatThePictureCovers) {
     EXPECT_NEAR(texel_usage(coarse, s, n).utilisation(), usage.utilisation() / 4, 0.01);
 }
 
+TEST_F(LightCamera, CoordinatesAreTheTexelThatTheProbeTests) {
+    const Scene scene = load_scene("boxes");
+    for (const char* type : {"directional", "spot", "point"}) {
+        // An offset of many texels, so that coordinates without it would be of another texel.
+        const Settings s = settings_for(scene, {{"light.type", type}, {"bias.normal", "12"}, {"map.resolution", "512"}});
+        FrameRequest request = small();
+        request.outputs = {.colour = false, .map_coordinates = true};
+        const FloatImage at = renderer.read_float(renderer.render(scene, s, request).map_coordinates, 4);
+        int tested = 0, apart = 0;
+        for (int y = 3; y < 180; y += 19)
+            for (int x = 5; x < 320; x += 21) {
+                if (at.at(x, y, 3) == 0) continue;
+                const Probe p = renderer.probe(scene, s, request, x, y);
+                ASSERT_TRUE(p.hit);
+                EXPECT_EQ(int(at.at(x, y, 2)), p.lights[0].face);
+                ++tested;
+                apart += glm::ivec2(int(at.at(x, y, 0) * 512), int(at.at(x, y, 1) * 512)) != p.lights[0].texel;
+            }
+        EXPECT_GT(tested, 30) << type;
+        EXPECT_LE(apart, 1) << type << ": a coordinate on the border of two texels may round apart";
+    }
+}
+
 TEST_F(LightCamera, CoordinatesAreMarkedOnlyWhereTheKernelReads) {
     const Scene scene = load_scene("boxes");
     const auto reading = [&](const std::vector<std::pair<std::string, std::string>>& extra) {
