@@ -101,6 +101,9 @@ TEST(TexelSlabs, TheRegionIsCentredAndCutToTheMap) {
     v.slabs_texels = 1;
     v.slabs_u = v.slabs_v = 10.5 / 256;
     EXPECT_EQ(slab_region(v, 256), (TexelRegion{{10, 10}, {1, 1}}));
+    v.slabs_texels = 32;
+    v.slabs_u = 100.7 / 256;  // the square that is centred nearest to it
+    EXPECT_EQ(slab_region(v, 256).first, glm::ivec2(85, 0));
     v.slabs_texels = 256;
     EXPECT_EQ(slab_region(v, 4), (TexelRegion{{0, 0}, {4, 4}}));
 }
