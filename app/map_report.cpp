@@ -36,7 +36,8 @@ std::optional<MapReport> map_report(Renderer& renderer, const Scene& scene, Sett
     const DepthCurve& curve = frame.map_view_curve;
     facts.depth = depth_statistics(depth, curve);
     facts.raw = depth_histogram(depth, curve, MapView::Raw, kBins, facts.depth.stored_min, facts.depth.stored_max);
-    facts.linear = depth_histogram(depth, curve, MapView::Linear, kBins, facts.depth.linear_min, facts.depth.linear_max);
+    facts.linear =
+        depth_histogram(depth, curve, MapView::Linear, kBins, facts.depth.linear_min, facts.depth.linear_max);
     return facts;
 }
 

@@ -16,7 +16,7 @@ struct MapReport {
     TexelUsage usage;                  ///< of the shown face
     std::vector<double> utilisations;  ///< of each face
     DepthStatistics depth;
-    DepthHistogram raw, linear;        ///< over the range that was drawn
+    DepthHistogram raw, linear;  ///< over the range that was drawn
 };
 
 /// Draws what it takes; `request` gives the size of the picture. Nothing when the light of view.light has no map.

@@ -40,7 +40,8 @@ ByteImage joined(Renderer& renderer, const FrameResult& frame, const PaneGrid& g
     for (int pane = 0; pane < grid.count(); ++pane) {
         const ByteImage picture = renderer.read_colour(frame.panes[std::size_t(pane)].picture);
         const glm::ivec2 corner = grid.corner(pane);
-        const int rows = std::min(picture.height, height - corner.y), columns = std::min(picture.width, width - corner.x);
+        const int rows = std::min(picture.height, height - corner.y),
+                  columns = std::min(picture.width, width - corner.x);
         for (int y = 0; y < rows; ++y)
             std::copy_n(&picture.data[std::size_t(y) * std::size_t(picture.width) * 4], std::max(columns, 0) * 4,
                         &out.data[(std::size_t(corner.y + y) * std::size_t(width) + std::size_t(corner.x)) * 4]);
@@ -117,7 +118,8 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
     // Only the picture itself has panes: whatever is asked for by another name is one picture.
     if (view.key != "shaded") settings.view.panes = static_cast<int>(Panes::One);
     const bool depth = view.key == "shadow-map" || view.key == "camera-depth";
-    if (depth) settings.view.map_source = static_cast<int>(view.key == "camera-depth" ? MapSource::Camera : MapSource::Light);
+    if (depth)
+        settings.view.map_source = static_cast<int>(view.key == "camera-depth" ? MapSource::Camera : MapSource::Light);
     request.outputs = {.colour = false};
     if (view.key == "visibility") {
         request.outputs.visibility = true;

@@ -24,8 +24,8 @@ View find_view(const std::string& key);
 /// Where the panes of view.panes lie in a picture of this size.
 PaneGrid picture_grid(const Settings& settings, int width, int height);
 
-/// Draws `view` into the file, PNG or PFM by extension; the picture of several panes (view.panes) as one of the size asked
-/// for. `frame` gets the facts.
+/// Draws `view` into the file, PNG or PFM by extension; the picture of several panes (view.panes) as one of the size
+/// asked for. `frame` gets the facts.
 /// @throws Error when the light has no map, or the file cannot be written.
 void write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request, const View& view,
                 const std::string& path, FrameResult* frame = nullptr);

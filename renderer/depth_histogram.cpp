@@ -14,9 +14,12 @@ bool is_drawn(float stored, const DepthCurve& curve) {
 
 double shown_depth(double stored, const DepthCurve& curve, MapView view) {
     switch (view) {
-        case MapView::Raw: return stored;
-        case MapView::Linear: return (curve.distance(stored) - curve.near) / (curve.far - curve.near);
-        case MapView::Bands: return curve.convention.reversed ? 1 - stored : stored;
+        case MapView::Raw:
+            return stored;
+        case MapView::Linear:
+            return (curve.distance(stored) - curve.near) / (curve.far - curve.near);
+        case MapView::Bands:
+            return curve.convention.reversed ? 1 - stored : stored;
     }
     return stored;
 }

@@ -50,7 +50,7 @@ struct Image {
 
 /// One picture of the split view.
 struct Pane {
-    Image picture;    ///< RGBA8, sRGB-encoded, bottom row first; the shaded picture when there is nothing to draw over it
+    Image picture;    ///< RGBA8, sRGB-encoded, bottom row first; the shaded picture when nothing is drawn over it
     Image values;     ///< RGBA32F, x is the value of scalar overlays, a is 0 where nothing was drawn; empty: no overlay
     int overlay = 0;  ///< 0 none, else row of the overlay table + 1
     float overlay_min = 0, overlay_max = 1;  ///< the colour scale in use
@@ -65,8 +65,8 @@ struct FrameResult {
     Image colour;      ///< the first pane's picture
     Image visibility;  ///< R32F
     Image overlay;     ///< the first pane's values
-    /// RGBA32F: u and v of the kernel's centre in the map of view.light (v up, after the normal offset, not wrapped), the
-    /// layer among that light's views, and 1 where the kernel reads a texel of it, else 0. Empty when it has no map.
+    /// RGBA32F: u and v of the kernel's centre in the map of view.light (v up, after the normal offset, not wrapped),
+    /// the layer among that light's views, and 1 where the kernel reads a texel of it, else 0. Empty without a map.
     Image map_coordinates;
     Image surface_ids; ///< RG32UI, see SurfaceIds
     int map_resolution = 0;

@@ -6,7 +6,9 @@
 namespace si {
 namespace {
 
-Image image_of(const gl::Target& t) { return {t.texture.id(), t.width, t.height}; }
+Image image_of(const gl::Target& t) {
+    return {t.texture.id(), t.width, t.height};
+}
 
 /// One layer of the visibility array as a plain texture.
 Image visibility_image(Resources& r, int light) {

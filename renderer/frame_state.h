@@ -118,8 +118,8 @@ struct FrameState {
     std::string preamble;             ///< GLSL before every shader: settings block, facts about the lights
     bool surface_flags = false;       ///< some object or material needs the per-object flags
 
-    /// The program of a scene or full-screen pass under the frame's settings. Of the extra defines those whose name ends
-    /// in _FILE say which file such an include stands for.
+    /// The program of a scene or full-screen pass under the frame's settings. Of the extra defines those whose name
+    /// ends in _FILE say which file such an include stands for.
     GLuint program(std::string_view vertex, std::string_view fragment, std::vector<gl::Define> extra = {}) const;
     /// Draws the batches that `filter` accepts from the camera with the fragment shader given, textures bound.
     void draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra, PassInfo& info) const;

@@ -13,9 +13,7 @@ struct PaneGrid {
     int width = 0, height = 0;  ///< of each pane
     int gap = 0;                ///< between two panes
     int count() const { return columns * rows; }
-    glm::ivec2 corner(int pane) const {
-        return {pane % columns * (width + gap), pane / columns * (height + gap)};
-    }
+    glm::ivec2 corner(int pane) const { return {pane % columns * (width + gap), pane / columns * (height + gap)}; }
     struct Place {
         int pane;
         glm::ivec2 pixel;  ///< of that pane

@@ -30,16 +30,16 @@ constexpr Choice kRanges[] = {
     {"fitted", "fitted",
      "From the 1st to the 99th percentile of the values in each pane's picture; symmetric for scales centred on zero."},
     {"manual", "by hand",
-     "From view.overlay_min to view.overlay_max wherever view.overlay is shown; other overlays, which have other units, "
-     "keep the range they declare."},
+     "From view.overlay_min to view.overlay_max wherever view.overlay is shown; other overlays, which have other "
+     "units, keep the range they declare."},
 };
 constexpr Choice kSlabs[] = {
     {"none", "none", "No slabs."},
     {"stored", "as stored", "Each texel at the depth that it stores (blue)."},
     {"biased", "with bias",
-     "Each texel where a fragment has to lie to compare equal to it (orange): own depth minus bias against stored depth "
-     "is the same as the slab moved away from the light by the bias. Of the bias this is bias.constant, in bias.unit; "
-     "slope and normal offset depend on the surface."},
+     "Each texel where a fragment has to lie to compare equal to it (orange): own depth minus bias against stored "
+     "depth is the same as the slab moved away from the light by the bias. Of the bias this is bias.constant, in "
+     "bias.unit; slope and normal offset depend on the surface."},
     {"both", "both", "As stored (blue) and with bias (orange)."},
 };
 
@@ -89,8 +89,7 @@ constexpr auto kView = std::to_array<Param>({
      .help = "Whose depth the map viewer shows."},
     {SI_FIELD(view.map), .label = "Map view", .unit = "", SI_CHOICES(kMapViews),
      .help = "How the map viewer shows depth."},
-    {SI_FIELD(view.map_fit), .label = "Fit greys to what is drawn", .unit = "",
-     SI_IDLE(is_bands(s), kBandColours),
+    {SI_FIELD(view.map_fit), .label = "Fit greys to what is drawn", .unit = "", SI_IDLE(is_bands(s), kBandColours),
      .help = "Black and white lie at the smallest and the largest depth that was drawn, the empty background left out, "
              "instead of at view.map_black and view.map_white."},
     {SI_FIELD(view.map_black), .label = "Black at", .unit = "", .min = -1, .max = 2, .idle = grey_idle,
@@ -109,7 +108,8 @@ constexpr auto kView = std::to_array<Param>({
     {SI_FIELD(view.face), .label = "Face shown", .unit = "", .min = 0, .max = 5, .idle = face_idle,
      .help = "Which of a point light's six map faces is shown: 0 +x, 1 -x, 2 +y, 3 -y, 4 +z, 5 -z."},
     {SI_FIELD(view.panes), .label = "Panes", .unit = "", SI_CHOICES(kPanes),
-     .help = "How many pictures are drawn beside each other, all from the same camera, each with an overlay of its own."},
+     .help =
+         "How many pictures are drawn beside each other, all from the same camera, each with an overlay of its own."},
     {SI_FIELD(view.overlay), .label = "Overlay", .unit = "", .cost = Cost::Program, .choices = overlay_choices,
      .help = "A quantity of the shadow test drawn over the scene."},
     {SI_FIELD(view.overlay_2), .label = "Overlay of pane 2", .unit = "", .cost = Cost::Program,

@@ -59,7 +59,8 @@ TexelUsage::TexelUsage(const FloatImage& map_coordinates, int resolution, double
             cell += kernel_ - 1;
             const bool misses = cell.x < 0 || cell.y < 0 || cell.x >= side_ || cell.y >= side_;
             if (misses && wrap != MapWrap::Clamp) continue;
-            cell = glm::clamp(cell, glm::ivec2(0), glm::ivec2(side_ - 1));  // beyond it, only the outermost texel is read
+            cell =
+                glm::clamp(cell, glm::ivec2(0), glm::ivec2(side_ - 1));  // beyond it, only the outermost texel is read
         }
         cell_of[i] = std::uint32_t(cell.y) * std::uint32_t(side_) + std::uint32_t(cell.x);
         ++begin_[cell_of[i] + 1];
@@ -126,7 +127,8 @@ std::vector<glm::ivec2> TexelUsage::readers(glm::ivec2 texel) const {
             found.insert(found.end(), pixels_.begin() + begin_[i], pixels_.begin() + begin_[i + 1]);
         }
     std::sort(found.begin(), found.end());
-    for (const std::uint32_t p : found) out.emplace_back(int(p % std::uint32_t(width_)), int(p / std::uint32_t(width_)));
+    for (const std::uint32_t p : found)
+        out.emplace_back(int(p % std::uint32_t(width_)), int(p / std::uint32_t(width_)));
     return out;
 }
 

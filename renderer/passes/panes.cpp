@@ -139,7 +139,9 @@ std::string FrameState::picture_of(const ShownPane& pane) const {
     return pane.row() ? slot_name("composed", pane) : "shaded";
 }
 
-std::string FrameState::values_of(const ShownPane& pane) const { return slot_name("overlay", pane); }
+std::string FrameState::values_of(const ShownPane& pane) const {
+    return slot_name("overlay", pane);
+}
 
 const gl::Target& FrameState::target_of(const ShownPane& pane) const {
     const PaneTargets& t = gl.panes[std::size_t(pane.slot)];

@@ -24,16 +24,15 @@ void read_depths(FrameState& f, int layer, const TexelRegion& region) {
     const gl::Target& map = f.gl.compared_map();
     const GLenum format = map.format == GL_R32F ? GL_RED : GL_DEPTH_COMPONENT;
     if (!s.depths.empty())
-        glGetTextureSubImage(map.texture.id(), 0, region.first.x, region.first.y, layer, region.size.x,
-                             region.size.y, 1, format, GL_FLOAT, GLsizei(s.depths.size() * sizeof(float)),
-                             s.depths.data());
+        glGetTextureSubImage(map.texture.id(), 0, region.first.x, region.first.y, layer, region.size.x, region.size.y,
+                             1, format, GL_FLOAT, GLsizei(s.depths.size() * sizeof(float)), s.depths.data());
     s.depths_key = key.value();
 }
 
 /// Farthest from the camera first, so that they blend as they lie.
 void upload_instances(FrameState& f, const LightView& view, const TexelRegion& region) {
-    std::vector<TexelSlab> slabs = texel_slabs(view, f.settings.bias, f.map_resolution, region, f.gl.slabs.depths,
-                                               Slabs(f.settings.view.slabs));
+    std::vector<TexelSlab> slabs =
+        texel_slabs(view, f.settings.bias, f.map_resolution, region, f.gl.slabs.depths, Slabs(f.settings.view.slabs));
     std::vector<std::pair<double, std::size_t>> order(slabs.size());
     for (std::size_t i = 0; i < slabs.size(); ++i) {
         const auto& c = slabs[i].corners;

@@ -15,8 +15,8 @@ vec4 depth_test(float own, vec4 stored) {
 
 float depth_test(float own, float stored) { return depth_test(own, vec4(stored)).x; }
 
-/// Metres along the axis at depth-buffer value d in [0,1]; reversed: near at depth 1. Without 1 - d, which would lose the
-/// fine steps of a reversed float.
+/// Metres along the axis at depth-buffer value d in [0,1]; reversed: near at depth 1. Without 1 - d, which would lose
+/// the fine steps of a reversed float.
 float metres_from_depth(float d, float near, float far, bool perspective, bool reversed) {
     float range = far - near;
     if (!perspective) return reversed ? far - d * range : near + d * range;

@@ -231,27 +231,18 @@ TEST_F(FrameTest, SkippingAndCachingLeaveThePixelsAlone) {
     }
 }
 
-TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings) {
-    const Scene scene = load_scene("stage");
-    Settings s = settings_for(scene);
-    const std::vector<std::pair<std::string, std::string>> walk = {
-        {"map.resolution", "512"}, {"filter.kernel", "hard"}, {"light.azimuth", "100"}, {"object.Stage/Ground.receive", "false"},
-        {"caster.cull", "front"}, {"map.reversed_z", "true"}, {"light.type", "point"}, {"shading.separate_visibility", "true"},
-        {"light.count", "2"}, {"light.1.elevation", "70"}, {"map.format", "colour"}, {"shading.textures", "false"},
-        {"camera.source", "manual"}, {"view.overlay", "light-uv"}, {"light.count", "1"}, {"map.format", "d24"},
-        {"light.type", "directional"}, {"camera.source", "light"}, {"view.slabs", "stored"}, {"bias.constant", "2"},
-        {"view.slabs", "both"}, {"bias.unit", "metres"}, {"light.elevation", "60"}, {"view.panes", "two"},
-        {"view.overlay_2", "texels-per-pixel"}, {"view.overlay_range", "fitted"}, {"view.map_source", "camera"},
-        {"view.map_fit", "true"}, {"camera.source", "auto"}, {"view.map", "raw"}, {"view.panes", "four"},
-        {"view.overlay_4", "own-depth"}, {"view.map_source", "light"}, {"map.reversed_z", "false"},
-        {"view.slabs_u", "0.4"}, {"view.slabs", "none"}, {"view.overlay", "none"}, {"bias.normal_source", "mapped"}};
+/// After each step a renderer that has seen all steps before draws what a new one draws.
+using Walk = std::vector<std::pair<std::string, std::string>>;
+
+void expect_cached_as_fresh(HeadlessContext& context, Renderer& renderer, const Scene& scene, Settings s,
+                            const Walk& walk) {
     for (const auto& [key, value] : walk) {
         set_setting(s, key, value);
-        const auto cached = pictures(scene, s, small(), renderer);
+        const auto cached = pictures(scene, s, {.width = 320, .height = 180}, renderer);
         {
             HeadlessContext fresh_context;
             Renderer fresh;
-            const auto expected = pictures(scene, s, small(), fresh);
+            const auto expected = pictures(scene, s, {.width = 320, .height = 180}, fresh);
             ASSERT_EQ(cached.size(), expected.size());
             for (std::size_t i = 0; i < cached.size(); ++i)
                 EXPECT_EQ(different_pixels(cached[i], expected[i]), 0u)
@@ -259,6 +250,28 @@ TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings) {
         }
         context.make_current();
     }
+}
+
+TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings) {
+    const Scene scene = load_scene("stage");
+    expect_cached_as_fresh(
+        context, renderer, scene, settings_for(scene),
+        {{"map.resolution", "512"}, {"filter.kernel", "hard"}, {"light.azimuth", "100"},
+         {"object.Stage/Ground.receive", "false"}, {"caster.cull", "front"}, {"map.reversed_z", "true"},
+         {"light.type", "point"}, {"shading.separate_visibility", "true"}, {"light.count", "2"},
+         {"light.1.elevation", "70"}, {"map.format", "colour"}, {"shading.textures", "false"},
+         {"camera.source", "manual"}, {"view.overlay", "light-uv"}, {"light.count", "1"}, {"map.format", "d24"}});
+}
+
+TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews) {
+    const Scene scene = load_scene("boxes");
+    expect_cached_as_fresh(
+        context, renderer, scene, settings_for(scene, {{"map.resolution", "256"}}),
+        {{"camera.source", "light"}, {"view.slabs", "stored"}, {"bias.constant", "2"}, {"view.slabs", "both"},
+         {"bias.unit", "metres"}, {"light.elevation", "60"}, {"view.panes", "two"}, {"view.overlay_2", "own-depth"},
+         {"view.overlay_range", "fitted"}, {"view.map_source", "camera"}, {"view.map_fit", "true"},
+         {"camera.source", "auto"}, {"view.map", "raw"}, {"view.overlay_2", "overdraw"}, {"view.overlay", "wireframe"},
+         {"view.map_source", "light"}, {"map.reversed_z", "true"}, {"view.slabs_u", "0.4"}, {"view.slabs", "none"}});
 }
 
 TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {

@@ -20,8 +20,9 @@ protected:
 struct Kind {
     const char *type, *projection, *face;
 };
-constexpr Kind kKinds[] = {{"directional", "auto", "0"}, {"directional", "perspective", "0"}, {"spot", "auto", "0"},
-                           {"spot", "orthographic", "0"}, {"point", "auto", "3"},             {"point", "auto", "0"}};
+constexpr Kind kKinds[] = {{"directional", "auto", "0"}, {"directional", "perspective", "0"},
+                           {"spot", "auto", "0"},        {"spot", "orthographic", "0"},
+                           {"point", "auto", "3"},       {"point", "auto", "0"}};
 
 TEST_F(LightCamera, MapCoordinatesArePixelCoordinates) {
     const Scene scene = load_scene("boxes");
@@ -132,7 +133,8 @@ TEST_F(LightCamera, UtilisationOfAFlatMapIsWhatThePictureCovers) {
         }
     EXPECT_DOUBLE_EQ(usage.utilisation(), double(reading) / (n * n));
     EXPECT_GT(reading, n * n / 8);
-    // From half as far to each side a pixel is two texels wide, and a bilinear tap reads 2x2 around its middle: still all.
+    // From half as far to each side a pixel is two texels wide, and a bilinear tap reads 2x2 around its middle: still
+    // all.
     const FrameResult half = frame(scene, s, n / 2, n / 2);
     const FloatImage coarse = renderer.read_float(half.map_coordinates, 4);
     set_setting(s, "filter.kernel", "hw2x2");
@@ -146,7 +148,8 @@ TEST_F(LightCamera, CoordinatesAreTheTexelThatTheProbeTests) {
     const Scene scene = load_scene("boxes");
     for (const char* type : {"directional", "spot", "point"}) {
         // An offset of many texels, so that coordinates without it would be of another texel.
-        const Settings s = settings_for(scene, {{"light.type", type}, {"bias.normal", "12"}, {"map.resolution", "512"}});
+        const Settings s =
+            settings_for(scene, {{"light.type", type}, {"bias.normal", "12"}, {"map.resolution", "512"}});
         FrameRequest request = small();
         request.outputs = {.colour = false, .map_coordinates = true};
         const FloatImage at = renderer.read_float(renderer.render(scene, s, request).map_coordinates, 4);
@@ -186,7 +189,8 @@ TEST_F(LightCamera, CoordinatesAreMarkedOnlyWhereTheKernelReads) {
     EXPECT_EQ(reading({{"light.cast", "false"}}), -1) << "no map, no coordinates";
     // A map much smaller than the scene: beside it nothing is read, unless it is repeated.
     const std::vector<std::pair<std::string, std::string>> narrow = {{"light.fit", "manual"}, {"light.extent", "1"}};
-    for (const auto& [wrap, everywhere] : {std::pair{"border", false}, {"range", false}, {"clamp", true}, {"repeat", true}}) {
+    for (const auto& [wrap, everywhere] :
+         {std::pair{"border", false}, {"range", false}, {"clamp", true}, {"repeat", true}}) {
         auto extra = narrow;
         extra.push_back({"map.wrap", wrap});
         const int count = reading(extra);

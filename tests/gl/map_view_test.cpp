@@ -125,8 +125,8 @@ TEST_F(MapViewTest, GreysByHandAreGivenBack) {
 
 TEST_F(MapViewTest, ReadingBackGivesTheShownMap) {
     const Scene scene = load_scene("boxes");
-    const Settings s = settings_for(
-        scene, {{"light.type", "point"}, {"light.count", "2"}, {"view.light", "0"}, {"view.face", "3"}});
+    const Settings s =
+        settings_for(scene, {{"light.type", "point"}, {"light.count", "2"}, {"view.light", "0"}, {"view.face", "3"}});
     const FrameResult f = frame(scene, s);
     EXPECT_EQ(renderer.read_map_view_depth().data, renderer.read_shadow_map(0, 3).data);
     EXPECT_NE(renderer.read_map_view_depth().data, renderer.read_shadow_map(0, 2).data);

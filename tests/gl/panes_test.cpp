@@ -1,8 +1,8 @@
 // Several overlays at once: each pane is what one picture of that overlay would be.
+#include <stb/stb_image.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <stb/stb_image.h>
 
 #include "app/views.h"
 #include "renderer/value_range.h"
@@ -43,7 +43,8 @@ TEST_F(PanesTest, EachPaneIsThePictureOfItsOverlay) {
     EXPECT_EQ(f.panes[1].values.texture, 0u);
     for (std::size_t i = 0; i < 4; ++i) {
         // The visibility overlay draws visibility on its own, for all panes alike.
-        const FrameResult alone = frame(scene, {{"view.overlay", overlays_shown[i]}, {"shading.separate_visibility", "true"}});
+        const FrameResult alone =
+            frame(scene, {{"view.overlay", overlays_shown[i]}, {"shading.separate_visibility", "true"}});
         ASSERT_EQ(alone.panes.size(), 1u);
         EXPECT_EQ(f.panes[i].overlay, alone.panes[0].overlay);
         EXPECT_EQ(pictures[i], renderer.read_colour(alone.colour)) << overlays_shown[i];
@@ -57,19 +58,19 @@ TEST_F(PanesTest, EachPaneIsThePictureOfItsOverlay) {
                 << overlays_shown[i];
     }
     for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t k = 0; k < i; ++k) EXPECT_GT(different_pixels(pictures[i], pictures[k]), 100u) << i << " " << k;
+        for (std::size_t k = 0; k < i; ++k)
+            EXPECT_GT(different_pixels(pictures[i], pictures[k]), 100u) << i << " " << k;
 }
 
 TEST_F(PanesTest, PanesOfOneOverlayShareItsImages) {
     const Scene scene = load_scene("boxes");
-    const FrameResult f = frame(
-        scene, {{"view.panes", "two"}, {"view.overlay", "n-dot-l"}, {"view.overlay_2", "n-dot-l"}});
+    const FrameResult f =
+        frame(scene, {{"view.panes", "two"}, {"view.overlay", "n-dot-l"}, {"view.overlay_2", "n-dot-l"}});
     ASSERT_EQ(f.panes.size(), 2u);
     EXPECT_EQ(f.panes[0].picture.texture, f.panes[1].picture.texture);
-    EXPECT_EQ(std::count_if(f.passes.begin(), f.passes.end(),
-                            [](const PassInfo& p) {
-                                return p.name.starts_with("overlay values") && p.state == PassState::Ran;
-                            }),
+    EXPECT_EQ(std::count_if(
+                  f.passes.begin(), f.passes.end(),
+                  [](const PassInfo& p) { return p.name.starts_with("overlay values") && p.state == PassState::Ran; }),
               1);
 }
 

@@ -35,7 +35,8 @@ bool covers(const TexelSlab& slab, const Camera& camera, int width, int height, 
     double least = 1e9, most = -1e9;
     for (const auto& [a, b] : {std::pair{0, 1}, {1, 3}, {3, 2}, {2, 0}}) {
         const glm::dvec2 p(camera.project(slab.corners[std::size_t(a)], width, height)),
-            q(camera.project(slab.corners[std::size_t(b)], width, height)), along = glm::normalize(q - p), d = pixel - p;
+            q(camera.project(slab.corners[std::size_t(b)], width, height)), along = glm::normalize(q - p),
+                                                                            d = pixel - p;
         const double aside = along.x * d.y - along.y * d.x;
         least = std::min(least, aside), most = std::max(most, aside);
     }
