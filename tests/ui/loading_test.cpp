@@ -381,7 +381,7 @@ TEST(Loading, TheCancelButtonIsOverThePicture) {
     test::UiHarness ui(1280, 720);
     const auto cancelled_by_a_click = [&] {
         bool cancelled = false;
-        for (float y = 80; y < 140; y += 12)
+        for (float y = 100; y < 150; y += 12)
             for (float x = 10; x < 540; x += 20) {
                 ui.move({x, y});
                 ui.frame();
