@@ -121,6 +121,7 @@ protected:
         std::filesystem::remove_all(folder_);
         std::filesystem::create_directories(folder_);
         unsetenv("WAYLAND_DISPLAY");
+        setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);  // what one test leaves behind is not for the next
         ASSERT_EQ(std::system("command -v xdotool > /dev/null"), 0) << "the package xdotool is missing";
         // Several servers starting at once may choose the same number: the loser ends, and another try finds a free
         // one.
@@ -221,6 +222,41 @@ TEST_F(Window, ASliderIsDraggedUndoneRedoneAndSaved) {
     keys("ctrl+q");
     EXPECT_TRUE(wait_until([&] { return !program_->running(); }, 30));
     EXPECT_EQ(program_->code(), 0) << log();
+}
+
+TEST_F(Window, AKilledEditorOffersItsSettingsAgain) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    click(1040, 56);  // the search field
+    xdotool("type --delay 40 bias.constant");
+    breathe();
+    drag(1170, 115, 60, 0);
+    const nlohmann::json changed = saved();
+    ASSERT_TRUE(changed.contains("bias.constant")) << changed;
+    // The settings that a crash would leave behind.
+    const auto kept = [&] {
+        std::error_code none_yet;
+        for (const auto& entry :
+             std::filesystem::directory_iterator(folder_ / "state/shadow-inspector/sessions", none_yet)) {
+            if (entry.path().extension() != ".json") continue;
+            std::ifstream file(entry.path());
+            const auto json = nlohmann::json::parse(file, nullptr, false);
+            return json.is_object() ? json.value("settings", nlohmann::json()) : nlohmann::json();
+        }
+        return nlohmann::json();
+    };
+    ASSERT_TRUE(wait_until([&] { return kept() == changed; }, 30)) << kept();
+    kill(program_->pid(), SIGKILL);
+    ASSERT_TRUE(wait_until([&] { return !program_->running(); }, 30));
+    std::filesystem::remove(folder_ / "preset.json");
+
+    ASSERT_NO_FATAL_FAILURE(start());
+    screen("window_restore");
+    click(808, 54);  // Restore
+    breathe();
+    EXPECT_EQ(saved(), changed);
+    keys("ctrl+q");
+    EXPECT_TRUE(wait_until([&] { return !program_->running(); }, 30));
+    EXPECT_TRUE(kept().is_null()) << "a clean end leaves nothing to restore";
 }
 
 TEST_F(Window, TheSceneIsTurnedProbedFramedAndShownUnderAnOverlay) {
