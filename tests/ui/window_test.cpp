@@ -126,7 +126,10 @@ protected:
         // Several servers starting at once may choose the same number: the loser ends, and another try finds a free
         // one.
         bool up = false;
-        for (int attempt = 0; attempt < 5 && !up; ++attempt) up = start_server();
+        for (int attempt = 0; attempt < 8 && !up; ++attempt) {
+            if (attempt > 0) std::this_thread::sleep_for(std::chrono::milliseconds(700 * attempt));
+            up = start_server();
+        }
         ASSERT_TRUE(up) << "Xvfb did not start; is the package xvfb installed?";
     }
 
