@@ -27,6 +27,24 @@ TEST(TimeSampler, TheFirstFrameWarmsUpAndSkippedPassesDoNotCount) {
     EXPECT_EQ(m.passes[1].name, "shading");
     EXPECT_DOUBLE_EQ(m.passes[1].gpu_ms.median, 3);
     EXPECT_EQ(m.clock, "a clock");
+    EXPECT_DOUBLE_EQ(m.maps_ms.median, 2);
+    EXPECT_DOUBLE_EQ(m.picture_ms.median, 3);
+}
+
+TEST(TimeSampler, SamplesOfSeveralTurnsAreOne) {
+    TimeSamples all, turn;
+    for (const double ms : {1.0, 2.0}) turn.add(frame_of(ms, 3));
+    all.add(turn);
+    turn = {};
+    turn.add(frame_of(5, 3));
+    all.add(turn);
+    const TimeMeasurement m = summary(all);
+    EXPECT_EQ(m.total_ms.samples, 3);
+    EXPECT_DOUBLE_EQ(m.total_ms.median, 5);
+    EXPECT_DOUBLE_EQ(m.maps_ms.high, 5);
+    ASSERT_EQ(m.passes.size(), 2u);
+    EXPECT_EQ(m.passes[0].gpu_ms.samples, 3);
+    EXPECT_FALSE(m.settled);
 }
 
 TEST(TimeSampler, GoesOnUntilTheFigureStandsStill) {
@@ -48,6 +66,7 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
     s.map.resolution = 512;
     FrameResult f = frame_of(1, 1);
     f.map_resolution = 512;
+    f.colour = {.texture = 1, .width = 10, .height = 20};
     f.lights.resize(2);
     f.lights[0].casts = true;
     f.lights[0].views.resize(6);
@@ -58,6 +77,7 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
     EXPECT_EQ(cost.triangles, 300u);
     const Filter& kernel = filters()[std::size_t(s.filter.kernel)];
     EXPECT_EQ(cost.taps_per_pixel, 4.0 * kernel.gathers);
+    EXPECT_EQ(cost.bytes_touched, cost.map_bytes + 10 * 20 * 4 * std::uint64_t(cost.taps_per_pixel));
     s.filter.method = int(FilterMethod::Sampler);
     s.map.format = int(MapFormat::D16);
     EXPECT_EQ(work_cost(s, f).taps_per_pixel, kernel.sampler_taps);

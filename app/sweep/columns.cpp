@@ -1,0 +1,86 @@
+#include "app/sweep/columns.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace si {
+namespace {
+
+constexpr std::string_view kErrorNoise = "error.noise";
+
+constexpr auto kColumns = std::to_array<Column>({
+    {"error.mae", "Mean error", "of visibility", "Mean of |V - truth| over the counted pixels.", Plotted::AsIs,
+     kErrorNoise},
+    {"error.rmse", "RMS error", "of visibility", "Root of the mean of (V - truth)^2: large errors weigh more.",
+     Plotted::AsIs, kErrorNoise},
+    {"error.signed_mean", "Signed mean", "of visibility",
+     "Mean of V - truth: negative is too dark. Plotted without sign.", Plotted::Absolute, kErrorNoise},
+    {"error.false_shadow", "False shadow", "share of pixels", "Lit in truth, dark in the picture."},
+    {"error.false_light", "False light", "share of pixels", "In shadow in truth, bright in the picture."},
+    {"error.acne", "Acne", "share of pixels", "False shadow away from any true edge."},
+    {"error.any_acne", "Any acne", "share of pixels", "Wholly lit in truth, away from edges, and less than lit."},
+    {"error.leak", "Leaks", "share of pixels", "False light away from any true edge: leaks and peter-panning."},
+    {"error.iou", "1 - IoU of shadows", "", "Intersection over union of both shadows: 1 is perfect. Plotted from 1.",
+     Plotted::LackingToOne},
+    {"error.boundary_px_mean", "Edge displacement", "px", "Mean distance between both shadows' edges."},
+    {"error.outside_map", "Outside the map", "share of pixels", "No texel of the map holds them.", Plotted::No},
+    {"time.total_ms.median", "Time of a frame", "ms", "Median over the frames of whole rounds.", Plotted::AsIs,
+     "time.total_ms.noise"},
+    {"time.total_ms.p95", "Time of a frame, 95 %", "ms", "Nineteen frames of twenty take less.", Plotted::AsIs,
+     "time.total_ms.noise"},
+    {"time.shadow_maps_ms.median", "Time of shadow maps", "ms", "Median of the passes that draw maps.", Plotted::AsIs,
+     "time.shadow_maps_ms.noise"},
+    {"time.picture_ms.median", "Time of the picture", "ms", "Median of all other passes: visibility and shading.",
+     Plotted::AsIs, "time.picture_ms.noise"},
+    {"time.spread", "Spread of the time", "of the median", "Half the 95 % interval of the median over the median.",
+     Plotted::No},
+    {"time.frames", "Frames", "", "Timed frames.", Plotted::No},
+    {"cost.bytes_touched", "Bytes touched", "B", "Of the maps, and what the kernel fetches for each pixel and light."},
+    {"cost.taps_per_pixel", "Taps a pixel", "", "Texels or comparisons that the kernel fetches per light."},
+    {"cost.map_texels", "Map texels", "", "Of all shadow maps."},
+    {"cost.map_bytes", "Map bytes", "B", "Of all shadow maps."},
+    {"cost.draws", "Draws", "", "Draw calls of all passes."},
+    {"cost.triangles", "Triangles", "", "Of all passes."},
+});
+
+}  // namespace
+
+std::span<const Column> columns() {
+    return kColumns;
+}
+
+const Column* find_column(std::string_view key) {
+    const auto it = std::find_if(kColumns.begin(), kColumns.end(), [&](const Column& c) { return c.key == key; });
+    return it == kColumns.end() ? nullptr : &*it;
+}
+
+double number_at(const nlohmann::ordered_json& row, std::string_view key) {
+    const nlohmann::ordered_json* at = &row;
+    while (!key.empty()) {
+        const auto dot = key.find('.');
+        const auto field = at->is_object() ? at->find(std::string(key.substr(0, dot))) : at->end();
+        if (!at->is_object() || field == at->end()) return std::numeric_limits<double>::quiet_NaN();
+        at = &*field;
+        key = dot == std::string_view::npos ? std::string_view() : key.substr(dot + 1);
+    }
+    return at->is_number() ? at->get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+double plotted_value(const Column& column, const nlohmann::ordered_json& row) {
+    const double v = number_at(row, column.key);
+    switch (column.plotted) {
+        case Plotted::AsIs:
+            return v;
+        case Plotted::Absolute:
+            return std::abs(v);
+        case Plotted::LackingToOne:
+            return 1 - v;
+        case Plotted::No:
+            break;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace si

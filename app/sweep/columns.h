@@ -1,0 +1,36 @@
+// The numbers of a sweep's cases: what they are called, what they mean, and how a plot shows them.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace si {
+
+/// How a number becomes a length on an axis where less is better.
+enum class Plotted {
+    AsIs,
+    Absolute,      ///< of signed errors
+    LackingToOne,  ///< 1 - v, of likenesses
+    No,            ///< a fact, no quality
+};
+
+struct Column {
+    std::string_view key;  ///< "error.mae": group and field of a row of results.json
+    std::string_view label, unit, help;
+    Plotted plotted = Plotted::AsIs;
+    std::string_view noise;  ///< key of the field up to which differences are none; empty: exact
+};
+
+std::span<const Column> columns();
+const Column* find_column(std::string_view key);
+
+/// The number under a column's key in a row of results.json; NaN when there is none.
+double number_at(const nlohmann::ordered_json& row, std::string_view key);
+
+/// As the plot shows it; NaN when it is not shown.
+double plotted_value(const Column& column, const nlohmann::ordered_json& row);
+
+}  // namespace si

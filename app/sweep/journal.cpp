@@ -1,0 +1,132 @@
+#include "app/sweep/journal.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "app/output.h"
+#include "renderer/error.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string reason() {
+    return std::strerror(errno);
+}
+
+/// The journal's text up to its last line break: what follows was cut off.
+std::string whole_lines(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw Error(fmt::format("{}: cannot be read: {}", file.string(), reason()));
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    const auto last = text.rfind('\n');
+    text.resize(last == std::string::npos ? 0 : last + 1);
+    return text;
+}
+
+SweepState state_of(std::string_view text, const fs::path& file) {
+    SweepState state;
+    int number = 0;
+    while (!text.empty()) {
+        const auto end = text.find('\n');
+        ++number;
+        try {
+            state.apply(Json::parse(text.substr(0, end)));
+        } catch (const std::exception& e) {
+            throw Error(fmt::format("{}: line {}: {}; choose another folder, or --fresh to begin anew", file.string(),
+                                    number, e.what()));
+        }
+        if (number == 1 && state.spec.is_null())
+            throw Error(fmt::format("{}: line 1: this is no journal of a sweep", file.string()));
+        text.remove_prefix(end + 1);
+    }
+    return state;
+}
+
+void write_all(int descriptor, std::string_view bytes, const fs::path& file) {
+    while (!bytes.empty()) {
+        const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) throw Error(fmt::format("{}: cannot be written: {}", file.string(), reason()));
+        bytes.remove_prefix(std::size_t(n));
+    }
+}
+
+/// File systems that cannot do it are no failure.
+void onto_disk(int descriptor, const fs::path& file) {
+    if (::fdatasync(descriptor) != 0 && errno != EINVAL && errno != EROFS)
+        throw Error(fmt::format("{}: cannot be written: {}", file.string(), reason()));
+}
+
+std::string line_text(const Json& line) {
+    return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+bool has_journal(const fs::path& folder) {
+    std::error_code error;
+    return fs::exists(folder / kJournalFile, error);
+}
+
+SweepState read_journal(const fs::path& folder) {
+    const fs::path file = folder / kJournalFile;
+    if (!has_journal(folder)) throw Error(fmt::format("{}: holds no sweep (no {})", folder.string(), kJournalFile));
+    SweepState state = state_of(whole_lines(file), file);
+    if (state.spec.is_null()) throw Error(fmt::format("{}: holds nothing", file.string()));
+    return state;
+}
+
+Journal::Journal(const fs::path& folder, const Json& spec, const std::string& plan) : file_(folder / kJournalFile) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw Error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+    require_writable(file_);
+    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+    if (descriptor_ < 0) throw Error(fmt::format("{}: cannot be written: {}", file_.string(), reason()));
+    try {
+        if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+            throw Error(fmt::format("{}: another process is at this sweep; wait for it, or choose another folder",
+                                    folder.string()));
+        const std::string text = whole_lines(file_);
+        state_ = state_of(text, file_);
+        if (::ftruncate(descriptor_, off_t(text.size())) != 0)
+            throw Error(fmt::format("{}: cannot be written: {}", file_.string(), reason()));
+        if (state_.spec.is_null()) {
+            add(header_line(spec, plan));
+        } else if (const std::string difference = spec_difference(state_.spec, spec); !difference.empty()) {
+            throw Error(fmt::format("{}: holds another sweep ({}); choose another folder, or --fresh to begin anew",
+                                    folder.string(), difference));
+        } else if (state_.plan != plan) {
+            throw Error(
+                fmt::format("{}: holds a sweep of a version of the program that ordered its cases differently; "
+                            "choose another folder, or --fresh to begin anew",
+                            folder.string()));
+        }
+    } catch (...) {
+        ::close(descriptor_);
+        throw;
+    }
+}
+
+Journal::~Journal() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void Journal::add(const Json& line) {
+    write_all(descriptor_, line_text(line), file_);
+    if (line.contains("facts") || line.contains("failed")) onto_disk(descriptor_, file_);
+    state_.apply(line);
+}
+
+}  // namespace si

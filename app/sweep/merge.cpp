@@ -1,0 +1,56 @@
+#include "app/sweep/merge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "renderer/error.h"
+
+namespace si {
+namespace {
+
+void add_case(CaseState& to, const CaseState& from) {
+    const bool better = (from.finished && from.failed.empty()) && !(to.finished && to.failed.empty());
+    const bool first = !to.finished && to.failed.empty();
+    std::vector<Turn> turns = std::move(to.turns);
+    if (better || first) to = from;
+    for (const Turn& turn : from.turns) {
+        const bool known = std::any_of(turns.begin(), turns.end(),
+                                       [&](const Turn& t) { return t.run == turn.run && t.round == turn.round; });
+        if (!known) turns.push_back(turn);
+    }
+    to.turns = std::move(turns);
+    to.begun = 0;
+}
+
+}  // namespace
+
+SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& parts) {
+    const auto& [first_name, first] = parts.front();
+    SweepState merged;
+    merged.spec = first.spec, merged.plan = first.plan;
+    merged.spec["shard"] = "1/1";
+    for (const auto& [name, part] : parts) {
+        if (const std::string difference = spec_difference(first.spec, part.spec, false); !difference.empty())
+            throw Error(fmt::format("{} and {} are of different sweeps: {} (first, then second)", first_name, name,
+                                    difference));
+        if (part.plan != first.plan)
+            throw Error(fmt::format("{} and {} were made by versions of the program that order cases differently",
+                                    first_name, name));
+        for (const RunInfo& run : part.runs)
+            if (!merged.run(run.id)) merged.runs.push_back(run);
+        for (const auto& [number, c] : part.cases) add_case(merged.cases[number], c);
+    }
+    return merged;
+}
+
+std::vector<std::size_t> missing_cases(const SweepState& state, const SweepPlan& plan) {
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < plan.cases.size(); ++i) {
+        const auto c = state.cases.find(i);
+        if (c == state.cases.end() || (!c->second.finished && c->second.failed.empty())) missing.push_back(i);
+    }
+    return missing;
+}
+
+}  // namespace si

@@ -1,0 +1,135 @@
+#include "app/sweep/runner.h"
+
+#include <algorithm>
+#include <new>
+
+#include "app/notes.h"
+#include "app/output.h"
+#include "app/sweep/results.h"
+#include "renderer/error.h"
+
+namespace si {
+namespace {
+
+/// What an attempt at a case threw, on one line; a sweep goes on with the next case.
+template <typename Attempt>
+std::string why_failed(const Attempt& attempt) {
+    try {
+        attempt();
+        return {};
+    } catch (const std::bad_alloc&) {
+        return "out of memory";
+    } catch (const std::exception& e) {
+        const std::string why = one_line(e.what());
+        return why.empty() ? "failed without a reason" : why;
+    }
+}
+
+}  // namespace
+
+SweepRunner::SweepRunner(const SweepPlan& plan, Shard shard, SweepTiming timing, bool retry_failed, CaseMeter& meter,
+                         Journal& journal, std::filesystem::path folder)
+    : plan_(plan), timing_(timing), meter_(meter), journal_(journal), folder_(std::move(folder)) {
+    const auto& known = journal_.state().cases;
+    for (std::size_t i = 0; i < plan_.cases.size(); ++i) {
+        if (!shard.holds(i)) continue;
+        const auto c = known.find(i);
+        const bool failed = c != known.end() && !c->second.failed.empty();
+        if (c == known.end() || (failed ? retry_failed : !c->second.finished)) todo_.push_back(i);
+    }
+    progress_.total = todo_.size();
+}
+
+void SweepRunner::announce_run() {
+    if (!run_.empty()) return;
+    const RunInfo run = meter_.run();
+    journal_.add(run_line(run));
+    run_ = run.id;
+}
+
+bool SweepRunner::step() {
+    const bool more = step_facts() || (timing_.on && step_timing());
+    if (more) estimate();
+    return more;
+}
+
+bool SweepRunner::step_facts() {
+    if (next_ >= todo_.size()) return false;
+    announce_run();
+    const std::size_t number = todo_[next_++];
+    const SweepCase& c = plan_.cases[number];
+    const auto start = Clock::now();
+    progress_.current = c.id;
+    const auto& known = journal_.state().cases;
+    const auto it = known.find(number);
+    std::string why;
+    if (it != known.end() && it->second.begun >= kMostBegins) {
+        why = "the program ended each time that it measured this case";
+    } else {
+        journal_.add(begin_line(number));
+        CaseFacts facts;
+        why = why_failed([&] { facts = meter_.facts(c); });
+        if (why.empty()) {
+            std::filesystem::create_directories(folder_ / "pictures");
+            if (!facts.picture_jpg.empty()) write_file(folder_ / picture_path(number), facts.picture_jpg);
+            if (!facts.artefacts_png.empty()) write_file(folder_ / artefacts_path(number), facts.artefacts_png);
+            CaseState state;
+            state.error = std::move(facts.error), state.cost = std::move(facts.cost);
+            state.notes = std::move(facts.notes);
+            journal_.add(facts_line(number, state));
+        }
+    }
+    if (!why.empty()) journal_.add(failure_line(number, why));
+    facts_s_ += std::chrono::duration<double>(Clock::now() - start).count();
+    progress_.done = next_;
+    return true;
+}
+
+void SweepRunner::begin_round() {
+    order_.clear(), turn_ = 0;
+    const SweepState& state = journal_.state();
+    const RunInfo here = run_.empty() ? meter_.run() : *state.run(run_);
+    const RankedRounds rounds = rounds_like(state, here);
+    bool all_settled = true;
+    for (const auto& [number, c] : state.cases) {
+        if (!c.finished || !c.failed.empty()) continue;
+        order_.push_back(number);
+        const TimeSamples samples = ranked_samples(c, rounds);
+        all_settled = all_settled && int(samples.total_ms.size()) >= timing_.least_frames &&
+                      summary(samples, timing_.settled).settled;
+    }
+    // To and fro, so that a steady drift falls on early and late cases alike.
+    if (rounds.rounds.size() % 2) std::reverse(order_.begin(), order_.end());
+    round_ = int(rounds.rounds.size());
+    progress_ = {.timing = true, .done = 0, .total = order_.size(), .round = round_};
+    if (all_settled || round_ >= timing_.rounds) order_.clear();
+}
+
+bool SweepRunner::step_timing() {
+    if (turn_ >= order_.size()) begin_round();
+    if (order_.empty()) return false;
+    announce_run();
+    const std::size_t number = order_[turn_++];
+    const SweepCase& c = plan_.cases[number];
+    const auto start = Clock::now();
+    progress_.current = c.id;
+    Turn turn{round_, run_, {}};
+    const std::string why = why_failed([&] { turn.samples = meter_.time(c, timing_.frames); });
+    journal_.add(why.empty() ? turn_line(number, turn) : failure_line(number, why));
+    turns_s_ += std::chrono::duration<double>(Clock::now() - start).count();
+    ++turns_;
+    progress_.done = turn_;
+    return true;
+}
+
+void SweepRunner::estimate() {
+    double left = 0;
+    if (next_ > 0) left += double(todo_.size() - next_) * facts_s_ / double(next_);
+    if (turns_ > 0) {
+        const std::size_t more_rounds = std::size_t(std::max(0, timing_.rounds - round_ - 1));
+        left += double(order_.size() - turn_ + more_rounds * order_.size()) * turns_s_ / double(turns_);
+    }
+    progress_.seconds_left = left;
+}
+
+}  // namespace si

@@ -1,0 +1,157 @@
+#include "app/sweep/spec.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "renderer/error.h"
+#include "renderer/key.h"
+#include "renderer/param.h"
+
+namespace si {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr int kMaxShards = 100'000;
+
+template <typename T>
+void add_array(Key& key, const std::vector<T>& values) {
+    key.add(values.size()).bytes(values.data(), values.size() * sizeof(T));
+}
+
+std::string shown(const Json& value) {
+    if (value.is_null()) return "the default";
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::string axes_text(const Json& axes) {
+    std::string text;
+    for (const Json& axis : axes) {
+        text += text.empty() ? "" : " ";
+        text += axis.at("key").get<std::string>() + "=";
+        for (std::size_t i = 0; i < axis.at("values").size(); ++i)
+            text += (i ? "," : "") + axis.at("values")[i].get<std::string>();
+    }
+    return text.empty() ? "nothing" : text;
+}
+
+}  // namespace
+
+Shard parse_shard(std::string_view text) {
+    Shard shard;
+    const char* const end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, shard.index);
+    const bool has_slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
+    const auto second = has_slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
+    const bool whole = has_slash && second.ec == std::errc() && second.ptr == end;
+    if (!whole || shard.count < 1 || shard.count > kMaxShards || shard.index < 1 || shard.index > shard.count)
+        throw UsageError(fmt::format("--shard {}: I/N is wanted, I from 1 to N, such as 2/8", text));
+    return shard;
+}
+
+Settings measured_settings(Settings settings) {
+    const int light = settings.view.light;
+    settings.view = {};
+    settings.view.light = light;
+    return settings;
+}
+
+std::uint64_t scene_content_key(const Scene& scene) {
+    Key key;
+    for (const Texture& t : scene.textures) {
+        key.add(t.width).add(t.height).add(t.srgb).add(t.wrap_s).add(t.wrap_t);
+        key.add(t.nearest_mag).add(t.nearest_min).add(t.mipmaps);
+        add_array(key, t.rgba);
+    }
+    for (const Material& m : scene.materials) {
+        key.add(m.base_colour).add(m.base_colour_texture).add(m.normal_texture).add(m.normal_scale);
+        key.add(m.alpha).add(m.alpha_cutoff).add(m.double_sided).add(m.unlit);
+    }
+    for (const Mesh& m : scene.meshes) {
+        add_array(key, m.positions), add_array(key, m.normals), add_array(key, m.uv), add_array(key, m.uv_normal);
+        add_array(key, m.tangents), add_array(key, m.colours), add_array(key, m.indices);
+        key.add(m.material);
+    }
+    for (const Node& n : scene.nodes) key.add(std::string_view(n.path)).add(n.world);
+    for (const Object& o : scene.objects) key.add(o.node).add(o.mesh).add(o.world);
+    return key.value();
+}
+
+SweepSpec sweep_spec(const Session& session, std::vector<SweepAxis> axes, int width, int height, Shard shard) {
+    SweepSpec spec;
+    spec.scene = session.scene_name;
+    spec.scene_content = scene_content_key(session.scene);
+    spec.triangles = session.scene.triangle_count();
+    spec.base = measured_settings(session.settings);
+    spec.axes = std::move(axes);
+    spec.width = width, spec.height = height;
+    spec.shard = shard;
+    return spec;
+}
+
+Json spec_json(const SweepSpec& spec) {
+    Json json;
+    json["scene"] = {
+        {"name", spec.scene}, {"triangles", spec.triangles}, {"content", fmt::format("{:016x}", spec.scene_content)}};
+    json["picture"] = {{"width", spec.width}, {"height", spec.height}};
+    json["settings"] = Json::object();
+    for (const SettingRef& ref : changed_settings(spec.base))
+        json["settings"][setting_key(ref)] = value_text(*ref.param, get_value(spec.base, ref));
+    json["axes"] = Json::array();
+    for (const SweepAxis& axis : spec.axes) json["axes"].push_back({{"key", axis.key}, {"values", axis.values}});
+    json["shard"] = fmt::format("{}/{}", spec.shard.index, spec.shard.count);
+    return json;
+}
+
+SweepSpec spec_from_json(const Json& json) {
+    try {
+        SweepSpec spec;
+        spec.scene = json.at("scene").at("name").get<std::string>();
+        spec.triangles = json["scene"].at("triangles").get<std::size_t>();
+        spec.scene_content = std::stoull(json["scene"].at("content").get<std::string>(), nullptr, 16);
+        spec.width = json.at("picture").at("width").get<int>(), spec.height = json["picture"].at("height").get<int>();
+        for (const auto& [key, value] : json.at("settings").items())
+            set_setting(spec.base, key, value.get<std::string>());
+        for (const Json& axis : json.at("axes")) {
+            spec.axes.push_back({axis.at("key").get<std::string>(), axis.at("values").get<std::vector<std::string>>()});
+            if (spec.axes.back().values.empty()) throw Error(fmt::format("{} has no values", spec.axes.back().key));
+        }
+        spec.shard = parse_shard(json.at("shard").get<std::string>());
+        return spec;
+    } catch (const std::exception& e) {
+        throw Error(fmt::format("what the sweep is of cannot be read: {}", e.what()));
+    }
+}
+
+std::string plan_key(const SweepPlan& plan) {
+    Key key;
+    for (const SweepCase& c : plan.cases) key.add(std::string_view(c.id));
+    return fmt::format("{:016x}", key.value());
+}
+
+std::string spec_difference(const Json& there, const Json& here, bool with_shard) {
+    if (there.at("scene").at("content") != here.at("scene").at("content")) {
+        const auto &a = there["scene"], &b = here["scene"];
+        if (a.at("name") == b.at("name")) return fmt::format("the scene {} has changed since", shown(a["name"]));
+        return fmt::format("scene {} there, {} here", shown(a["name"]), shown(b["name"]));
+    }
+    const auto size = [](const Json& s) {
+        return fmt::format("{}x{}", s.at("picture").at("width").get<int>(), s.at("picture").at("height").get<int>());
+    };
+    if (size(there) != size(here)) return fmt::format("--size {} there, {} here", size(there), size(here));
+    if (there.at("axes") != here.at("axes"))
+        return fmt::format("--vary {} there, {} here", axes_text(there["axes"]), axes_text(here["axes"]));
+    Json keys = there.at("settings");
+    keys.update(here.at("settings"));
+    for (const auto& [key, unused] : keys.items()) {
+        const Json a = there["settings"].value(key, Json()), b = here["settings"].value(key, Json());
+        if (a != b) return fmt::format("{}: {} there, {} here", key, shown(a), shown(b));
+    }
+    if (with_shard && there.at("shard") != here.at("shard"))
+        return fmt::format("--shard {} there, {} here", shown(there["shard"]), shown(here["shard"]));
+    return {};
+}
+
+}  // namespace si

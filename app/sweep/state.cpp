@@ -1,0 +1,166 @@
+#include "app/sweep/state.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "renderer/error.h"
+#include "renderer/key.h"
+
+namespace si {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* kFormat = "shadow-inspector-sweep-journal";
+constexpr int kVersion = 1;
+
+std::string machine_key() {
+    std::string id;
+    std::ifstream("/etc/machine-id") >> id;
+    std::array<char, 256> host{};
+    ::gethostname(host.data(), host.size() - 1);
+    return fmt::format("{:016x}", Key().add(std::string_view(id)).add(std::string_view(host.data())).value());
+}
+
+/// Microseconds: finer digits are noise and would make the journal long.
+Json milliseconds(const std::vector<double>& values) {
+    Json out = Json::array();
+    for (const double v : values) out.push_back(std::round(v * 1e4) / 1e4);
+    return out;
+}
+
+Turn turn_of(const Json& line) {
+    Turn turn;
+    turn.round = line.at("round").get<int>();
+    turn.run = line.at("run").get<std::string>();
+    turn.samples.total_ms = line.at("total_ms").get<std::vector<double>>();
+    turn.samples.maps_ms = line.at("maps_ms").get<std::vector<double>>();
+    for (const Json& pass : line.at("passes"))
+        turn.samples.passes.push_back({pass.at("name").get<std::string>(), pass.at("gpu_ms").get<std::vector<double>>(),
+                                       pass.at("cpu_ms").get<std::vector<double>>()});
+    if (turn.samples.maps_ms.size() != turn.samples.total_ms.size()) throw Error("unequal numbers of frames");
+    return turn;
+}
+
+RunInfo run_of(const Json& line) {
+    RunInfo run;
+    run.id = line.at("id").get<std::string>(), run.started = line.at("started").get<std::string>();
+    run.machine = line.at("machine").get<std::string>();
+    run.renderer = line.at("renderer").get<std::string>(), run.version = line.at("version").get<std::string>();
+    run.clock = line.at("clock").get<std::string>();
+    run.software = line.at("software").get<bool>();
+    run.load = line.at("load").get<double>();
+    return run;
+}
+
+}  // namespace
+
+bool RunInfo::same_clock_as(const RunInfo& other) const {
+    return machine == other.machine && renderer == other.renderer && version == other.version && clock == other.clock;
+}
+
+RunInfo this_run() {
+    RunInfo run;
+    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    run.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+    run.machine = machine_key();
+    run.id = fmt::format("{}-{}-{}", run.started, run.machine.substr(0, 4), ::getpid());
+    double load = 0;
+    if (::getloadavg(&load, 1) == 1) run.load = load / std::max(1u, std::thread::hardware_concurrency());
+    return run;
+}
+
+const RunInfo* SweepState::run(const std::string& id) const {
+    const auto it = std::find_if(runs.begin(), runs.end(), [&](const RunInfo& r) { return r.id == id; });
+    return it == runs.end() ? nullptr : &*it;
+}
+
+void SweepState::apply(const Json& line) {
+    if (line.contains("format")) {
+        if (line["format"] != kFormat) throw Error("this is no journal of a sweep");
+        if (line.at("version") != kVersion)
+            throw Error(fmt::format("version {} of the journal is not known; {} is", line["version"].dump(), kVersion));
+        spec = line.at("spec");
+        plan = line.at("plan").get<std::string>();
+    } else if (line.contains("turn")) {
+        cases[line["turn"].get<std::size_t>()].turns.push_back(turn_of(line));
+    } else if (line.contains("run")) {
+        const RunInfo info = run_of(line["run"]);
+        if (!run(info.id)) runs.push_back(info);
+    } else if (line.contains("begin")) {
+        ++cases[line["begin"].get<std::size_t>()].begun;
+    } else if (line.contains("facts")) {
+        CaseState& c = cases[line["facts"].get<std::size_t>()];
+        c.error = line.at("error"), c.cost = line.at("cost");
+        c.notes = line.at("notes").get<std::vector<std::string>>();
+        c.finished = true, c.failed.clear(), c.begun = 0;
+    } else if (line.contains("failed")) {
+        CaseState& c = cases[line["failed"].get<std::size_t>()];
+        c.failed = line.at("why").get<std::string>(), c.begun = 0;
+    } else {
+        throw Error("an unknown kind of line");
+    }
+}
+
+Json header_line(const Json& spec, const std::string& plan) {
+    return {{"format", kFormat}, {"version", kVersion}, {"plan", plan}, {"spec", spec}};
+}
+
+Json run_line(const RunInfo& run) {
+    return {{"run",
+             {{"id", run.id},
+              {"started", run.started},
+              {"machine", run.machine},
+              {"renderer", run.renderer},
+              {"version", run.version},
+              {"clock", run.clock},
+              {"software", run.software},
+              {"load", run.load}}}};
+}
+
+Json begin_line(std::size_t case_number) {
+    return {{"begin", case_number}};
+}
+
+Json facts_line(std::size_t case_number, const CaseState& facts) {
+    return {{"facts", case_number}, {"error", facts.error}, {"cost", facts.cost}, {"notes", facts.notes}};
+}
+
+Json failure_line(std::size_t case_number, const std::string& why) {
+    return {{"failed", case_number}, {"why", why}};
+}
+
+Json turn_line(std::size_t case_number, const Turn& turn) {
+    Json line = {{"turn", case_number},
+                 {"round", turn.round},
+                 {"run", turn.run},
+                 {"total_ms", milliseconds(turn.samples.total_ms)},
+                 {"maps_ms", milliseconds(turn.samples.maps_ms)},
+                 {"passes", Json::array()}};
+    for (const auto& pass : turn.samples.passes)
+        line["passes"].push_back(
+            {{"name", pass.name}, {"gpu_ms", milliseconds(pass.gpu_ms)}, {"cpu_ms", milliseconds(pass.cpu_ms)}});
+    return line;
+}
+
+std::vector<Json> lines_of(const SweepState& state) {
+    std::vector<Json> lines = {header_line(state.spec, state.plan)};
+    for (const RunInfo& run : state.runs) lines.push_back(run_line(run));
+    for (const auto& [number, c] : state.cases) {
+        if (c.finished) lines.push_back(facts_line(number, c));
+        if (!c.failed.empty()) lines.push_back(failure_line(number, c.failed));
+        for (const Turn& turn : c.turns) lines.push_back(turn_line(number, turn));
+    }
+    return lines;
+}
+
+}  // namespace si

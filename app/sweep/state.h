@@ -1,0 +1,68 @@
+// What is known of a sweep so far: the sum of its journal's lines.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/sweep/spec.h"
+#include "renderer/measure/time_sampler.h"
+
+namespace si {
+
+/// A few forced frames of one case. A round draws every case once, so that drift falls on all alike.
+struct Turn {
+    int round = 0;
+    std::string run;
+    TimeSamples samples;
+};
+
+struct CaseState {
+    bool finished = false;  ///< error and cost are known
+    std::string failed;     ///< why there are none; empty: it did not fail
+    int begun = 0;          ///< how often it was begun without an end
+    nlohmann::ordered_json error, cost;
+    std::vector<std::string> notes;
+    std::vector<Turn> turns;
+};
+
+/// A process that measured: where, when, with what.
+struct RunInfo {
+    std::string id, started;  ///< UTC, ISO 8601
+    std::string machine;      ///< equal on the same machine only; says nothing else
+    std::string renderer, version, clock;
+    bool software = false;                           ///< a CPU rasteriser
+    double load = 0;                                 ///< of the machine before it began, running processes per core
+    bool same_clock_as(const RunInfo& other) const;  ///< their times may stand beside each other
+};
+
+/// Fills id, started, machine and load.
+RunInfo this_run();
+
+struct SweepState {
+    nlohmann::ordered_json spec;  ///< spec_json()
+    std::string plan;             ///< plan_key()
+    std::vector<RunInfo> runs;
+    std::map<std::size_t, CaseState> cases;  ///< by number in the plan
+
+    /// Adds what a line of the journal says. @throws Error when it says nothing known.
+    void apply(const nlohmann::ordered_json& line);
+    const RunInfo* run(const std::string& id) const;
+};
+
+// Lines of the journal.
+nlohmann::ordered_json header_line(const nlohmann::ordered_json& spec, const std::string& plan);
+nlohmann::ordered_json run_line(const RunInfo& run);
+nlohmann::ordered_json begin_line(std::size_t case_number);
+nlohmann::ordered_json facts_line(std::size_t case_number, const CaseState& facts);
+nlohmann::ordered_json failure_line(std::size_t case_number, const std::string& why);
+nlohmann::ordered_json turn_line(std::size_t case_number, const Turn& turn);
+
+/// All of a state as lines of a journal, the header first.
+std::vector<nlohmann::ordered_json> lines_of(const SweepState& state);
+
+/// A case that the program did not survive this often has failed.
+inline constexpr int kMostBegins = 3;
+
+}  // namespace si

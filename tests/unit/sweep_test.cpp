@@ -1,0 +1,310 @@
+// Sweeps without a GPU: the journal, continuing, rounds, shards and merging, over a meter that makes numbers up.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "app/sweep/columns.h"
+#include "app/sweep/journal.h"
+#include "app/sweep/merge.h"
+#include "app/sweep/results.h"
+#include "app/sweep/runner.h"
+#include "renderer/error.h"
+#include "renderer/scenes/builtin.h"
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+/// Error falls with the resolution, time grows; each call is counted.
+struct FakeMeter : CaseMeter {
+    std::string run_id = "first", machine = "m";
+    std::size_t fails_at_resolution = 0, throws_after = 1000;
+    double drift = 1;
+    std::vector<std::string> measured, timed;
+    RunInfo run() override { return {run_id, "2026-01-01T00:00:00Z", machine, "driver", "1", "clock", true, 0}; }
+    CaseFacts facts(const SweepCase& c) override {
+        if (measured.size() >= throws_after) throw std::logic_error("not to be measured any more");
+        measured.push_back(c.id);
+        const int n = c.settings.map.resolution;
+        if (std::size_t(n) == fails_at_resolution) throw Error("no memory for\nthis map");
+        return {{{"mae", 100.0 / n}}, {{"map_texels", n * n}, {"bytes_touched", 4 * n * n}}, {"a note"}, "jpg", "png"};
+    }
+    TimeSamples time(const SweepCase& c, int frames) override {
+        timed.push_back(c.id);
+        TimeSamples s;
+        for (int i = 0; i < frames; ++i) {
+            drift *= 1.05;
+            s.total_ms.push_back(drift * c.settings.map.resolution), s.maps_ms.push_back(1);
+        }
+        s.clock = "clock";
+        return s;
+    }
+};
+
+struct Fixture {
+    fs::path folder;
+    std::vector<SweepAxis> axes = {parse_axis("map.resolution=256:2048:*2"), parse_axis("filter.kernel=hard,pcf3")};
+    SweepPlan plan = plan_sweep(Settings{}, axes);
+    SweepSpec spec;
+    explicit Fixture(fs::path f) : folder(std::move(f)) {
+        spec.scene = "stage", spec.axes = axes, spec.width = 8, spec.height = 8;
+    }
+    Json spec_text() const { return spec_json(spec); }
+    /// Runs until nothing is left or `steps` were made.
+    SweepState run(FakeMeter& meter, int steps = 10'000, SweepTiming timing = {.rounds = 4}, bool retry = false) const {
+        Journal journal(folder, spec_text(), plan_key(plan));
+        SweepRunner runner(plan, spec.shard, timing, retry, meter, journal, folder);
+        while (steps-- > 0 && runner.step()) {
+        }
+        return journal.state();
+    }
+    Json results() const { return results_json(read_journal(folder), plan); }
+};
+
+TEST(Shards, DealOutEachCaseOnce) {
+    EXPECT_EQ(parse_shard("2/8"), (Shard{2, 8}));
+    for (const char* wrong : {"", "0/2", "3/2", "1/0", "1/2/3", "1", "a/b", "1/-2", "1/99999999999"})
+        EXPECT_THROW(parse_shard(wrong), UsageError) << wrong;
+    for (std::size_t number = 0; number < 20; ++number) {
+        int held = 0;
+        for (int i = 1; i <= 3; ++i) held += Shard{i, 3}.holds(number);
+        EXPECT_EQ(held, 1);
+    }
+}
+
+TEST(Sweep, MeasuresEachCaseOnceAndTimesAllInRounds) {
+    const Fixture f(fresh_test_folder());
+    FakeMeter meter;
+    f.run(meter);
+    EXPECT_EQ(meter.measured.size(), 8u);
+    ASSERT_EQ(meter.timed.size(), 4u * 8);
+    EXPECT_EQ(meter.timed[7], meter.timed[8]) << "the second round goes backwards";
+    const Json r = f.results();
+    EXPECT_EQ(r["rows"].size(), 8u);
+    EXPECT_EQ(r["rounds"], 4);
+    for (const Json& row : r["rows"]) {
+        EXPECT_EQ(row["time"]["frames"], 12);
+        EXPECT_TRUE(fs::exists(f.folder / row["picture"].get<std::string>()));
+    }
+    EXPECT_EQ(r["frontier"]["x"], "time.total_ms.median");
+}
+
+TEST(Sweep, RoundsEndWhenAllTimesStandStill) {
+    const Fixture f(fresh_test_folder());
+    struct Calm : FakeMeter {
+        TimeSamples time(const SweepCase& c, int frames) override {
+            drift = 1;
+            return timed.push_back(c.id), TimeSamples{std::vector<double>(std::size_t(frames), 7),
+                                                      std::vector<double>(std::size_t(frames), 1),
+                                                      {},
+                                                      "clock"};
+        }
+    } meter;
+    f.run(meter, 10'000, {.rounds = 50});
+    EXPECT_EQ(meter.timed.size(), 2u * 8) << "two rounds make the least number of frames";
+}
+
+TEST(Sweep, ContinuesWhereItEndedAndLosesNothing) {
+    const Fixture f(fresh_test_folder());
+    for (const int steps : {0, 1, 5, 8, 9, 15, 16, 20, 100}) {
+        const fs::path folder = f.folder / std::to_string(steps);
+        Fixture part(folder);
+        FakeMeter first, second;
+        second.run_id = "second";
+        part.run(first, steps);
+        part.run(second);
+        EXPECT_EQ(first.measured.size() + second.measured.size(), 8u) << steps;
+        const Json r = part.results();
+        EXPECT_EQ(r["rounds"], 4) << steps;
+        EXPECT_EQ(r["finished"], 8) << steps;
+        // Whole rounds count whoever drew them; a round cut short is drawn again, in one run.
+        const int whole = std::max(0, std::min(steps - 8, 32)) / 8;
+        EXPECT_EQ(second.timed.size(), std::size_t(4 - whole) * 8) << steps;
+        for (const Json& run : r["runs"])
+            EXPECT_EQ(run["ranked_rounds"], run["id"] == "first" ? whole : 4 - whole) << steps;
+        const std::string before = file_bytes(folder / kJournalFile);
+        FakeMeter third;
+        part.run(third);
+        EXPECT_TRUE(third.measured.empty() && third.timed.empty());
+        EXPECT_EQ(file_bytes(folder / kJournalFile), before) << "nothing to do, nothing written";
+    }
+}
+
+TEST(Sweep, ALineCutShortIsForgotten) {
+    const Fixture f(fresh_test_folder());
+    FakeMeter meter;
+    f.run(meter, 3);
+    const std::string text = file_bytes(f.folder / kJournalFile);
+    for (std::size_t cut = 1; cut < 40; cut += 7) {
+        std::ofstream(f.folder / kJournalFile, std::ios::binary) << text.substr(0, text.size() - cut);
+        FakeMeter again;
+        f.run(again, 0);
+        const SweepState state = read_journal(f.folder);
+        EXPECT_TRUE(state.cases.at(0).finished && state.cases.at(1).finished && !state.cases.at(2).finished);
+        f.run(again);
+        EXPECT_EQ(f.results()["finished"], 8);
+    }
+}
+
+TEST(Sweep, OtherArgumentsAreRefused) {
+    Fixture f(fresh_test_folder());
+    FakeMeter meter;
+    f.run(meter, 2);
+    const auto message = [&](auto change) -> std::string {
+        Fixture other = f;
+        change(other);
+        try {
+            other.run(meter, 1);
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return "no error";
+    };
+    EXPECT_NE(message([](Fixture& o) { o.spec.width = 9; }).find("--size 8x8 there, 9x8 here"), std::string::npos);
+    EXPECT_NE(message([](Fixture& o) { o.spec.base.bias.slope = 2; }).find("bias.slope: the default there, 2 here"),
+              std::string::npos);
+    EXPECT_NE(message([](Fixture& o) { o.spec.axes.pop_back(); }).find("filter.kernel=hard,pcf3 there"),
+              std::string::npos);
+    EXPECT_NE(message([](Fixture& o) {
+                  o.spec.shard = {1, 2};
+              }).find("--shard 1/1 there, 1/2 here"),
+              std::string::npos);
+    EXPECT_NE(message([](Fixture& o) { o.spec.scene_content = 5, o.spec.scene = "boxes"; }).find("boxes here"),
+              std::string::npos);
+    EXPECT_NE(message([](Fixture& o) { o.spec.scene_content = 5; }).find("stage has changed"), std::string::npos);
+    EXPECT_EQ(message([](Fixture&) {}), "no error");
+}
+
+TEST(Sweep, OneProcessAtATime) {
+    const Fixture f(fresh_test_folder());
+    const Journal journal(f.folder, f.spec_text(), plan_key(f.plan));
+    EXPECT_THROW(Journal(f.folder, f.spec_text(), plan_key(f.plan)), Error);
+}
+
+TEST(Sweep, AFailingCaseIsARowWithItsError) {
+    const Fixture f(fresh_test_folder());
+    FakeMeter meter;
+    meter.fails_at_resolution = 512;
+    f.run(meter);
+    Json r = f.results();
+    EXPECT_EQ(r["finished"], 6);
+    EXPECT_EQ(r["failed"], 2);
+    EXPECT_EQ(r["rows"][2]["failed"], "no memory for; this map");
+    EXPECT_TRUE(r["rows"][2]["error"].is_null());
+    EXPECT_EQ(r["rounds"], 4) << "the others have their times";
+    for (const Json& n : r["frontier"]["cases"]) EXPECT_TRUE(n != 2 && n != 3);
+    EXPECT_NE(results_csv(r).find(",false,no memory for; this map\n"), std::string::npos);
+    FakeMeter again;
+    f.run(again);
+    EXPECT_TRUE(again.measured.empty()) << "a failure is a result";
+    f.run(again, 10'000, {.rounds = 4}, true);
+    EXPECT_EQ(again.measured.size(), 2u);
+    EXPECT_EQ(f.results()["failed"], 0);
+}
+
+TEST(Sweep, ACaseThatTheProgramDoesNotSurviveFails) {
+    const Fixture f(fresh_test_folder());
+    FakeMeter meter;
+    f.run(meter, 2);
+    for (int i = 0; i < kMostBegins; ++i) Journal(f.folder, f.spec_text(), plan_key(f.plan)).add(begin_line(2));
+    f.run(meter, 10'000, {.on = false});
+    EXPECT_EQ(meter.measured.size(), 7u);
+    EXPECT_NE(f.results()["rows"][2]["failed"].get<std::string>().find("the program ended"), std::string::npos);
+}
+
+TEST(Sweep, TimesOfDifferentMachinesAreNotMixed) {
+    const Fixture f(fresh_test_folder());
+    FakeMeter here, there;
+    f.run(here, 8 + 8);
+    there.machine = "other", there.run_id = "elsewhere", there.drift = 1000;
+    f.run(there, 10'000, {.rounds = 3});
+    const Json r = f.results();
+    EXPECT_EQ(r["rounds"], 3);
+    for (const Json& row : r["rows"]) EXPECT_GT(row["time"]["total_ms"]["low"], 1000);
+}
+
+TEST(Merge, ShardsTogetherAreTheWholeSweep) {
+    const fs::path folder = fresh_test_folder();
+    Fixture whole(folder / "whole");
+    FakeMeter meter;
+    whole.run(meter, 10'000, {.on = false});
+    std::vector<std::pair<std::string, SweepState>> parts;
+    for (int i = 1; i <= 3; ++i) {
+        Fixture shard(folder / std::to_string(i));
+        shard.spec.shard = {i, 3};
+        FakeMeter m;
+        shard.run(m, 10'000, {.on = false});
+        EXPECT_EQ(m.measured.size(), i == 3 ? 2u : 3u);
+        parts.emplace_back(std::to_string(i), read_journal(shard.folder));
+    }
+    const SweepState merged = merge_sweeps(parts);
+    EXPECT_TRUE(missing_cases(merged, whole.plan).empty());
+    Json a = results_json(merged, whole.plan), b = whole.results();
+    a.erase("runs"), b.erase("runs");
+    EXPECT_EQ(a, b);
+    parts.erase(parts.begin() + 1);
+    EXPECT_EQ(missing_cases(merge_sweeps(parts), whole.plan), (std::vector<std::size_t>{1, 4, 7}));
+    Fixture other(folder / "other");
+    other.spec.width = 9;
+    other.run(meter, 1);
+    parts.emplace_back("other", read_journal(other.folder));
+    EXPECT_THROW(merge_sweeps(parts), Error);
+}
+
+TEST(Merge, TheMergedSweepIsTimedByContinuingIt) {
+    const fs::path folder = fresh_test_folder();
+    std::vector<std::pair<std::string, SweepState>> parts;
+    for (int i = 1; i <= 2; ++i) {
+        Fixture shard(folder / std::to_string(i));
+        shard.spec.shard = {i, 2};
+        FakeMeter m;
+        shard.run(m, 10'000, {.on = false});
+        parts.emplace_back("", read_journal(shard.folder));
+    }
+    Fixture whole(folder / "whole");
+    fs::create_directory(whole.folder);
+    std::ofstream out(whole.folder / kJournalFile);
+    for (const Json& line : lines_of(merge_sweeps(parts))) out << line.dump() << "\n";
+    out.close();
+    FakeMeter meter;
+    whole.run(meter);
+    EXPECT_TRUE(meter.measured.empty());
+    EXPECT_EQ(whole.results()["rounds"], 4);
+}
+
+TEST(Results, SpecsSurviveTheJournal) {
+    Fixture f(fresh_test_folder());
+    f.spec.base.bias.slope = 1.5, f.spec.base.light_count = 2, f.spec.base.lights[1].azimuth = 77;
+    f.spec.scene = "a \"quoted\", name</script>\n", f.spec.scene_content = 0xfedcba9876543210, f.spec.shard = {2, 3};
+    const SweepSpec again = spec_from_json(Json::parse(f.spec_text().dump()));
+    EXPECT_EQ(spec_json(again), f.spec_text());
+    EXPECT_EQ(again.base, f.spec.base);
+    EXPECT_EQ(plan_key(plan_sweep(again.base, again.axes)), plan_key(plan_sweep(f.spec.base, f.axes)));
+    EXPECT_THROW(spec_from_json({{"scene", 1}}), Error);
+}
+
+TEST(Results, ContentDecidesWhetherScenesAreEqual) {
+    const Scene stage = load_scene("stage"), again = load_scene("stage");
+    EXPECT_NE(stage.id, again.id);
+    EXPECT_EQ(scene_content_key(stage), scene_content_key(again));
+    Scene moved = stage;
+    moved.objects[0].world[3].x += 1e-9;
+    EXPECT_NE(scene_content_key(moved), scene_content_key(stage));
+}
+
+TEST(Columns, ArePlottedSoThatLessIsBetter) {
+    const Json row = {{"error", {{"iou", 0.9}, {"signed_mean", -0.25}, {"mae", nullptr}}}};
+    EXPECT_NEAR(plotted_value(*find_column("error.iou"), row), 0.1, 1e-12);
+    EXPECT_EQ(plotted_value(*find_column("error.signed_mean"), row), 0.25);
+    EXPECT_TRUE(std::isnan(plotted_value(*find_column("error.mae"), row)));
+    EXPECT_TRUE(std::isnan(plotted_value(*find_column("error.acne"), row)));
+    for (const Column& c : columns()) EXPECT_TRUE(c.help.ends_with(".")) << c.key;
+}
+
+}  // namespace
+}  // namespace si
