@@ -124,9 +124,19 @@ Journal::~Journal() {
 }
 
 void Journal::add(const Json& line) {
-    write_all(descriptor_, line_text(line), file_);
-    if (line.contains("facts") || line.contains("failed")) onto_disk(descriptor_, file_);
-    state_.apply(line);
+    add(std::vector<Json>{line});
+}
+
+void Journal::add(const std::vector<Json>& lines) {
+    std::string text;
+    bool matters = false;
+    for (const Json& line : lines) {
+        text += line_text(line);
+        matters = matters || line.contains("facts") || line.contains("failed");
+    }
+    write_all(descriptor_, text, file_);
+    if (matters) onto_disk(descriptor_, file_);
+    for (const Json& line : lines) state_.apply(line);
 }
 
 }  // namespace si

@@ -26,6 +26,8 @@ public:
     /// Adds a line. Whatever becomes of the program, it is kept; results of cases are on the disk when this returns, so
     /// that they survive the machine's end, too. @throws Error when it cannot be written.
     void add(const nlohmann::ordered_json& line);
+    /// Adds several lines at once.
+    void add(const std::vector<nlohmann::ordered_json>& lines);
 
 private:
     std::filesystem::path file_;

@@ -9,16 +9,22 @@
 namespace si {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
+bool knows(const std::vector<Turn>& turns, const Turn& turn) {
+    return std::any_of(turns.begin(), turns.end(),
+                       [&](const Turn& t) { return t.run == turn.run && t.round == turn.round; });
+}
+
+bool good(const CaseState& c) {
+    return c.finished && c.failed.empty();
+}
+
 void add_case(CaseState& to, const CaseState& from) {
-    const bool better = (from.finished && from.failed.empty()) && !(to.finished && to.failed.empty());
-    const bool first = !to.finished && to.failed.empty();
     std::vector<Turn> turns = std::move(to.turns);
-    if (better || first) to = from;
-    for (const Turn& turn : from.turns) {
-        const bool known = std::any_of(turns.begin(), turns.end(),
-                                       [&](const Turn& t) { return t.run == turn.run && t.round == turn.round; });
-        if (!known) turns.push_back(turn);
-    }
+    if ((good(from) && !good(to)) || (!to.finished && to.failed.empty())) to = from;
+    for (const Turn& turn : from.turns)
+        if (!knows(turns, turn)) turns.push_back(turn);
     to.turns = std::move(turns);
     to.begun = 0;
 }
@@ -42,6 +48,23 @@ SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& p
         for (const auto& [number, c] : part.cases) add_case(merged.cases[number], c);
     }
     return merged;
+}
+
+std::vector<Json> lines_beyond(const SweepState& known, const SweepState& more) {
+    std::vector<Json> lines;
+    for (const RunInfo& run : more.runs)
+        if (!known.run(run.id)) lines.push_back(run_line(run));
+    static const CaseState kNothing;
+    for (const auto& [number, c] : more.cases) {
+        const auto it = known.cases.find(number);
+        const CaseState& have = it == known.cases.end() ? kNothing : it->second;
+        const bool nothing = !have.finished && have.failed.empty();
+        if (good(c) && !good(have)) lines.push_back(facts_line(number, c));
+        if (!c.failed.empty() && nothing) lines.push_back(failure_line(number, c.failed));
+        for (const Turn& turn : c.turns)
+            if (!knows(have.turns, turn)) lines.push_back(turn_line(number, turn));
+    }
+    return lines;
 }
 
 std::vector<std::size_t> missing_cases(const SweepState& state, const SweepPlan& plan) {

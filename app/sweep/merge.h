@@ -14,6 +14,9 @@ namespace si {
 /// not of one sweep, naming two that differ and how.
 SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& parts);
 
+/// Lines of a journal that make `known` know what `more` of the same sweep knows besides.
+std::vector<nlohmann::ordered_json> lines_beyond(const SweepState& known, const SweepState& more);
+
 /// Numbers of the plan's cases that nobody has measured.
 std::vector<std::size_t> missing_cases(const SweepState& state, const SweepPlan& plan);
 

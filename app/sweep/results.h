@@ -10,6 +10,8 @@ namespace si {
 
 inline constexpr const char* kResultsFormat = "shadow-inspector-sweep";
 inline constexpr int kResultsVersion = 1;
+/// The preset in the folder with the settings that all cases share.
+inline constexpr const char* kBasePreset = "base.json";
 
 /// Which turns count: those of whole rounds (each of its cases drawn in one run), of runs on one machine with one
 /// clock.

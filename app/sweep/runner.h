@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "app/sweep/journal.h"
+#include "app/sweep/timing.h"
 
 namespace si {
 
@@ -24,14 +25,6 @@ public:
     virtual CaseFacts facts(const SweepCase& c) = 0;
     /// `frames` forced frames after one that warms up. @throws std::exception: the case has failed
     virtual TimeSamples time(const SweepCase& c, int frames) = 0;
-};
-
-struct SweepTiming {
-    bool on = true;
-    int rounds = 10;       ///< at most
-    int frames = 3;        ///< a case draws in a round
-    int least_frames = 5;  ///< a case draws over all rounds before it may have settled
-    double settled = kSettledSpread;
 };
 
 struct SweepProgress {

@@ -51,13 +51,6 @@ Shard parse_shard(std::string_view text) {
     return shard;
 }
 
-Settings measured_settings(Settings settings) {
-    const int light = settings.view.light;
-    settings.view = {};
-    settings.view.light = light;
-    return settings;
-}
-
 std::uint64_t scene_content_key(const Scene& scene) {
     Key key;
     for (const Texture& t : scene.textures) {

@@ -31,9 +31,6 @@ struct SweepSpec {
     Shard shard;
 };
 
-/// Without what a person looks with: overlays, panes, the map viewer. They cost time and are no part of the shadow.
-Settings measured_settings(Settings settings);
-
 /// Of what is drawn of a scene: equal for the same file read twice, wherever it lies.
 std::uint64_t scene_content_key(const Scene& scene);
 

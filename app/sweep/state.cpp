@@ -152,15 +152,4 @@ Json turn_line(std::size_t case_number, const Turn& turn) {
     return line;
 }
 
-std::vector<Json> lines_of(const SweepState& state) {
-    std::vector<Json> lines = {header_line(state.spec, state.plan)};
-    for (const RunInfo& run : state.runs) lines.push_back(run_line(run));
-    for (const auto& [number, c] : state.cases) {
-        if (c.finished) lines.push_back(facts_line(number, c));
-        if (!c.failed.empty()) lines.push_back(failure_line(number, c.failed));
-        for (const Turn& turn : c.turns) lines.push_back(turn_line(number, turn));
-    }
-    return lines;
-}
-
 }  // namespace si

@@ -59,9 +59,6 @@ nlohmann::ordered_json facts_line(std::size_t case_number, const CaseState& fact
 nlohmann::ordered_json failure_line(std::size_t case_number, const std::string& why);
 nlohmann::ordered_json turn_line(std::size_t case_number, const Turn& turn);
 
-/// All of a state as lines of a journal, the header first.
-std::vector<nlohmann::ordered_json> lines_of(const SweepState& state);
-
 /// A case that the program did not survive this often has failed.
 inline constexpr int kMostBegins = 3;
 

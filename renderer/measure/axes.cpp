@@ -114,6 +114,13 @@ Settings without_idle(Settings settings) {
     return settings;
 }
 
+Settings measured_settings(Settings settings) {
+    const int light = settings.view.light;
+    settings.view = {};
+    settings.view.light = light;
+    return settings;
+}
+
 SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes) {
     std::set<std::string> keys;
     SweepPlan plan;

@@ -6,65 +6,14 @@
 #include <fstream>
 
 #include "app/sweep/columns.h"
-#include "app/sweep/journal.h"
 #include "app/sweep/merge.h"
-#include "app/sweep/results.h"
-#include "app/sweep/runner.h"
 #include "renderer/error.h"
 #include "renderer/scenes/builtin.h"
+#include "tests/support/fake_sweep.h"
 #include "tests/support/process.h"
 
 namespace si {
 namespace {
-
-using Json = nlohmann::ordered_json;
-namespace fs = std::filesystem;
-
-/// Error falls with the resolution, time grows; each call is counted.
-struct FakeMeter : CaseMeter {
-    std::string run_id = "first", machine = "m";
-    std::size_t fails_at_resolution = 0, throws_after = 1000;
-    double drift = 1;
-    std::vector<std::string> measured, timed;
-    RunInfo run() override { return {run_id, "2026-01-01T00:00:00Z", machine, "driver", "1", "clock", true, 0}; }
-    CaseFacts facts(const SweepCase& c) override {
-        if (measured.size() >= throws_after) throw std::logic_error("not to be measured any more");
-        measured.push_back(c.id);
-        const int n = c.settings.map.resolution;
-        if (std::size_t(n) == fails_at_resolution) throw Error("no memory for\nthis map");
-        return {{{"mae", 100.0 / n}}, {{"map_texels", n * n}, {"bytes_touched", 4 * n * n}}, {"a note"}, "jpg", "png"};
-    }
-    TimeSamples time(const SweepCase& c, int frames) override {
-        timed.push_back(c.id);
-        TimeSamples s;
-        for (int i = 0; i < frames; ++i) {
-            drift *= 1.05;
-            s.total_ms.push_back(drift * c.settings.map.resolution), s.maps_ms.push_back(1);
-        }
-        s.clock = "clock";
-        return s;
-    }
-};
-
-struct Fixture {
-    fs::path folder;
-    std::vector<SweepAxis> axes = {parse_axis("map.resolution=256:2048:*2"), parse_axis("filter.kernel=hard,pcf3")};
-    SweepPlan plan = plan_sweep(Settings{}, axes);
-    SweepSpec spec;
-    explicit Fixture(fs::path f) : folder(std::move(f)) {
-        spec.scene = "stage", spec.axes = axes, spec.width = 8, spec.height = 8;
-    }
-    Json spec_text() const { return spec_json(spec); }
-    /// Runs until nothing is left or `steps` were made.
-    SweepState run(FakeMeter& meter, int steps = 10'000, SweepTiming timing = {.rounds = 4}, bool retry = false) const {
-        Journal journal(folder, spec_text(), plan_key(plan));
-        SweepRunner runner(plan, spec.shard, timing, retry, meter, journal, folder);
-        while (steps-- > 0 && runner.step()) {
-        }
-        return journal.state();
-    }
-    Json results() const { return results_json(read_journal(folder), plan); }
-};
 
 TEST(Shards, DealOutEachCaseOnce) {
     EXPECT_EQ(parse_shard("2/8"), (Shard{2, 8}));
@@ -78,7 +27,7 @@ TEST(Shards, DealOutEachCaseOnce) {
 }
 
 TEST(Sweep, MeasuresEachCaseOnceAndTimesAllInRounds) {
-    const Fixture f(fresh_test_folder());
+    const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter);
     EXPECT_EQ(meter.measured.size(), 8u);
@@ -95,7 +44,7 @@ TEST(Sweep, MeasuresEachCaseOnceAndTimesAllInRounds) {
 }
 
 TEST(Sweep, RoundsEndWhenAllTimesStandStill) {
-    const Fixture f(fresh_test_folder());
+    const FakeSweep f(fresh_test_folder());
     struct Calm : FakeMeter {
         TimeSamples time(const SweepCase& c, int frames) override {
             drift = 1;
@@ -110,10 +59,10 @@ TEST(Sweep, RoundsEndWhenAllTimesStandStill) {
 }
 
 TEST(Sweep, ContinuesWhereItEndedAndLosesNothing) {
-    const Fixture f(fresh_test_folder());
+    const FakeSweep f(fresh_test_folder());
     for (const int steps : {0, 1, 5, 8, 9, 15, 16, 20, 100}) {
         const fs::path folder = f.folder / std::to_string(steps);
-        Fixture part(folder);
+        FakeSweep part(folder);
         FakeMeter first, second;
         second.run_id = "second";
         part.run(first, steps);
@@ -136,7 +85,7 @@ TEST(Sweep, ContinuesWhereItEndedAndLosesNothing) {
 }
 
 TEST(Sweep, ALineCutShortIsForgotten) {
-    const Fixture f(fresh_test_folder());
+    const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 3);
     const std::string text = file_bytes(f.folder / kJournalFile);
@@ -152,11 +101,11 @@ TEST(Sweep, ALineCutShortIsForgotten) {
 }
 
 TEST(Sweep, OtherArgumentsAreRefused) {
-    Fixture f(fresh_test_folder());
+    FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 2);
     const auto message = [&](auto change) -> std::string {
-        Fixture other = f;
+        FakeSweep other = f;
         change(other);
         try {
             other.run(meter, 1);
@@ -165,29 +114,29 @@ TEST(Sweep, OtherArgumentsAreRefused) {
         }
         return "no error";
     };
-    EXPECT_NE(message([](Fixture& o) { o.spec.width = 9; }).find("--size 8x8 there, 9x8 here"), std::string::npos);
-    EXPECT_NE(message([](Fixture& o) { o.spec.base.bias.slope = 2; }).find("bias.slope: the default there, 2 here"),
+    EXPECT_NE(message([](FakeSweep& o) { o.spec.width = 9; }).find("--size 8x8 there, 9x8 here"), std::string::npos);
+    EXPECT_NE(message([](FakeSweep& o) { o.spec.base.bias.slope = 2; }).find("bias.slope: the default there, 2 here"),
               std::string::npos);
-    EXPECT_NE(message([](Fixture& o) { o.spec.axes.pop_back(); }).find("filter.kernel=hard,pcf3 there"),
+    EXPECT_NE(message([](FakeSweep& o) { o.spec.axes.pop_back(); }).find("filter.kernel=hard,pcf3 there"),
               std::string::npos);
-    EXPECT_NE(message([](Fixture& o) {
+    EXPECT_NE(message([](FakeSweep& o) {
                   o.spec.shard = {1, 2};
               }).find("--shard 1/1 there, 1/2 here"),
               std::string::npos);
-    EXPECT_NE(message([](Fixture& o) { o.spec.scene_content = 5, o.spec.scene = "boxes"; }).find("boxes here"),
+    EXPECT_NE(message([](FakeSweep& o) { o.spec.scene_content = 5, o.spec.scene = "boxes"; }).find("boxes here"),
               std::string::npos);
-    EXPECT_NE(message([](Fixture& o) { o.spec.scene_content = 5; }).find("stage has changed"), std::string::npos);
-    EXPECT_EQ(message([](Fixture&) {}), "no error");
+    EXPECT_NE(message([](FakeSweep& o) { o.spec.scene_content = 5; }).find("stage has changed"), std::string::npos);
+    EXPECT_EQ(message([](FakeSweep&) {}), "no error");
 }
 
 TEST(Sweep, OneProcessAtATime) {
-    const Fixture f(fresh_test_folder());
+    const FakeSweep f(fresh_test_folder());
     const Journal journal(f.folder, f.spec_text(), plan_key(f.plan));
     EXPECT_THROW(Journal(f.folder, f.spec_text(), plan_key(f.plan)), Error);
 }
 
 TEST(Sweep, AFailingCaseIsARowWithItsError) {
-    const Fixture f(fresh_test_folder());
+    const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     meter.fails_at_resolution = 512;
     f.run(meter);
@@ -208,7 +157,7 @@ TEST(Sweep, AFailingCaseIsARowWithItsError) {
 }
 
 TEST(Sweep, ACaseThatTheProgramDoesNotSurviveFails) {
-    const Fixture f(fresh_test_folder());
+    const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 2);
     for (int i = 0; i < kMostBegins; ++i) Journal(f.folder, f.spec_text(), plan_key(f.plan)).add(begin_line(2));
@@ -218,7 +167,7 @@ TEST(Sweep, ACaseThatTheProgramDoesNotSurviveFails) {
 }
 
 TEST(Sweep, TimesOfDifferentMachinesAreNotMixed) {
-    const Fixture f(fresh_test_folder());
+    const FakeSweep f(fresh_test_folder());
     FakeMeter here, there;
     f.run(here, 8 + 8);
     there.machine = "other", there.run_id = "elsewhere", there.drift = 1000;
@@ -230,12 +179,12 @@ TEST(Sweep, TimesOfDifferentMachinesAreNotMixed) {
 
 TEST(Merge, ShardsTogetherAreTheWholeSweep) {
     const fs::path folder = fresh_test_folder();
-    Fixture whole(folder / "whole");
+    FakeSweep whole(folder / "whole");
     FakeMeter meter;
     whole.run(meter, 10'000, {.on = false});
     std::vector<std::pair<std::string, SweepState>> parts;
     for (int i = 1; i <= 3; ++i) {
-        Fixture shard(folder / std::to_string(i));
+        FakeSweep shard(folder / std::to_string(i));
         shard.spec.shard = {i, 3};
         FakeMeter m;
         shard.run(m, 10'000, {.on = false});
@@ -249,7 +198,7 @@ TEST(Merge, ShardsTogetherAreTheWholeSweep) {
     EXPECT_EQ(a, b);
     parts.erase(parts.begin() + 1);
     EXPECT_EQ(missing_cases(merge_sweeps(parts), whole.plan), (std::vector<std::size_t>{1, 4, 7}));
-    Fixture other(folder / "other");
+    FakeSweep other(folder / "other");
     other.spec.width = 9;
     other.run(meter, 1);
     parts.emplace_back("other", read_journal(other.folder));
@@ -260,17 +209,18 @@ TEST(Merge, TheMergedSweepIsTimedByContinuingIt) {
     const fs::path folder = fresh_test_folder();
     std::vector<std::pair<std::string, SweepState>> parts;
     for (int i = 1; i <= 2; ++i) {
-        Fixture shard(folder / std::to_string(i));
+        FakeSweep shard(folder / std::to_string(i));
         shard.spec.shard = {i, 2};
         FakeMeter m;
         shard.run(m, 10'000, {.on = false});
         parts.emplace_back("", read_journal(shard.folder));
     }
-    Fixture whole(folder / "whole");
-    fs::create_directory(whole.folder);
-    std::ofstream out(whole.folder / kJournalFile);
-    for (const Json& line : lines_of(merge_sweeps(parts))) out << line.dump() << "\n";
-    out.close();
+    FakeSweep whole(folder / "whole");
+    {
+        Journal journal(whole.folder, whole.spec_text(), plan_key(whole.plan));
+        journal.add(lines_beyond(journal.state(), merge_sweeps(parts)));
+        EXPECT_TRUE(lines_beyond(journal.state(), merge_sweeps(parts)).empty());
+    }
     FakeMeter meter;
     whole.run(meter);
     EXPECT_TRUE(meter.measured.empty());
@@ -278,7 +228,7 @@ TEST(Merge, TheMergedSweepIsTimedByContinuingIt) {
 }
 
 TEST(Results, SpecsSurviveTheJournal) {
-    Fixture f(fresh_test_folder());
+    FakeSweep f(fresh_test_folder());
     f.spec.base.bias.slope = 1.5, f.spec.base.light_count = 2, f.spec.base.lights[1].azimuth = 77;
     f.spec.scene = "a \"quoted\", name</script>\n", f.spec.scene_content = 0xfedcba9876543210, f.spec.shard = {2, 3};
     const SweepSpec again = spec_from_json(Json::parse(f.spec_text().dump()));

@@ -1,0 +1,112 @@
+#include "app/sweep/files.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "app/output.h"
+#include "app/presets.h"
+#include "app/report.h"
+#include "app/sweep/columns.h"
+#include "app/sweep/html_report.h"
+#include "app/sweep/journal.h"
+#include "app/sweep/results.h"
+#include "renderer/error.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kResultsFile = "results.json";
+constexpr const char* kTableFile = "results.csv";
+constexpr const char* kReportFile = "report.html";
+constexpr const char* kPictures = "pictures";
+
+bool is_picture_of_case(const fs::path& path) {
+    const std::string name = path.filename().string();
+    return std::isdigit((unsigned char)name[0]) && (name.ends_with(".jpg") || name.ends_with("-artefacts.png"));
+}
+
+}  // namespace
+
+Json write_sweep_files(const fs::path& folder, const SweepState& state, const SweepPlan& plan, SweepFiles which) {
+    Json results = results_json(state, plan);
+    write_file(folder / kResultsFile, json_text(results));
+    write_file(folder / kTableFile, results_csv(results));
+    if (which == SweepFiles::Results) return results;
+    const SweepSpec spec = spec_from_json(state.spec);
+    save_preset({.about = "What all cases of a sweep have in common", .scene = spec.scene, .settings = spec.base},
+                folder / kBasePreset);
+    write_file(folder / kReportFile, report_html(results, folder));
+    return results;
+}
+
+void copy_pictures(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    fs::create_directories(to / kPictures, error);
+    for (const auto& entry : fs::directory_iterator(from / kPictures, error)) {
+        if (!is_picture_of_case(entry.path())) continue;
+        fs::copy_file(entry.path(), to / kPictures / entry.path().filename(), fs::copy_options::skip_existing, error);
+        if (error)
+            throw Error(
+                fmt::format("{}: cannot be copied to {}: {}", entry.path().string(), to.string(), error.message()));
+    }
+}
+
+void forget_sweep(const fs::path& folder) {
+    std::error_code error;
+    const fs::path journal = folder / kJournalFile;
+    const int descriptor = ::open(journal.c_str(), O_RDWR | O_CLOEXEC);
+    if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+        ::close(descriptor);
+        throw Error(fmt::format("{}: another process is at this sweep; wait for it, or choose another folder",
+                                folder.string()));
+    }
+    for (const char* name : {kResultsFile, kTableFile, kReportFile, kBasePreset, kJournalFile})
+        fs::remove(folder / name, error);
+    for (const auto& entry : fs::directory_iterator(folder / kPictures, error))
+        if (is_picture_of_case(entry.path())) fs::remove(entry.path(), error);
+    fs::remove(folder / kPictures, error);  // fails when something else is in it, which then stays
+    if (descriptor >= 0) ::close(descriptor);
+}
+
+void require_sweep_folder(const fs::path& folder) {
+    if (has_journal(folder)) return;
+    std::error_code error;
+    if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+        throw Error(fmt::format("{}: is a file; name a folder", folder.string()));
+    for (const char* name : {kResultsFile, kTableFile, kReportFile, kBasePreset})
+        if (fs::exists(folder / name, error))
+            throw Error(
+                fmt::format("{}: holds {} without the {} to go on from; choose another folder, or --fresh to "
+                            "replace it",
+                            folder.string(), name, kJournalFile));
+}
+
+std::string frontier_text(const Json& results) {
+    const Json& frontier = results.at("frontier");
+    const Column* x = find_column(frontier.at("x").get<std::string>());
+    const Column* y = find_column(frontier.at("y").get<std::string>());
+    std::vector<const Json*> on;
+    for (const Json& row : results.at("rows"))
+        if (std::find(frontier.at("cases").begin(), frontier["cases"].end(), row.at("case")) != frontier["cases"].end())
+            on.push_back(&row);
+    std::stable_sort(on.begin(), on.end(),
+                     [&](const Json* a, const Json* b) { return number_at(*a, x->key) < number_at(*b, x->key); });
+    std::string text =
+        fmt::format("{:>16} {:>12}  case (nothing beats these)\n", fmt::format("{} [{}]", x->label, x->unit), y->label);
+    for (const Json* row : on) {
+        text += fmt::format("{:>16.4g} {:>12.4g} ", number_at(*row, x->key), number_at(*row, y->key));
+        for (const auto& [key, value] : row->at("settings").items())
+            text += fmt::format(" {}={}", key, value.get<std::string>());
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace si

@@ -1,0 +1,31 @@
+// The files of a sweep's folder beside its journal.
+#pragma once
+
+#include <filesystem>
+
+#include "app/sweep/state.h"
+
+namespace si {
+
+enum class SweepFiles {
+    Results,    ///< results.json and results.csv
+    AndReport,  ///< those, base.json and report.html
+};
+
+/// Writes them, each as a whole. Returns the results. @throws Error
+nlohmann::ordered_json write_sweep_files(const std::filesystem::path& folder, const SweepState& state,
+                                         const SweepPlan& plan, SweepFiles which = SweepFiles::AndReport);
+
+/// Copies the pictures of another folder's cases that this one lacks. @throws Error
+void copy_pictures(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Removes what a sweep left in the folder, and nothing else. @throws Error while another process is at it
+void forget_sweep(const std::filesystem::path& folder);
+
+/// @throws Error when the folder holds files that a sweep would replace, without the journal to go on from.
+void require_sweep_folder(const std::filesystem::path& folder);
+
+/// The frontier as lines of text: cost, error and settings.
+std::string frontier_text(const nlohmann::ordered_json& results);
+
+}  // namespace si

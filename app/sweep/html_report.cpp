@@ -1,0 +1,157 @@
+#include "app/sweep/html_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "app/sweep/columns.h"
+#include "app/sweep/results.h"
+#include "renderer/embedded.h"
+#include "renderer/error.h"
+#include "renderer/param.h"
+
+namespace si {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string asset(const std::string& name) {
+    for (const EmbeddedFile& file : embedded_files())
+        if (file.path == "assets/report/" + name) return std::string(file.text);
+    throw Error(fmt::format("assets/report/{} is not in this program", name));
+}
+
+/// The scripts in the order in which they need each other.
+std::string script() {
+    std::string text;
+    for (const char* name : {"data.js", "axes.js", "plot.js", "table.js", "page.js"}) text += asset(name);
+    return text;
+}
+
+Json columns_json() {
+    static constexpr const char* kPlotted[] = {"as_is", "absolute", "lacking_to_one", "no"};
+    Json list = Json::array();
+    for (const Column& c : columns())
+        list.push_back({{"key", c.key},
+                        {"label", c.label},
+                        {"unit", c.unit},
+                        {"help", c.help},
+                        {"plotted", kPlotted[std::size_t(c.plotted)]},
+                        {"noise", c.noise}});
+    return list;
+}
+
+/// What the varied settings and their choices are called.
+Json setting_info(const Json& axes) {
+    Json info = Json::object();
+    for (const Json& axis : axes) {
+        const std::string key = axis.at("key").get<std::string>();
+        const auto ref = find_setting(key);
+        if (!ref) continue;
+        Json& entry = info[key];
+        entry = {{"label", ref->param->label}, {"unit", ref->param->unit}, {"help", ref->param->help}};
+        if (!ref->param->choices) continue;
+        for (const Choice& c : ref->param->choices()) entry["choices"][std::string(c.key)] = c.label;
+    }
+    return info;
+}
+
+std::string shell_word(const std::string& text) {
+    static constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./%@";
+    if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+/// How to look at a case in the editor.
+std::string command_of(const Json& results, const Json& row) {
+    std::string text = fmt::format("shadow-inspector edit {} --preset {}",
+                                   shell_word(results.at("scene").at("name").get<std::string>()), kBasePreset);
+    for (const auto& [key, value] : row.at("settings").items())
+        text += " --set " + shell_word(key + "=" + value.get<std::string>());
+    return text;
+}
+
+std::string data_uri(const fs::path& file, const char* type) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return {};
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    return bytes.empty() ? std::string() : fmt::format("data:{};base64,{}", type, base64(bytes));
+}
+
+/// By case, as far as there is room: the frontier's, then all thumbnails, then all artefact maps.
+Json pictures_json(const Json& results, const fs::path& folder, std::size_t most_bytes) {
+    const Json& frontier = results.at("frontier").at("cases");
+    const std::set<Json> on(frontier.begin(), frontier.end());
+    Json pictures = Json::object();
+    std::size_t used = 0;
+    const auto add = [&](const Json& row, const char* field, const char* name, const char* type) {
+        if (!row.at(field).is_string() || used >= most_bytes) return;
+        std::string uri = data_uri(folder / row[field].get<std::string>(), type);
+        if (uri.empty() || used + uri.size() > most_bytes) return;
+        used += uri.size();
+        pictures[row.at("case").dump()][name] = std::move(uri);
+    };
+    for (const bool frontier_only : {true, false})
+        for (const Json& row : results.at("rows"))
+            if (on.contains(row.at("case")) == frontier_only) {
+                add(row, "picture", "thumbnail", "image/jpeg");
+                if (frontier_only) add(row, "artefacts", "artefacts", "image/png");
+            }
+    for (const Json& row : results["rows"])
+        if (!on.contains(row["case"])) add(row, "artefacts", "artefacts", "image/png");
+    return pictures;
+}
+
+/// JSON that may stand in a script element: nothing in it ends the element or begins a comment.
+std::string script_json(const Json& json) {
+    const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+    std::string safe;
+    for (const char c : text)
+        safe += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : c == '&' ? "\\u0026" : std::string(1, c);
+    return safe;
+}
+
+std::string replaced(std::string text, std::string_view mark, std::string_view by) {
+    const auto at = text.find(mark);
+    if (at == std::string::npos) throw Error(fmt::format("assets/report/page.html lacks {}", mark));
+    return text.replace(at, mark.size(), by);
+}
+
+}  // namespace
+
+std::string base64(std::string_view bytes) {
+    static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    out.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        unsigned group = 0;
+        const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+        for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < n ? (unsigned char)bytes[i + k] : 0u);
+        for (std::size_t k = 0; k < 4; ++k) out += k <= n ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+    }
+    return out;
+}
+
+std::string report_html(const Json& results, const fs::path& folder, std::size_t most_picture_bytes) {
+    Json data = results;
+    data["columns"] = columns_json();
+    data["setting_info"] = setting_info(results.at("axes"));
+    data["pictures"] = pictures_json(results, folder, most_picture_bytes);
+    data["artefact_legend"] = Json::array();
+    for (Json& row : data["rows"]) row["command"] = command_of(results, row);
+    std::string page = asset("page.html");
+    page = replaced(page, "@STYLE@", asset("style.css"));
+    page = replaced(page, "@SCRIPT@", script());
+    return replaced(page, "@DATA@", script_json(data));
+}
+
+}  // namespace si

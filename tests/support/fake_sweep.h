@@ -1,0 +1,63 @@
+// A sweep over a meter that makes numbers up, for tests without a GPU.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/sweep/journal.h"
+#include "app/sweep/results.h"
+#include "app/sweep/runner.h"
+#include "renderer/error.h"
+
+namespace si {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+/// Error falls with the resolution, time grows; each call is counted.
+struct FakeMeter : CaseMeter {
+    std::string run_id = "first", machine = "m";
+    int fails_at_resolution = 0;
+    double drift = 1;
+    std::vector<std::string> measured, timed;
+    RunInfo run() override { return {run_id, "2026-01-01T00:00:00Z", machine, "driver", "1", "clock", true, 0}; }
+    CaseFacts facts(const SweepCase& c) override {
+        measured.push_back(c.id);
+        const int n = c.settings.map.resolution;
+        if (n == fails_at_resolution) throw Error("no memory for\nthis map");
+        return {{{"mae", 100.0 / n}}, {{"map_texels", n * n}, {"bytes_touched", 4 * n * n}}, {"a note"}, "jpg", "png"};
+    }
+    TimeSamples time(const SweepCase& c, int frames) override {
+        timed.push_back(c.id);
+        TimeSamples s;
+        for (int i = 0; i < frames; ++i) {
+            drift *= 1.05;
+            s.total_ms.push_back(drift * c.settings.map.resolution), s.maps_ms.push_back(1);
+        }
+        s.clock = "clock";
+        return s;
+    }
+};
+
+struct FakeSweep {
+    fs::path folder;
+    std::vector<SweepAxis> axes = {parse_axis("map.resolution=256:2048:*2"), parse_axis("filter.kernel=hard,pcf3")};
+    SweepPlan plan = plan_sweep(Settings{}, axes);
+    SweepSpec spec;
+    explicit FakeSweep(fs::path f) : folder(std::move(f)) {
+        spec.scene = "stage", spec.axes = axes, spec.width = 8, spec.height = 8;
+    }
+    Json spec_text() const { return spec_json(spec); }
+    /// Runs until nothing is left or `steps` were made.
+    SweepState run(FakeMeter& meter, int steps = 10'000, SweepTiming timing = {.rounds = 4}, bool retry = false) const {
+        Journal journal(folder, spec_text(), plan_key(plan));
+        SweepRunner runner(plan, spec.shard, timing, retry, meter, journal, folder);
+        while (steps-- > 0 && runner.step()) {
+        }
+        return journal.state();
+    }
+    Json results() const { return results_json(read_journal(folder), plan); }
+};
+
+}  // namespace si
