@@ -9,6 +9,7 @@
 #include <new>
 #include <tuple>
 
+#include "app/cli_measure.h"
 #include "app/commands/commands.h"
 #include "app/editor.h"
 #include "app/notes.h"
@@ -35,16 +36,17 @@ struct Options {
     OverviewOptions overview;
     ContactSheetOptions sheet;
     EditorOptions editor;
+    MeasureCliOptions sweeps;
     int file_scene = -1;
     bool json = false, check = false, no_state = false;
 };
 
-void add_session_options(CLI::App& command, Options& o, bool scene_required) {
-    auto* scene = command.add_option("SCENE", o.session.scene, kSceneHelp);
+void add_session_options(CLI::App& command, SessionOptions& session, bool scene_required) {
+    auto* scene = command.add_option("SCENE", session.scene, kSceneHelp);
     if (scene_required) scene->required();
-    command.add_option("--preset", o.session.preset, "Start from a preset: a file or a built-in one (`list presets`)")
+    command.add_option("--preset", session.preset, "Start from a preset: a file or a built-in one (`list presets`)")
         ->type_name("F");
-    command.add_option("--set", o.session.sets, "Set one setting; may be repeated, the last one wins")
+    command.add_option("--set", session.sets, "Set one setting; may be repeated, the last one wins")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     command.footer([] { return settings_help(); });
@@ -62,7 +64,7 @@ PictureSize size_of(const Options& o) {
 
 void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* c = app.add_subcommand("render", "Draw a scene into a file");
-    add_session_options(*c, o, true);
+    add_session_options(*c, o.session, true);
     c->add_option("-o,--output", o.output, "The file: .png (8 bit), or .pfm (float) for views of one number a pixel")
         ->required()
         ->type_name("OUT");
@@ -86,7 +88,7 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
 
 void add_truth(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* c = app.add_subcommand("truth", "Trace rays for what is true about a light's shadows, into a file");
-    add_session_options(*c, o, true);
+    add_session_options(*c, o.session, true);
     c->add_option("-o,--output", o.output, "The file: .png (8 bit) or .pfm (float); 1 lit to 0 in shadow")
         ->required()
         ->type_name("OUT");
@@ -115,9 +117,11 @@ void add_truth(CLI::App& app, Options& o, std::function<void()>& run) {
 }
 
 void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("measure", "Compare a light's shadows with the ray-traced truth, in numbers");
-    add_session_options(*c, o, true);
+    auto* c = app.add_subcommand("measure",
+                                 "Compare a light's shadows with the ray-traced truth, and say what they cost, in numbers");
+    add_session_options(*c, o.session, true);
     c->add_flag("--area", o.measure.truth.area, "Against a light of its size (light.size), not a point or direction");
+    c->add_flag("!--no-time", o.measure.time, "Take no times");
     add_size(*c, o, "1280x720");
     c->add_flag("--json", o.json, "All numbers as JSON");
     c->callback([&o, &run] {
@@ -132,7 +136,7 @@ void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
 
 void add_probe(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* c = app.add_subcommand("probe", "Write out the shadow test of one pixel, step by step");
-    add_session_options(*c, o, true);
+    add_session_options(*c, o.session, true);
     c->add_option("--pixel", o.probe.pixel, "The pixel, counted from the top left")->required()->type_name("X,Y");
     add_size(*c, o, "1280x720");
     c->add_flag("--json", o.json, "All numbers as JSON");
@@ -169,7 +173,7 @@ void add_presets(CLI::App& app, Options& o, std::function<void()>& run) {
     show->add_option("FILE", o.file, "A preset file, or a built-in preset")->required();
     show->callback([&o, &run] { run = [&o] { run_preset_show(o.file); }; });
     auto* save = c->add_subcommand("save", "Write what SCENE, --preset and --set amount to as a preset");
-    add_session_options(*save, o, true);
+    add_session_options(*save, o.session, true);
     save->add_option("-o,--output", o.output, "The preset file, .json")->required()->type_name("FILE");
     save->add_option("--about", o.texts.about, "A sentence on what to look at")->type_name("TEXT");
     save->add_option("--title", o.texts.title, "A few words to list it by")->type_name("TEXT");
@@ -211,7 +215,7 @@ void start_editor(Options& o) {
 
 void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* c = app.add_subcommand("edit", "Open the editor, or draw it into a file");
-    add_session_options(*c, o, false);
+    add_session_options(*c, o.session, false);
     c->add_flag("--headless", o.editor.headless, "Draw the editor through EGL, without a display");
     c->add_option("--screenshot", o.editor.screenshot, "Where --headless writes the picture")->type_name("F.png");
     add_size(*c, o, "1600x900");
@@ -255,7 +259,7 @@ void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* out = app.add_subcommand("export",
                                    "Write a scene as glTF: the moment and the scene of the file that the settings "
                                    "choose, and what else --preset and --set choose as its suggested settings");
-    add_session_options(*out, o, true);
+    add_session_options(*out, o.session, true);
     out->add_option("-o,--output", o.output, "The file: .gltf (one file, buffers inside) or .glb")
         ->required()
         ->type_name("FILE");
@@ -264,7 +268,7 @@ void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* overview = app.add_subcommand("overview",
                                         "Draw editor, scene, shadow map and visibility into a folder, and "
                                         "print passes and times");
-    add_session_options(*overview, o, false);
+    add_session_options(*overview, o.session, false);
     overview->add_option("-o,--output", o.overview.folder, "The folder; made if missing (default out)")
         ->type_name("DIR");
     add_size(*overview, o, "1280x720");
@@ -347,6 +351,8 @@ int run_cli(int argc, const char* const* argv) {
     add_measure(app, options, run);
     add_probe(app, options, run);
     add_list(app, options, run);
+    add_measure_commands(app, options.sweeps, run,
+                         [](CLI::App& c, SessionOptions& session) { add_session_options(c, session, true); });
     add_presets(app, options, run);
     add_others(app, options, run);
     try {

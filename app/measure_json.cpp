@@ -1,5 +1,7 @@
 #include "app/measure_json.h"
 
+#include "renderer/measure/artefact_picture.h"
+
 namespace si {
 
 using Json = nlohmann::ordered_json;
@@ -26,6 +28,33 @@ Json time_json(const TimeMeasurement& time) {
     for (const PassTime& pass : time.passes)
         json["passes"].push_back(
             {{"name", pass.name}, {"gpu_ms", spread_json(pass.gpu_ms)}, {"cpu_ms", spread_json(pass.cpu_ms)}});
+    return json;
+}
+
+Json error_json(const ErrorMetrics& m) {
+    static constexpr const char* kStates[] = {"counted", "background", "faces_away", "outside_cone", "not_receiving"};
+    static_assert(std::size(kStates) == kPixelStates);
+    Json json = {{"false_shadow", m.false_shadow},
+                 {"false_light", m.false_light},
+                 {"acne", m.acne},
+                 {"leak", m.leak},
+                 {"boundary_false_shadow", m.boundary_false_shadow},
+                 {"boundary_false_light", m.boundary_false_light},
+                 {"outside_false_shadow", m.outside_false_shadow},
+                 {"outside_false_light", m.outside_false_light},
+                 {"any_acne", m.any_acne},
+                 {"mae", m.mae},
+                 {"rmse", m.rmse},
+                 {"signed_mean", m.signed_mean},
+                 {"iou", m.iou},
+                 {"boundary_px_mean", m.boundary_px_mean},
+                 {"boundary_px_p95", m.boundary_px_p95},
+                 {"boundary_px_max", m.boundary_px_max},
+                 {"outside_map", m.outside_map}};
+    for (std::size_t i = 0; i < kPixelStates; ++i) json["pixels"][kStates[i]] = m.pixels[i];
+    json["artefacts"]["none"] = m.artefacts[std::size_t(Artefact::None)];
+    for (const ArtefactStyle& style : artefact_styles())
+        json["artefacts"][std::string(style.key)] = m.artefacts[std::size_t(style.artefact)];
     return json;
 }
 

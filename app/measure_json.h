@@ -1,15 +1,18 @@
-// Times and costs as JSON, the same in `measure --json` and in a sweep's results.
+// Errors, times and costs as JSON, the same in `measure --json` and in a sweep's results.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
 #include "renderer/measure/time_sampler.h"
+#include "renderer/reference/metrics.h"
 
 namespace si {
 
 /// {median, p95, low, high, median_low, median_high, noise}: noise is half the interval of the median.
 nlohmann::ordered_json spread_json(const Spread& spread);
 nlohmann::ordered_json time_json(const TimeMeasurement& time);
+/// Numbers that are not finite become null when the text is made.
+nlohmann::ordered_json error_json(const ErrorMetrics& metrics);
 nlohmann::ordered_json cost_json(const WorkCost& cost);
 
 }  // namespace si

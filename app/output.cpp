@@ -100,11 +100,13 @@ void write_file(const fs::path& path, std::string_view bytes) {
     }
 }
 
-void write_png(const fs::path& path, const ByteImage& image) {
+std::string png_bytes(const ByteImage& image) {
     std::vector<std::uint8_t> rgb(image.data.size() / 4 * 3);
     for (std::size_t i = 0; i < rgb.size() / 3; ++i) std::copy_n(&image.data[4 * i], 3, &rgb[3 * i]);
-    write_file(path, png_bytes(image.width, image.height, 3, rgb));
+    return png_bytes(image.width, image.height, 3, rgb);
 }
+
+void write_png(const fs::path& path, const ByteImage& image) { write_file(path, png_bytes(image)); }
 
 void write_grey_png(const fs::path& path, const FloatImage& image) {
     std::vector<std::uint8_t> grey(std::size_t(image.width) * std::size_t(image.height));

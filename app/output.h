@@ -16,6 +16,9 @@ void require_writable(const std::filesystem::path& path);
 /// Replaces `path` atomically; devices and pipes are written as they are. @throws Error
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// An 8-bit RGB PNG's bytes; alpha is dropped. @throws Error
+std::string png_bytes(const ByteImage& image);
+
 /// An 8-bit RGB PNG; alpha is dropped. @throws Error
 void write_png(const std::filesystem::path& path, const ByteImage& image);
 

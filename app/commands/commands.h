@@ -8,6 +8,7 @@
 
 #include "app/session.h"
 #include "renderer/reference/truth.h"
+#include "app/sweep/timing.h"
 
 namespace si {
 
@@ -43,9 +44,9 @@ struct MeasureOptions {
     SessionOptions session;
     PictureSize size;
     TruthOptions truth;
-    bool json = false;
+    bool time = true, json = false;
 };
-/// How far the shadows of view.light are from the truth, in numbers.
+/// How far the shadows of view.light are from the truth, and what they cost, in numbers.
 void run_measure(const MeasureOptions& options);
 
 struct ProbeOptions {
@@ -95,6 +96,26 @@ void run_docs(const std::string& output, bool check);
 std::string settings_page();
 /// The table of settings as --help shows it.
 std::string settings_help();
+
+struct SweepOptions {
+    SessionOptions session;
+    std::vector<std::string> vary;  ///< "KEY=V1,V2,..." or "KEY=from:to:step"
+    std::string folder, shard;
+    PictureSize size{640, 360};
+    SweepTiming timing;
+    bool fresh = false, retry = false;
+    bool area = false;  ///< judged by a light that has its size
+};
+/// Error, cost and time of every combination, and a report of them.
+void run_sweep(const SweepOptions& options);
+
+struct MergeOptions {
+    std::vector<std::string> parts;  ///< folders of shards
+    std::string folder;
+    bool fresh = false;
+};
+/// Puts shards of a sweep together.
+void run_merge(const MergeOptions& options);
 
 struct OverviewOptions {
     SessionOptions session;

@@ -1,50 +1,18 @@
 #include <fmt/format.h>
 
-#include <cmath>
+#include <optional>
 
 #include "app/commands/commands.h"
 #include "app/headless_context.h"
+#include "app/measure_json.h"
 #include "app/notes.h"
-#include "app/output.h"
 #include "app/report.h"
-#include "renderer/error.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measure.h"
 
 namespace si {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double v) {
-    return std::isfinite(v) ? Json(v) : Json(nullptr);
-}
-
-Json error_json(const ErrorMetrics& m) {
-    static constexpr const char* kStates[] = {"counted", "background", "faces_away", "outside_cone", "not_receiving"};
-    static constexpr const char* kNames[] = {"none", "acne", "peter_panning", "leak", "edge_aliasing", "outside_map",
-                                             "lost_caster"};
-    static_assert(std::size(kStates) == kPixelStates && std::size(kNames) == kArtefacts);
-    Json json = {{"false_shadow", m.false_shadow},
-                 {"false_light", m.false_light},
-                 {"acne", m.acne},
-                 {"leak", m.leak},
-                 {"boundary_false_shadow", m.boundary_false_shadow},
-                 {"boundary_false_light", m.boundary_false_light},
-                 {"outside_false_shadow", m.outside_false_shadow},
-                 {"outside_false_light", m.outside_false_light},
-                 {"any_acne", m.any_acne},
-                 {"mae", m.mae},
-                 {"rmse", m.rmse},
-                 {"signed_mean", m.signed_mean},
-                 {"iou", m.iou},
-                 {"boundary_px_mean", number(m.boundary_px_mean)},
-                 {"boundary_px_p95", number(m.boundary_px_p95)},
-                 {"boundary_px_max", number(m.boundary_px_max)},
-                 {"outside_map", m.outside_map}};
-    for (std::size_t i = 0; i < kPixelStates; ++i) json["pixels"][kStates[i]] = m.pixels[i];
-    for (std::size_t i = 0; i < kArtefacts; ++i) json["artefacts"][kNames[i]] = m.artefacts[i];
-    return json;
-}
 
 void print_error(const ErrorMetrics& m) {
     fmt::print("{} pixels compared with the ray-traced truth\n", m.counted);
@@ -65,28 +33,48 @@ void print_error(const ErrorMetrics& m) {
                m.boundary_px_p95, m.boundary_px_max);
 }
 
+void print_time_and_cost(const std::optional<TimeMeasurement>& time, const WorkCost& cost) {
+    if (time) {
+        const Spread& t = time->total_ms;
+        fmt::print("{:.3g} ms a frame (median of {} frames, 95 % below {:.3g}, {}; {})\n", t.median, t.samples, t.p95,
+                   time->settled ? "settled" : "not settled", time->clock);
+        for (const PassTime& pass : time->passes)
+            fmt::print("  {:<32} {:>9.3g} ms   95 % below {:.3g}\n", pass.name, pass.gpu_ms.median, pass.gpu_ms.p95);
+    }
+    fmt::print("{} taps a pixel and light, {} texels ({} bytes) of maps, {} draws, {} triangles\n", cost.taps_per_pixel,
+               cost.map_texels, cost.map_bytes, cost.draws, cost.triangles);
+}
+
 }  // namespace
 
 void run_measure(const MeasureOptions& options) {
     const Session session = open_session(options.session);
     const HeadlessContext context;
     Renderer renderer;
-    const int light = session.settings.view.light;
-    const FrameRequest request{.width = options.size.width, .height = options.size.height};
-    TruthCache cache;
-    const ErrorTask task = error_task(renderer, session.scene, session.settings, request, light, options.truth);
-    const MeasuredError measured = measure_error(task, cache);
+    Measurer measurer(renderer, options.size.width, options.size.height, options.truth);
+    const Judgement judged = measurer.judge(session.scene, session.settings);
+    std::optional<TimeMeasurement> time;
+    if (options.time) time = measurer.time(session.scene, session.settings);
     if (options.json) {
-        Json json = {{"format", "shadow-inspector-measurement"}, {"version", 1},
-                     {"light", light},                           {"width", request.width},
-                     {"height", request.height},                 {"map_resolution", task.truth.map_resolution},
+        Json json = {{"format", "shadow-inspector-measurement"},
+                     {"version", 1},
+                     {"light", session.settings.view.light},
+                     {"width", options.size.width},
+                     {"height", options.size.height},
+                     {"map_resolution", judged.map_resolution},
                      {"area", options.truth.area}};
-        json["error"] = error_json(measured.metrics);
+        json["error"] = error_json(judged.error);
+        json["error"]["noise"] = judged.noise;
+        json["time"] = time ? time_json(*time) : Json();
+        json["cost"] = cost_json(judged.cost);
+        json["driver"] = driver_json(renderer.driver());
         fmt::print("{}", json_text(json));
     } else {
-        print_error(measured.metrics);
+        print_error(judged.error);
+        print_time_and_cost(time, judged.cost);
     }
     print_notes(session.notes);
+    print_notes(judged.notes);
 }
 
 }  // namespace si

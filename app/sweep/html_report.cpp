@@ -11,6 +11,7 @@
 #include "app/sweep/results.h"
 #include "renderer/embedded.h"
 #include "renderer/error.h"
+#include "renderer/measure/artefact_picture.h"
 #include "renderer/param.h"
 
 namespace si {
@@ -147,6 +148,9 @@ std::string report_html(const Json& results, const fs::path& folder, std::size_t
     data["setting_info"] = setting_info(results.at("axes"));
     data["pictures"] = pictures_json(results, folder, most_picture_bytes);
     data["artefact_legend"] = Json::array();
+    for (const ArtefactStyle& style : artefact_styles())
+        data["artefact_legend"].push_back(
+            {style.label, fmt::format("#{:02x}{:02x}{:02x}", style.rgb[0], style.rgb[1], style.rgb[2])});
     for (Json& row : data["rows"]) row["command"] = command_of(results, row);
     std::string page = asset("page.html");
     page = replaced(page, "@STYLE@", asset("style.css"));

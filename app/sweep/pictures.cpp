@@ -32,7 +32,8 @@ ByteImage shrunk(const ByteImage& image, int width) {
             for (int sy = int(top); sy < std::min(int(std::ceil(bottom)), image.height); ++sy)
                 for (int sx = int(left); sx < std::min(int(std::ceil(right)), image.width); ++sx) {
                     const double share = overlap(sx, left, right) * overlap(sy, top, bottom);
-                    const std::uint8_t* p = &image.data[(std::size_t(sy) * std::size_t(image.width) + std::size_t(sx)) * 4];
+                    const std::uint8_t* p =
+                        &image.data[(std::size_t(sy) * std::size_t(image.width) + std::size_t(sx)) * 4];
                     for (int c = 0; c < 4; ++c) sum[c] += share * p[c];
                     area += share;
                 }

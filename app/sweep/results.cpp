@@ -141,7 +141,7 @@ Json results_json(const SweepState& state, const SweepPlan& plan) {
     const RunInfo* run = ranked.rounds.empty() ? (state.runs.empty() ? nullptr : &state.runs.back())
                                                : state.run(ranked.rounds.front().first);
     Json json = {{"format", kResultsFormat}, {"version", kResultsVersion}};
-    for (const char* key : {"scene", "picture", "settings", "axes", "shard"}) json[key] = state.spec.at(key);
+    for (const char* key : {"scene", "picture", "truth", "settings", "axes", "shard"}) json[key] = state.spec.at(key);
     json["combinations"] = plan.product;
     json["cases"] = plan.cases.size();
     json["finished"] = finished, json["failed"] = failed;

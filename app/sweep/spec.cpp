@@ -72,7 +72,7 @@ std::uint64_t scene_content_key(const Scene& scene) {
     return key.value();
 }
 
-SweepSpec sweep_spec(const Session& session, std::vector<SweepAxis> axes, int width, int height, Shard shard) {
+SweepSpec sweep_spec(const Session& session, std::vector<SweepAxis> axes, int width, int height) {
     SweepSpec spec;
     spec.scene = session.scene_name;
     spec.scene_content = scene_content_key(session.scene);
@@ -80,7 +80,6 @@ SweepSpec sweep_spec(const Session& session, std::vector<SweepAxis> axes, int wi
     spec.base = measured_settings(session.settings);
     spec.axes = std::move(axes);
     spec.width = width, spec.height = height;
-    spec.shard = shard;
     return spec;
 }
 
@@ -89,6 +88,7 @@ Json spec_json(const SweepSpec& spec) {
     json["scene"] = {
         {"name", spec.scene}, {"triangles", spec.triangles}, {"content", fmt::format("{:016x}", spec.scene_content)}};
     json["picture"] = {{"width", spec.width}, {"height", spec.height}};
+    json["truth"] = spec.area ? "area" : "hard";
     json["settings"] = Json::object();
     for (const SettingRef& ref : changed_settings(spec.base))
         json["settings"][setting_key(ref)] = value_text(*ref.param, get_value(spec.base, ref));
@@ -105,6 +105,7 @@ SweepSpec spec_from_json(const Json& json) {
         spec.triangles = json["scene"].at("triangles").get<std::size_t>();
         spec.scene_content = std::stoull(json["scene"].at("content").get<std::string>(), nullptr, 16);
         spec.width = json.at("picture").at("width").get<int>(), spec.height = json["picture"].at("height").get<int>();
+        spec.area = json.at("truth") == "area";
         for (const auto& [key, value] : json.at("settings").items())
             set_setting(spec.base, key, value.get<std::string>());
         for (const Json& axis : json.at("axes")) {
@@ -134,6 +135,8 @@ std::string spec_difference(const Json& there, const Json& here, bool with_shard
         return fmt::format("{}x{}", s.at("picture").at("width").get<int>(), s.at("picture").at("height").get<int>());
     };
     if (size(there) != size(here)) return fmt::format("--size {} there, {} here", size(there), size(here));
+    if (there.at("truth") != here.at("truth"))
+        return fmt::format("{} truth there, {} here", shown(there["truth"]), shown(here["truth"]));
     if (there.at("axes") != here.at("axes"))
         return fmt::format("--vary {} there, {} here", axes_text(there["axes"]), axes_text(here["axes"]));
     Json keys = there.at("settings");

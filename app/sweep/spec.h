@@ -28,13 +28,14 @@ struct SweepSpec {
     Settings base;  ///< measured_settings()
     std::vector<SweepAxis> axes;
     int width = 640, height = 360;  ///< of the picture
+    bool area = false;              ///< the truth is of a light that has its size
     Shard shard;
 };
 
 /// Of what is drawn of a scene: equal for the same file read twice, wherever it lies.
 std::uint64_t scene_content_key(const Scene& scene);
 
-SweepSpec sweep_spec(const Session& session, std::vector<SweepAxis> axes, int width, int height, Shard shard);
+SweepSpec sweep_spec(const Session& session, std::vector<SweepAxis> axes, int width, int height);
 
 nlohmann::ordered_json spec_json(const SweepSpec& spec);
 /// @throws Error when it is not what spec_json() writes

@@ -23,7 +23,7 @@ function header() {
   byId("title").textContent = title;
   const where = [p.width + " \u00d7 " + p.height + " pixels", DATA.scene.triangles.toLocaleString("en") + " triangles",
     DATA.renderer];
-  if (DATA.truth) where.push("against " + DATA.truth);
+  where.push("truth: a light " + (DATA.truth === "area" ? "of its size" : "without size"));
   if (DATA.clock) where.push("times: " + DATA.clock + ", " + DATA.rounds + " rounds");
   byId("where").append(where.filter(Boolean).join(" \u00b7 "));
   if (DATA.cpu_rasteriser && DATA.clock)
@@ -202,6 +202,8 @@ function selftest() {
     byId("cost-axis").dispatchEvent(new Event("change"));
     out.axes[x.key] = listed("#frontier-plot .dot").length;
   }
+  byId("cost-axis").value = DATA.frontier.x;
+  byId("cost-axis").dispatchEvent(new Event("change"));
   choose(ROWS[0]);
   out.details = byId("details").textContent;
   out.slopes = [...document.querySelectorAll("#slope-table tbody tr")].map(r => [...r.cells].map(c => c.textContent));

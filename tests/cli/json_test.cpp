@@ -83,6 +83,8 @@ TEST(Help, IsEverywhereAndComesFromTheTable) {
                                                                                          {"preset", "save"},
                                                                                          {"export"},
                                                                                          {"overview"},
+                                                                                         {"sweep"},
+                                                                                         {"merge"},
                                                                                          {"docs"}}) {
         auto arguments = command;
         arguments.push_back("--help");

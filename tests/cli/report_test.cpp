@@ -90,7 +90,7 @@ std::vector<int> numbers(const Json& list) {
     return list.get<std::vector<int>>();
 }
 
-TEST(Report, DrawsSortsAndFiltersInABrowser) {
+TEST(ReportPage, DrawsSortsAndFiltersInABrowser) {
     const Page page = open_page("stage");
     if (!has_browser()) GTEST_SKIP() << "chromium is missing";
     ASSERT_TRUE(page.seen.is_object()) << page.console;
@@ -113,7 +113,7 @@ TEST(Report, DrawsSortsAndFiltersInABrowser) {
     EXPECT_EQ(numbers(page.seen["gallery"]).size(), page.results["frontier"]["cases"].size());
 }
 
-TEST(Report, StringsStayStrings) {
+TEST(ReportPage, StringsStayStrings) {
     const std::string scene = "x</script><script>document.title='broken'</script><b id=evil>&amp;\u2028.gltf";
     const Page page = open_page(scene);
     const std::string html = file_bytes(page.file);
@@ -134,7 +134,7 @@ TEST(Report, StringsStayStrings) {
     EXPECT_EQ(dom.find("<b id="), std::string::npos);
 }
 
-TEST(Report, PicturesStayWithinTheirRoom) {
+TEST(ReportPage, PicturesStayWithinTheirRoom) {
     FakeSweep sweep(fresh_test_folder());
     FakeMeter meter;
     sweep.run(meter, 8);
@@ -146,7 +146,7 @@ TEST(Report, PicturesStayWithinTheirRoom) {
     EXPECT_EQ(report_html(sweep.results(), sweep.folder), none) << "without its pictures the page is whole";
 }
 
-TEST(Report, Base64OfTheRfc) {
+TEST(ReportPage, Base64OfTheRfc) {
     EXPECT_EQ(base64(""), "");
     EXPECT_EQ(base64("f"), "Zg==");
     EXPECT_EQ(base64("fo"), "Zm8=");

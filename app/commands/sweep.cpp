@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "app/commands/commands.h"
+#include "app/headless_context.h"
+#include "app/interrupt.h"
+#include "app/notes.h"
+#include "app/sweep/files.h"
+#include "app/sweep/merge.h"
+#include "app/sweep/progress_line.h"
+#include "app/sweep/rendered_cases.h"
+#include "renderer/error.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using namespace std::chrono_literals;
+
+constexpr auto kCheckpoint = 10s;
+constexpr double kBusyLoad = 0.5;  // running processes per core
+
+/// Steps until all is done or a person has had enough, and writes results from time to time.
+void run_steps(SweepRunner& runner, const SweepTiming& timing, const Journal& journal, const SweepPlan& plan,
+               const fs::path& folder, const InterruptGuard& interrupt) {
+    ProgressLine line;
+    auto checkpoint = std::chrono::steady_clock::now() + kCheckpoint;
+    while (!interrupt.asked() && runner.step()) {
+        line.show(runner.progress(), timing);
+        if (std::chrono::steady_clock::now() < checkpoint) continue;
+        write_sweep_files(folder, journal.state(), plan, SweepFiles::Results);
+        checkpoint = std::chrono::steady_clock::now() + kCheckpoint;
+    }
+}
+
+void print_result(const Json& results, const fs::path& folder) {
+    fmt::print("{}", frontier_text(results));
+    if (const int failed = results.at("failed").get<int>())
+        fmt::print("{} of {} cases failed; results.csv says why\n", failed, results.at("cases").get<int>());
+    fmt::print("wrote {}\n", (folder / "report.html").string());
+}
+
+std::vector<std::string> notes_on_times(const SweepState& state, const SweepTiming& timing) {
+    std::vector<std::string> notes;
+    if (timing.on && !state.runs.empty() && state.runs.back().load > kBusyLoad)
+        notes.push_back(fmt::format("the machine was busy before the sweep began (load {:.1f} a core): times are noisy",
+                                    state.runs.back().load));
+    return notes;
+}
+
+}  // namespace
+
+void run_sweep(const SweepOptions& options) {
+    std::vector<SweepAxis> axes;
+    for (const std::string& axis : options.vary) axes.push_back(parse_axis(axis));
+    const Shard shard = options.shard.empty() ? Shard{} : parse_shard(options.shard);
+    const fs::path folder = options.folder;
+    if (!options.fresh) require_sweep_folder(folder);
+    Session session = open_session(options.session);
+    SweepSpec spec = sweep_spec(session, std::move(axes), options.size.width, options.size.height);
+    spec.area = options.area, spec.shard = shard;
+    const SweepPlan plan = plan_sweep(spec.base, spec.axes);
+    Settings first = plan.cases.front().settings;  // all cases override the same objects
+    check_objects(session.scene, first, "", nullptr);
+    if (options.fresh) forget_sweep(folder);
+    Journal journal(folder, spec_json(spec), plan_key(plan));
+
+    SweepTiming timing = options.timing;
+    // Shards run beside each other, on machines that differ.
+    timing.on = timing.on && shard.count == 1;
+    const HeadlessContext context;
+    Renderer renderer;
+    Measurer measurer(renderer, spec.width, spec.height, {.area = spec.area});
+    RenderedCases cases(measurer, renderer.driver(), session);
+    InterruptGuard interrupt;
+    SweepRunner runner(plan, shard, timing, options.retry, cases, journal, folder);
+    run_steps(runner, timing, journal, plan, folder, interrupt);
+    const Json results = write_sweep_files(folder, journal.state(), plan);
+    if (interrupt.asked()) {
+        fmt::print(
+            stderr,
+            "shadow-inspector: interrupted after {} of {} cases; what is done is in {}, the same command goes on "
+            "from there\n",
+            results.at("finished").get<int>() + results.at("failed").get<int>(), plan.cases.size(), folder.string());
+        interrupt.end();
+    }
+    print_result(results, folder);
+    print_notes(session.notes);
+    print_notes(notes_on_times(journal.state(), timing));
+}
+
+void run_merge(const MergeOptions& options) {
+    const fs::path folder = options.folder;
+    std::vector<std::pair<std::string, SweepState>> parts;
+    for (const std::string& part : options.parts) parts.emplace_back(part, read_journal(part));
+    SweepState merged = merge_sweeps(parts);
+    const SweepSpec spec = spec_from_json(merged.spec);
+    const SweepPlan plan = plan_sweep(spec.base, spec.axes);
+    if (plan_key(plan) != merged.plan)
+        throw Error(fmt::format("{}: was made by a version of the program that orders cases differently",
+                                options.parts.front()));
+    if (options.fresh) {
+        forget_sweep(folder);
+    } else {
+        require_sweep_folder(folder);
+    }
+    for (const std::string& part : options.parts) copy_pictures(part, folder);
+    // What the folder holds already stays: merging is a continuation, too.
+    Journal journal(folder, merged.spec, merged.plan);
+    journal.add(lines_beyond(journal.state(), merged));
+    const Json results = write_sweep_files(folder, journal.state(), plan);
+    print_result(results, folder);
+    if (const auto missing = missing_cases(journal.state(), plan); !missing.empty())
+        print_notes(
+            {fmt::format("{} of {} cases are missing; is a shard missing? The sweep's command with -o {} measures "
+                         "them",
+                         missing.size(), plan.cases.size(), folder.string())});
+}
+
+}  // namespace si

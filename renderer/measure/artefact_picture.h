@@ -1,0 +1,26 @@
+// What is wrong with a frame's shadows, as a picture.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "renderer/frame.h"
+#include "renderer/reference/metrics.h"
+
+namespace si {
+
+struct ArtefactStyle {
+    Artefact artefact;
+    std::string_view key, label;
+    std::array<std::uint8_t, 3> rgb;  ///< sRGB; told apart by people who are colour-blind, too
+};
+
+/// All but Artefact::None, in its order.
+std::span<const ArtefactStyle> artefact_styles();
+
+/// The picture in grey, what is wrong in colour. @param artefacts one per pixel, top row first
+ByteImage artefact_picture(const ByteImage& picture, const std::vector<Artefact>& artefacts);
+
+}  // namespace si

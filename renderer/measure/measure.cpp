@@ -1,0 +1,45 @@
+#include "renderer/measure/measure.h"
+
+#include "renderer/measure/artefact_picture.h"
+#include "renderer/measure/axes.h"
+
+namespace si {
+
+Judgement Measurer::judge(const Scene& scene, const Settings& settings) {
+    const Settings measured = measured_settings(settings);
+    FrameRequest request{.width = width_, .height = height_, .force = true};
+    Judgement judged;
+    const FrameResult frame = renderer_.render(scene, measured, request);
+    judged.cost = work_cost(measured, frame);
+    judged.map_resolution = frame.map_resolution;
+    judged.picture = renderer_.read_colour(frame.colour);
+    judged.notes = frame.notes;
+    request.force = false;
+    const ErrorTask task =
+        error_task(renderer_, scene, measured, request, measured.view.light, truth_options_, truths_.geometry());
+    const MeasuredError error = measure_error(task, truths_, workers_);
+    judged.error = error.metrics;
+    judged.noise = error.traced.truth->noise;
+    judged.artefacts = artefact_picture(judged.picture, error.artefacts);
+    return judged;
+}
+
+FrameRequest Measurer::timed_request() const {
+    return {.width = width_, .height = height_, .timing = true, .force = true};
+}
+
+TimeSamples Measurer::time(const Scene& scene, const Settings& settings, int frames) {
+    const Settings measured = measured_settings(settings);
+    TimeSampler sampler;
+    for (int i = 0; i <= frames; ++i) sampler.add(renderer_.render(scene, measured, timed_request()));
+    return sampler.samples();
+}
+
+TimeMeasurement Measurer::time(const Scene& scene, const Settings& settings, const TimeSampler::Limits& limits) {
+    const Settings measured = measured_settings(settings);
+    TimeSampler sampler(limits);
+    while (!sampler.done()) sampler.add(renderer_.render(scene, measured, timed_request()));
+    return sampler.result();
+}
+
+}  // namespace si

@@ -1,0 +1,45 @@
+// What one setting gets wrong, and what it costs: the one place where a frame is judged and timed, for `measure`,
+// sweeps and the editor.
+#pragma once
+
+#include "renderer/measure/time_sampler.h"
+#include "renderer/reference/error_task.h"
+#include "renderer/renderer.h"
+
+namespace si {
+
+/// A frame held against the truth about view.light.
+struct Judgement {
+    ErrorMetrics error;
+    double noise = 0;  ///< of the truth: standard error of a pixel's visibility, 0 for a hard light
+    WorkCost cost;
+    int map_resolution = 0;          ///< as drawn
+    ByteImage picture;               ///< as the frame shows it
+    ByteImage artefacts;             ///< the picture in grey with what is wrong in colour
+    std::vector<std::string> notes;  ///< of the renderer, such as repaired settings
+};
+
+class Measurer {
+public:
+    /// @param width, height of the picture in pixels
+    Measurer(Renderer& renderer, int width, int height, const TruthOptions& truth = {}, Workers workers = {})
+        : renderer_(renderer), width_(width), height_(height), truth_options_(truth), workers_(std::move(workers)) {}
+
+    /// Draws, traces (unless the truth is known from before) and compares. @throws Error, Cancelled
+    Judgement judge(const Scene& scene, const Settings& settings);
+    /// Draws one frame that warms up, and `frames` that count, with every pass forced to run. @throws Error
+    TimeSamples time(const Scene& scene, const Settings& settings, int frames);
+    /// Draws until the time stands still or the most frames were drawn. @throws Error
+    TimeMeasurement time(const Scene& scene, const Settings& settings, const TimeSampler::Limits& limits = {});
+
+private:
+    FrameRequest timed_request() const;
+
+    Renderer& renderer_;
+    int width_, height_;
+    TruthOptions truth_options_;
+    Workers workers_;
+    TruthCache truths_;
+};
+
+}  // namespace si

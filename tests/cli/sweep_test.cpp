@@ -1,0 +1,222 @@
+// sweep and merge as a person calls them: files, continuing, refusing, shards, GNU parallel and the Slurm script.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/sweep/columns.h"
+#include "app/sweep/journal.h"
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+namespace fs = std::filesystem;
+
+Words sweep_of(const std::string& folder, const Words& more = {}) {
+    Words words = {"sweep",    "boxes",
+                   "--vary",   "filter.kernel=hard,pcf3",
+                   "--vary",   "map.resolution=64,256",
+                   "--size",   "96x64",
+                   "-o",       folder,
+                   "--rounds", "2",
+                   "--frames", "1"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+Json results_of(const fs::path& folder) {
+    return Json::parse(file_bytes(folder / "results.json"));
+}
+
+bool has(const std::string& program) {
+    return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+int shell(const std::string& command, const fs::path& folder) {
+    const int status = std::system(("cd '" + folder.string() + "' && " + command + " >shell.txt 2>&1").c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+TEST(SweepCommand, WritesResultsAndReport) {
+    const fs::path folder = fresh_test_folder();
+    const ProcessResult r = run_program(sweep_of("out"), folder);
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_NE(r.out.find("wrote out/report.html"), std::string::npos);
+    EXPECT_NE(r.err.find("error and cost: 4/4"), std::string::npos) << r.err;
+    const Json results = results_of(folder / "out");
+    EXPECT_EQ(results["format"], "shadow-inspector-sweep");
+    EXPECT_EQ(results["version"], 1);
+    ASSERT_EQ(results["rows"].size(), 4u);
+    for (const Json& row : results["rows"]) {
+        EXPECT_TRUE(row["failed"].is_null());
+        for (const char* key : {"error.mae", "error.false_shadow", "error.false_light", "error.iou", "cost.map_texels",
+                                "cost.taps_per_pixel", "cost.draws", "cost.triangles", "time.total_ms.median",
+                                "time.shadow_maps_ms.median", "time.picture_ms.median"})
+            EXPECT_TRUE(std::isfinite(number_at(row, key))) << key;
+        const double n = std::stod(row["settings"]["map.resolution"].get<std::string>());
+        EXPECT_EQ(number_at(row, "cost.map_texels"), n * n);
+        EXPECT_GT(fs::file_size(folder / "out" / row["picture"].get<std::string>()), 500u);
+        EXPECT_GT(fs::file_size(folder / "out" / row["artefacts"].get<std::string>()), 100u);
+    }
+    EXPECT_FALSE(results["frontier"]["cases"].empty());
+    EXPECT_NE(results["clock"], "");
+    const std::string csv = file_bytes(folder / "out/results.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+    EXPECT_TRUE(csv.starts_with("case,filter.kernel,map.resolution,error.")) << csv.substr(0, 100);
+    // The command that the report shows for a case draws that case.
+    EXPECT_EQ(run_program({"render", "boxes", "--preset", "out/base.json", "--set", "filter.kernel=hard", "-o", "a.png",
+                           "--size", "96x64"},
+                          folder)
+                  .code,
+              0);
+    // Done already: the same command changes nothing.
+    const std::string journal = file_bytes(folder / "out" / kJournalFile);
+    EXPECT_EQ(run_program(sweep_of("out"), folder).code, 0);
+    EXPECT_EQ(file_bytes(folder / "out" / kJournalFile), journal);
+}
+
+TEST(SweepCommand, OtherArgumentsAreRefusedUnlessFresh) {
+    const fs::path folder = fresh_test_folder();
+    ASSERT_EQ(run_program(sweep_of("out", {"--no-time"}), folder).code, 0);
+    const std::string journal = file_bytes(folder / "out" / kJournalFile),
+                      html = file_bytes(folder / "out/report.html");
+    const ProcessResult r = run_program(sweep_of("out", {"--no-time", "--set", "bias.slope=1"}), folder);
+    EXPECT_EQ(r.code, 1);
+    EXPECT_EQ(r.err,
+              "shadow-inspector: out: holds another sweep (bias.slope: the default there, 1 here); choose another "
+              "folder, or --fresh to begin anew\n");
+    EXPECT_EQ(file_bytes(folder / "out" / kJournalFile), journal);
+    EXPECT_EQ(file_bytes(folder / "out/report.html"), html);
+    std::ofstream(folder / "out/mine.txt") << "kept";
+    const ProcessResult fresh = run_program(sweep_of("out", {"--no-time", "--set", "bias.slope=1", "--fresh"}), folder);
+    EXPECT_EQ(fresh.code, 0) << fresh.err;
+    EXPECT_EQ(results_of(folder / "out")["settings"]["bias.slope"], "1");
+    EXPECT_TRUE(results_of(folder / "out")["rows"][0]["time"].is_null());
+    EXPECT_EQ(file_bytes(folder / "out/mine.txt"), "kept");
+    fs::remove(folder / "out" / kJournalFile);
+    EXPECT_EQ(run_program(sweep_of("out", {"--no-time"}), folder).code, 1) << "results of who knows what";
+}
+
+TEST(SweepCommand, InterruptedItGoesOn) {
+    const fs::path folder = fresh_test_folder();
+    for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+        const std::string out = std::to_string(signal);
+        // Enough cases that it cannot be done before the signal comes.
+        Words words = sweep_of(out, {"--no-time", "--vary", "bias.constant=0:3:0.1"});
+        const fs::path journal = folder / out / kJournalFile;
+        const pid_t child = ::fork();
+        if (child == 0) {
+            if (::chdir(folder.c_str()) != 0 || !std::freopen("/dev/null", "w", stdout) ||
+                !std::freopen("child.txt", "w", stderr))
+                ::_exit(126);
+            std::vector<char*> argv = {const_cast<char*>(SI_PROGRAM)};
+            for (std::string& w : words) argv.push_back(w.data());
+            argv.push_back(nullptr);
+            ::execv(argv[0], argv.data());
+            ::_exit(127);
+        }
+        const auto finished = [&] {
+            std::error_code error;
+            if (!fs::exists(journal, error)) return std::size_t(0);
+            const std::string text = file_bytes(journal);
+            std::size_t n = 0;
+            for (std::size_t at = 0; (at = text.find("{\"facts\":", at)) != std::string::npos; ++at) ++n;
+            return n;
+        };
+        while (finished() < 2 && ::waitpid(child, nullptr, WNOHANG) == 0)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        ::kill(child, signal);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
+        const std::size_t kept = finished();
+        EXPECT_GE(kept, 2u);
+        EXPECT_LT(kept, 124u);
+        if (signal != SIGKILL) {
+            EXPECT_EQ(results_of(folder / out)["finished"], kept);
+            EXPECT_NE(file_bytes(folder / "child.txt").find("interrupted after"), std::string::npos);
+        }
+        const std::string before = file_bytes(journal);
+        const ProcessResult r = run_program(words, folder);
+        ASSERT_EQ(r.code, 0) << r.err;
+        EXPECT_EQ(results_of(folder / out)["finished"], 124);
+        EXPECT_EQ(finished(), 124u) << "no case twice";
+        const auto whole = before.rfind('\n') + 1;
+        EXPECT_EQ(file_bytes(journal).substr(0, whole), before.substr(0, whole));
+    }
+}
+
+TEST(SweepCommand, AFailingCaseIsARow) {
+    const fs::path folder = fresh_test_folder();
+    const ProcessResult r = run_program(
+        {"sweep", "figures", "--vary", "scene.animation=-1,0,77", "--size", "48x32", "-o", "out", "--no-time"}, folder);
+    ASSERT_EQ(r.code, 0) << r.err;
+    const Json results = results_of(folder / "out");
+    EXPECT_EQ(results["failed"], 1);
+    EXPECT_NE(results["rows"][2]["failed"].get<std::string>().find("scene.animation 77"), std::string::npos);
+    EXPECT_NE(results["rows"][0]["error"]["mae"], results["rows"][1]["error"]["mae"]) << "each case has its own pose";
+    EXPECT_NE(r.out.find("1 of 3 cases failed"), std::string::npos);
+}
+
+TEST(SweepCommand, ShardsMergeIntoTheWholeWithParallel) {
+    if (!has("parallel")) GTEST_SKIP() << "GNU parallel is missing";
+    const fs::path folder = fresh_test_folder();
+    ASSERT_EQ(run_program(sweep_of("whole", {"--no-time"}), folder).code, 0);
+    std::string command = "parallel -j 2 '" SI_PROGRAM "'";
+    for (const std::string& word : sweep_of("part-{}", {"--shard", "{}/3"})) command += " " + word;
+    ASSERT_EQ(shell(command + " ::: 1 2 3", folder), 0) << file_bytes(folder / "shell.txt");
+    EXPECT_EQ(results_of(folder / "part-1")["rows"].size(), 2u);
+    EXPECT_TRUE(results_of(folder / "part-1")["rows"][0]["time"].is_null()) << "shards take no times";
+    const ProcessResult partly = run_program({"merge", "part-1", "part-3", "-o", "merged"}, folder);
+    EXPECT_EQ(partly.code, 0) << partly.err;
+    EXPECT_NE(partly.err.find("1 of 4 cases are missing"), std::string::npos) << partly.err;
+    const ProcessResult r = run_program({"merge", "part-1", "part-2", "part-3", "-o", "merged"}, folder);
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(r.err, "");
+    Json whole = results_of(folder / "whole"), merged = results_of(folder / "merged");
+    whole.erase("runs"), merged.erase("runs");
+    EXPECT_EQ(whole, merged);
+    for (const Json& row : merged["rows"])
+        EXPECT_TRUE(fs::exists(folder / "merged" / row["artefacts"].get<std::string>()));
+    // The whole sweep goes on in the merged folder: only the times are left to take.
+    ASSERT_EQ(run_program(sweep_of("merged"), folder).code, 0);
+    EXPECT_EQ(results_of(folder / "merged")["rounds"], 2);
+    EXPECT_EQ(results_of(folder / "merged")["rows"][3]["error"], whole["rows"][3]["error"]);
+    EXPECT_EQ(run_program(sweep_of("part-1", {"--shard", "2/3"}), folder).code, 1) << "another shard's folder";
+    ASSERT_EQ(run_program(sweep_of("other", {"--no-time", "--set", "bias.slope=1"}), folder).code, 0);
+    EXPECT_EQ(run_program({"merge", "part-1", "other", "-o", "wrong"}, folder).code, 1);
+    EXPECT_FALSE(fs::exists(folder / "wrong"));
+}
+
+TEST(SweepCommand, AnArrayOfSlurmIsShards) {
+    const fs::path folder = fresh_test_folder();
+    const std::string script = std::string("'") + SI_SOURCE_DIR + "/scripts/sweep_slurm.sh'";
+    const std::string arguments = " boxes --vary filter.kernel=hard,pcf3,pcf5 --size 48x32 -o 'a folder'";
+    for (const char* id : {"5", "6"}) {
+        const std::string task = std::string("SHADOW_INSPECTOR='" SI_PROGRAM
+                                             "' SLURM_ARRAY_TASK_COUNT=2 "
+                                             "SLURM_ARRAY_TASK_MIN=5 SLURM_ARRAY_TASK_ID=") +
+                                 id + " " + script + arguments;
+        ASSERT_EQ(shell(task, folder), 0) << file_bytes(folder / "shell.txt");
+    }
+    ASSERT_EQ(run_program({"merge", "a folder/shard-1", "a folder/shard-2", "-o", "whole"}, folder).code, 0);
+    EXPECT_EQ(results_of(folder / "whole")["finished"], 3);
+    EXPECT_NE(shell(script + arguments, folder), 0) << "without Slurm";
+    EXPECT_EQ(shell("SLURM_ARRAY_TASK_ID=1 SLURM_ARRAY_TASK_COUNT=1 " + script + " boxes", folder), 2) << "without -o";
+    if (!has("shellcheck")) GTEST_SKIP() << "shellcheck is missing";
+    EXPECT_EQ(shell("shellcheck " + script, folder), 0) << file_bytes(folder / "shell.txt");
+}
+
+}  // namespace
+}  // namespace si
