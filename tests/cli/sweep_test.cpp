@@ -15,6 +15,7 @@
 #include "app/sweep/columns.h"
 #include "app/sweep/journal.h"
 #include "tests/support/process.h"
+#include "tests/unit/gltf_test_file.h"
 
 namespace si {
 namespace {
@@ -157,10 +158,28 @@ TEST(SweepCommand, InterruptedItGoesOn) {
     }
 }
 
+/// A floor, a leaf that shades it, and an animation that carries the leaf off.
+std::string falling_leaf() {
+    test::GltfFile file;
+    const auto mesh = [&](const std::vector<float>& corners) {
+        return file.mesh({{"attributes", {{"POSITION", file.floats(corners, "VEC3")}}}});
+    };
+    file.root({{"mesh", mesh({-3, 0, -3, -3, 0, 3, 3, 0, 3, -3, 0, -3, 3, 0, 3, 3, 0, -3})}});
+    const int leaf = file.root({{"mesh", mesh({-1, 1, -1, -1, 1, 1, 1, 1, 1})}});
+    file.json["animations"] = {
+        {{"samplers",
+          {{{"input", file.floats({0, 1}, "SCALAR")}, {"output", file.floats({1, -2, 0, 1, -2, 0}, "VEC3")}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", leaf}, {"path", "translation"}}}}}}}};
+    return file.glb();
+}
+
 TEST(SweepCommand, AFailingCaseIsARow) {
     const fs::path folder = fresh_test_folder();
+    std::ofstream(folder / "leaf.glb", std::ios::binary) << falling_leaf();
     const ProcessResult r = run_program(
-        {"sweep", "figures", "--vary", "scene.animation=-1,0,77", "--size", "48x32", "-o", "out", "--no-time"}, folder);
+        {"sweep", "leaf.glb", "--vary", "scene.animation=-1,0,77", "--set", "map.resolution=64", "--size", "48x32", "-o",
+         "out", "--no-time"},
+        folder);
     ASSERT_EQ(r.code, 0) << r.err;
     const Json results = results_of(folder / "out");
     EXPECT_EQ(results["failed"], 1);
