@@ -32,7 +32,8 @@ Json time_json(const TimeMeasurement& time) {
 }
 
 Json error_json(const ErrorMetrics& m) {
-    static constexpr const char* kStates[] = {"counted", "background", "faces_away", "outside_cone", "not_receiving"};
+    static constexpr const char* kStates[] = {"counted", "background", "faces_away", "outside_cone",
+                                              "not_receiving", "beyond_range"};
     static_assert(std::size(kStates) == kPixelStates);
     Json json = {{"false_shadow", m.false_shadow},
                  {"false_light", m.false_light},

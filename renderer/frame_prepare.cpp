@@ -79,6 +79,7 @@ std::string light_constants(const FrameState& f) {
     for (std::size_t i = 0; i < count; ++i) each += fmt::format(" DO({})", i);
     return each + "\n" +
            array("LIGHT_TYPE", [&](std::size_t i) { return int(lights[i].type); }) +
+           array("LIGHT_RANGED", [&](std::size_t i) { return int(lights[i].range_m > 0); }) +
            array("LIGHT_CASTS", [&](std::size_t i) { return int(lights[i].casts); }) +
            array("LIGHT_FIRST_VIEW", [&](std::size_t i) { return f.first_view[i]; }) +
            array("LIGHT_VIEWS", [&](std::size_t i) { return lights[i].casts ? int(lights[i].views.size()) : 0; }) +
@@ -149,7 +150,7 @@ void set_samplers(const FrameState& f) {
 shared::LightBlock light_block(const FrameState& f, std::size_t i) {
     const FittedLight& light = f.gl.fitted[i];
     shared::LightBlock b{};
-    b.position = glm::vec4(glm::vec3(light.position - f.origin), 1);
+    b.position = glm::vec4(glm::vec3(light.position - f.origin), float(light.range_m));
     b.to_light = glm::vec4(glm::vec3(light.to_light), float(light.cos_cone_outer));
     b.radiance = glm::vec4(glm::vec3(light.radiance), float(light.cos_cone_inner));
     if (light.casts) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "renderer/fit_bounds.h"
@@ -73,7 +74,12 @@ struct FitContext {
     const LightSettings& settings;
     DepthConvention convention;
     int resolution;
+    double reach_m;  ///< how far a spot or point light shines; infinite when unlimited
 };
+
+double range_of(const LightSettings& s) {
+    return s.type == int(LightType::Directional) ? 0 : positive_or(s.range, 0);
+}
 
 void finish_view(FittedLight& light, LightView view, const FitContext& c, double reference_z) {
     manual_range(light, c.settings, view.curve);
@@ -104,8 +110,8 @@ void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, d
     view.curve.perspective = false;
     view.curve.convention = c.convention;
     if (in_front_only) {
-        e.lo.z = std::max(e.lo.z, 0.0);
-        e.hi.z = std::max(e.hi.z, e.lo.z);
+        e.lo.z = std::clamp(e.lo.z, 0.0, c.reach_m);
+        e.hi.z = std::clamp(e.hi.z, e.lo.z, c.reach_m);
     }
     const double pad = kDepthMargin * (e.hi.z - e.lo.z);
     view.curve.near = e.lo.z - pad;
@@ -113,7 +119,7 @@ void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, d
     finish_view(light, view, c, 1);
 }
 
-/// The range of what lies inside the view's pyramid.
+/// The range of what lies inside the view's pyramid and the light's range.
 DepthCurve perspective_curve(const LightView& view, const FitContext& c) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     for (const Box& box : c.shape.boxes) {
@@ -124,6 +130,8 @@ DepthCurve perspective_curve(const LightView& view, const FitContext& c) {
         farthest = std::max(farthest, e.hi.z);
     }
     if (!(farthest > 0)) nearest = farthest = std::max(glm::distance(view.eye, c.shape.centre), c.shape.radius);
+    nearest = std::min(nearest, c.reach_m);
+    farthest = std::min(farthest, c.reach_m);
     DepthCurve curve;
     curve.perspective = true;
     curve.convention = c.convention;
@@ -292,7 +300,9 @@ std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings
         const glm::dvec3 target =
             shape.centre + glm::dvec3(finite_or(s.target_x, 0), finite_or(s.target_y, 0), finite_or(s.target_z, 0));
         light.target = target;
-        const FitContext context{shape, s, {true, settings.map.reversed_z}, resolution};
+        light.range_m = range_of(s);
+        const FitContext context{shape, s, {true, settings.map.reversed_z}, resolution,
+                                 light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity()};
         switch (light.type) {
             case LightType::Directional:
                 fit_directional(light, context, target);

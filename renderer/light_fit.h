@@ -56,6 +56,7 @@ struct FittedLight {
     glm::dvec3 target{0};        ///< world; what `position` is `to_light` away from
     glm::dvec3 to_light{0, 1, 0};///< unit; directional: towards the light; spot: against its axis
     double cos_cone_outer = -1, cos_cone_inner = -1;
+    double range_m = 0;          ///< of spot and point lights: no light from there on; 0: unlimited
     glm::dvec3 radiance{1};      ///< colour × intensity, normalised to the scene's centre (see fit_lights)
     bool casts = false;          ///< has views and anything to draw into them
     std::string reason;          ///< why it casts nothing
@@ -63,6 +64,11 @@ struct FittedLight {
     int clipped_casters = 0;     ///< objects reaching in front of the near plane
     std::vector<std::string> notes;  ///< values clamped on the way
 };
+
+/// Whether a light of this range (0: unlimited) shines so far.
+constexpr bool within_range(double distance_m, double range_m) {
+    return range_m <= 0 || distance_m < range_m;
+}
 
 /// Fits every light 0..light_count-1 to the scene. Spot and point intensities fall with the square of the distance
 /// and are scaled together so that the brightest light contributes 1 at the scene's centre.

@@ -61,6 +61,17 @@ std::string_view place_name(MapPlace place) {
     return "";
 }
 
+/// Why no light comes to a place, whatever stands between; empty when some does.
+std::string unreached(const FittedLight& light, const glm::dvec3& position_ws) {
+    if (light.type == LightType::Directional) return {};
+    const glm::dvec3 away = light.position - position_ws;
+    const double distance = glm::length(away);
+    if (light.type == LightType::Spot && !(glm::dot(away, light.to_light) > light.cos_cone_outer * distance))
+        return "no light: outside of the light's cone";
+    if (within_range(distance, light.range_m)) return {};
+    return fmt::format("no light: {:.4g} m away, beyond the light's range of {:.4g} m", distance, light.range_m);
+}
+
 std::string verdict(const FrameState& f, const Probe::PerLight& p, bool receives) {
     if (!receives) return "lit: this object receives no shadows";
     if (p.n_dot_l <= 0) return "in shadow: the surface faces away from the light";
@@ -82,12 +93,13 @@ Probe::PerLight test_light(const FrameState& f, std::size_t i, const PixelFacts&
     p.light = int(i);
     p.casts = light.casts;
     p.visibility = facts.values[3].x;
+    const glm::dvec3 position = glm::dvec3(facts.values[0]) + f.origin;
+    const std::string dark = unreached(light, position);
     if (!light.casts) {
         p.where = "no map";
-        p.verdict = "lit: " + light.reason;
+        p.verdict = dark.empty() ? "lit: " + light.reason : dark;
         return p;
     }
-    const glm::dvec3 position = glm::dvec3(facts.values[0]) + f.origin;
     const glm::dvec3 geometric(facts.values[1]), mapped(facts.values[2]);
     const glm::dvec3 vertex(facts.values[3].y, facts.values[3].z, facts.values[3].w);
     const BiasSettings& bias = f.settings.bias;
@@ -120,7 +132,7 @@ Probe::PerLight test_light(const FrameState& f, std::size_t i, const PixelFacts&
         p.stored = outside_lit ? far_depth : 1 - far_depth;
     }
     p.stored_m = view.curve.distance(p.stored);
-    p.verdict = verdict(f, p, facts.values[1].w > 0.5f);
+    p.verdict = dark.empty() ? verdict(f, p, facts.values[1].w > 0.5f) : dark;
     return p;
 }
 

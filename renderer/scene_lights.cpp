@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kMaxDistance = 1e7;  // of light.distance
-constexpr double kMaxPlace = 1e8;     // of light.target_*
+constexpr double kMaxPlace = 1e8;     // of light.target_* and light.range
 
 /// Where a light stands, in the terms of light.*: centre + target + distance * direction.
 struct Stand {
@@ -90,6 +90,7 @@ void suggest_lights(Scene& scene) {
             number("target_x", stand.target.x);
             number("target_y", stand.target.y);
             number("target_z", stand.target.z);
+            number("range", light.range < kMaxPlace ? light.range : 0);  // beyond all places: unlimited
         }
         if (light.type == int(LightType::Spot)) {
             number("cone", std::max(0.2, 2 * light.outer_cone_rad * kDegrees));

@@ -96,6 +96,7 @@ struct LightSettings {
     double distance = 0;
     double target_x = 0, target_y = 0, target_z = 0;
     double size = 0.27;
+    double range = 0;
     double cone = 60, cone_blend = 0.1;
     double intensity = 1;
     double red = 1, green = 1, blue = 1;

@@ -87,6 +87,11 @@ constexpr auto kLight = with_scope(
          SI_IDLE(true, "without effect: the present kernels treat lights as points"),
          .help = "How large the light is: angular radius in degrees for directional lights (the sun: 0.27), radius in "
                  "metres for spot and point lights. Larger lights make wider penumbrae."},
+        {SI_LIGHT_FIELD(range), .label = "Range", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
+         SI_IDLE(has_type(s, i, LightType::Directional), "without effect: a directional light reaches everywhere"),
+         .help = "Distance at which the light has faded to nothing; 0 is unlimited. Within it the light falls with the "
+                 "square of the distance, times max(min(1 - (distance / range)^4, 1), 0), as glTF has it. The fitted "
+                 "map ends there too."},
         {SI_LIGHT_FIELD(cone), .label = "Cone", .unit = "deg", .min = 0.2, .max = 360,
          SI_IDLE(!has_type(s, i, LightType::Spot), "without effect: only a spot light has a cone"),
          .help = "Full opening angle of a spot light. Above 171 degrees its map is drawn as six faces, as a point "
@@ -97,7 +102,7 @@ constexpr auto kLight = with_scope(
              "Share of the cone over which the light fades at its rim: 0 is a hard edge, 1 fades from the axis on."},
         {SI_LIGHT_FIELD(intensity), .label = "Intensity", .unit = "", .min = 0, .max = 1e6, .logarithmic = true,
          .help = "Brightness relative to the other lights. Directional lights: as given. Spot and point lights: scaled "
-                 "together so that the brightest of them is 1 at the scene's centre."},
+                 "together so that the brightest of them is 1 at the scene's centre, their ranges left aside."},
         {SI_LIGHT_FIELD(red), .label = "Red", .unit = "", .min = 0, .max = 1, .help = "Colour, linear red."},
         {SI_LIGHT_FIELD(green), .label = "Green", .unit = "", .min = 0, .max = 1, .help = "Colour, linear green."},
         {SI_LIGHT_FIELD(blue), .label = "Blue", .unit = "", .min = 0, .max = 1, .help = "Colour, linear blue."},

@@ -16,6 +16,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kSnapDegrees = 5;
 constexpr double kLeast = 1e-4;       // of the distance or range: what near, extent and distance stay above
 constexpr double kLeastRange = 0.01;  // of far: what far stays beyond near
+constexpr double kMostRange = 1e8;    // m, as the setting has it
 
 double snapped(double value, double step) {
     return step > 0 ? std::round(value / step) * step : value;
@@ -102,6 +103,13 @@ bool drag_cone(LightSettings& s, const LightPose& start, LightHandle h, const Ra
     return true;
 }
 
+bool drag_range(LightSettings& s, const LightPose& start, const Ray& ray, double step) {
+    const auto metres = nearest_on_line(ray, start.position, range_way(start));
+    if (!metres) return false;
+    s.range = std::clamp(snapped(*metres, step), std::max(kLeast * start.settings.range, step), kMostRange);
+    return true;
+}
+
 bool drag_plane(LightSettings& s, const LightPose& start, LightHandle h, const Ray& ray, double step) {
     const auto z = nearest_on_line(ray, start.view.eye, -start.view.axes[2]);
     if (!z) return false;
@@ -126,6 +134,7 @@ bool drag_plane(LightSettings& s, const LightPose& start, LightHandle h, const R
 
 LightPose grab_light(const LightPose& pose, LightHandle h, const FittedLight& fitted) {
     LightPose start = pose;
+    if (h == LightHandle::Range) return start;
     const bool directional = pose.type == LightType::Directional;
     const bool turns = h == LightHandle::Direction || is_cone(h);
     if (turns || (h == LightHandle::Target && !directional)) {
@@ -179,6 +188,8 @@ std::optional<LightSettings> drag_light(const LightPose& start, LightHandle h, c
         s.extent = std::max(snapped(*t, step), std::max(kLeast * start.view.half_width, step));
     } else if (is_cone(h)) {
         if (!drag_cone(s, start, h, ray, step)) return {};
+    } else if (h == LightHandle::Range) {
+        if (!drag_range(s, start, ray, step)) return {};
     } else if (!drag_plane(s, start, h, ray, step)) {
         return {};
     }
@@ -205,6 +216,7 @@ std::string handle_numbers(const LightPose& pose, LightHandle h) {
     }
     if (h == LightHandle::Target) return place(pose.target);
     if (h == LightHandle::Direction) return fmt::format("azimuth {:.1f}°   elevation {:.1f}°", s.azimuth, s.elevation);
+    if (h == LightHandle::Range) return metres_text(s.range);
     if (h == LightHandle::Near) return metres_text(pose.view.curve.near);
     if (h == LightHandle::Far) return metres_text(pose.view.curve.far);
     if (is_cone(h)) return fmt::format("{:.1f}°", s.cone);

@@ -21,6 +21,7 @@ bool can_move(const LightPose& pose, const PlacedHandle& placed, const PictureVi
     const auto faces = [&](const glm::dvec3& normal) { return std::abs(glm::dot(sight, normal)) > kLeastSine; };
     if (h == LightHandle::Near || h == LightHandle::Far) return across(pose.view.axes[2]);
     if (is_axis(h) || is_extent(h)) return across(handle_way(pose, h));
+    if (h == LightHandle::Range) return across(range_way(pose));
     if (is_cone(h)) return faces(pose.to_light) || faces(glm::cross(pose.to_light, handle_way(pose, h)));
     return true;
 }
@@ -51,6 +52,8 @@ std::string_view handle_name(LightHandle h) {
             return "Direction";
         case LightHandle::Target:
             return "Target";
+        case LightHandle::Range:
+            return "Range";
         case LightHandle::Near:
             return "Near plane";
         case LightHandle::Far:
@@ -88,6 +91,7 @@ std::vector<LightHandle> handles_of(const LightPose& pose) {
         pose.type == LightType::Directional && pose.orthographic() && pose.settings.fit != int(LightFit::Manual);
     if (pose.type != LightType::Point && !placed_by_fit) all.push_back(Target);
     if (pose.type == LightType::Spot) all.insert(all.end(), {ConeRight, ConeTop, ConeLeft, ConeBottom});
+    if (pose.ranged()) all.push_back(Range);
     if (!pose.has_map) return all;
     if (pose.orthographic()) all.insert(all.end(), {ExtentRight, ExtentTop, ExtentLeft, ExtentBottom});
     all.insert(all.end(), {Near, Far});
@@ -99,6 +103,14 @@ glm::dvec3 handle_way(const LightPose& pose, LightHandle h) {
     const int side = int(h) - int(is_cone(h) ? LightHandle::ConeRight : LightHandle::ExtentRight);
     const glm::dmat3 axes = is_cone(h) ? orthonormal_basis(pose.to_light) : pose.view.axes;
     return (side < 2 ? 1.0 : -1.0) * axes[side % 2];
+}
+
+glm::dvec3 range_way(const LightPose& pose) {
+    const glm::dmat3 axes = orthonormal_basis(pose.to_light);
+    const glm::dvec3 aside = (axes[0] + axes[1]) / std::numbers::sqrt2;
+    if (pose.type != LightType::Spot) return aside;
+    const double half = half_cone_rad(pose.settings);
+    return std::sin(half) * aside - std::cos(half) * pose.to_light;
 }
 
 double half_cone_rad(const LightSettings& settings) {
@@ -123,6 +135,8 @@ glm::dvec3 handle_place(const LightPose& pose, LightHandle h, const PictureView&
             return pose.position;
         case LightHandle::Target:
             return pose.target;
+        case LightHandle::Range:
+            return pose.position + range_way(pose) * pose.settings.range;
         case LightHandle::Near:
             return along(map.curve.near);
         case LightHandle::Far:

@@ -24,6 +24,7 @@ enum class LightHandle {
     ConeTop,
     ConeLeft,
     ConeBottom,
+    Range,
     Near,
     Far
 };
@@ -47,6 +48,7 @@ struct LightPose {
     double distance = 1;  ///< m, from target to position
     bool has_map = true;  ///< near, far and extent mean something
     bool orthographic() const { return !view.curve.perspective; }
+    bool ranged() const { return type != LightType::Directional && settings.range > 0; }
 };
 
 /// @param face of a light with six views
@@ -66,6 +68,9 @@ double direction_ball(const LightPose& pose, const PictureView& view);
 double cone_reach(const LightPose& pose);
 /// Unit vector along which an arrow, an extent or a cone handle lies.
 glm::dvec3 handle_way(const LightPose& pose, LightHandle handle);
+/// Unit vector from a spot or point light to the handle of its range: on the cone's rim, between two of its handles, or
+/// across the line to the target.
+glm::dvec3 range_way(const LightPose& pose);
 /// Half a spot light's cone.
 double half_cone_rad(const LightSettings& settings);
 

@@ -30,6 +30,7 @@ std::string_view help(LightHandle h, LightType type) {
     if (h == LightHandle::Target)
         return directional ? "Moves what the light turns about, and the light with it."
                            : "Moves what the light looks at; the light stays.";
+    if (h == LightHandle::Range) return "Where the light has faded to nothing; light.range 0 is unlimited.";
     if (h == LightHandle::Near) return "Casters nearer to the light than this are lost.";
     if (h == LightHandle::Far) return "Where the map ends.";
     return is_cone(h) ? "Opening angle of the spot light." : "Half the width of the map.";
@@ -64,15 +65,29 @@ void arrow_head(const PicturePainter& p, const glm::dvec2& at, const glm::dvec2&
     p.list().AddTriangle(tip, a, b, IM_COL32(0, 0, 0, 160), p.px(1));
 }
 
-void draw_rim(const PicturePainter& p, const LightPose& pose) {
-    const double half = half_cone_rad(pose.settings), reach = cone_reach(pose);
-    const glm::dmat3 axes = orthonormal_basis(pose.to_light);
+/// The circle of radius |u| = |v| about a point.
+void draw_circle(const PicturePainter& p, const glm::dvec3& centre, const glm::dvec3& u, const glm::dvec3& v,
+                 ImU32 colour) {
     const auto at = [&](int i) {
         const double turn = 2 * std::numbers::pi * i / kRimSegments;
-        const glm::dvec3 side = std::cos(turn) * axes[0] + std::sin(turn) * axes[1];
-        return pose.position + reach * (std::sin(half) * side - std::cos(half) * pose.to_light);
+        return centre + std::cos(turn) * u + std::sin(turn) * v;
     };
-    for (int i = 0; i < kRimSegments; ++i) p.line(at(i), at(i + 1), faded(kLight, 190), 1.2);
+    for (int i = 0; i < kRimSegments; ++i) p.line(at(i), at(i + 1), colour, 1.2);
+}
+
+/// Where a spot light's cone leaves the sphere of this radius.
+void draw_rim(const PicturePainter& p, const LightPose& pose, double radius, ImU32 colour) {
+    const double half = half_cone_rad(pose.settings);
+    const glm::dmat3 axes = orthonormal_basis(pose.to_light) * (radius * std::sin(half));
+    draw_circle(p, pose.position - radius * std::cos(half) * pose.to_light, axes[0], axes[1], colour);
+}
+
+void draw_range(const PicturePainter& p, const LightPose& pose) {
+    const ImU32 colour = faded(kLight, 120);
+    const double range = pose.settings.range;
+    if (pose.type == LightType::Spot) return draw_rim(p, pose, range, colour);
+    const glm::dmat3 axes = orthonormal_basis(pose.to_light) * range;
+    for (int i = 0; i < 3; ++i) draw_circle(p, pose.position, axes[i], axes[(i + 1) % 3], colour);
 }
 
 }  // namespace
@@ -96,7 +111,8 @@ std::optional<glm::dvec2> pointer_place(const LightPose& pose, const PictureView
 void draw_shown_light(const PicturePainter& p, const LightPose& pose, bool pointer_hovered) {
     if (pose.has_map)
         for (const Segment& s : frustum_edges(pose.view)) p.line(s.from, s.to, s.far ? kFar : kLight);
-    if (pose.type == LightType::Spot) draw_rim(p, pose);
+    if (pose.type == LightType::Spot) draw_rim(p, pose, cone_reach(pose), faded(kLight, 190));
+    if (pose.ranged()) draw_range(p, pose);
     const PictureView& view = p.view();
     if (const auto at = pointer_place(pose, view))
         arrow_head(p, *at, *at - view.origin - 0.5 * view.size, 12, pointer_hovered ? kHot : kLight);
@@ -138,7 +154,7 @@ void draw_handles(const PicturePainter& p, const LightPose& pose, std::optional<
             p.list().AddCircle(to_imgui(h.on_screen), p.px(5.5 + more), colour, 24, p.px(1.6));
         } else if (is_extent(h.handle)) {
             square(p, h.on_screen, 3.5 + more, colour);
-        } else if (is_cone(h.handle)) {
+        } else if (is_cone(h.handle) || h.handle == LightHandle::Range) {
             p.dot(h.on_screen, 3.8 + more, colour);
         } else if (h.handle != LightHandle::Position) {
             diamond(p, h.on_screen, 5.5 + more, colour);

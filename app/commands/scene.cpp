@@ -56,6 +56,7 @@ Json lights_json(const Scene& scene) {
         if (l.type == int(LightType::Spot)) json["cone_deg"] = 2 * l.outer_cone_rad * 180 / std::numbers::pi;
         json["colour"] = vector_json(l.colour);
         json["intensity"] = l.intensity;
+        if (l.type != int(LightType::Directional)) json["range"] = l.range > 0 ? Json(l.range) : Json();
         list.push_back(std::move(json));
     }
     return list;
@@ -158,8 +159,10 @@ void print_facts(const Json& f) {
         return fmt::format("{}: {} x {}", name_or(t), t["width"].get<int>(), t["height"].get<int>());
     });
     print_list("lights", f["lights"], [](const Json& l) {
-        return fmt::format("{}: {}, intensity {:.6g}, at {}", name_or(l), l["type"].get<std::string>(),
-                           l["intensity"].get<double>(), triple(l["position"]));
+        std::string line = fmt::format("{}: {}, intensity {:.6g}, at {}", name_or(l), l["type"].get<std::string>(),
+                                       l["intensity"].get<double>(), triple(l["position"]));
+        if (l.contains("range") && !l["range"].is_null()) line += fmt::format(", range {:.6g} m", l["range"].get<double>());
+        return line;
     });
     if (f["file_scenes"].size() > 1) {
         print_choices("file scenes", f["file_scenes"], [](const Json& name) { return label(name); });

@@ -47,7 +47,8 @@ nlohmann::ordered_json truth_json(const TracedTruth& traced, const TruthTask& ta
                                      {"background", pixels(PixelState::Background)},
                                      {"faces_away", pixels(PixelState::FacesAway)},
                                      {"outside_cone", pixels(PixelState::OutsideCone)},
-                                     {"not_receiving", pixels(PixelState::NotReceiving)}}},
+                                     {"not_receiving", pixels(PixelState::NotReceiving)},
+                                     {"beyond_range", pixels(PixelState::BeyondRange)}}},
                                    {"rays", t.rays}};
     json["visibility_mean"] = t.counted() ? nlohmann::ordered_json(sum / double(t.counted())) : nullptr;
     json["hard_visibility_mean"] = t.counted() ? nlohmann::ordered_json(hard / double(t.counted())) : nullptr;

@@ -51,12 +51,6 @@ void load(Context& context, Scene& scene) {
     add_rig(context, root, model, accessors, primitives, placed, scene);
     textures.decode();
     if (scene.objects.empty()) context.warn("the file has no triangles to show");
-    for (const SceneLight& light : scene.lights) {
-        if (light.range > 0) {
-            context.warn("a light's range is not applied: its light falls with the square of the distance without end");
-            break;
-        }
-    }
     if (scene.lights.size() > static_cast<std::size_t>(kMaxLights)) {
         context.warn(fmt::format("the file has {} lights, the first {} can be used", scene.lights.size(), kMaxLights));
     }

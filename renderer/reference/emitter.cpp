@@ -37,13 +37,13 @@ glm::dvec3 Emitter::direction_from(const glm::dvec3& point_ws, double& distance_
     return distance_m > 0 ? d / distance_m : to_light;
 }
 
-bool Emitter::reaches(const glm::dvec3& to_light_from_point) const {
+bool Emitter::in_cone(const glm::dvec3& to_light_from_point) const {
     return type != LightType::Spot || glm::dot(to_light_from_point, to_light) > cos_cone;
 }
 
 Emitter emitter_of(const FittedLight& light, const LightSettings& settings) {
     const double size = std::isfinite(settings.size) ? std::max(settings.size, 0.0) : 0.0;
-    return {light.type, light.position, light.to_light, light.cos_cone_outer, size, light.casts};
+    return {light.type, light.position, light.to_light, light.cos_cone_outer, light.range_m, size, light.casts};
 }
 
 LightSamples::LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, int parts_per_axis, std::uint64_t pixel)

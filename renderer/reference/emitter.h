@@ -15,13 +15,14 @@ struct Emitter {
     glm::dvec3 position_ws{0};   ///< spot and point
     glm::dvec3 to_light{0, 1, 0};///< unit; directional: towards the light; spot: against its axis
     double cos_cone = -1;        ///< of the spot's outer half angle
+    double range_m = 0;          ///< spot and point: no light from there on; 0: unlimited
     double size = 0;             ///< light.size: angular radius in degrees (directional) or radius in metres
     bool casts = true;
 
     /// Unit vector from a point to the light's centre; metres to it, infinite for directional lights.
     glm::dvec3 direction_from(const glm::dvec3& point_ws, double& distance_m) const;
     /// Whether a point lies in the spot's cone; always for other lights.
-    bool reaches(const glm::dvec3& to_light_from_point) const;
+    bool in_cone(const glm::dvec3& to_light_from_point) const;
 };
 
 Emitter emitter_of(const FittedLight& light, const LightSettings& settings);

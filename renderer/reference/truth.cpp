@@ -84,7 +84,7 @@ public:
         const int most = std::max(1, int(std::sqrt(double(std::max(query_.options.samples, 1)))));
         error_.assign(out_.state.size(), 0);
         std::vector<std::uint8_t> wanted(out_.state.size());
-        for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = sees_light(i);
+        for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = is_traced(out_.state[i]);
         for (int parts = std::min(kFirstParts, most), level = 0;; parts = std::min(2 * parts, most), ++level) {
             // Most of the work is in the first two levels.
             const double lo = level == 0 ? 0 : level == 1 ? 0.4 : 1 - std::exp2(-level - 1.0) * 2;
@@ -115,9 +115,6 @@ private:
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(receivers_.width) + std::size_t(x); }
     bool partial(std::size_t i) const { return out_.visibility.data[i] > 0 && out_.visibility.data[i] < 1; }
-    bool sees_light(std::size_t i) const {
-        return out_.state[i] == PixelState::Counted || out_.state[i] == PixelState::OutsideCone;
-    }
 
     template <typename Work>
     void for_tiles(const Workers& workers, Work&& work) {
@@ -143,7 +140,8 @@ private:
         }
         if (query_.emitter.casts)
             batch.add(std::uint32_t(i), r, ray_origin(scene_, r), direction, cosine, distance * scene_.scale);
-        return state = query_.emitter.reaches(direction) ? PixelState::Counted : PixelState::OutsideCone;
+        if (!query_.emitter.in_cone(direction)) return state = PixelState::OutsideCone;
+        return state = within_range(distance, query_.emitter.range_m) ? PixelState::Counted : PixelState::BeyondRange;
     }
 
     /// Metres to the surface nearest the light, on the same ray as the shadow's.
@@ -233,7 +231,7 @@ private:
                 if (!partial(index(x, y))) continue;
                 for (int v = std::max(y - 1, 0); v <= std::min(y + 1, receivers_.height - 1); ++v)
                     for (int u = std::max(x - 1, 0); u <= std::min(x + 1, receivers_.width - 1); ++u)
-                        out[index(u, v)] = sees_light(index(u, v));
+                        out[index(u, v)] = is_traced(out_.state[index(u, v)]);
             }
         return out;
     }

@@ -20,13 +20,18 @@ namespace si {
 
 /// Whether a pixel counts in comparisons, and if not, why.
 enum class PixelState : std::uint8_t {
-    Counted,       ///< faces the light and lies in its cone
+    Counted,       ///< faces the light and lies in its cone and range
     Background,    ///< shows no surface
     FacesAway,     ///< N_g.L <= 0: no light whatever stands between
     OutsideCone,   ///< of a spot light
     NotReceiving,  ///< object.PATH.receive is off
+    BeyondRange,   ///< of a spot or point light, in its cone
 };
-inline constexpr std::size_t kPixelStates = 5;
+inline constexpr std::size_t kPixelStates = 6;
+/// Whether the truth of the surface is traced, counted or not.
+constexpr bool is_traced(PixelState s) {
+    return s == PixelState::Counted || s == PixelState::OutsideCone || s == PixelState::BeyondRange;
+}
 
 struct TruthOptions {
     bool area = false;           ///< the light has its size; else it is a point or a direction
@@ -52,7 +57,7 @@ struct Truth {
     int width = 0, height = 0;
     std::vector<PixelState> state;  ///< top row first, as all images here
     /// 1 lit to 0 in shadow. Where a pixel does not count: 1 (Background, NotReceiving), 0 (FacesAway), or what is true
-    /// of the surface (OutsideCone), as the shadow mapped visibility has it.
+    /// of the surface (OutsideCone, BeyondRange), as the shadow mapped visibility has it.
     FloatImage visibility;
     FloatImage hard;  ///< the same for a light without size: 0 or 1
     /// Metres along the pixel's light ray from its surface to the surface nearest the light, which is what a shadow map

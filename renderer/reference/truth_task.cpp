@@ -20,7 +20,7 @@ Key query_key(const TruthQuery& query) {
     Key key;
     const Emitter& e = query.emitter;
     const TruthOptions& o = query.options;
-    key.add(e.type).add(e.position_ws).add(e.to_light).add(e.cos_cone).add(e.casts).add(o.area).add(o.as_rasterised);
+    key.add(e.type).add(e.position_ws).add(e.to_light).add(e.cos_cone).add(e.range_m).add(e.casts).add(o.area).add(o.as_rasterised);
     key.add(o.nearest);
     if (o.area) key.add(e.size).add(o.samples).add(o.noise);
     for (const ObjectTraits& t : query.traits) key.add(t.receives).add(t.cull);

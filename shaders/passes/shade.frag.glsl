@@ -13,14 +13,20 @@ vec3 srgb(vec3 c) {
     return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
 }
 
-/// Radiance arriving without shadows: inverse square falloff, smooth edge of the spot's cone.
+/// Radiance arriving without shadows: inverse square falloff, smooth edge of the spot's cone, and the window that
+/// KHR_lights_punctual gives a light's range.
 vec3 arriving(int index, vec3 to_light, float distance_m) {
     LightBlock light = frame.lights[index];
     if (LIGHT_TYPE[index] == LIGHT_DIRECTIONAL) return light.radiance.rgb;
     float cone = LIGHT_TYPE[index] == LIGHT_SPOT
         ? smoothstep(light.to_light.w, max(light.radiance.w, light.to_light.w + 1e-6), dot(to_light, light.to_light.xyz))
         : 1.0;
-    return light.radiance.rgb * cone / max(distance_m * distance_m, 1e-12);
+    float window = 1.0;
+    if (LIGHT_RANGED[index] != 0) {
+        float share = distance_m / light.position.w, squared = share * share;
+        window = clamp(1.0 - squared * squared, 0.0, 1.0);
+    }
+    return light.radiance.rgb * (cone * window) / max(distance_m * distance_m, 1e-12);
 }
 
 /// One light's share: visibility * (diffuse + specular).

@@ -13,7 +13,7 @@ using glm::vec4;
 #define SI_MAX_VIEWS 96
 
 struct LightBlock {
-    vec4 position;  // xyz; spot and point
+    vec4 position;  // xyz; spot and point. w: range in metres where LIGHT_RANGED
     vec4 to_light;  // xyz unit; directional: to the light, spot: against the axis. w: cos of the outer cone
     vec4 radiance;  // rgb; w: cos of the inner cone
     vec4 curve;     // near, far, half width (orthographic: metres, perspective: tangent), 1 / map resolution

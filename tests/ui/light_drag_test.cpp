@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -210,6 +211,32 @@ TEST(LightDrag, AConeOpensToTheMouse) {
     const glm::dvec3 before = c.fitted().position;
     c.drag(LightHandle::ConeTop, front_view(), {5, 3});
     expect_near(c.fitted().position, before);
+}
+
+TEST(LightDrag, ARangeGoesWhereTheMouseIsAndLeavesTheRest) {
+    const PictureView v = front_view();
+    for (const LightType type : {LightType::Spot, LightType::Point}) {
+        Case c(type);
+        EXPECT_EQ(std::ranges::count(handles_of(c.pose()), LightHandle::Range), 0) << "unlimited";
+        c.light.range = 8, c.light.cone = 50;
+        const glm::dvec3 way = range_way(c.pose());
+        EXPECT_NEAR(glm::length(way), 1, 1e-12);
+        const double along = type == LightType::Spot ? std::cos(25 * kDegree) : 0;  // on the rim, or across
+        EXPECT_NEAR(glm::dot(way, -c.pose().to_light), along, 1e-12);
+        const LightSettings before = c.light;
+        // On the screen the handle moves by the part of its way that lies across the line of sight.
+        c.drag(LightHandle::Range, v, glm::dvec2(way.x, -way.y) * (2 / kMetresPerPixel));
+        EXPECT_NEAR(c.light.range, 10, 1e-6);
+        c.drag(LightHandle::Range, v, glm::dvec2(way.x, -way.y) * (1.3 / kMetresPerPixel), 0.5);
+        EXPECT_DOUBLE_EQ(c.light.range, 11.5);
+        c.drag(LightHandle::Range, v, glm::dvec2(way.x, -way.y) * (-40 / kMetresPerPixel));
+        EXPECT_GT(c.light.range, 0) << "0 would be unlimited";
+        c.light.range = before.range;
+        EXPECT_EQ(c.light, before) << "neither fit nor place is taken over by hand";
+    }
+    Case sun(LightType::Directional);
+    sun.light.range = 8;
+    EXPECT_EQ(std::ranges::count(handles_of(sun.pose()), LightHandle::Range), 0);
 }
 
 TEST(LightDrag, TheConeCanBeOpenedLookingDownTheAxis) {

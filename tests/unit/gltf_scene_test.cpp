@@ -124,6 +124,8 @@ TEST(GltfScene, LightsOfThreeKinds) {
     expect_near(-glm::dvec3(scene.lights[0].world[2]), {0, 1, 0});  // -z turned by +90 degrees about x
     EXPECT_EQ(scene.lights[1].type, static_cast<int>(LightType::Point));
     EXPECT_EQ(scene.lights[1].range, 12);
+    EXPECT_EQ(scene.lights[2].range, 0) << "unlimited";
+    EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
     EXPECT_EQ(scene.lights[2].type, static_cast<int>(LightType::Spot));
     EXPECT_EQ(scene.lights[2].inner_cone_rad, 0.2);
     EXPECT_EQ(scene.lights[2].outer_cone_rad, 0.6);

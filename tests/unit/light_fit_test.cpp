@@ -273,6 +273,43 @@ TEST(LightFit, LightInsideTheScene) {
     EXPECT_EQ(light.clipped_casters, 1);
 }
 
+TEST(LightFit, TheRangeEndsTheMap) {
+    // A floor 10 m below the light and a wall 30 m away from it.
+    const Scene scene = box_scene({{glm::dvec3(-40, -1, -40), glm::dvec3(40, 0, 40)}, {{30, 0, -40}, {31, 20, 40}}});
+    for (const auto& [type, projection] : {std::pair{LightType::Point, 0}, {LightType::Spot, 0}, {LightType::Spot, 1}})
+        for (const double range : {0.001, 5.0, 12.0, 25.0, 1e4}) {
+            Settings s = one_light(type);
+            LightSettings& l = s.lights[0];
+            l.projection = projection;
+            l.elevation = 90, l.cone = 150, l.distance = 10, l.target_y = -scene.bounds.centre().y;
+            const FittedLight endless = fit_lights(scene, s)[0];
+            l.range = range;
+            const FittedLight light = fit_lights(scene, s)[0];
+            ASSERT_TRUE(all_finite(light)) << int(type) << " " << range;
+            EXPECT_EQ(light.range_m, range);
+            EXPECT_EQ(light.radiance, endless.radiance) << "a range changes no brightness near the light";
+            for (std::size_t v = 0; v < light.views.size(); ++v) {
+                const DepthCurve &limited = light.views[v].curve, &free = endless.views[v].curve;
+                if (range == 1e4) {
+                    EXPECT_EQ(limited.far, free.far) << "nothing is so far away";
+                }
+                if (range < 10) {
+                    EXPECT_LT(limited.far, 1.5 * range + 0.2) << "nothing is so near";
+                }
+                if (range == 12 || range == 25) {
+                    EXPECT_GE(limited.far, std::min(range, free.far)) << "what is lit must be in the map";
+                    EXPECT_LE(limited.far, std::min(range, free.far) * 1.001);
+                    EXPECT_NEAR(limited.near, free.near, 0.01 * range);
+                }
+            }
+            l.type = int(LightType::Directional);
+            EXPECT_EQ(fit_lights(scene, s)[0].range_m, 0);
+        }
+    EXPECT_TRUE(within_range(1e9, 0));
+    EXPECT_TRUE(within_range(11.9, 12));
+    EXPECT_FALSE(within_range(12, 12));
+}
+
 TEST(LightFit, ByHand) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = one_light(LightType::Directional);

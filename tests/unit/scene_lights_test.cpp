@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/session.h"
+#include "renderer/gltf_loader.h"
 #include "renderer/light_fit.h"
 #include "renderer/param.h"
 #include "tests/support/box_scene.h"
@@ -73,6 +74,27 @@ TEST(SceneLights, ConesColoursAndRatiosOfBrightness) {
     EXPECT_NEAR(fitted[0].cos_cone_inner, std::cos(0.2), 1e-12);
     expect_near(fitted[0].radiance / fitted[1].radiance.x, glm::dvec3(10, 5, 0), 1e-9);
     EXPECT_EQ(s.lights[2].intensity, 1);
+}
+
+TEST(SceneLights, RangesComeOutAndGoRoundThroughAFile) {
+    SceneLight ranged = light_of(LightType::Spot, {1000, 0, 0}, {0, -1, 0});
+    ranged.range = 12.5;
+    SceneLight endless = light_of(LightType::Point, {1000, 0, 0}, {0, -1, 0});
+    SceneLight vast = endless;
+    vast.range = 1e30;
+    SceneLight sun = light_of(LightType::Directional, {0, 0, 0}, {0, -1, 0.1});
+    sun.range = 3;  // which has no meaning
+    const Scene scene = lit_scene({ranged, endless, vast, sun});
+    const auto file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "ranges.glb";
+    save_gltf(scene, file);
+    for (const Scene& lit : {scene, load_gltf(file)}) {
+        Settings s;
+        apply_suggested(lit, s);
+        const std::vector<FittedLight> fitted = fit_lights(lit, s);
+        ASSERT_EQ(fitted.size(), 4u);
+        EXPECT_EQ(fitted[0].range_m, 12.5);
+        for (int i = 1; i < 4; ++i) EXPECT_EQ(fitted[std::size_t(i)].range_m, 0) << i;
+    }
 }
 
 TEST(SceneLights, TheirNumberIsBounded) {

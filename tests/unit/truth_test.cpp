@@ -222,6 +222,31 @@ TEST(Truth, CountsWhyPixelsAreLeftOut) {
     EXPECT_GT(counted[std::size_t(PixelState::Background)], 100u);
     EXPECT_GT(counted[std::size_t(PixelState::OutsideCone)], 100u);
     EXPECT_GT(counted[std::size_t(PixelState::NotReceiving)], 20u);
+    EXPECT_EQ(counted[std::size_t(PixelState::BeyondRange)], 0u);
+
+    // A light straight overhead reaches a circle of the floor, and shadows beyond it are still traced.
+    set_setting(settings, "light.0.elevation", "90");
+    const double height = fit_lights(scene, settings)[0].position.y, range = std::hypot(height, 1.75);
+    settings.lights[0].range = range;
+    const FittedLight ranged = fit_lights(scene, settings)[0];
+    truth = trace_visibility(TruthScene(geometry), receivers, truth_query(scene, settings, {ranged}, 0), {});
+    std::size_t beyond = 0;
+    for (std::size_t i = 0; i < truth.state.size(); ++i) {
+        const Receiver& r = receivers.pixels[i];
+        if (truth.state[i] != PixelState::Counted && truth.state[i] != PixelState::BeyondRange) continue;
+        const bool reached = glm::distance(r.position_ws, ranged.position) < range;
+        EXPECT_EQ(truth.state[i] == PixelState::Counted, reached);
+        beyond += !reached;
+    }
+    EXPECT_GT(beyond, 30u);
+    EXPECT_GT(truth.counted(), 50u);
+    EXPECT_EQ(truth.pixels[std::size_t(PixelState::BeyondRange)], beyond);
+    set_setting(settings, "light.0.range", "0");
+    const Truth endless = trace_visibility(TruthScene(geometry), receivers,
+                                           truth_query(scene, settings, fit_lights(scene, settings), 0), {});
+    EXPECT_EQ(endless.visibility.data, truth.visibility.data);
+    EXPECT_EQ(endless.counted(), truth.counted() + beyond);
+
     set_setting(settings, "light.0.type", "directional");
     set_setting(settings, "light.0.elevation", "-30");
     truth = trace_visibility(TruthScene(geometry), receivers,

@@ -1,0 +1,129 @@
+// light.range: the window of KHR_lights_punctual in the picture, in the probe's words and in the measured error.
+#include <cmath>
+
+#include "renderer/reference/error_task.h"
+#include "renderer/scenes/shapes.h"
+#include "tests/gl/frame_fixture.h"
+
+namespace si {
+namespace {
+
+constexpr double kHeight = 2;  // m, of the light over the floor
+
+double linear(std::uint8_t srgb) {
+    const double c = srgb / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+class LightRange : public FrameTest {
+protected:
+    Scene scene = make_floor();
+
+    static Scene make_floor() {
+        Scene s;
+        const int white = add_material(s, "white", {1, 1, 1});
+        add_object(s, "floor", -1, add_mesh(s, "floor", make_plane(10, 10), white));
+        finalise(s);
+        return s;
+    }
+    Settings lit(const char* type, double range) {
+        return settings_for(scene, {{"light.type", type},
+                                    {"light.elevation", "90"},
+                                    {"light.distance", std::to_string(kHeight)},
+                                    {"light.cone", "140"},
+                                    {"light.cone_blend", "0"},
+                                    {"light.range", std::to_string(range)},
+                                    {"shading.ambient", "0"},
+                                    {"shading.diffuse", "1"},
+                                    {"shading.specular", "0"}});
+    }
+};
+
+TEST_F(LightRange, LightFadesByTheWindowAndEnds) {
+    const double range = 3;
+    const FrameRequest request = small();
+    for (const char* type : {"spot", "point"})
+        for (const char* path : {"true", "false"}) {
+            Settings s = lit(type, 0);
+            set_setting(s, "shading.separate_visibility", path);
+            const ByteImage endless = picture(scene, s);
+            set_setting(s, "light.range", std::to_string(range));
+            const ByteImage ended = picture(scene, s);
+            const FrameResult frame = renderer.render(scene, s, request);
+            std::size_t dark = 0, half = 0;
+            for (int y = 0; y < request.height; ++y)
+                for (int x = 0; x < request.width; ++x) {
+                    glm::dvec3 origin, direction;
+                    frame.camera.pixel_ray(x, y, request.width, request.height, origin, direction);
+                    const glm::dvec3 p = origin - direction * (origin.y / direction.y);
+                    const std::size_t i = (std::size_t(y) * std::size_t(request.width) + std::size_t(x)) * 4;
+                    if (direction.y >= 0 || std::abs(p.x) > 4.9 || std::abs(p.z) > 4.9) continue;
+                    const double d = std::hypot(p.x, p.z, kHeight), share = d / range;
+                    const double before = linear(endless.data[i]), after = linear(ended.data[i]);
+                    if (d > 1.01 * range) {
+                        EXPECT_EQ(ended.data[i], 0) << type << " at " << x << ',' << y;
+                        dark += endless.data[i] > 0;
+                    } else if (before > 0.02) {
+                        const double window = std::max(1 - std::pow(share, 4), 0.0);
+                        EXPECT_NEAR(after, before * window, 0.006) << type << " at " << x << ',' << y;
+                        half += share > 0.7 && share < 0.85;
+                    }
+                }
+            EXPECT_GT(dark, 500u) << type;
+            EXPECT_GT(half, 500u) << type;
+        }
+}
+
+TEST_F(LightRange, AtHalfTheRangeFifteenSixteenthsAreLeft) {
+    Settings s = lit("point", 0);
+    set_setting(s, "camera.source", "manual");
+    set_setting(s, "camera.elevation", "89.9");
+    const FrameRequest request{.width = 65, .height = 65};
+    const auto middle = [&] { return linear(picture(scene, s, request).data[(32 * 65 + 32) * 4]); };
+    set_setting(s, "light.intensity", "1");
+    const double before = middle();
+    ASSERT_NEAR(before, 1, 0.01) << "straight under the light, which is normalised to 1 there";
+    set_setting(s, "light.range", std::to_string(2 * kHeight));
+    EXPECT_NEAR(middle(), before * 15 / 16, 0.005);
+    set_setting(s, "light.range", std::to_string(0.99 * kHeight));
+    EXPECT_EQ(middle(), 0);
+}
+
+TEST_F(LightRange, ProbeSaysWhyItIsDark) {
+    const Settings s = lit("point", 3);
+    int beyond = 0, within = 0;
+    for (int y = 20; y < 180; y += 10)
+        for (int x = 10; x < 320; x += 20) {
+            const Probe p = renderer.probe(scene, s, small(), x, y);
+            if (!p.hit) continue;
+            const bool reached = glm::distance(p.position_ws, glm::dvec3(0, kHeight, 0)) < 3;
+            EXPECT_EQ(p.lights.at(0).verdict.find("beyond the light's range of 3 m") == std::string::npos, reached)
+                << p.lights[0].verdict;
+            ++(reached ? within : beyond);
+        }
+    EXPECT_GT(beyond, 10);
+    EXPECT_GT(within, 5);
+}
+
+TEST_F(LightRange, WhatLightDoesNotReachIsNotMeasured) {
+    Settings s = lit("point", 3);
+    TruthCache cache;
+    const MeasuredError error = measure_error(error_task(renderer, scene, s, small(), 0), cache);
+    const std::size_t beyond = error.metrics.pixels[std::size_t(PixelState::BeyondRange)];
+    EXPECT_GT(beyond, 1000u);
+    EXPECT_GT(error.metrics.counted, 1000u);
+    EXPECT_EQ(error.metrics.false_shadow, 0);
+    set_setting(s, "map.outside", "unlit");
+    set_setting(s, "light.near", "0.1");
+    set_setting(s, "light.far", "1.9");
+    set_setting(s, "light.fit", "manual");
+    const MeasuredError cut = measure_error(error_task(renderer, scene, s, small(), 0), cache);
+    EXPECT_EQ(cut.metrics.counted, error.metrics.counted);
+    EXPECT_GT(cut.metrics.outside_false_shadow, 0) << "the map ends before the light does";
+    set_setting(s, "light.range", "0");
+    const MeasuredError endless = measure_error(error_task(renderer, scene, s, small(), 0), cache);
+    EXPECT_EQ(endless.metrics.counted, error.metrics.counted + beyond) << "another range is another truth";
+}
+
+}  // namespace
+}  // namespace si
