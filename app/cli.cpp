@@ -201,10 +201,7 @@ void start_editor(Options& o) {
         e.width = size.width, e.height = size.height;
         e.size_given = true;
     }
-    static const std::vector<std::string> kTabs = {"passes", "probe", "objects", "compare", "log"};
-    if (!e.tab.empty() && std::find(kTabs.begin(), kTabs.end(), e.tab) == kTabs.end()) {
-        throw UsageError(fmt::format("--tab {}: it is one of {}", e.tab, fmt::join(kTabs, ", ")));
-    }
+    tab_named(e.tab);
     if (!o.probe.pixel.empty())
         std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe.pixel, {e.width, e.height}, "--probe");
     e.session = o.session;
@@ -220,7 +217,9 @@ void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_option("--screenshot", o.editor.screenshot, "Where --headless writes the picture")->type_name("F.png");
     add_size(*c, o, "1600x900");
     c->add_option("--probe", o.probe.pixel, "Probe this pixel of the scene's picture at the start")->type_name("X,Y");
-    c->add_option("--tab", o.editor.tab, "The tab in front at the start: passes, probe, objects, compare or log");
+    c->add_option("--tab", o.editor.tab,
+                  "The tab in front at the start: passes, probe, objects, compare, frontier or log");
+    c->add_option("--sweep", o.editor.sweep, "Show the sweep in this folder in the tab frontier")->type_name("DIR");
     c->add_flag("--no-state", o.no_state,
                 "Neither read nor keep layout, recent files and autosaves "
                 "($XDG_STATE_HOME/shadow-inspector, by default below ~/.local/state)");

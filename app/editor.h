@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/session.h"
+#include "ui/editor_ui.h"
 
 namespace si {
 
@@ -19,8 +20,12 @@ struct EditorOptions {
     bool size_given = false;         ///< a window has this size whatever was kept
     double scale = 0;                ///< of text and widgets; 0: from the monitor, or from the screenshot's height
     int probe_x = -1, probe_y = -1;  ///< pixel of the scene picture probed at the start; negative: none
-    std::string tab;                 ///< passes, probe, objects or log in front at the start; empty: passes
+    std::string tab;                 ///< of the strip below, in front at the start; empty: passes
+    std::filesystem::path sweep;     ///< folder of a sweep to show; may be empty
 };
+
+/// @throws UsageError naming the tabs there are
+BottomTab tab_named(const std::string& name);
 
 /// Runs until the window is closed, or until the screenshot is written. Returns remarks about the first scene.
 /// @throws Error when there is no display, no OpenGL 4.5, the screenshot's scene cannot be read, or a file cannot be

@@ -21,15 +21,6 @@ int percent(double fraction) {
     return int(fraction * 100);
 }
 
-BottomTab tab_named(const std::string& name) {
-    if (name.empty() || name == "passes") return BottomTab::Passes;
-    if (name == "probe") return BottomTab::Probe;
-    if (name == "objects") return BottomTab::Objects;
-    if (name == "compare") return BottomTab::Compare;
-    if (name == "log") return BottomTab::Log;
-    throw UsageError(fmt::format("no tab '{}' in the editor; there are passes, probe, objects, compare and log", name));
-}
-
 /// `settings`, with what still is as `from` has it replaced by what `to` has: a person's changes survive a change of
 /// scene, the scene's own suggestions do not.
 Settings rebased(const Settings& settings, const Settings& from, const Settings& to) {
@@ -45,8 +36,20 @@ Settings rebased(const Settings& settings, const Settings& from, const Settings&
 
 }  // namespace
 
+BottomTab tab_named(const std::string& name) {
+    static const std::vector<std::pair<std::string, BottomTab>> kTabs = {
+        {"passes", BottomTab::Passes},   {"probe", BottomTab::Probe},       {"objects", BottomTab::Objects},
+        {"compare", BottomTab::Compare}, {"frontier", BottomTab::Frontier}, {"log", BottomTab::Log}};
+    std::string names;
+    for (const auto& [key, tab] : kTabs) {
+        if (key == name || name.empty()) return tab;
+        names += (names.empty() ? "" : ", ") + key;
+    }
+    throw UsageError(fmt::format("--tab {}: it is one of {}", name, names));
+}
+
 EditorModel::EditorModel(const EditorOptions& options, SceneReader read)
-    : strict_(options.headless), memory_(options.state_folder), loading_(std::move(read)) {
+    : strict_(options.headless), memory_(options.state_folder), loading_(std::move(read)), sweep_(options.state_folder) {
     SessionPlan plan = plan_session(options.session);
     state.settings = base_ = plan.settings;
     state.history.reset(state.settings);
@@ -57,6 +60,11 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read)
         state.open_tab = BottomTab::Probe;
     }
     if (!options.tab.empty()) state.open_tab = tab_named(options.tab);
+    if (!options.sweep.empty()) {
+        state.sweep.folder = options.sweep.string();
+        sweep_.open(options.sweep, state.sweep);
+        state.open_tab = BottomTab::Frontier;
+    }
     start_loading(std::move(plan), {});
 }
 
@@ -77,6 +85,7 @@ EditorFrame EditorModel::facts() const {
     memory_.fill(f);
     f.shader_log = shader_log_;
     f.problem = problem_;
+    f.sweep = &sweep_.facts();
     if (const std::string name = loading_.wanted(); !name.empty()) {
         f.loading = LoadingFacts{name, loading_.progress()};
         shown_percent_ = percent(f.loading->progress);
@@ -284,6 +293,26 @@ bool EditorModel::draw_scene(const EditorActions& actions) {
     return true;
 }
 
+void EditorModel::take_sweep_base() {
+    if (!sweep_.base()) return;
+    const ViewSettings view = state.settings.view;
+    const int light = sweep_.base()->view.light;
+    state.settings = *sweep_.base();
+    state.settings.view = view;
+    state.settings.view.light = light;
+}
+
+bool EditorModel::follow_measuring(const EditorActions& actions) {
+    if (actions.want_present && has_scene_)
+        sweep_.follow(scene_, state.scene_name, state.settings, state.sweep);
+    else
+        sweep_.unfollow();
+    const bool had_problem = !sweep_.facts().problem.empty();
+    const bool changed = sweep_.update(state);
+    if (!had_problem && !sweep_.facts().problem.empty()) report("The sweep ended: " + sweep_.facts().problem);
+    return changed;
+}
+
 void EditorModel::save_map(const std::string& path) {
     require_scene();
     require_writable(path);
@@ -319,6 +348,16 @@ bool EditorModel::fulfil(const EditorActions& actions) {
         attempt([&] { given_ = state.settings = base_settings(scene_), state.guide = {}; });
     if (state.between_steps && !arrival_.step) attempt([&] { follow_step(); });
     if (actions.save_map) attempt([&] { save_map(*actions.save_map); });
+    if (actions.start_sweep)
+        attempt([&] { require_scene(), sweep_.start(scene_, state.scene_name, state.settings, *actions.start_sweep); });
+    if (actions.cancel_sweep) attempt([&] { sweep_.cancel(); });
+    if (actions.open_sweep) attempt([&] { sweep_.open(*actions.open_sweep, state.sweep); });
+    if (actions.save_sweep)
+        attempt([&] {
+            sweep_.save(*actions.save_sweep);
+            state.log.add(LogKind::Info, "Saved " + *actions.save_sweep + "/report.html and the tables beside it");
+        });
+    if (actions.take_sweep_base) attempt([&] { take_sweep_base(); });
     if (actions.copy_command_line && has_scene_) {
         const std::string text =
             command_line(state.scene_name, scene_, state.settings, request_.width, request_.height);
@@ -329,6 +368,7 @@ bool EditorModel::fulfil(const EditorActions& actions) {
     if (has_scene_ && state.settings.scene.index != seen_index_) attempt([&] { follow_file_scene(); });
     if (has_scene_ && state.settings.scene != posed_) attempt([&] { follow_time(); });
     changed |= compare();
+    changed |= follow_measuring(actions);
     const bool drawn = draw_scene(actions);
     try {
         if (drawn_)

@@ -11,6 +11,7 @@
 #include "app/editor.h"
 #include "app/editor_memory.h"
 #include "app/editor_readings.h"
+#include "app/editor_sweep.h"
 #include "app/preset_desk.h"
 #include "app/scene_loading.h"
 #include "app/session.h"
@@ -42,6 +43,12 @@ public:
     bool loading() const { return loading_.busy(); }
     /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
     bool loading_moved() const;
+    /// Something is being measured in the background.
+    bool measuring() const { return sweep_.busy(); }
+    /// Whether the next fulfil() has news of it.
+    bool measuring_moved() const { return sweep_.moved(); }
+    /// Waits until nothing is being measured.
+    void finish_measuring() { sweep_.wait(); }
     /// Waits for the scene that is being read and switches to it.
     void finish_loading();
     /// @throws Error why there is no scene, or (headless) what of the options the first one lacks.
@@ -93,6 +100,9 @@ private:
     bool compare();
     /// Moves the scene to the moment that the settings name, and what it suggests along with it.
     void follow_time();
+    /// Sweeps, and the present settings' place among their cases. Returns whether there are news.
+    bool follow_measuring(const EditorActions& actions);
+    void take_sweep_base();
     bool draw_scene(const EditorActions& actions);
     void save_map(const std::string& path);
     void report(const std::string& error);
@@ -124,6 +134,7 @@ private:
     FrameResult result_;
     std::string problem_, shader_log_;
     EditorReadings readings_;
+    EditorSweep sweep_;
 };
 
 }  // namespace si

@@ -80,6 +80,10 @@ void HeadlessEditor::settle() {
         model_->finish_loading();
         // Sizes settle in two frames, the picture of that size is there in the next, numbers read from it in one more.
         for (int i = 0; i < 6; ++i) frame();
+        if (model_->measuring()) {
+            model_->finish_measuring();
+            frame(), frame();
+        }
     } while (model_->loading());  // a frame may ask for a scene
 }
 

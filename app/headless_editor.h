@@ -30,7 +30,8 @@ public:
 
     /// One frame of the editor, 1/60 s after the one before, and what it asked for.
     EditorActions frame();
-    /// Waits for a scene that is being read, then draws frames until layout and pictures no longer change.
+    /// Waits for a scene that is being read, draws frames until layout and pictures no longer change, and waits for
+    /// what they ask to be measured.
     void settle();
     /// The last frame, top row first.
     ByteImage picture() const;

@@ -18,6 +18,7 @@
 #include "ui/history.h"
 #include "ui/light_drag.h"
 #include "ui/log.h"
+#include "ui/measured.h"
 
 namespace si {
 
@@ -49,7 +50,7 @@ struct Playback {
     double speed = 1;  ///< seconds of the animation in a second
 };
 
-enum class BottomTab { Passes, Probe, Objects, Compare, Log };
+enum class BottomTab { Passes, Probe, Objects, Compare, Frontier, Log };
 
 /// What the present state is compared with.
 enum class CompareKind { Scene, Defaults, Preset };
@@ -88,6 +89,7 @@ struct EditorState {
     int active_pane = 0;                      ///< under the mouse, or where a press began
     std::optional<glm::ivec2> hovered_texel;  ///< under the mouse in the map viewer, y up
     Playback playback;
+    SweepPanel sweep;
     BottomTab tab = BottomTab::Passes;
     std::optional<BottomTab> open_tab = BottomTab::Passes;  ///< brought to the front in the next frame
     std::string object_search;
@@ -158,6 +160,7 @@ struct EditorFrame {
     std::string_view shader_log;
     std::string_view problem;  ///< why there is no picture
     std::optional<LoadingFacts> loading;
+    const SweepFacts* sweep = nullptr;
 };
 
 struct EditorActions {
@@ -175,6 +178,11 @@ struct EditorActions {
     bool reset_all = false;                 ///< to the scene's own settings
     bool restore_lost = false, discard_lost = false;
     bool cancel_load = false;  ///< keep the scene that is shown
+    std::optional<SweepWish> start_sweep;
+    bool cancel_sweep = false;
+    std::optional<std::string> save_sweep, open_sweep;  ///< folders
+    bool take_sweep_base = false;  ///< the settings that the sweep's cases share
+    bool want_present = false;     ///< the present settings are to be measured
     bool copy_command_line = false;
     bool quit = false;
     bool redraw = false;  ///< something still moves: draw another frame soon

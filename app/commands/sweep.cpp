@@ -9,7 +9,7 @@
 #include "app/sweep/files.h"
 #include "app/sweep/merge.h"
 #include "app/sweep/progress_line.h"
-#include "app/sweep/rendered_cases.h"
+#include "app/sweep/running_sweep.h"
 #include "renderer/error.h"
 
 namespace si {
@@ -23,14 +23,13 @@ constexpr auto kCheckpoint = 10s;
 constexpr double kBusyLoad = 0.5;  // running processes per core
 
 /// Steps until all is done or a person has had enough, and writes results from time to time.
-void run_steps(SweepRunner& runner, const SweepTiming& timing, const Journal& journal, const SweepPlan& plan,
-               const fs::path& folder, const InterruptGuard& interrupt) {
+void run_steps(RunningSweep& sweep, const InterruptGuard& interrupt) {
     ProgressLine line;
     auto checkpoint = std::chrono::steady_clock::now() + kCheckpoint;
-    while (!interrupt.asked() && runner.step()) {
-        line.show(runner.progress(), timing);
+    while (!interrupt.asked() && sweep.step()) {
+        line.show(sweep.progress(), sweep.of().timing);
         if (std::chrono::steady_clock::now() < checkpoint) continue;
-        write_sweep_files(folder, journal.state(), plan, SweepFiles::Results);
+        write_sweep_files(sweep.of().folder, sweep.state(), sweep.of().plan, SweepFiles::Results);
         checkpoint = std::chrono::steady_clock::now() + kCheckpoint;
     }
 }
@@ -59,36 +58,34 @@ void run_sweep(const SweepOptions& options) {
     const fs::path folder = options.folder;
     if (!options.fresh) require_sweep_folder(folder);
     Session session = open_session(options.session);
-    SweepSpec spec = sweep_spec(session, std::move(axes), options.size.width, options.size.height);
+    SweepSpec spec = sweep_spec(session.scene_name, session.scene, session.settings, std::move(axes), options.size.width, options.size.height);
     spec.area = options.area, spec.shard = shard;
-    const SweepPlan plan = plan_sweep(spec.base, spec.axes);
+    SweepPlan plan = plan_sweep(spec.base, spec.axes);
     Settings first = plan.cases.front().settings;  // all cases override the same objects
     check_objects(session.scene, first, "", nullptr);
     if (options.fresh) forget_sweep(folder);
-    Journal journal(folder, spec_json(spec), plan_key(plan));
+    const std::vector<std::string> notes = session.notes;
 
     SweepTiming timing = options.timing;
     // Shards run beside each other, on machines that differ.
     timing.on = timing.on && shard.count == 1;
     const HeadlessContext context;
     Renderer renderer;
-    Measurer measurer(renderer, spec.width, spec.height, {.area = spec.area});
-    RenderedCases cases(measurer, renderer.driver(), session);
     InterruptGuard interrupt;
-    SweepRunner runner(plan, shard, timing, options.retry, cases, journal, folder);
-    run_steps(runner, timing, journal, plan, folder, interrupt);
-    const Json results = write_sweep_files(folder, journal.state(), plan);
+    RunningSweep sweep({std::move(session), std::move(spec), std::move(plan), timing, options.retry, folder}, renderer);
+    run_steps(sweep, interrupt);
+    const Json results = write_sweep_files(folder, sweep.state(), sweep.of().plan);
     if (interrupt.asked()) {
         fmt::print(
             stderr,
             "shadow-inspector: interrupted after {} of {} cases; what is done is in {}, the same command goes on "
             "from there\n",
-            results.at("finished").get<int>() + results.at("failed").get<int>(), plan.cases.size(), folder.string());
+            results.at("finished").get<int>() + results.at("failed").get<int>(), sweep.of().plan.cases.size(), folder.string());
         interrupt.end();
     }
     print_result(results, folder);
-    print_notes(session.notes);
-    print_notes(notes_on_times(journal.state(), timing));
+    print_notes(notes);
+    print_notes(notes_on_times(sweep.state(), timing));
 }
 
 void run_merge(const MergeOptions& options) {

@@ -8,7 +8,7 @@
 
 #include "app/measure_json.h"
 #include "app/sweep/columns.h"
-#include "renderer/measure/frontier.h"
+#include "app/sweep/measured_cases.h"
 
 namespace si {
 
@@ -27,23 +27,10 @@ std::string first_with_numbers(const Json& rows, std::initializer_list<const cha
 Json frontier_json(const Json& rows) {
     const std::string x = first_with_numbers(rows, {"time.total_ms.median", "cost.bytes_touched"});
     const std::string y = first_with_numbers(rows, {"error.mae"});
-    std::vector<Dot> dots, exact;
-    for (const Json& row : rows) {
-        Dot dot;
-        dot.cost = plotted_value(*find_column(x), row), dot.error = plotted_value(*find_column(y), row);
-        exact.push_back(dot);
-        const auto noise = [&](const std::string& key) {
-            const double v = number_at(row, find_column(key)->noise);
-            return std::isfinite(v) ? v : 0;
-        };
-        dot.cost_noise = noise(x), dot.error_noise = noise(y);
-        dots.push_back(dot);
-    }
-    const std::vector<bool> on = frontier(dots), strict = frontier(exact);
     Json json = {{"x", x}, {"y", y}, {"cases", Json::array()}, {"tied", Json::array()}};
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (on[i]) json["cases"].push_back(rows[i]["case"]);
-        if (on[i] && !strict[i]) json["tied"].push_back(rows[i]["case"]);
+    for (const FrontierView::Mark& mark : frontier_view(rows, {}, x, y).marks) {
+        if (mark.on) json["cases"].push_back(rows[mark.of]["case"]);
+        if (mark.tied) json["tied"].push_back(rows[mark.of]["case"]);
     }
     return json;
 }

@@ -72,12 +72,13 @@ std::uint64_t scene_content_key(const Scene& scene) {
     return key.value();
 }
 
-SweepSpec sweep_spec(const Session& session, std::vector<SweepAxis> axes, int width, int height) {
+SweepSpec sweep_spec(const std::string& scene_name, const Scene& scene, const Settings& settings,
+                     std::vector<SweepAxis> axes, int width, int height) {
     SweepSpec spec;
-    spec.scene = session.scene_name;
-    spec.scene_content = scene_content_key(session.scene);
-    spec.triangles = session.scene.triangle_count();
-    spec.base = measured_settings(session.settings);
+    spec.scene = scene_name;
+    spec.scene_content = scene_content_key(scene);
+    spec.triangles = scene.triangle_count();
+    spec.base = measured_settings(settings);
     spec.axes = std::move(axes);
     spec.width = width, spec.height = height;
     return spec;

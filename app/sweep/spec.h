@@ -35,7 +35,8 @@ struct SweepSpec {
 /// Of what is drawn of a scene: equal for the same file read twice, wherever it lies.
 std::uint64_t scene_content_key(const Scene& scene);
 
-SweepSpec sweep_spec(const Session& session, std::vector<SweepAxis> axes, int width, int height);
+SweepSpec sweep_spec(const std::string& scene_name, const Scene& scene, const Settings& settings,
+                     std::vector<SweepAxis> axes, int width, int height);
 
 nlohmann::ordered_json spec_json(const SweepSpec& spec);
 /// @throws Error when it is not what spec_json() writes

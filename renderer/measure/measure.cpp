@@ -38,7 +38,10 @@ TimeSamples Measurer::time(const Scene& scene, const Settings& settings, int fra
 TimeMeasurement Measurer::time(const Scene& scene, const Settings& settings, const TimeSampler::Limits& limits) {
     const Settings measured = measured_settings(settings);
     TimeSampler sampler(limits);
-    while (!sampler.done()) sampler.add(renderer_.render(scene, measured, timed_request()));
+    while (!sampler.done()) {
+        if (workers_.stop.stop_requested()) throw Cancelled();
+        sampler.add(renderer_.render(scene, measured, timed_request()));
+    }
     return sampler.result();
 }
 

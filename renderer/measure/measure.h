@@ -25,11 +25,14 @@ public:
     Measurer(Renderer& renderer, int width, int height, const TruthOptions& truth = {}, Workers workers = {})
         : renderer_(renderer), width_(width), height_(height), truth_options_(truth), workers_(std::move(workers)) {}
 
+    /// Who traces from now on, and may stop it.
+    void set_workers(Workers workers) { workers_ = std::move(workers); }
+
     /// Draws, traces (unless the truth is known from before) and compares. @throws Error, Cancelled
     Judgement judge(const Scene& scene, const Settings& settings);
     /// Draws one frame that warms up, and `frames` that count, with every pass forced to run. @throws Error
     TimeSamples time(const Scene& scene, const Settings& settings, int frames);
-    /// Draws until the time stands still or the most frames were drawn. @throws Error
+    /// Draws until the time stands still or the most frames were drawn. @throws Error, Cancelled
     TimeMeasurement time(const Scene& scene, const Settings& settings, const TimeSampler::Limits& limits = {});
 
 private:

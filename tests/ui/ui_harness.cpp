@@ -88,6 +88,7 @@ EditorActions UiHarness::frame() {
     if (state.probe_pixel) probe_.x = state.probe_pixel->x, probe_.y = state.probe_pixel->y;
     EditorFrame facts;
     facts.loading = loading;
+    if (sweep) facts.sweep = &*sweep;
     if (with_facts) {
         facts.result = &result_;
         facts.scene = &scene;

@@ -27,6 +27,7 @@ public:
     EditorState state;
     Scene scene;
     std::optional<LoadingFacts> loading;
+    std::optional<SweepFacts> sweep;
     std::optional<MapFacts> map_facts;
     std::vector<LostCaster> lost_casters;
     bool with_facts = true;  ///< false: the editor knows no frame yet

@@ -151,8 +151,9 @@ protected:
         return told && server_->running();
     }
 
-    void start() {
-        const std::vector<std::string> line{SI_PROGRAM, "edit", "boxes", "--size", "1280x720"};
+    void start(const std::vector<std::string>& more = {}) {
+        std::vector<std::string> line{SI_PROGRAM, "edit", "boxes", "--size", "1280x720"};
+        line.insert(line.end(), more.begin(), more.end());
         program_ = std::make_unique<Process>(line, folder_, "program.log");
         // The title names the scene once the first frame is drawn.
         const auto drawn = [&] { return xdotool("search --name 'boxes - Shadow Inspector'"); };
@@ -225,6 +226,41 @@ TEST_F(Window, ASliderIsDraggedUndoneRedoneAndSaved) {
     keys("ctrl+q");
     EXPECT_TRUE(wait_until([&] { return !program_->running(); }, 30));
     EXPECT_EQ(program_->code(), 0) << log();
+}
+
+TEST_F(Window, ADotOfAFrontierIsClicked) {
+    const std::string command = std::string("cd '") + folder_.string() + "' && '" SI_PROGRAM
+        "' sweep boxes --vary filter.kernel=pcf3,pcf9 --vary map.resolution=64,4096 --size 64x48 --rounds 1 -o swept "
+        "> sweep.log 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    // Where the dots are is found in the same editor without a window.
+    EditorOptions options;
+    options.session.scene = "boxes";
+    options.sweep = folder_ / "swept";
+    options.width = 1280, options.height = 720, options.headless = true, options.scale = 1;
+    const auto is_dot = [](const ByteImage& image, int x, int y) {
+        const std::uint8_t* p = &image.data[4 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x))];
+        return p[0] == 86 && p[1] == 180 && p[2] == 233;
+    };
+    glm::ivec2 first{-1};
+    {
+        HeadlessEditor headless(options);
+        headless.model().state.sweep.follow = false;
+        headless.settle();
+        const ByteImage picture = headless.picture();
+        for (int x = 0; x < 900 && first.x < 0; ++x)
+            for (int y = 500; y < 718 && first.x < 0; ++y)
+                if (is_dot(picture, x, y) && is_dot(picture, x + 3, y)) first = {x + 3, y};
+    }
+    ASSERT_GE(first.x, 0) << "no dot of the frontier is drawn";
+    ASSERT_NO_FATAL_FAILURE(start({"--sweep", (folder_ / "swept").string()}));
+    click(21, 606);  // do not measure the present settings: the plot stays as it is
+    click(first.x, first.y);
+    const nlohmann::json settings = saved();
+    screen("window_frontier");
+    EXPECT_EQ(settings.value("map.resolution", ""), "64") << settings;
+    keys("ctrl+z");
+    EXPECT_FALSE(saved().contains("map.resolution"));
 }
 
 TEST_F(Window, AKilledEditorOffersItsSettingsAgain) {

@@ -1,0 +1,153 @@
+// Sweeps behind the editor: on a thread of their own, kept in a journal, cancelled and gone on with.
+#include "app/editor_sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "app/headless_editor.h"
+#include "app/sweep/results.h"
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+const SweepWish kWish{{"filter.kernel=hard,pcf3", "map.resolution=64,256"}, 64, 48, false};
+
+EditorOptions boxes(const fs::path& state = {}) {
+    EditorOptions options;
+    options.session.scene = "boxes";
+    options.width = 1280, options.height = 720;
+    options.headless = true;
+    options.state_folder = state;
+    options.tab = "frontier";
+    return options;
+}
+
+struct Swept {
+    HeadlessEditor editor;
+    explicit Swept(const EditorOptions& options) : editor(options) {
+        editor.model().state.sweep.follow = false;
+        editor.settle();
+    }
+    EditorState& state() { return editor.model().state; }
+    const SweepFacts& facts() { return *editor.model().facts().sweep; }
+    void ask(const std::function<void(EditorActions&)>& what) {
+        EditorActions actions = editor.frame();
+        what(actions);
+        editor.model().fulfil(actions);
+    }
+};
+
+TEST(EditorSweep, MeasuresWhileTheEditorGoesOn) {
+    Swept s(boxes());
+    s.ask([](EditorActions& a) { a.start_sweep = kWish; });
+    EXPECT_TRUE(s.editor.model().measuring());
+    EXPECT_EQ(s.facts().total, 4u);
+    s.state().settings.bias.constant = 0.7;
+    s.editor.frame();  // does not wait
+    s.editor.settle();
+    ASSERT_EQ(s.facts().cases.size(), 4u) << s.facts().problem;
+    EXPECT_FALSE(s.facts().running);
+    EXPECT_EQ(s.facts().view.marks.size(), 4u) << "each has an error and a time";
+    EXPECT_EQ(s.facts().other_settings.size(), 1u) << "the bias has changed since";
+    s.ask([](EditorActions& a) { a.take_sweep_base = true; });
+    s.editor.settle();
+    EXPECT_TRUE(s.facts().other_settings.empty());
+    EXPECT_NE(s.state().settings.bias.constant, 0.7);
+}
+
+TEST(EditorSweep, ThePresentSettingsAreADotThatMoves) {
+    Swept s(boxes());
+    s.state().sweep.width = 64, s.state().sweep.height = 48;
+    s.state().sweep.follow = true;
+    s.state().settings.map.resolution = 64;
+    s.editor.settle();
+    ASSERT_TRUE(s.facts().view.present) << s.facts().present_problem;
+    const Dot coarse = *s.facts().view.present;
+    s.state().settings.map.resolution = 2048;
+    s.editor.settle();
+    ASSERT_TRUE(s.facts().view.present);
+    EXPECT_LT(s.facts().view.present->error, coarse.error);
+    EXPECT_GT(coarse.cost, 0);
+    s.state().sweep.cost = "cost.map_texels";
+    s.editor.settle();
+    EXPECT_EQ(s.facts().view.present->cost, 2048 * 2048);
+}
+
+TEST(EditorSweep, CancelledItGoesOnWhereItWas) {
+    const fs::path state = fresh_test_folder();
+    std::size_t kept = 0;
+    {
+        Swept s(boxes(state));
+        s.ask([](EditorActions& a) { a.start_sweep = kWish; });
+        // Cancelled as soon as something is measured. An editor that never rests would keep a software driver's threads.
+        while (s.facts().cases.empty() && s.editor.model().measuring()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            s.editor.frame();
+        }
+        s.ask([](EditorActions& a) { a.cancel_sweep = true; });
+        s.editor.settle();
+        EXPECT_FALSE(s.facts().running);
+        EXPECT_TRUE(s.facts().problem.empty()) << s.facts().problem;
+        kept = s.facts().cases.size();
+        EXPECT_GT(kept, 0u);
+    }
+    const std::string journal = file_bytes(state / "sweep-1" / kJournalFile);
+    ASSERT_FALSE(journal.empty());
+    Swept s(boxes(state));
+    s.ask([](EditorActions& a) { a.start_sweep = kWish; });
+    s.editor.settle();
+    EXPECT_EQ(s.facts().cases.size(), 4u);
+    EXPECT_TRUE(file_bytes(state / "sweep-1" / kJournalFile).starts_with(journal)) << "nothing is measured twice";
+    // Another sweep takes the place of the finished one.
+    SweepWish other = kWish;
+    other.axes = {"bias.constant=0,1"};
+    s.ask([&](EditorActions& a) { a.start_sweep = other; });
+    s.editor.settle();
+    EXPECT_EQ(s.facts().cases.size(), 2u);
+    EXPECT_FALSE(fs::exists(state / "sweep-2"));
+}
+
+TEST(EditorSweep, SavedAndOpenedItIsTheSame) {
+    const fs::path folder = fresh_test_folder();
+    {
+        Swept s(boxes());
+        s.ask([](EditorActions& a) { a.start_sweep = kWish; });
+        s.editor.settle();
+        s.ask([&](EditorActions& a) { a.save_sweep = (folder / "out").string(); });
+        EXPECT_EQ(s.state().log.unseen_errors(), 0);
+    }
+    for (const char* file : {"report.html", "results.csv", "results.json", "base.json", "pictures/0000.jpg"})
+        EXPECT_TRUE(fs::exists(folder / "out" / file)) << file;
+    EditorOptions options = boxes();
+    options.sweep = folder / "out";
+    Swept s(options);
+    EXPECT_EQ(s.state().tab, BottomTab::Frontier);
+    EXPECT_EQ(s.facts().cases.size(), 4u);
+    EXPECT_EQ(s.facts().view.marks.size(), 4u);
+    EXPECT_EQ(s.state().sweep.width, 64);
+    ASSERT_EQ(s.state().sweep.axes.size(), 2u);
+    EXPECT_EQ(s.state().sweep.axes[1].values, "64,256");
+}
+
+TEST(EditorSweep, WhatCannotBeSweptIsSaid) {
+    Swept s(boxes());
+    SweepWish wish = kWish;
+    wish.axes = {"no.such=1"};
+    s.ask([&](EditorActions& a) { a.start_sweep = wish; });
+    ASSERT_FALSE(s.state().log.lines().empty());
+    EXPECT_NE(s.state().log.lines().back().text.find("no.such"), std::string::npos);
+    EXPECT_FALSE(s.editor.model().measuring());
+    s.ask([](EditorActions& a) { a.open_sweep = "/nonexistent/folder"; });
+    EXPECT_NE(s.state().log.lines().back().text.find("/nonexistent/folder"), std::string::npos);
+    s.ask([](EditorActions& a) { a.save_sweep = "/nonexistent/folder"; });
+    EXPECT_EQ(s.state().log.lines().back().kind, LogKind::Error);
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,184 @@
+// The frontier panel over made-up cases: what it asks for, what a click on a dot does, and that it fits.
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "app/sweep/measured_cases.h"
+#include "renderer/param.h"
+#include "tests/ui/ui_harness.h"
+#include "ui/playback.h"
+
+namespace si::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Three cases of which the last is beaten, and present settings between them.
+SweepFacts made_up_sweep() {
+    SweepFacts facts;
+    facts.columns = measured_columns();
+    Json rows = Json::array();
+    const auto add = [&](const char* kernel, double ms, double mae) {
+        rows.push_back({{"case", rows.size()},
+                        {"settings", {{"filter.kernel", kernel}, {"map.resolution", "1024"}}},
+                        {"failed", nullptr},
+                        {"error", {{"mae", mae}, {"acne", 0.0}}},
+                        {"time", {{"total_ms", {{"median", ms}, {"p95", ms}, {"noise", 0.1}}}}}});
+    };
+    add("hard", 2, 0.08), add("pcf5", 8, 0.01), add("pcf3", 9, 0.05);
+    for (const Json& row : rows) facts.cases.push_back(measured_case(row));
+    facts.total = rows.size();
+    facts.software = true;
+    const Json present = {{"error", {{"mae", 0.04}}}, {"time", {{"total_ms", {{"median", 4.0}, {"noise", 0.1}}}}}};
+    facts.present = measured_case(present);
+    facts.view = frontier_view(rows, present, "time.total_ms.median", "error.mae");
+    return facts;
+}
+
+/// Where the last frame drew a filled circle of this colour: the middle of each run of its vertices.
+std::vector<glm::vec2> dots_of_colour(ImU32 colour) {
+    std::vector<glm::vec2> dots;
+    const ImDrawData* data = ImGui::GetDrawData();
+    for (int i = 0; i < data->CmdListsCount; ++i) {
+        glm::vec2 sum{0};
+        int run = 0;
+        for (const ImDrawVert& v : data->CmdLists[i]->VtxBuffer) {
+            if (v.col == colour) {
+                sum += glm::vec2(v.pos.x, v.pos.y), ++run;
+                continue;
+            }
+            // The fringe of a circle is transparent: its vertices alternate with the filled ones.
+            if ((v.col & ~IM_COL32_A_MASK) == (colour & ~IM_COL32_A_MASK) && v.col >> IM_COL32_A_SHIFT == 0) continue;
+            if (run >= 8) dots.push_back(sum / float(run));
+            sum = {}, run = 0;
+        }
+        if (run >= 8) dots.push_back(sum / float(run));
+    }
+    return dots;
+}
+
+struct Panel {
+    UiHarness ui;
+    explicit Panel(int width = 1280, int height = 720, float scale = 1) : ui(width, height, scale) {
+        ui.sweep = made_up_sweep();
+        ui.state.open_tab = BottomTab::Frontier;
+        ui.frames(4);
+    }
+};
+
+constexpr ImU32 kBest = IM_COL32(86, 180, 233, 255);
+
+TEST(FrontierPanel, AClickOnADotTakesItsSettingsAndIsUndone) {
+    Panel p;
+    ASSERT_EQ(p.ui.state.tab, BottomTab::Frontier);
+    const Settings before = p.ui.state.settings;
+    const std::vector<glm::vec2> dots = dots_of_colour(kBest);
+    ASSERT_EQ(dots.size(), 2u) << "two cases are on the frontier";
+    const glm::vec2 right = dots[0].x > dots[1].x ? dots[0] : dots[1];
+    p.ui.click(right);
+    p.ui.frames(3);
+    EXPECT_EQ(value_text(*find_setting("filter.kernel")->param, get_value(p.ui.state.settings, *find_setting("filter.kernel"))),
+              "pcf5");
+    EXPECT_EQ(p.ui.state.settings.map.resolution, 1024);
+    EXPECT_EQ(p.ui.state.sweep.chosen, 1);
+    undo(p.ui.state);
+    EXPECT_EQ(p.ui.state.settings, before) << "one step of undo takes it back";
+}
+
+TEST(FrontierPanel, AdviceNamesWhatBetterCosts) {
+    Panel p;
+    const Advice& advice = p.ui.sweep->view.advice;
+    ASSERT_TRUE(advice.better);
+    EXPECT_EQ(p.ui.sweep->cases[p.ui.sweep->view.marks[*advice.better].of].settings[0].second, "pcf5");
+    EXPECT_DOUBLE_EQ(advice.extra_cost, 4);
+    EXPECT_FALSE(advice.cheaper);
+    EXPECT_TRUE(p.ui.sweep->view.marks[0].on && p.ui.sweep->view.marks[1].on && !p.ui.sweep->view.marks[2].on);
+}
+
+TEST(FrontierPanel, AsksForASweepOfWhatIsTyped) {
+    Panel p;
+    p.ui.state.sweep.axes = {{"bias.slope", "0:2:0.5"}};
+    p.ui.state.sweep.width = 96, p.ui.state.sweep.height = 64;
+    const auto press_sweep = [&] {
+        p.ui.frames(2);
+        // The button stands below the line with "Vary another".
+        std::optional<SweepWish> wish;
+        for (float y = 545; y < 600 && !wish; y += 6) {
+            p.ui.move({60, y});
+            p.ui.frames(2);
+            p.ui.press(true);
+            p.ui.frame();
+            p.ui.press(false);
+            wish = p.ui.frame().start_sweep;
+        }
+        return wish;
+    };
+    const auto wish = press_sweep();
+    ASSERT_TRUE(wish);
+    ASSERT_FALSE(wish->axes.empty());
+    EXPECT_EQ(wish->axes[0], "bias.slope=0:2:0.5");
+    EXPECT_EQ(wish->width, 96);
+    EXPECT_EQ(wish->height, 64);
+    p.ui.state.sweep.axes = {{"bias.slope", "nonsense"}};
+    EXPECT_FALSE(press_sweep()) << "values that are none cannot be swept";
+}
+
+TEST(FrontierPanel, WhileItRunsItCanBeCancelled) {
+    Panel p;
+    p.ui.sweep->running = true;
+    p.ui.sweep->progress = 0.4, p.ui.sweep->seconds_left = 75;
+    p.ui.state.sweep.axes = {{"bias.slope", "0,1"}};
+    bool cancelled = false;
+    for (float y = 545; y < 600 && !cancelled; y += 6) {
+        p.ui.move({30, y});
+        p.ui.frames(2);
+        p.ui.press(true);
+        p.ui.frame();
+        p.ui.press(false);
+        const EditorActions actions = p.ui.frame();
+        cancelled = actions.cancel_sweep;
+        EXPECT_FALSE(actions.start_sweep);
+    }
+    EXPECT_TRUE(cancelled);
+}
+
+TEST(FrontierPanel, PresentSettingsAreMeasuredOnlyWhileShown) {
+    Panel p;
+    EXPECT_TRUE(p.ui.frame().want_present);
+    p.ui.state.sweep.follow = false;
+    EXPECT_FALSE(p.ui.frame().want_present);
+    p.ui.state.sweep.follow = true;
+    p.ui.state.open_tab = BottomTab::Log;
+    p.ui.frames(3);
+    EXPECT_FALSE(p.ui.frame().want_present);
+}
+
+TEST(FrontierPanel, FitsAtEverySizeWithEveryState) {
+    for (const auto& [width, height, scale] :
+         {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {3840, 2160, 2.0f}}) {
+        Panel p(width, height, scale);
+        for (int variant = 0; variant < 5; ++variant) {
+            SweepFacts facts = made_up_sweep();
+            if (variant == 1) facts.running = true, facts.seconds_left = 3000;
+            if (variant == 2) facts.view.present.reset(), facts.present_problem = "there is no such light";
+            if (variant == 3) facts.other_settings = {"Slope: 0 to 1 texels"}, facts.problem = "the disk is full";
+            if (variant == 4) facts = SweepFacts{.columns = measured_columns()};
+            p.ui.sweep = facts;
+            p.ui.frames(3);
+            bool seen = false;
+            for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
+                const std::string_view name(w->Name);
+                const bool plot = name.find("plot and advice") != std::string_view::npos;
+                if (!w->WasActive || (!plot && name.find("controls") == std::string_view::npos)) continue;
+                seen = true;
+                EXPECT_LE(w->ContentSize.x, w->InnerRect.GetWidth() + 1) << name << " at " << width << ", " << variant;
+                if (!plot || height < 720 || variant == 3) continue;  // messages may be scrolled to
+                EXPECT_LE(w->ContentSize.y, w->InnerRect.GetHeight() + 1) << name << " at " << width << ", " << variant;
+            }
+            EXPECT_TRUE(seen);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,57 @@
+#include "ui/log_axis.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace si {
+namespace {
+
+TEST(LogAxis, HoldsItsValuesWithARoundNumberAmongThem) {
+    for (const auto& values : {std::vector{0.031, 0.07}, {61.0, 62.0}, {3e-6, 4.0}, {1e3, 1e12}, {5.0}}) {
+        const LogAxis axis = log_axis(values);
+        EXPECT_LT(axis.low, values.front());
+        EXPECT_GT(axis.high, values.back());
+        double last = 0;
+        int numbers = 0;
+        for (const LogAxis::Tick& tick : axis.ticks) {
+            EXPECT_GT(tick.value, last);
+            EXPECT_GE(axis.at(tick.value), 0);
+            EXPECT_LE(axis.at(tick.value), 1);
+            last = tick.value;
+            if (tick.text.empty()) continue;
+            ++numbers;
+            EXPECT_NEAR(std::stod(tick.text) / tick.value, 1, 1e-6);
+        }
+        EXPECT_GE(numbers, 1) << values.front();
+        EXPECT_LE(numbers, 14) << values.front();
+    }
+}
+
+TEST(LogAxis, FactorsAreLengths) {
+    const LogAxis axis = log_axis(std::vector{1.0, 1000.0});
+    EXPECT_NEAR(axis.at(10) - axis.at(1), axis.at(1000) - axis.at(100), 1e-12);
+    EXPECT_GT(axis.at(10), axis.at(1));
+}
+
+TEST(LogAxis, ZeroHasAPlaceOfItsOwn) {
+    const LogAxis without = log_axis(std::vector{1.0, 10.0}), with = log_axis(std::vector{0.0, 1.0, 10.0});
+    EXPECT_FALSE(without.zero);
+    ASSERT_TRUE(with.zero);
+    EXPECT_EQ(with.at(0), 0);
+    EXPECT_GE(with.at(with.low), LogAxis::kZeroShare);
+    EXPECT_EQ(with.ticks.front().text, "0");
+    EXPECT_TRUE(log_axis(std::vector{0.0}).zero);
+}
+
+TEST(LogAxis, WhatIsNotFiniteDoesNotCount) {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const LogAxis axis = log_axis(std::vector{2.0, nan, inf, 4.0}), plain = log_axis(std::vector{2.0, 4.0});
+    EXPECT_EQ(axis.low, plain.low);
+    EXPECT_EQ(axis.high, plain.high);
+    EXPECT_FALSE(log_axis({}).ticks.empty());
+}
+
+}  // namespace
+}  // namespace si
