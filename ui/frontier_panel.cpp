@@ -131,8 +131,8 @@ void draw_running(const SweepFacts& facts, EditorActions& actions) {
     if (ImGui::Button("Cancel")) actions.cancel_sweep = true;
     tooltip("What is measured stays; sweep again to go on");
     ImGui::SameLine();
-    const std::string text = fmt::format("{}{}", facts.timing ? "times" : "errors",
-                                         facts.seconds_left > 0 ? ", " + seconds_text(facts.seconds_left) + " left" : "");
+    std::string text = facts.timing ? "times" : "errors";
+    if (facts.seconds_left > 0) text += fmt::format(", {} left", seconds_text(facts.seconds_left));
     ImGui::ProgressBar(float(facts.progress), {-1, 0}, text.c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", facts.current.c_str());
 }

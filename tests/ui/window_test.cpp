@@ -258,7 +258,7 @@ TEST_F(Window, ADotOfAFrontierIsClicked) {
     click(first.x, first.y);
     const nlohmann::json settings = saved();
     screen("window_frontier");
-    EXPECT_EQ(settings.value("map.resolution", ""), "64") << settings;
+    EXPECT_EQ(settings.value("map.resolution", 0), 64) << settings;
     keys("ctrl+z");
     EXPECT_FALSE(saved().contains("map.resolution"));
 }
