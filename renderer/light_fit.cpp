@@ -256,6 +256,17 @@ void fit_point(FittedLight& light, const FitContext& c, const glm::dvec3& target
     fit_faces(light, c);
 }
 
+/// Whether any box begins within the range; along the views' axes, so that a few may pass that do not.
+bool reaches_anything(const FittedLight& light, const SceneShape& shape) {
+    return std::any_of(shape.boxes.begin(), shape.boxes.end(), [&](const Box& box) {
+        return std::any_of(light.views.begin(), light.views.end(), [&](const LightView& view) {
+            const ViewExtent e = extent_of(box, view);
+            const double z = view.curve.perspective ? entry_into_pyramid(e, view.half_width) : e.lo.z;
+            return e.hi.z > 0 && z < light.range_m;
+        });
+    });
+}
+
 /// Divides spot and point radiances by what the brightest of them brings to the scene's centre, where the shaders'
 /// 1/d^2 makes it 1 again. Nearer than a quarter of the scene's radius counts as that far.
 void normalise_punctual(std::vector<FittedLight>& lights, const Settings& settings, const SceneShape& shape) {
@@ -314,6 +325,8 @@ std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings
                 fit_point(light, context, target);
                 break;
         }
+        if (light.range_m > 0 && !reaches_anything(light, shape))
+            note(light, fmt::format("light.range: nothing lies within {:.4g} m of light {}", light.range_m, i));
         if (!s.cast)
             light.reason = "light.cast is off";
         else if (!shape.triangles)

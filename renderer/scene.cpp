@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "renderer/error.h"
+#include "renderer/float_bits.h"
 
 namespace si {
 namespace {
@@ -28,14 +31,6 @@ bool finite(const glm::dmat4& m) {
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 4; ++r) sum += m[c][r] * 0.0;
     return sum == 0.0;  // 0 * Inf and 0 * NaN are NaN
-}
-
-template <class Vec>
-bool all_finite(const std::vector<Vec>& values) {
-    float sum = 0;
-    for (const Vec& v : values)
-        for (int i = 0; i < Vec::length(); ++i) sum += v[i] * 0.0f;
-    return sum == 0.0f;
 }
 
 std::string mesh_label(const Mesh& mesh, std::size_t index) {
@@ -78,11 +73,6 @@ void check_references(const Scene& scene) {
         check_attribute(m, where, m.colours, "colours");
         if (m.indices.size() % 3 != 0)
             throw Error(fmt::format("{}: {} indices are no whole number of triangles", where, m.indices.size()));
-        std::uint32_t highest = 0;
-        for (std::uint32_t index : m.indices) highest = std::max(highest, index);
-        if (!m.indices.empty() && highest >= m.positions.size())
-            throw Error(
-                fmt::format("{}: index {} is out of range; there are {} vertices", where, highest, m.positions.size()));
     }
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& o = scene.objects[i];
@@ -144,7 +134,7 @@ void make_flat(Mesh& mesh) {
     unweld(mesh.uv_normal, mesh.indices);
     unweld(mesh.tangents, mesh.indices);
     unweld(mesh.colours, mesh.indices);
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i) mesh.indices[i] = std::uint32_t(i);
+    std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
     mesh.normals.resize(mesh.positions.size());
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const glm::vec3 n(glm::normalize(face_cross(mesh, i)));
@@ -152,36 +142,131 @@ void make_flat(Mesh& mesh) {
     }
 }
 
-/// Drops triangles without area and sets the bounds to what is left. Returns how many were dropped.
-std::size_t drop_degenerate(Mesh& mesh) {
-    std::size_t kept = 0;
-    glm::vec3 lo(std::numeric_limits<float>::infinity()), hi(-lo);
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const glm::dvec3 cross = face_cross(mesh, i);
-        const double area2 = glm::dot(cross, cross);
-        if (!(area2 > 0) || !std::isfinite(area2)) continue;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t index = mesh.indices[i + k];
-            lo = glm::min(lo, mesh.positions[index]);
-            hi = glm::max(hi, mesh.positions[index]);
-            mesh.indices[kept++] = index;
-        }
-    }
-    const std::size_t dropped = (mesh.indices.size() - kept) / 3;
-    mesh.indices.resize(kept);
-    mesh.bounds = {glm::dvec3(lo), glm::dvec3(hi)};
-    return dropped;
+/// Whether the triangle that starts at this index has an area.
+bool has_area(const Mesh& mesh, std::size_t first) {
+    const glm::dvec3 cross = face_cross(mesh, first);
+    const double area2 = glm::dot(cross, cross);
+    return area2 > 0 && std::isfinite(area2);
 }
 
-/// Normalises the normals that triangles use; false when one of them has no direction.
-bool repair_normals(Mesh& mesh) {
-    for (std::uint32_t index : mesh.indices) {
-        glm::vec3& n = mesh.normals[index];
-        const double length2 = glm::dot(glm::dvec3(n), glm::dvec3(n));
-        if (!(length2 > 0) || !std::isfinite(length2)) return false;
-        if (std::abs(length2 - 1) > 1e-3) n = glm::vec3(glm::dvec3(n) / std::sqrt(length2));
+/// Sixteen triangles side by side, so that the compiler works on several at once.
+struct TriangleBlock {
+    static constexpr std::size_t kCount = 16;
+    float x[3][3][kCount];  ///< corner, axis, triangle
+
+    void gather(const glm::vec3* positions, const std::uint32_t* indices) {
+        for (std::size_t t = 0; t < kCount; ++t)
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const glm::vec3& p = positions[indices[3 * t + corner]];
+                for (int axis = 0; axis < 3; ++axis) x[corner][axis][t] = p[axis];
+            }
     }
-    return true;
+
+    /// Whether all have an area for sure, by single precision: where rounding might matter, or a square leave the range
+    /// of floats, it is not sure. Edges are exact but for a part of 2^-24, so their cross product is but for a few such
+    /// parts of |e| |f|.
+    bool all_have_area() const {
+        constexpr float kSine2 = 1e-10f, kLeast = 1e-30f, kMost = std::numeric_limits<float>::max();
+        int unsure = 0;
+        for (std::size_t t = 0; t < kCount; ++t) {
+            const float ex = x[1][0][t] - x[0][0][t], ey = x[1][1][t] - x[0][1][t], ez = x[1][2][t] - x[0][2][t];
+            const float fx = x[2][0][t] - x[0][0][t], fy = x[2][1][t] - x[0][1][t], fz = x[2][2][t] - x[0][2][t];
+            const float nx = ey * fz - ez * fy, ny = ez * fx - ex * fz, nz = ex * fy - ey * fx;
+            const float area2 = nx * nx + ny * ny + nz * nz;
+            const float edges2 = (ex * ex + ey * ey + ez * ez) * (fx * fx + fy * fy + fz * fz);
+            unsure += !(area2 > kSine2 * edges2) + !(area2 > kLeast) + !(area2 < kMost);
+        }
+        return unsure == 0;
+    }
+};
+
+/// The box around the vertices of many blocks.
+struct BlockBounds {
+    float lo[3][TriangleBlock::kCount], hi[3][TriangleBlock::kCount];
+
+    BlockBounds() {
+        std::fill_n(&lo[0][0], std::size(lo) * TriangleBlock::kCount, std::numeric_limits<float>::infinity());
+        std::fill_n(&hi[0][0], std::size(hi) * TriangleBlock::kCount, -std::numeric_limits<float>::infinity());
+    }
+    void add(const TriangleBlock& b) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (std::size_t t = 0; t < TriangleBlock::kCount; ++t) {
+                const float p = b.x[0][axis][t], q = b.x[1][axis][t], r = b.x[2][axis][t];
+                const float least = p < q ? p : q, most = p > q ? p : q;
+                const float low = least < r ? least : r, high = most > r ? most : r;
+                lo[axis][t] = low < lo[axis][t] ? low : lo[axis][t];
+                hi[axis][t] = high > hi[axis][t] ? high : hi[axis][t];
+            }
+    }
+    Bounds box() const {
+        Bounds out;
+        for (int axis = 0; axis < 3; ++axis) {
+            out.lo[axis] = *std::min_element(lo[axis], lo[axis] + TriangleBlock::kCount);
+            out.hi[axis] = *std::max_element(hi[axis], hi[axis] + TriangleBlock::kCount);
+        }
+        return out;
+    }
+};
+
+/// Drops triangles without area and sets the bounds to what is left. Returns how many were dropped. Indices are checked
+/// on the way, while they are in the cache. @throws Error when one is out of range
+std::size_t drop_degenerate(Mesh& mesh, std::string_view label) {
+    std::uint32_t* indices = mesh.indices.data();
+    const std::size_t count = mesh.indices.size();
+    std::size_t kept = 0;
+    const auto check = [&](std::size_t first, std::size_t corners) {
+        std::uint32_t highest = 0;
+        for (std::size_t k = 0; k < corners; ++k) highest = std::max(highest, indices[first + k]);
+        if (highest >= mesh.positions.size())
+            throw Error(
+                fmt::format("{}: index {} is out of range; there are {} vertices", label, highest, mesh.positions.size()));
+    };
+    const auto keep = [&](std::size_t first, std::size_t corners) {
+        if (kept != first) std::copy_n(indices + first, corners, indices + kept);
+        kept += corners;
+    };
+    constexpr std::size_t kCorners = 3 * TriangleBlock::kCount;
+    TriangleBlock block;
+    BlockBounds around_blocks;
+    Bounds around_rest;
+    for (std::size_t i = 0; i < count;) {
+        check(i, std::min(kCorners, count - i));
+        if (i + kCorners <= count) {
+            block.gather(mesh.positions.data(), indices + i);
+            if (block.all_have_area()) {
+                around_blocks.add(block);
+                keep(i, kCorners);
+                i += kCorners;
+                continue;
+            }
+        }
+        for (const std::size_t end = std::min(i + kCorners, count); i < end; i += 3) {
+            if (!has_area(mesh, i)) continue;
+            for (std::size_t k = i; k < i + 3; ++k) around_rest.add(glm::dvec3(mesh.positions[indices[k]]));
+            keep(i, 3);
+        }
+    }
+    mesh.indices.resize(kept);
+    mesh.bounds = around_blocks.box();
+    mesh.bounds.add(around_rest);
+    return (count - kept) / 3;
+}
+
+/// Gives normals unit length; false when one that a triangle uses has no direction.
+bool repair_normals(Mesh& mesh) {
+    const auto is_unit = [](const glm::vec3& n) { return std::abs(glm::dot(n, n) - 1) <= 1e-3f; };  // NaN is none
+    std::size_t odd = 0;
+    for (const glm::vec3& n : mesh.normals) odd += !is_unit(n);
+    if (odd == 0) return true;
+    std::vector<bool> lost(mesh.normals.size());
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        glm::vec3& n = mesh.normals[i];
+        if (is_unit(n)) continue;
+        const double length2 = glm::dot(glm::dvec3(n), glm::dvec3(n));
+        lost[i] = !(length2 > 0) || !std::isfinite(length2);
+        if (!lost[i]) n = glm::vec3(glm::dvec3(n) / std::sqrt(length2));
+    }
+    return std::ranges::none_of(mesh.indices, [&](std::uint32_t index) { return lost[index]; });
 }
 
 template <class T>
@@ -203,7 +288,7 @@ bool finalise_mesh(Scene& scene, std::size_t index) {
     drop_if_not_finite(mesh.uv_normal, label, "normal map coordinates", scene);
     drop_if_not_finite(mesh.tangents, label, "tangents", scene);
     drop_if_not_finite(mesh.colours, label, "colours", scene);
-    if (const std::size_t dropped = drop_degenerate(mesh)) {
+    if (const std::size_t dropped = drop_degenerate(mesh, label)) {
         scene.dropped_triangles += dropped;
         scene.warnings.push_back(
             fmt::format("{}: dropped {} triangle{} without area", label, dropped, dropped == 1 ? "" : "s"));
@@ -303,7 +388,7 @@ void refresh(Scene& scene) {
     for (Mesh& mesh : scene.meshes) {
         if (!mesh.deformer) continue;
         if (!all_finite(mesh.positions)) mesh.indices.clear();
-        drop_degenerate(mesh);
+        drop_degenerate(mesh, mesh.name);
     }
     scene.bounds = {};
     for (Object& o : scene.objects) {

@@ -70,34 +70,38 @@ void convert(int component_type, const Source& source, int width, std::size_t co
     }
 }
 
+/// Indices of any type as 32-bit ones; returns the greatest. In blocks, which are in the cache when they are compared.
 template <class T>
-void widen(const Source& source, std::size_t count, std::uint32_t* out) {
-    if constexpr (sizeof(T) == sizeof(std::uint32_t)) {
-        if (source.stride == sizeof(T)) {
-            std::memcpy(out, source.data, count * sizeof(T));
-            return;
+std::uint32_t widen(const Source& source, std::size_t count, std::uint32_t* out) {
+    constexpr std::size_t kBlock = 4096;
+    std::uint32_t greatest = 0;
+    for (std::size_t first = 0; first < count; first += kBlock) {
+        const std::size_t end = std::min(first + kBlock, count);
+        if (source.stride == sizeof(T)) {  // known to the compiler
+            T values[kBlock];
+            std::memcpy(values, source.data + first * sizeof(T), (end - first) * sizeof(T));
+            std::copy_n(values, end - first, out + first);
+        } else {
+            for (std::size_t i = first; i < end; ++i) {
+                T value;
+                std::memcpy(&value, source.data + i * source.stride, sizeof(T));
+                out[i] = value;
+            }
         }
+        for (std::size_t i = first; i < end; ++i) greatest = std::max(greatest, out[i]);
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        T value;
-        std::memcpy(&value, source.data + i * source.stride, sizeof(T));
-        out[i] = value;
-    }
+    return greatest;
 }
 
-bool widen(int component_type, const Source& source, std::size_t count, std::uint32_t* out) {
+/// @param component_type one of those that widen()'s callers have checked: unsigned
+std::uint32_t widen(int component_type, const Source& source, std::size_t count, std::uint32_t* out) {
     switch (component_type) {
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            widen<std::uint8_t>(source, count, out);
-            return true;
+            return widen<std::uint8_t>(source, count, out);
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            widen<std::uint16_t>(source, count, out);
-            return true;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-            widen<std::uint32_t>(source, count, out);
-            return true;
+            return widen<std::uint16_t>(source, count, out);
         default:
-            return false;
+            return widen<std::uint32_t>(source, count, out);
     }
 }
 
@@ -246,10 +250,11 @@ std::vector<std::uint32_t> Accessors::indices(int accessor, const Place& place, 
         context_.fail(place, fmt::format("accessor {} has a component type that is none for indices", accessor),
                       kRepair);
     }
+    std::uint32_t greatest = 0;
     if (a.bufferView >= 0) {
         const auto bytes = buffers_.view(static_cast<std::size_t>(a.bufferView)).subspan(a.byteOffset);
         const std::size_t stride = model_.bufferViews[static_cast<std::size_t>(a.bufferView)].byteStride;
-        widen(a.componentType, {bytes.data(), stride == 0 ? component : stride}, a.count, out.data());
+        greatest = widen(a.componentType, {bytes.data(), stride == 0 ? component : stride}, a.count, out.data());
     }
     if (a.sparse.isSparse) {
         const auto positions = sparse_positions(accessor, place);
@@ -258,9 +263,8 @@ std::vector<std::uint32_t> Accessors::indices(int accessor, const Place& place, 
         std::vector<std::uint32_t> values(positions.size());
         widen(a.componentType, {bytes.data(), component}, positions.size(), values.data());
         for (std::size_t i = 0; i < positions.size(); ++i) out[positions[i]] = values[i];
+        greatest = *std::max_element(out.begin(), out.end());  // some are gone
     }
-    std::uint32_t greatest = 0;
-    for (const std::uint32_t index : out) greatest = std::max(greatest, index);
     // The greatest value of the type restarts a primitive in OpenGL, which glTF forbids.
     const std::uint64_t restart = (std::uint64_t{1} << (8 * component)) - 1;
     if (greatest >= limit || greatest == restart) {

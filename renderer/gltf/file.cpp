@@ -2,12 +2,14 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <new>
 
 namespace si::gltf {
 namespace {
@@ -29,6 +31,16 @@ ReadResult failed(std::string why) {
 
 }  // namespace
 
+Bytes::Bytes(std::size_t wanted) : size(wanted) {
+    constexpr std::size_t kHugePage = std::size_t{2} << 20;
+    const bool large = size >= 2 * kHugePage;
+    const std::size_t whole = (size + kHugePage - 1) / kHugePage * kHugePage;
+    void* block = large ? std::aligned_alloc(kHugePage, whole) : std::malloc(std::max<std::size_t>(size, 1));
+    data.reset(static_cast<std::uint8_t*>(block));
+    if (!data) throw std::bad_alloc();
+    if (large) ::madvise(data.get(), whole, MADV_HUGEPAGE);  // a wish: without it all is well, but slower
+}
+
 ReadResult read_regular_file(const std::filesystem::path& path, std::size_t max_bytes,
                              const std::function<void(double)>& progress) {
     // O_NONBLOCK: opening a FIFO without a writer would wait for ever.
@@ -42,8 +54,7 @@ ReadResult read_regular_file(const std::filesystem::path& path, std::size_t max_
     if (size > max_bytes) return failed(fmt::format("has {} bytes, more than the limit of {}", size, max_bytes));
 
     ReadResult result;
-    result.bytes.size = static_cast<std::size_t>(size);
-    result.bytes.data = std::make_unique_for_overwrite<std::uint8_t[]>(result.bytes.size);
+    result.bytes = Bytes(static_cast<std::size_t>(size));
     constexpr std::size_t kBlock = std::size_t{16} << 20;
     for (std::size_t done = 0; done < result.bytes.size;) {
         const ssize_t got = ::read(file.fd, result.bytes.data.get() + done, std::min(kBlock, result.bytes.size - done));

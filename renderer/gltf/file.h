@@ -1,6 +1,7 @@
 // Bytes from the disk: regular files only, bounded, below the model's own folder.
 #pragma once
 
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -12,8 +13,15 @@ namespace si::gltf {
 
 /// A block of bytes that is not zeroed before it is filled.
 struct Bytes {
-    std::unique_ptr<std::uint8_t[]> data;
+    struct Free {
+        void operator()(std::uint8_t* bytes) const { std::free(bytes); }
+    };
+    std::unique_ptr<std::uint8_t[], Free> data;
     std::size_t size = 0;
+    Bytes() = default;
+    /// Large blocks lie in huge pages where the system has them: to be given page after page of 4 KiB takes as long as
+    /// reading the file into them. @throws std::bad_alloc
+    explicit Bytes(std::size_t size);
     std::span<const std::uint8_t> span() const { return {data.get(), size}; }
 };
 

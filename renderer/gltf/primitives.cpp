@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "renderer/float_bits.h"
 #include "renderer/gltf/text.h"
 
 namespace si::gltf {
@@ -30,19 +31,7 @@ std::vector<std::uint32_t> as_triangle_list(const std::vector<std::uint32_t>& in
 }
 
 /// Beyond this, squared lengths overflow a float.
-bool within_float_range(const std::vector<glm::vec3>& positions) {
-    float greatest = 0;
-    for (const glm::vec3& p : positions) {
-        greatest = std::max(greatest, std::max(std::abs(p.x), std::max(std::abs(p.y), std::abs(p.z))));
-    }
-    return greatest <= 1e18f;
-}
-
-bool all_finite(const std::vector<glm::vec3>& positions) {
-    float sum = 0;  // 0 * infinity and 0 * NaN are NaN
-    for (const glm::vec3& p : positions) sum += p.x * 0 + p.y * 0 + p.z * 0;
-    return sum == 0;
-}
+constexpr float kFarthest = 1e18f;
 
 }  // namespace
 
@@ -135,12 +124,9 @@ std::optional<Mesh> Primitives::make(const tinygltf::Primitive& primitive, const
     // Several primitives may show parts of one big vertex array: take only the vertices in use.
     if (mesh.indices.size() < vertex_count) pick = compact(mesh.indices, vertex_count);
     read_attributes(primitive, place, pick, mesh);
-    if (!all_finite(mesh.positions)) {
-        context_.warn(place, "has positions that are not finite; it is not drawn");
-        return std::nullopt;
-    }
-    if (!within_float_range(mesh.positions)) {
-        context_.warn(place, "has positions beyond 1e18; it is not drawn");
+    if (!all_within(mesh.positions, kFarthest)) {
+        context_.warn(place, all_finite(mesh.positions) ? "has positions beyond 1e18; it is not drawn"
+                                                        : "has positions that are not finite; it is not drawn");
         return std::nullopt;
     }
     return mesh;

@@ -27,9 +27,7 @@ std::optional<Bytes> decode_base64(std::string_view text) {
         for (int i = 0; i < 2 && !text.empty() && text.back() == '='; ++i) text.remove_suffix(1);
     }
     if (text.size() % 4 == 1) return std::nullopt;
-    Bytes out;
-    out.size = text.size() / 4 * 3 + (text.size() % 4 == 0 ? 0 : text.size() % 4 - 1);
-    out.data = std::make_unique_for_overwrite<std::uint8_t[]>(out.size);
+    Bytes out(text.size() / 4 * 3 + (text.size() % 4 == 0 ? 0 : text.size() % 4 - 1));
     const auto value = [&](std::size_t i) -> int { return kValues[static_cast<unsigned char>(text[i])]; };
     std::size_t written = 0;
     for (std::size_t i = 0; i < text.size(); i += 4) {

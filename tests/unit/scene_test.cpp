@@ -149,6 +149,74 @@ TEST(Finalise, DropsTrianglesWithoutArea) {
     EXPECT_EQ(scene.bounds.hi.x, 1);  // what only dropped triangles use does not count
 }
 
+/// 1000 triangles in a row along x, each of vertices of its own, one corner at y = 1.
+Mesh row_of_triangles(std::size_t count = 1000) {
+    Mesh mesh;
+    mesh.name = "row";
+    for (std::size_t i = 0; i < count; ++i) {
+        const float x = float(i);
+        for (const glm::vec3& p : {glm::vec3(x, 0, 0), glm::vec3(x + 0.5f, 0, 0), glm::vec3(x, 1, 0)}) {
+            mesh.indices.push_back(std::uint32_t(mesh.positions.size()));
+            mesh.positions.push_back(p);
+            mesh.normals.emplace_back(0, 0, 1);
+        }
+    }
+    return mesh;
+}
+
+TEST(Finalise, DropsTrianglesWithoutAreaWhereverTheyStand) {
+    for (const std::size_t count : {1u, 15u, 16u, 17u, 1000u})
+        for (const std::size_t every : {1u, 2u, 7u, 16u, 100u, 999u}) {
+            Mesh mesh = row_of_triangles(count);
+            std::vector<std::uint32_t> kept;
+            for (std::size_t t = 0; t < count; ++t) {
+                const bool flat = t % every == 0;  // its corners on a line that is none of the axes
+                for (std::size_t k = 0; k < 3; ++k)
+                    if (flat)
+                        mesh.positions[3 * t + k] = float(k) * glm::vec3(0.1f, 0.3f, 0.7f);
+                    else
+                        kept.push_back(std::uint32_t(3 * t + k));
+            }
+            Scene scene = scene_of({mesh});
+            finalise(scene);
+            EXPECT_EQ(scene.dropped_triangles, (count + every - 1) / every) << count << " every " << every;
+            ASSERT_EQ(scene.meshes.empty(), kept.empty());
+            if (kept.empty()) continue;
+            EXPECT_EQ(scene.meshes[0].indices, kept) << count << " every " << every;
+            const double first = kept.front() / 3, last = kept.back() / 3 + 0.5;
+            EXPECT_EQ(scene.meshes[0].bounds.lo, glm::dvec3(first, 0, 0)) << "of what is left only";
+            EXPECT_EQ(scene.meshes[0].bounds.hi, glm::dvec3(last, 1, 0)) << count << " every " << every;
+        }
+}
+
+TEST(Finalise, KeepsSliversAndTrianglesOfEverySize) {
+    for (const float size : {1e-19f, 1e-8f, 1.0f, 1e8f, 1e17f}) {
+        Mesh mesh = row_of_triangles(100);
+        for (glm::vec3& p : mesh.positions) p *= size;
+        Scene scene = scene_of({mesh});
+        finalise(scene);
+        EXPECT_EQ(scene.dropped_triangles, 0u) << size;
+        EXPECT_EQ(scene.meshes.at(0).indices.size(), 300u);
+    }
+    Mesh slivers = row_of_triangles(100);  // a ten-millionth as high as wide
+    for (glm::vec3& p : slivers.positions) p.y *= 0.5e-7f;
+    Scene scene = scene_of({slivers});
+    finalise(scene);
+    EXPECT_EQ(scene.dropped_triangles, 0u);
+}
+
+TEST(Finalise, BoundsLeaveOutVerticesWithoutTriangles) {
+    Mesh mesh = row_of_triangles(40);
+    mesh.positions.emplace_back(1e6f, -1e6f, 5);
+    mesh.normals.emplace_back(0, 0, 0);  // without direction, but nothing uses it
+    Scene scene = scene_of({mesh});
+    finalise(scene);
+    EXPECT_EQ(scene.meshes[0].bounds.hi, glm::dvec3(39.5, 1, 0));
+    EXPECT_EQ(scene.meshes[0].bounds.lo, glm::dvec3(0));
+    EXPECT_TRUE(scene.warnings.empty());
+    EXPECT_EQ(scene.meshes[0].normals[0], glm::vec3(0, 0, 1));
+}
+
 TEST(Finalise, KeepsTinyTriangles) {
     Mesh mesh = square();
     for (glm::vec3& p : mesh.positions) p *= 1e-20f;
@@ -194,6 +262,8 @@ TEST(Finalise, RefusesReferencesOutOfRange) {
         EXPECT_THROW(finalise(scene), Error);
     };
     refuses([](Scene& s) { s.meshes[0].indices[4] = 4; });
+    for (const std::size_t at : {0u, 150u, 299u})
+        refuses([at](Scene& s) { s.meshes[0] = row_of_triangles(100), s.meshes[0].indices[at] = 300; });
     refuses([](Scene& s) { s.meshes[0].indices.pop_back(); });
     refuses([](Scene& s) { s.meshes[0].uv.pop_back(); });
     refuses([](Scene& s) { s.meshes[0].material = 0; });
