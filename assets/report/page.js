@@ -18,7 +18,7 @@ function options(select, list, value, change) {
 }
 
 function header() {
-  const p = DATA.picture, title = DATA.scene.name + ": what accuracy costs";
+  const p = DATA.picture, title = DATA.scene.name.split("/").pop() + ": what accuracy costs";
   document.title = title;
   byId("title").textContent = title;
   const where = [p.width + " \u00d7 " + p.height + " pixels", DATA.scene.triangles.toLocaleString("en") + " triangles",
