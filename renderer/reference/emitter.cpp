@@ -29,18 +29,6 @@ glm::dvec2 on_disk(double x, double y) {
 
 }  // namespace
 
-glm::dvec3 Emitter::direction_from(const glm::dvec3& point_ws, double& distance_m) const {
-    distance_m = std::numeric_limits<double>::infinity();
-    if (type == LightType::Directional) return to_light;
-    const glm::dvec3 d = position_ws - point_ws;
-    distance_m = glm::length(d);
-    return distance_m > 0 ? d / distance_m : to_light;
-}
-
-bool Emitter::in_cone(const glm::dvec3& to_light_from_point) const {
-    return type != LightType::Spot || glm::dot(to_light_from_point, to_light) > cos_cone;
-}
-
 Emitter emitter_of(const FittedLight& light, const LightSettings& settings) {
     const double size = std::isfinite(settings.size) ? std::max(settings.size, 0.0) : 0.0;
     return {light.type, light.position, light.to_light, light.cos_cone_outer, light.range_m, size, light.casts};

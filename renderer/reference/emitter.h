@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 
 #include "renderer/light_fit.h"
 #include "renderer/settings.h"
@@ -20,9 +21,17 @@ struct Emitter {
     bool casts = true;
 
     /// Unit vector from a point to the light's centre; metres to it, infinite for directional lights.
-    glm::dvec3 direction_from(const glm::dvec3& point_ws, double& distance_m) const;
+    glm::dvec3 direction_from(const glm::dvec3& point_ws, double& distance_m) const {
+        distance_m = std::numeric_limits<double>::infinity();
+        if (type == LightType::Directional) return to_light;
+        const glm::dvec3 d = position_ws - point_ws;
+        distance_m = glm::length(d);
+        return distance_m > 0 ? d / distance_m : to_light;
+    }
     /// Whether a point lies in the spot's cone; always for other lights.
-    bool in_cone(const glm::dvec3& to_light_from_point) const;
+    bool in_cone(const glm::dvec3& to_light_from_point) const {
+        return type != LightType::Spot || glm::dot(to_light_from_point, to_light) > cos_cone;
+    }
 };
 
 Emitter emitter_of(const FittedLight& light, const LightSettings& settings);

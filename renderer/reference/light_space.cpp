@@ -153,7 +153,7 @@ std::vector<float> edge_distances(const TruthScene& scene, const Receivers& rece
         for (std::size_t k = block * kBlock; k < std::min(asked.size(), (block + 1) * kBlock); ++k) {
             const std::uint32_t i = asked[k];
             const Footprint& f = footprints[i];
-            const bool own = truth.hard.data[i] >= 0.5f;
+            const bool own = truth.hard().data[i] >= 0.5f;
             const TexelRange r = texels_of(f, reach);
             for (int y = r.y0; y <= r.y1; ++y)
                 for (int x = r.x0; x <= r.x1; ++x) {

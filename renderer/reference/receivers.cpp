@@ -64,10 +64,18 @@ bool joined(const Receiver& a, const Receiver& b) {
 
 }  // namespace
 
+glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& r) {
+    const glm::dvec3 point = frame.to_unit(r.position_ws), a = glm::abs(point);
+    // Corners, origin and the intersection's own arithmetic err by steps of the largest coordinate involved.
+    const double largest = std::max({a.x, a.y, a.z, double(r.edge_m) * frame.scale});
+    return glm::vec3(point + r.normal_ws * (32 * 0x1p-23 * largest));
+}
+
 Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
                           const Workers& workers) {
     Receivers out{ids.width, ids.height, {}};
-    out.pixels.resize(ids.data.size());
+    out.pixels.resize(ids.data.size()), out.starts.resize(ids.data.size());
+    const UnitFrame frame = geometry.unit_frame();
     const auto width = std::size_t(ids.width);
     for_blocks(std::size_t(ids.height), workers.part(0, 0.8), [&](std::size_t y) {
         Prepared triangle;
@@ -77,7 +85,8 @@ Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, c
             triangle.load(geometry, id.x - 1, id.y);
             glm::dvec3 origin, dir;
             camera.pixel_ray(double(x), double(y), ids.width, ids.height, origin, dir);
-            out.pixels[y * width + x] = triangle.meet(origin, dir);
+            const Receiver& r = out.pixels[y * width + x] = triangle.meet(origin, dir);
+            out.starts[y * width + x] = {ray_origin(frame, r), glm::vec3(r.normal_ws), r.object};
         }
     });
     for_blocks(std::size_t(ids.height), workers.part(0.8, 1), [&](std::size_t y) {

@@ -23,10 +23,21 @@ struct Receiver {
     bool hit() const { return object != kNothing; }
 };
 
+/// The receiver's point in the unit frame, lifted off its surface by what single precision may err.
+glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& receiver);
+
+/// What most rays need of a receiver, half as large as it.
+struct RayStart {
+    glm::vec3 origin{0};  ///< ray_origin()
+    glm::vec3 normal{0};
+    std::uint32_t object = Receiver::kNothing;
+};
+
 /// One per pixel, top row first.
 struct Receivers {
     int width = 0, height = 0;
     std::vector<Receiver> pixels;
+    std::vector<RayStart> starts = {};  ///< of the pixels, or empty: traces then take longer
     const Receiver& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 

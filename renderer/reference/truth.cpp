@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-constexpr int kTile = 32;  ///< pixels a side: neighbours' rays meet the same nodes
+constexpr int kTile = 16;  ///< pixels a side: neighbours' rays meet the same nodes
 constexpr int kFirstParts = 8;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
@@ -21,16 +21,15 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 struct Batch {
     std::vector<RTCRay> plain, grazing;
     std::vector<ExactRay> exact;
-    std::vector<std::uint32_t> plain_of, grazing_of;  ///< what the caller numbers the rays by
+    std::vector<std::uint32_t> grazing_of;  ///< what the caller numbers the rays by; plain ones carry it as their id
 
-    void clear() { plain.clear(), grazing.clear(), exact.clear(), plain_of.clear(), grazing_of.clear(); }
+    void clear() { plain.clear(), grazing.clear(), exact.clear(), grazing_of.clear(); }
 
     /// @param direction unit @param length unit frame
     void add(std::uint32_t number, const Receiver& r, const glm::vec3& origin, const glm::dvec3& direction, double cosine,
              double length) {
         if (cosine >= kGrazing) {
-            plain.push_back(make_ray(origin, glm::vec3(direction), float(length), unsigned(plain.size())));
-            plain_of.push_back(number);
+            plain.push_back(make_ray(origin, glm::vec3(direction), float(length), number));
             return;
         }
         grazing.push_back(make_ray(origin, glm::vec3(direction), float(length), unsigned(grazing.size())));
@@ -41,7 +40,7 @@ struct Batch {
     template <typename Occluded>
     void trace(const TruthScene::Impl& scene, std::span<const ObjectTraits> culls, Occluded&& occluded) {
         occlude(scene, plain, {culls, {}});
-        for (std::size_t i = 0; i < plain.size(); ++i) occluded(plain_of[i], plain[i].tfar < 0);
+        for (const RTCRay& ray : plain) occluded(ray.id, ray.tfar < 0);
         occlude(scene, grazing, {culls, exact});
         for (std::size_t i = 0; i < grazing.size(); ++i) occluded(grazing_of[i], grazing[i].tfar < 0);
     }
@@ -58,19 +57,28 @@ public:
     Tracer(const TruthScene& scene, const Receivers& receivers, const TruthQuery& query, Truth& out)
         : scene_(scene.impl()), receivers_(receivers), query_(query), out_(out) {
         if (query.options.as_rasterised) culls_ = query.traits;
+        to_light_ = glm::vec3(query.emitter.to_light);
     }
 
     void trace_hard(const Workers& workers) {
+        const bool quick = query_.emitter.type == LightType::Directional && query_.emitter.casts &&
+                           receivers_.starts.size() == receivers_.pixels.size();
         for_tiles(workers, [&](int x0, int y0, int x1, int y1) {
             thread_local Batch batch;
             thread_local std::vector<float> hits;
             std::array<std::size_t, kPixelStates> pixels{};
             batch.clear();
             for (int y = y0; y < y1; ++y)
-                for (int x = x0; x < x1; ++x) ++pixels[std::size_t(classify(index(x, y), batch))];
+                for (int x = x0; x < x1; ++x) {
+                    const std::size_t i = index(x, y);
+                    if (quick && y + 1 < y1)
+                        __builtin_prefetch(&receivers_.starts[i + std::size_t(receivers_.width)]);
+                    ++pixels[std::size_t(quick ? classify_quickly(i, batch) : classify(i, batch))];
+                }
             batch.trace(scene_, culls_, [&](std::uint32_t i, bool occluded) {
-                out_.hard.data[i] = occluded ? 0.f : 1.f;
-                if (occluded && query_.options.nearest) out_.nearest_m.data[i] = nearest(i, hits);
+                if (!occluded) return;
+                out_.visibility.data[i] = 0;
+                if (query_.options.nearest) out_.nearest_m.data[i] = nearest(i, hits);
             });
             const std::lock_guard guard(lock_);
             for (std::size_t s = 0; s < kPixelStates; ++s) out_.pixels[s] += pixels[s];
@@ -112,6 +120,7 @@ private:
     std::span<const ObjectTraits> culls_;
     std::mutex lock_;
     std::vector<float> error_;  ///< estimated, by pixel
+    glm::vec3 to_light_{0};     ///< of a directional light
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(receivers_.width) + std::size_t(x); }
     bool partial(std::size_t i) const { return out_.visibility.data[i] > 0 && out_.visibility.data[i] < 1; }
@@ -126,6 +135,21 @@ private:
         });
     }
 
+    /// The same as classify() for a directional light that casts, without a look at receivers that need no double.
+    PixelState classify_quickly(std::size_t i, Batch& batch) {
+        const RayStart& start = receivers_.starts[i];
+        if (start.object == Receiver::kNothing) return out_.state[i] = PixelState::Background;
+        const float cosine = glm::dot(start.normal, to_light_);
+        if (!(std::abs(cosine) > 2 * kGrazing) || !query_.traits[start.object].receives) return classify(i, batch);
+        if (cosine < 0) {
+            out_.visibility.data[i] = 0;
+            return out_.state[i] = PixelState::FacesAway;
+        }
+        batch.plain.push_back(
+            make_ray(start.origin, to_light_, std::numeric_limits<float>::infinity(), std::uint32_t(i)));
+        return out_.state[i] = PixelState::Counted;
+    }
+
     PixelState classify(std::size_t i, Batch& batch) {
         const Receiver& r = receivers_.pixels[i];
         PixelState& state = out_.state[i];
@@ -135,7 +159,7 @@ private:
         const glm::dvec3 direction = query_.emitter.direction_from(r.position_ws, distance);
         const double cosine = glm::dot(r.normal_ws, direction);
         if (!(cosine > 0)) {
-            out_.hard.data[i] = 0;
+            out_.visibility.data[i] = 0;
             return state = PixelState::FacesAway;
         }
         if (query_.emitter.casts)
@@ -209,7 +233,7 @@ private:
         batch.trace(scene_, culls_, [](std::uint32_t k, bool occluded) { seen[k] = occluded ? kDark : kLit; });
         const std::size_t lit = std::size_t(std::count(seen.begin(), seen.end(), kLit));
         const std::size_t above = lit + std::size_t(std::count(seen.begin(), seen.end(), kDark));
-        if (above == 0) return {out_.hard.data[i], 0};
+        if (above == 0) return {out_.hard().data[i], 0};
         // Four neighbouring parts see about the same: k lit of them vary by k (4 - k) / 3 in all.
         double variance = 0;
         for (int y = 0; y + 1 < parts; y += 2)
@@ -259,13 +283,15 @@ Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, cons
     Truth out;
     out.width = receivers.width, out.height = receivers.height;
     out.state.resize(receivers.pixels.size());
-    out.hard = image(out.width, out.height, 1);
-    out.nearest_m = image(out.width, out.height, kNaN);
+    out.visibility = image(out.width, out.height, 1);
+    if (query.options.nearest) out.nearest_m = image(out.width, out.height, kNaN);
     Tracer tracer(scene, receivers, query, out);
     const bool area = query.options.area && query.emitter.casts;
     tracer.trace_hard(workers.part(0, area ? 0.05 : 1));
-    out.visibility = out.hard;
-    if (area) tracer.trace_area(workers.part(0.05, 1));
+    if (area) {
+        out.point_visibility = out.visibility;
+        tracer.trace_area(workers.part(0.05, 1));
+    }
     return out;
 }
 

@@ -59,16 +59,18 @@ struct Truth {
     /// 1 lit to 0 in shadow. Where a pixel does not count: 1 (Background, NotReceiving), 0 (FacesAway), or what is true
     /// of the surface (OutsideCone, BeyondRange), as the shadow mapped visibility has it.
     FloatImage visibility;
-    FloatImage hard;  ///< the same for a light without size: 0 or 1
+    FloatImage point_visibility;  ///< area: the same for a light without size; see hard()
     /// Metres along the pixel's light ray from its surface to the surface nearest the light, which is what a shadow map
-    /// stores: under the culling of casters and beyond the map's near plane. NaN where none stands before the pixel's, and
-    /// everywhere without TruthOptions::nearest.
+    /// stores: under the culling of casters and beyond the map's near plane. NaN where none stands before the pixel's.
+    /// Empty without TruthOptions::nearest.
     FloatImage nearest_m;
     std::array<std::size_t, kPixelStates> pixels{};  ///< per state
     std::uint64_t rays = 0;  ///< to the light
     double noise = 0;        ///< area: root mean square of the counted pixels' estimated standard errors
     std::size_t partial = 0; ///< area: counted pixels that see a part of the light
 
+    /// Visibility of a light without size: 0 or 1.
+    const FloatImage& hard() const { return point_visibility.data.empty() ? visibility : point_visibility; }
     std::size_t counted() const { return pixels[std::size_t(PixelState::Counted)]; }
 };
 

@@ -1,5 +1,6 @@
 #include "renderer/reference/truth_geometry.h"
 
+#include <cmath>
 #include <map>
 
 namespace si {
@@ -78,6 +79,13 @@ std::size_t TruthGeometry::caster_triangles() const {
     std::size_t count = 0;
     for (const TruthObject& o : objects) count += o.casts ? o.mesh->triangles() : 0;
     return count;
+}
+
+UnitFrame TruthGeometry::unit_frame() const {
+    UnitFrame frame;
+    if (!bounds.empty()) frame.centre = bounds.centre();
+    if (const double radius = bounds.radius(); radius > 0) frame.scale = std::exp2(-std::ilogb(radius));
+    return frame;
 }
 
 TriangleWs TruthGeometry::triangle(std::uint32_t object, std::uint32_t primitive) const {

@@ -32,6 +32,14 @@ struct TriangleWs {
     glm::dvec3 a{0}, b{0}, c{0};
 };
 
+/// A frame in which the scene is centred and about one long, scaled by a power of two: single-precision rays lose nothing
+/// in it at any scale and distance from the origin.
+struct UnitFrame {
+    glm::dvec3 centre{0};
+    double scale = 1;  ///< unit lengths per metre
+    glm::dvec3 to_unit(const glm::dvec3& position_ws) const { return (position_ws - centre) * scale; }
+};
+
 /// All objects of a scene by their number (Scene::objects).
 struct TruthGeometry {
     std::vector<TruthObject> objects;
@@ -42,6 +50,7 @@ struct TruthGeometry {
     /// Of what casts, instances counted.
     std::size_t caster_triangles() const;
     TriangleWs triangle(std::uint32_t object, std::uint32_t primitive) const;
+    UnitFrame unit_frame() const;
 };
 
 /// What TruthGeometry depends on: scene, the objects that cast, and what blended ones do.

@@ -74,26 +74,6 @@ void filter(const RTCFilterFunctionNArguments* args) {
 
 }  // namespace
 
-glm::vec3 ray_origin(const TruthScene::Impl& scene, const Receiver& r) {
-    const glm::dvec3 point = scene.to_unit(r.position_ws), a = glm::abs(point);
-    // Corners, origin and the intersection's own arithmetic err by steps of the largest coordinate involved.
-    const double largest = std::max({a.x, a.y, a.z, double(r.edge_m) * scene.scale});
-    return glm::vec3(point + r.normal_ws * (32 * 0x1p-23 * largest));
-}
-
-RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, float length, unsigned id) {
-    RTCRay ray;
-    ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
-    ray.tnear = 0;
-    ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
-    ray.time = 0;
-    ray.tfar = length;
-    ray.mask = ~0u;
-    ray.id = id;
-    ray.flags = 0;
-    return ray;
-}
-
 void occlude(const TruthScene::Impl& scene, std::span<RTCRay> rays, const HitRules& rules) {
     if (rays.empty()) return;
     Query query(scene, rules);

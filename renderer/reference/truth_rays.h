@@ -1,6 +1,7 @@
 // Rays through a TruthScene. For the sources of this folder; others use trace_visibility() and its kin.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -16,22 +17,15 @@ struct Caster {
     bool mirrored = false;  ///< flattened with a mirroring transform: its winding is turned
 };
 
-struct TruthScene::Impl {
+struct TruthScene::Impl : UnitFrame {
     embree::Device device;
     std::vector<embree::Scene> meshes;  ///< of instanced meshes
     embree::Scene scene;
     std::vector<Caster> casters;
     const TruthGeometry* geometry = nullptr;
-    glm::dvec3 centre{0};
-    double scale = 1;  ///< unit lengths per metre
     double radius = 1; ///< of the scene, unit lengths
     std::size_t triangles = 0, instances = 0;
-
-    glm::dvec3 to_unit(const glm::dvec3& position_ws) const { return (position_ws - centre) * scale; }
 };
-
-/// A receiver's point in the unit frame, lifted off its surface by what single precision may err.
-glm::vec3 ray_origin(const TruthScene::Impl& scene, const Receiver& receiver);
 
 /// A ray from a receiver that single precision cannot judge, as it leaves along the surface: hits are tested again in
 /// double, without the receiver's own triangle.
@@ -49,8 +43,19 @@ struct HitRules {
     std::span<const ExactRay> exact;        ///< by the ray's id; empty: none
 };
 
-/// Fills what all rays have in common.
-RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, float length, unsigned id);
+/// From `origin` along `direction` for `length` times its length.
+inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, float length, unsigned id) {
+    RTCRay ray;
+    ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
+    ray.tnear = 0;
+    ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
+    ray.time = 0;
+    ray.tfar = length;
+    ray.mask = ~0u;
+    ray.id = id;
+    ray.flags = 0;
+    return ray;
+}
 
 /// Marks occluded rays by a negative tfar.
 void occlude(const TruthScene::Impl& scene, std::span<RTCRay> rays, const HitRules& rules);

@@ -128,10 +128,8 @@ TruthScene::TruthScene(std::shared_ptr<const TruthGeometry> geometry, const Work
     : geometry_(std::move(geometry)), impl_(std::make_unique<Impl>()) {
     Impl& i = *impl_;
     i.geometry = geometry_.get();
-    if (!geometry_->bounds.empty()) i.centre = geometry_->bounds.centre();
-    const double radius = geometry_->bounds.radius();
-    if (radius > 0) i.scale = std::exp2(-std::ilogb(radius));
-    i.radius = std::max(radius * i.scale, 1.0);
+    static_cast<UnitFrame&>(i) = geometry_->unit_frame();
+    i.radius = std::max(geometry_->bounds.radius() * i.scale, 1.0);
     i.device.reset(rtcNewDevice(nullptr));
     if (!i.device) throw Error("the ray-traced truth cannot be prepared: Embree finds no device");
 

@@ -27,7 +27,6 @@ Truth truth_of(const std::vector<std::string>& rows) {
             t.nearest_m.data.push_back(c == '#' ? 1.f : kNaN);
         }
     t.visibility.width = t.width, t.visibility.height = t.height;
-    t.hard = t.visibility;
     return t;
 }
 

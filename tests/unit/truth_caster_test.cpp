@@ -52,8 +52,8 @@ Texture stripes(int width, int height) {
 
 double lit_share(const Truth& truth) {
     double sum = 0;
-    for (const float v : truth.hard.data) sum += v;
-    return sum / double(truth.hard.data.size());
+    for (const float v : truth.hard().data) sum += v;
+    return sum / double(truth.hard().data.size());
 }
 
 TEST(AlphaTexture, WrapsAndFiltersAsGlDoes) {
@@ -103,7 +103,7 @@ TEST(Casters, MasksHaveTheirHoles) {
         for (int z = 0; z < 60; ++z)
             for (int x = 0; x < 60; ++x) {
                 const bool solid = std::lround(std::floor(3 * (2 * (x + 0.5) / 60 - 1))) & 1;
-                wrong += (truth.hard.at(x, z) < 0.5f) != solid;
+                wrong += (truth.hard().at(x, z) < 0.5f) != solid;
             }
         return std::pair(lit_share(truth), wrong);
     };
@@ -209,7 +209,7 @@ TEST(Casters, TheMapStoresTheSurfaceNearestTheLight) {
     EXPECT_NEAR(trace_visibility(casters, floor_points(0.5, 9), query, {}).nearest_m.at(4, 4), 2, 1e-5);
     const Truth beside = trace_visibility(casters, floor_points(8, 9), query, {});
     EXPECT_TRUE(std::isnan(beside.nearest_m.at(0, 0)));
-    EXPECT_EQ(beside.hard.at(0, 0), 1);
+    EXPECT_EQ(beside.hard().at(0, 0), 1);
 }
 
 Scene many_rings() {
@@ -238,7 +238,7 @@ TEST(Instances, ShareAndFlattenAlike) {
     const TruthQuery query = query_for(scene, sun({0.4, 1, 0.2}));
     const Truth a = trace_visibility(flat, receivers, query, {}), b = trace_visibility(shared, receivers, query, {});
     std::size_t differing = 0;
-    for (std::size_t i = 0; i < a.hard.data.size(); ++i) differing += a.hard.data[i] != b.hard.data[i];
+    for (std::size_t i = 0; i < a.hard().data.size(); ++i) differing += a.hard().data[i] != b.hard().data[i];
     EXPECT_LE(differing, 2u) << "of 40000, at edges that rounding moves";
     EXPECT_GT(lit_share(a), 0.2);
     EXPECT_LT(lit_share(a), 0.8);
@@ -262,7 +262,7 @@ TEST(Instances, DoNotShadowThemselves) {
         d.y = std::abs(d.y);
         const Truth truth = trace_visibility(casters, row_of(pixels), query_for(scene, sun(d)), {});
         for (std::size_t k = 0; k < pixels.size(); ++k)
-            if (truth.state[k] == PixelState::Counted) ++counted, dark += truth.hard.data[k] < 0.5f;
+            if (truth.state[k] == PixelState::Counted) ++counted, dark += truth.hard().data[k] < 0.5f;
     }
     EXPECT_GT(counted, 5000u);
     EXPECT_EQ(dark, 0u);
@@ -316,7 +316,7 @@ TEST(Tracing, OutlivesItsScene) {
     const TruthQuery query = query_for(*scene, sun({0.4, 1, 0.2}));
     const Truth before = trace_visibility(TruthScene(geometry), floor_points(6, 64), query, {});
     scene.reset();
-    EXPECT_EQ(trace_visibility(TruthScene(geometry), floor_points(6, 64), query, {}).hard.data, before.hard.data);
+    EXPECT_EQ(trace_visibility(TruthScene(geometry), floor_points(6, 64), query, {}).hard().data, before.hard().data);
 }
 
 TEST(Workers, PassOnWhatFails) {

@@ -157,7 +157,7 @@ TEST(AreaLight, RefinesOnlyWherePartsAreSeen) {
 TEST(AreaLight, OfSizeZeroIsHard) {
     const Penumbra p = penumbra(sun({0.3, 1, 0}, 0), 2, {.area = true, .samples = 64},
                                 [](double x) { return x + 0.3 * kHeight < 0 ? 1.0 : 0.0; });
-    EXPECT_EQ(p.truth.visibility.data, p.truth.hard.data);
+    EXPECT_EQ(p.truth.visibility.data, p.truth.hard().data);
     EXPECT_LT(p.largest, 1e-6);
 }
 

@@ -23,7 +23,7 @@ using test::sun;
 std::size_t dark(const Truth& truth) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < truth.state.size(); ++i)
-        count += truth.state[i] == PixelState::Counted && truth.hard.data[i] < 0.5f;
+        count += truth.state[i] == PixelState::Counted && truth.hard().data[i] < 0.5f;
     return count;
 }
 
@@ -153,7 +153,7 @@ TEST(Truth, BoxShadowIsTheClosedForm) {
                     if (meets_box(p, d, most, lo - slack, hi + slack) != meets_box(p, d, most, lo + slack, hi - slack))
                         continue;
                     in_shadow += shadow;
-                    ASSERT_EQ(truth.hard.data[i] < 0.5f, shadow)
+                    ASSERT_EQ(truth.hard().data[i] < 0.5f, shadow)
                         << p.x / scale << ' ' << p.z / scale << " scale " << scale << " away " << away;
                 }
                 EXPECT_GT(in_shadow, 100u);
@@ -194,11 +194,33 @@ TEST(Truth, AgreesWithEveryTriangleTested) {
                 ASSERT_TRUE(hit);
                 EXPECT_LT(glm::distance(hit->position, receivers.pixels[i].position_ws), 1e-9);
                 const bool expected = rays.occluded(hit->position, lights[0], hit->triangle);
-                EXPECT_EQ(truth.hard.data[i] < 0.5f, expected) << type << " at " << x << ',' << y;
+                EXPECT_EQ(truth.hard().data[i] < 0.5f, expected) << type << " at " << x << ',' << y;
                 ++(expected ? shadow : lit);
             }
         EXPECT_GT(shadow, 100u) << type;
         EXPECT_GT(lit, 500u) << type;
+    }
+}
+
+TEST(Truth, TheQuickWayForDirectionalLightsIsTheSame) {
+    const Scene scene = floor_and_box(1, glm::dvec3(0));
+    Settings settings;
+    const Camera camera = make_camera(scene, settings, 1.5);
+    for (const char* receives : {"true", "false"}) {
+        set_setting(settings, "object.root/box.receive", receives);
+        const auto geometry = geometry_of(scene, settings);
+        const TruthScene casters(geometry);
+        const Receivers receivers = place_receivers(*geometry, camera, test::ids_by_rays(scene, camera, 90, 60), {});
+        Receivers slow = receivers;
+        slow.starts.clear();
+        for (const double elevation : {45.0, 0.05, 0.0, -0.05}) {
+            settings.lights[0].elevation = elevation;
+            const TruthQuery query = truth_query(scene, settings, fit_lights(scene, settings), 0);
+            const Truth a = trace_visibility(casters, receivers, query, {}), b = trace_visibility(casters, slow, query, {});
+            EXPECT_EQ(a.state, b.state) << elevation;
+            EXPECT_EQ(a.visibility.data, b.visibility.data) << elevation;
+            EXPECT_EQ(a.rays, b.rays) << elevation;
+        }
     }
 }
 
