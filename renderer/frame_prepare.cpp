@@ -26,11 +26,11 @@ void fit(FrameState& f) {
     Key key;
     key.add(f.scene.id).add(f.settings.light_count).add(f.settings.map.resolution).add(f.settings.map.reversed_z);
     key.add(f.settings.filter.kernel);
-    for (const SettingRef& ref : all_settings(f.settings))
-        if (ref.param->scope != Scope::Scene) {
-            key.add(setting_key(ref));
-            std::visit([&](auto v) { key.add(v); }, get_value(f.settings, ref));
-        }
+    for (const Param& p : params())
+        if (p.scope == Scope::Light)
+            for (int i = 0; i < std::min(f.settings.light_count, kMaxLights); ++i)
+                std::visit([&](auto v) { key.add(v); }, get_value(f.settings, {&p, i, {}}));
+    for (const auto& [path, o] : f.settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
     if (key.value() != f.gl.fit_key) {
         f.gl.fitted = fit_lights(f.scene, f.settings, f.driver.max_texture_size);
         f.gl.fit_key = key.value();

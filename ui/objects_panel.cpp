@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,15 @@ std::vector<Row> rows_of(const EditorState& state, const EditorFrame& frame) {
             rows.push_back({&path, triangles[i], lost[i]});
     }
     return rows;
+}
+
+/// A copy of all but the objects' settings.
+Settings without_objects(Settings& s) {
+    std::map<std::string, ObjectSettings> aside;
+    aside.swap(s.objects);
+    Settings out = s;
+    s.objects.swap(aside);
+    return out;
 }
 
 bool has_override(const Settings& s, const std::string& path) {
@@ -123,6 +133,9 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
         ImGui::TableSetupColumn(std::string(p->label).c_str(), ImGuiTableColumnFlags_WidthFixed,
                                 p->choices ? em * 9 : em * 5);
     ImGui::TableHeadersRow();
+    // The settings with one object's at a time: a widget may leave an override equal to the defaults, which set_value()
+    // does not; and copies of ten thousand overrides for each widget would be slow.
+    Settings alone = without_objects(state.settings);
     ImGuiListClipper clipper;
     clipper.Begin(int(list.size()));
     while (clipper.Step()) {
@@ -136,14 +149,10 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
             ImGui::TextUnformatted(fmt::format("{}", row.triangles).c_str());
             for (const Param* p : rows) {
                 ImGui::TableNextColumn();
-                // Editing a copy keeps objects without overrides out of the settings.
-                Settings edited = state.settings;
-                if (setting_widget(edited, SettingRef{p, 0, path})) {
-                    if (const auto it = edited.objects.find(path);
-                        it != edited.objects.end() && it->second == ObjectSettings{})
-                        edited.objects.erase(it);
-                    state.settings = std::move(edited);
-                }
+                const SettingRef ref{p, 0, path};
+                set_value(alone, ref, get_value(state.settings, ref));
+                if (setting_widget(alone, ref)) set_value(state.settings, ref, get_value(alone, ref));
+                alone.objects.clear();
             }
         }
     }
