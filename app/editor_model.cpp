@@ -87,7 +87,7 @@ EditorFrame EditorModel::facts() const {
     f.problem = problem_;
     f.sweep = &sweep_.facts();
     if (const std::string name = loading_.wanted(); !name.empty()) {
-        f.loading = LoadingFacts{name, loading_.progress()};
+        f.loading = LoadingFacts{name, loading_.progress(), loading_.seconds_left()};
         shown_percent_ = percent(f.loading->progress);
     } else {
         shown_percent_ = -1;

@@ -15,6 +15,7 @@ struct SceneLoading::Job {
     int file_scene = -1;
     std::atomic<bool> cancelled{false};
     std::atomic<double> progress{0};
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
     std::future<Scene> scene;  ///< last: its destructor joins the thread, which uses the others
 };
 
@@ -65,6 +66,18 @@ std::string SceneLoading::wanted() const {
 
 double SceneLoading::progress() const {
     return job_ && !job_->cancelled ? job_->progress.load() : 0;
+}
+
+double SceneLoading::seconds_left() const {
+    if (!job_ || job_->cancelled) return 0;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - job_->start;
+    return remaining_seconds(passed.count(), job_->progress);
+}
+
+double remaining_seconds(double passed, double progress) {
+    constexpr double kLeastSeconds = 1, kLeastProgress = 0.05;
+    if (passed < kLeastSeconds || progress < kLeastProgress || progress >= 1) return 0;
+    return passed / progress * (1 - progress);
 }
 
 bool SceneLoading::ended() const {

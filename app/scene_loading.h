@@ -14,6 +14,9 @@ namespace si {
 /// options and throws when that returns false.
 using SceneReader = std::function<Scene(const std::string&, const GltfOptions&)>;
 
+/// Of something that has come so far (0..1) in `passed` seconds; 0 while it is too early to say.
+double remaining_seconds(double passed, double progress);
+
 /// One scene is wanted at a time, and one thread reads at a time: what is no longer wanted is cancelled, and the next
 /// one starts when it has ended. Nothing but wait() and the destructor blocks.
 class SceneLoading {
@@ -35,6 +38,8 @@ public:
     std::string wanted() const;
     /// Of the wanted scene, 0..1.
     double progress() const;
+    /// Until the wanted scene is there, as it went so far; 0: too early to say.
+    double seconds_left() const;
     /// A thread is reading, wanted or not.
     bool busy() const { return job_ != nullptr; }
     /// A thread is done: poll() has something to do.

@@ -130,8 +130,9 @@ struct ComparisonFacts {
 
 /// A scene that is being read while the editor shows another.
 struct LoadingFacts {
-    std::string name;     ///< built-in key or path
-    double progress = 0;  ///< 0..1
+    std::string name;         ///< built-in key or path
+    double progress = 0;      ///< 0..1
+    double seconds_left = 0;  ///< estimated; 0: not known yet
 };
 
 /// What the depth image in the map viewer holds.

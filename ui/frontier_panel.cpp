@@ -123,17 +123,13 @@ void draw_size(SweepPanel& panel) {
     tooltip("Against a light that has its size (light.size), not a point or a direction");
 }
 
-std::string seconds_text(double seconds) {
-    return seconds < 60 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", std::ceil(seconds / 60));
-}
-
 void draw_running(const SweepFacts& facts, EditorActions& actions) {
     if (ImGui::Button("Cancel")) actions.cancel_sweep = true;
     tooltip("What is measured stays; sweep again to go on");
     ImGui::SameLine();
     std::string text = facts.timing ? "times" : "errors";
     if (facts.seconds_left > 0) text += fmt::format(", {} left", seconds_text(facts.seconds_left));
-    ImGui::ProgressBar(float(facts.progress), {-1, 0}, text.c_str());
+    progress_bar(facts.progress, text);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", facts.current.c_str());
 }
 

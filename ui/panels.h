@@ -45,5 +45,10 @@ std::string scene_label(const std::string& name_or_path);
 
 /// Three significant digits with a prefix: "4.20 mm", "13.0 km".
 std::string metres_text(double metres);
+/// "12 s", "3 min".
+std::string seconds_text(double seconds);
+
+/// A bar filled from the left to this share, with a text that can be read on either part. @param width 0: all there is
+void progress_bar(double share, const std::string& text, float width = 0);
 
 }  // namespace si

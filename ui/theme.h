@@ -23,6 +23,8 @@ inline constexpr ImU32 kSelected = IM_COL32(236, 236, 234, 255);
 inline constexpr ImU32 kNote = IM_COL32(50, 50, 52, 255);  ///< behind remarks to the person
 inline constexpr ImU32 kVeil = IM_COL32(18, 18, 19, 205);  ///< under text on pictures
 
+inline constexpr ImU32 kDone = IM_COL32(92, 84, 62, 255);  ///< of a progress bar: dark enough for text on it
+
 /// Fills the font atlas of the current ImGui context: [0] body, [1] strong, [2] small. Call before the first frame.
 void load_fonts(float scale);
 /// Sets the style of the current ImGui context; `scale` 1 is for a screen of about 96 dots per inch.

@@ -1,5 +1,6 @@
 // Scenes read in the background: the reader is a puppet, so that nothing depends on how fast the machine is.
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,11 +13,13 @@
 
 #include "app/headless_editor.h"
 #include "app/presets.h"
+#include "app/scene_loading.h"
 #include "renderer/error.h"
 #include "renderer/gltf_loader.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/ui/ui_harness.h"
 #include "tests/unit/gltf_test_file.h"
+#include "ui/panels.h"
 #include "ui/scene_choices.h"
 
 namespace si {
@@ -375,6 +378,27 @@ TEST(Loading, AFileIsReadThroughTheLoaderWithItsProgress) {
     const auto outcome = loading.poll();
     ASSERT_TRUE(outcome && outcome->scene) << (outcome ? outcome->error : "");
     EXPECT_EQ(outcome->scene->triangle_count(), load_scene("boxes").triangle_count());
+}
+
+TEST(Loading, TheTimeLeftIsEstimatedOnceItCanBe) {
+    EXPECT_EQ(remaining_seconds(0.5, 0.5), 0) << "too early";
+    EXPECT_EQ(remaining_seconds(20, 0.01), 0) << "too little";
+    EXPECT_DOUBLE_EQ(remaining_seconds(3, 0.25), 9);
+    EXPECT_DOUBLE_EQ(remaining_seconds(30, 0.75), 10);
+    EXPECT_EQ(remaining_seconds(30, 1), 0);
+    EXPECT_EQ(seconds_text(8.2), "9 s");
+    EXPECT_EQ(seconds_text(130), "3 min");
+
+    // It is seen: the strip with it has more to draw.
+    test::UiHarness ui(1280, 720);
+    const auto vertices = [&](const LoadingFacts& facts) {
+        ui.loading = facts;
+        ui.frames(3);
+        return ImGui::GetDrawData()->TotalVtxCount;
+    };
+    const int without = vertices({"city.gltf", 0.4, 0});
+    EXPECT_GT(vertices({"city.gltf", 0.4, 12}), without);
+    EXPECT_NE(vertices({"city.gltf", 1, 0}), without) << "then its first picture is drawn";
 }
 
 TEST(Loading, TheCancelButtonIsOverThePicture) {
