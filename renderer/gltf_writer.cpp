@@ -13,6 +13,7 @@
 #include "renderer/error.h"
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf_loader.h"
+#include "renderer/scene_lights.h"
 
 namespace si {
 namespace {
@@ -282,6 +283,17 @@ void Writer::add_lights() {
     extensions_["KHR_lights_punctual"];
 }
 
+/// Whether a reader of the lights alone suggests the same settings of lights.
+bool lights_say_all(const Scene& scene) {
+    Scene lit;
+    lit.lights = scene.lights;
+    lit.bounds = scene.bounds;
+    suggest_lights(lit);
+    std::vector<std::pair<std::string, std::string>> own = scene.suggested;
+    std::erase_if(own, [](const auto& row) { return !row.first.starts_with("light."); });
+    return own == lit.suggested;
+}
+
 Json Writer::document() {
     root_["asset"] = {{"version", "2.0"}, {"generator", "Shadow Inspector"}};
     add_textures();
@@ -293,7 +305,10 @@ Json Writer::document() {
     if (!scene_.name.empty()) scene["name"] = scene_.name;
     if (!roots_.empty()) scene["nodes"] = roots_;
     if (!scene_.about.empty()) scene["extras"][gltf::kExtrasKey]["about"] = scene_.about;
-    for (const auto& [key, value] : scene_.suggested) scene["extras"][gltf::kExtrasKey]["suggested"][key] = value;
+    const bool lights_suffice = lights_say_all(scene_);
+    for (const auto& [key, value] : scene_.suggested)
+        if (!lights_suffice || !key.starts_with("light."))
+            scene["extras"][gltf::kExtrasKey]["suggested"][key] = value;
     root_["scene"] = 0;
     root_["scenes"] = Json::array({std::move(scene)});
     for (const auto& [name, unused] : extensions_) root_["extensionsUsed"].push_back(name);

@@ -11,7 +11,7 @@
 namespace si::gltf {
 namespace {
 
-constexpr std::size_t kMostSuggestions = 500;
+constexpr std::size_t kMostSuggestions = 100000;  // three for each of 30,000 objects
 
 /// Our part of an object's extras, or null.
 const Json* own_extras(const Json& object) {
@@ -38,7 +38,7 @@ void read_scene_extras(Context& context, const Json& root, int scene_index, Scen
     const auto suggested = own->find("suggested");
     if (suggested == own->end()) return;
     if (!suggested->is_object() || suggested->size() > kMostSuggestions) {
-        context.warn("its suggested settings are no object of at most 500 members; they are left out");
+        context.warn("its suggested settings are no object of at most 100000 members; they are left out");
         return;
     }
     for (const auto& [key, value] : suggested->items()) {

@@ -1,6 +1,8 @@
 // load_gltf: the steps in order.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "renderer/error.h"
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf/rig.h"
@@ -67,7 +69,9 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
         context.close_warnings();
         context.progress(0.95);
         finalise(scene);
-        suggest_lights(scene);
+        // What an export wrote of lights changed by hand is not undone by the lights themselves.
+        const auto of_lights = [](const auto& row) { return row.first.starts_with("light."); };
+        if (std::ranges::none_of(scene.suggested, of_lights)) suggest_lights(scene);
     } catch (const std::bad_alloc&) {
         context.fail("there is not enough memory to load it", "free some memory or use a smaller model");
     } catch (const Json::exception& error) {

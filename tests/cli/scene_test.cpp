@@ -149,6 +149,53 @@ TEST(SceneCommand, SettingsChooseSceneAndCamera) {
               std::string::npos);
 }
 
+TEST(SceneCommand, AnExportHoldsTheMomentAndTheSettings) {
+    const auto folder = fresh_test_folder();
+    write(folder / "model.glb", rich_model());
+    const auto exported = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"export", "model.glb", "-o", "out.gltf"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ProcessResult r = run_program(arguments, folder);
+        EXPECT_EQ(r.code, 0) << r.err;
+        const ProcessResult drawn =
+            run_program({"render", "out.gltf", "-o", "a.png", "--size", "32x32", "--report", "a.json"}, folder);
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        return Json::parse(file_bytes(folder / "a.json"));
+    };
+    const auto suggested = [&] {
+        const Json scene = Json::parse(file_bytes(folder / "out.gltf"))["scenes"][0];
+        return scene.value(Json::json_pointer("/extras/shadow_inspector/suggested"), Json::object());
+    };
+    const Json plain = exported({});
+    EXPECT_TRUE(suggested().empty()) << "the light itself says all: " << suggested();
+    EXPECT_EQ(plain["settings"]["light.type"], "spot");
+
+    // The animation ends one metre along x; the triangle spans 0 to 1.
+    const Json moved = exported({"--set", "scene.time=2.5", "--set", "bias.slope=2", "--set", "light.red=0.5",
+                                 "--set", "object.Tree.receive=false"});
+    EXPECT_NEAR(moved["scene"]["bounds"]["min"][0].get<double>(),
+                plain["scene"]["bounds"]["min"][0].get<double>() + 1, 1e-6);
+    EXPECT_EQ(moved["settings"]["bias.slope"], 2.0);
+    EXPECT_EQ(moved["settings"]["light.red"], 0.5) << "not undone by the lamp of the file";
+    EXPECT_EQ(moved["settings"]["light.type"], "spot");
+    EXPECT_EQ(moved["settings"]["object.Tree.receive"], false);
+    EXPECT_NEAR(moved["fit"][0]["position"][1].get<double>(), 5, 1e-9) << "the light stays where it is";
+    EXPECT_FALSE(suggested().contains("scene.time")) << "the file holds that moment alone";
+    EXPECT_TRUE(Json::parse(run_program({"scene", "out.gltf", "--json"}, folder).out)["animations"].empty());
+
+    ASSERT_EQ(run_program({"preset", "save", "model.glb", "-o", "p.json", "--set", "scene.time=1.25", "--set",
+                           "bias.slope=3", "--set", "light.intensity=0.25"},
+                          folder)
+                  .code,
+              0);
+    const Json half = exported({"--preset", "p.json", "--set", "map.resolution=512"});
+    EXPECT_NEAR(half["scene"]["bounds"]["min"][0].get<double>(),
+                plain["scene"]["bounds"]["min"][0].get<double>() + 0.5, 1e-6);
+    EXPECT_EQ(half["settings"]["bias.slope"], 3.0);
+    EXPECT_EQ(half["settings"]["light.intensity"], 0.25);
+    EXPECT_EQ(half["settings"]["map.resolution"], 512);
+}
+
 TEST(ContactSheet, ShowsModelsAndNamesFailures) {
     const auto folder = fresh_test_folder();
     write(folder / "models/deep/good.glb", rich_model());
