@@ -99,6 +99,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         imgui.draw(width, height);
         window.swap();
+        window.hold_cursor(actions.hold_cursor);
         if (model.fulfil(actions)) due = std::max(due, 2);
         if (actions.redraw) due = std::max(due, 1);
         if (actions.quit) break;

@@ -369,6 +369,14 @@ bool EditorModel::fulfil(const EditorActions& actions) {
     if (has_scene_ && state.settings.scene != posed_) attempt([&] { follow_time(); });
     changed |= compare();
     changed |= follow_measuring(actions);
+    if (has_scene_) {
+        try {
+            if (readings_.update_frozen(renderer_, scene_, state, actions)) drawn_scene_ = 0;  // draw anew
+        } catch (const std::exception& e) {
+            report(e.what());
+            state.frozen.reset();
+        }
+    }
     const bool drawn = draw_scene(actions);
     try {
         if (drawn_)

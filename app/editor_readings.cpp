@@ -19,6 +19,14 @@ DepthHistogram histogram_of(const FloatImage& depth, const ViewSettings& v, cons
     return depth_histogram(depth, result.map_view_curve, MapView(v.map), kHistogramBins, lo, hi);
 }
 
+/// What the texels that a given camera reads depend on.
+Settings texel_settings(const Settings& settings) {
+    Settings s = settings;
+    s.camera = {};
+    s.view = {.light = settings.view.light, .face = settings.view.face};
+    return s;
+}
+
 }  // namespace
 
 void EditorReadings::clear() {
@@ -31,6 +39,7 @@ void EditorReadings::fill(EditorFrame& frame) const {
     frame.map_facts = facts_ ? &*facts_ : nullptr;
     frame.map_coordinates = map_coordinates_.data.empty() ? nullptr : &map_coordinates_;
     frame.texel_usage = usage_ ? &*usage_ : nullptr;
+    frame.frozen_usage = frozen_usage_ ? &*frozen_usage_ : nullptr;
     frame.overlay_values = overlay_values_.data.empty() ? nullptr : &overlay_values_;
     frame.lost_casters = lost_casters_;
 }
@@ -102,6 +111,28 @@ bool EditorReadings::update_links(Renderer& renderer, const EditorState& state, 
     links_of_ = frame_;
     map_coordinates_ = renderer.read_float(result.map_coordinates, 4);
     usage_ = texel_usage(map_coordinates_, state.settings, result.map_resolution, shown_face(state.settings, result));
+    return true;
+}
+
+bool EditorReadings::update_frozen(Renderer& renderer, const Scene& scene, const EditorState& state,
+                                   const EditorActions& actions) {
+    const Settings settings = texel_settings(state.settings);
+    if (!state.frozen || settings != frozen_settings_ || scene.id != frozen_scene_) frozen_usage_.reset();
+    if (!state.frozen || frozen_usage_ || !actions.want_frozen_usage) return false;
+    FrameRequest request;
+    request.width = state.frozen->pixels.x;
+    request.height = state.frozen->pixels.y;
+    request.outputs = {.colour = false, .map_coordinates = true};
+    frozen_settings_ = settings;
+    frozen_scene_ = scene.id;
+    Settings seen = state.settings;
+    seen.camera = state.frozen->settings;
+    const FrameResult result = renderer.render(scene, seen, request);
+    frozen_usage_.emplace();  // without a map nothing is read
+    if (result.map_coordinates.texture == 0) return true;
+    const FloatImage coordinates = renderer.read_float(result.map_coordinates, 4);
+    frozen_usage_ =
+        texel_usage(coordinates, state.settings, result.map_resolution, shown_face(state.settings, result));
     return true;
 }
 

@@ -17,6 +17,9 @@ public:
     /// something else. Needs the renderer's OpenGL context. @throws Error
     bool update(Renderer& renderer, const Scene& scene, const EditorState& state, const EditorActions& actions,
                 const FrameRequest& request, const FrameResult& result, bool drawn);
+    /// Brings up to date which texels the frozen camera reads. Returns whether it drew a frame of its own, after which
+    /// the last one's images are not to be read any more: call it before that is drawn. @throws Error
+    bool update_frozen(Renderer& renderer, const Scene& scene, const EditorState& state, const EditorActions& actions);
     /// There is no frame.
     void clear();
     /// Tells the editor. The pointers hold until the next update() or clear().
@@ -38,7 +41,9 @@ private:
     std::optional<glm::ivec2> probed_pixel_;
     FloatImage map_values_, map_coordinates_, overlay_values_;
     std::optional<MapFacts> facts_;
-    std::optional<TexelUsage> usage_;
+    std::optional<TexelUsage> usage_, frozen_usage_;
+    Settings frozen_settings_;        ///< that frozen_usage_ was found under, as far as it depends on them
+    std::uint64_t frozen_scene_ = 0;  ///< Scene::id
     std::vector<LostCaster> lost_casters_;
 };
 

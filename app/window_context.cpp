@@ -106,6 +106,12 @@ void WindowContext::wait_events(double seconds) {
 void WindowContext::poll_events() {
     glfwPollEvents();
 }
+void WindowContext::hold_cursor(bool held) {
+    const int wanted = held ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL;
+    // ImGui chooses the cursor's shape, and hides it by itself.
+    if (held != (glfwGetInputMode(window_, GLFW_CURSOR) == GLFW_CURSOR_DISABLED))
+        glfwSetInputMode(window_, GLFW_CURSOR, wanted);
+}
 void WindowContext::swap() {
     glfwSwapBuffers(window_);
 }

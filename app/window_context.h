@@ -27,6 +27,8 @@ public:
     void wait_events(double seconds);
     void poll_events();
     void swap();
+    /// Hides the mouse and frees it from the screen's edges, or gives it back where it was.
+    void hold_cursor(bool held);
     int framebuffer_width() const;
     int framebuffer_height() const;
     /// In screen coordinates at scale 1, as the constructor takes it.

@@ -5,6 +5,7 @@
 #include <glm/gtc/constants.hpp>
 #include <numbers>
 
+#include "renderer/camera_settings.h"
 #include "renderer/projection.h"
 
 namespace si {
@@ -204,10 +205,8 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect, 
     return c;
 }
 
-CameraSettings manual_camera(const Scene& scene, const Settings& settings, double aspect) {
-    CameraSettings s = settings.camera;
-    if (s.source == int(CameraSource::Manual)) return s;
-    const Camera c = make_camera(scene, settings, aspect);
+CameraSettings camera_settings(const Camera& c) {
+    CameraSettings s;
     s.source = int(CameraSource::Manual);
     const glm::dvec3 back = c.axes[2];
     const double level = std::hypot(back.x, back.z);
@@ -222,6 +221,13 @@ CameraSettings manual_camera(const Scene& scene, const Settings& settings, doubl
     s.fov = c.fov_y_rad / kDegree;
     s.orthographic = c.orthographic;
     s.height = c.height;
+    return s;
+}
+
+CameraSettings manual_camera(const Scene& scene, const Settings& settings, double aspect) {
+    if (settings.camera.source == int(CameraSource::Manual)) return settings.camera;
+    CameraSettings s = camera_settings(make_camera(scene, settings, aspect));
+    s.index = settings.camera.index;
     glm::dmat3 unused;
     const bool light = settings.camera.source == int(CameraSource::Light);
     const SceneCamera* sc = light ? nullptr : scene_camera(scene, s.index, unused);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/camera_settings.h"
 #include "renderer/param.h"
 #include "ui/camera_gesture.h"
 #include "ui/panels.h"
@@ -122,11 +123,18 @@ void toggle_light_camera(EditorState& state) {
     state.camera_before_light.reset();
 }
 
+FrozenCamera freeze(const FrameResult& result, const CameraSettings& settings) {
+    const bool manual = settings.source == int(CameraSource::Manual);
+    return {.camera = result.camera,
+            .settings = manual ? settings : camera_settings(result.camera),
+            .pixels = {result.colour.width, result.colour.height}};
+}
+
 void toggle_frozen_camera(EditorState& state, const EditorFrame& frame) {
     if (state.frozen)
         state.frozen.reset();
     else if (frame.result)
-        state.frozen = frame.result->camera;
+        state.frozen = freeze(*frame.result, state.settings.camera);
 }
 
 }  // namespace si

@@ -20,6 +20,8 @@ void frame_light(EditorState& state, const EditorFrame& frame, const glm::dvec3&
 void reset_camera(EditorState& state, const EditorFrame& frame);
 /// Looks through the shown light; a second call goes back to the camera before.
 void toggle_light_camera(EditorState& state);
+/// The camera of a frame, as settings that no light and no other camera moves.
+FrozenCamera freeze(const FrameResult& result, const CameraSettings& settings);
 /// Keeps the present camera as the frozen one, or lets go of it.
 void toggle_frozen_camera(EditorState& state, const EditorFrame& frame);
 

@@ -6,19 +6,21 @@
 #include <cmath>
 #include <string>
 
+#include "shaders/shared/colours.h"
 #include "ui/panels.h"
 #include "ui/theme.h"
 
 namespace si {
 namespace {
 
-// The colours of the band view (shaders/passes/map_view.frag.glsl).
-constexpr ImU32 kNearBand = IM_COL32(191, 38, 31, 255), kMiddleBand = IM_COL32(51, 166, 64, 255),
-                kFarBand = IM_COL32(64, 110, 226, 255);
+const ImU32 kNearBand = theme::colour(shared::BAND_NEAR), kMiddleBand = theme::colour(shared::BAND_MIDDLE),
+            kFarBand = theme::colour(shared::BAND_FAR);
 constexpr ImU32 kBar = IM_COL32(168, 168, 166, 255);
+constexpr float kMarker = 0.36f;  ///< half a marker's width, ems; it is half as tall again
 
 /// The plot's frame and its title; returns the area inside, in which the plot is drawn.
-std::pair<ImVec2, ImVec2> frame_of_plot(ImVec2 size, const std::string& title) {
+/// @param below what stands between plot and numbers
+std::pair<ImVec2, ImVec2> frame_of_plot(ImVec2 size, const std::string& title, float below = 0) {
     const ImVec2 lo = ImGui::GetCursorScreenPos(), hi(lo.x + size.x, lo.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(lo, hi, theme::kWell);
@@ -27,7 +29,7 @@ std::pair<ImVec2, ImVec2> frame_of_plot(ImVec2 size, const std::string& title) {
     list.PushClipRect(lo, hi, true);
     list.AddText(font, font->FontSize, {lo.x + em * 0.4f, lo.y + em * 0.15f}, theme::kMuted, title.c_str());
     list.PopClipRect();
-    const float head = font->FontSize * 1.35f, foot = font->FontSize * 1.3f;
+    const float head = font->FontSize * 1.35f, foot = font->FontSize * 1.2f + below;
     return {{lo.x + em * 0.5f, lo.y + head}, {hi.x - em * 0.5f, hi.y - foot}};
 }
 
@@ -49,7 +51,7 @@ bool marker(const char* id, ImVec2 lo, ImVec2 hi, const DepthHistogram& h, doubl
     const float x = lo.x + float(std::clamp((value - h.lo) / span, 0.0, 1.0)) * width;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine({x, lo.y}, {x, hi.y}, colour, em * 0.08f);
-    const float half = em * 0.36f;
+    const float half = em * kMarker;
     list.AddTriangleFilled({x, hi.y}, {x + half, hi.y + half * 1.5f}, {x - half, hi.y + half * 1.5f}, colour);
     list.AddTriangle({x, hi.y}, {x + half, hi.y + half * 1.5f}, {x - half, hi.y + half * 1.5f}, theme::kMuted);
     const ImVec2 back = ImGui::GetCursorScreenPos();
@@ -95,7 +97,8 @@ void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
     const bool bands = v.map == int(MapView::Bands);
     const char* unit = v.map == int(MapView::Linear) ? "linear depth" : bands ? "depth from near" : "stored depth";
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const auto [lo, hi] = frame_of_plot(size, fmt::format("Texels over {}", unit));
+    const float markers = ImGui::GetFontSize() * kMarker * 1.5f;
+    const auto [lo, hi] = frame_of_plot(size, fmt::format("Texels over {}", unit), markers);
     if (frame.result && frame.map_facts && hi.x > lo.x + 8 && hi.y > lo.y + 8) {
         const DepthHistogram& h = frame.map_facts->histogram;
         std::uint64_t most = 1;
@@ -114,8 +117,8 @@ void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
         if (frame.map_facts->statistics.drawn == 0)
             small_text({0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y)}, "nothing drawn", theme::kMuted, 0.5f);
         drag_ends(state, *frame.result, h, lo, hi);
-        small_text({lo.x, hi.y + 1}, fmt::format("{:.3g}", h.lo), theme::kFaint, 0);
-        small_text({hi.x, hi.y + 1}, fmt::format("{:.3g}", h.hi), theme::kFaint, 1);
+        small_text({lo.x, hi.y + markers}, fmt::format("{:.3g}", h.lo), theme::kMuted, 0);
+        small_text({hi.x, hi.y + markers}, fmt::format("{:.3g}", h.hi), theme::kMuted, 1);
     }
     ImGui::SetCursorScreenPos(corner);
     ImGui::Dummy(size);
@@ -157,8 +160,8 @@ void draw_depth_curve(const EditorState& state, const FrameResult& result, std::
             list.AddCircleFilled(p, ImGui::GetFontSize() * 0.22f, theme::kAccent, 16);
             list.AddCircle(p, ImGui::GetFontSize() * 0.22f, IM_COL32(0, 0, 0, 180), 16);
         }
-        small_text({lo.x, hi.y + 1}, metres_text(curve.near), theme::kFaint, 0);
-        small_text({hi.x, hi.y + 1}, metres_text(curve.far), theme::kFaint, 1);
+        small_text({lo.x, hi.y + 1}, metres_text(curve.near), theme::kMuted, 0);
+        small_text({hi.x, hi.y + 1}, metres_text(curve.far), theme::kMuted, 1);
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         if (ImGui::IsMouseHoveringRect(lo, hi)) {
             const double metres = curve.near + (curve.far - curve.near) * double((mouse.x - lo.x) / (hi.x - lo.x));

@@ -16,6 +16,7 @@
 namespace si {
 namespace {
 
+constexpr float kPictures = 10;  ///< least height of the pictures that the tabs below leave, ems
 constexpr float kSplitter = 5;  ///< at scale 1, pixels
 
 bool pressed(char key) {
@@ -151,13 +152,15 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     EditorLayout& layout = state.layout;
     const ImVec2 rest = ImGui::GetContentRegionAvail();
     const float settings = std::clamp(layout.settings_width * em, em * 14, std::max(em * 14, rest.x * 0.5f));
-    const float bottom = std::clamp(layout.bottom_height * em, em * 4, std::max(em * 4, rest.y * 0.7f));
     const float left = std::max(rest.x - settings - bar, em * 10);
     const float map = std::clamp(left * layout.map_share, em * 8, std::max(em * 8, left - em * 12));
 
     ImGui::BeginGroup();
     draw_strips(state, frame, actions, left);
     const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
+    // Where there is little room the tabs below give way to the pictures.
+    const float most = std::max(em * 4, std::min(rest.y * 0.7f, rest.y - strips - bar - time - em * kPictures));
+    const float bottom = std::clamp(layout.bottom_height * em, em * 4, most);
     const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
     child("scene", {left - map - bar, pictures}, spaced([&] { draw_viewport(state, frame, actions); }));
     ImGui::SameLine();
@@ -186,6 +189,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     const bool gesture = ImGui::IsAnyItemActive() || state.dragging || turning_wheel;
     state.history.set_place({state.scene_name, state.guide});
     state.history.observe(state.settings, gesture || state.between_steps);
+    actions.hold_cursor = state.flight.on;
     actions.redraw = state.playback.playing || turning_wheel || state.open_tab.has_value() || state.flight.moving;
     return actions;
 }

@@ -43,6 +43,13 @@ struct Flight {
     double speed = 1;                 ///< factor
 };
 
+/// The camera whose view of the shadow map is kept while another one flies about.
+struct FrozenCamera {
+    Camera camera;
+    CameraSettings settings;  ///< that make this camera
+    glm::ivec2 pixels{1};  ///< of its picture
+};
+
 /// How scene.time runs while it plays.
 struct Playback {
     bool playing = false;
@@ -106,7 +113,7 @@ struct EditorState {
     char hovered_axis = 0;                  ///< 'x', 'y' or 'z': an end of the gnomon is under the mouse
     Flight flight;
     std::optional<CameraSettings> camera_before_light;  ///< what looking through the light goes back to
-    std::optional<Camera> frozen;  ///< the shadow camera while another one flies about
+    std::optional<FrozenCamera> frozen;
     bool select_probed = false;    ///< the next probe of a click chooses the selected object
 };
 
@@ -151,6 +158,7 @@ struct EditorFrame {
     const MapFacts* map_facts = nullptr;
     const FloatImage* map_coordinates = nullptr;  ///< FrameResult::map_coordinates read back
     const TexelUsage* texel_usage = nullptr;      ///< of the shown light and face
+    const TexelUsage* frozen_usage = nullptr;     ///< the same by the pixels of state.frozen
     const FloatImage* overlay_values = nullptr;   ///< of the active pane
     std::span<const LostCaster> lost_casters;  ///< of the shown light
     std::span<const PresetEntry> presets;
@@ -171,6 +179,7 @@ struct EditorActions {
     bool want_map_facts = false;   ///< the plots are shown
     bool want_overlay_values = false;  ///< a scene picture is hovered
     bool want_links = false;       ///< which pixel reads which texel: a picture is hovered and nothing is dragged
+    bool want_frozen_usage = false;  ///< what the frozen camera reads: the map is shown and nothing is dragged
     bool want_timing = false;
     std::optional<std::string> load_scene, load_preset, save_preset, save_map;
     std::optional<std::string> open_file;   ///< a scene or a preset, by its extension
@@ -186,6 +195,7 @@ struct EditorActions {
     bool want_present = false;     ///< the present settings are to be measured
     bool copy_command_line = false;
     bool quit = false;
+    bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies
     bool redraw = false;  ///< something still moves: draw another frame soon
 };
 

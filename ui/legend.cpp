@@ -1,4 +1,4 @@
-// The overlay's colour scale: the same stops as shaders/lib/colour_scale.glsl.
+// The overlay's colour scale.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -6,47 +6,54 @@
 #include <string>
 
 #include "renderer/techniques.h"
+#include "shaders/shared/colours.h"
 #include "ui/panels.h"
 #include "ui/theme.h"
 
 namespace si {
 namespace {
 
-ImU32 colour(float r, float g, float b) {
-    return ImGui::ColorConvertFloat4ToU32({r, g, b, 1});
-}
-
 struct Stops {
     ImU32 low, middle, high;
 };
 
 Stops stops_of(const Overlay& overlay) {
-    if (overlay.diverging) return {colour(0.02f, 0.28f, 0.60f), colour(0.96f, 0.96f, 0.96f), colour(0.80f, 0.33f, 0)};
-    return {colour(0, 0.13f, 0.30f), colour(0.48f, 0.48f, 0.47f), colour(0.99f, 0.91f, 0.27f)};
+    using namespace shared;
+    if (overlay.diverging)
+        return {theme::colour(DIVERGING_LOW), theme::colour(DIVERGING_MIDDLE), theme::colour(DIVERGING_HIGH)};
+    return {theme::colour(SEQUENTIAL_LOW), theme::colour(SEQUENTIAL_MIDDLE), theme::colour(SEQUENTIAL_HIGH)};
 }
+
+constexpr float kSmall = 14;  ///< ems that a picture is high at least to have room for the overlay's name
 
 }  // namespace
 
-void draw_legend(const Pane& pane, float left, float bottom, float room) {
+void draw_legend(const Pane& pane, float left, float bottom, ImVec2 room) {
     const int index = pane.overlay - 1;
     if (index < 0 || std::size_t(index) >= overlays().size()) return;
     const Overlay& overlay = overlays()[std::size_t(index)];
     const float em = ImGui::GetFontSize();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const std::string title =
-        overlay.unit.empty() ? std::string(overlay.label) : fmt::format("{} ({})", overlay.label, overlay.unit);
-    const float width = std::clamp(room - em * 2.4f, em * 5, em * 15), pad = em * 0.6f, bar = em * 0.7f;
+    // A small picture stands below the name of its overlay: there the scale alone has to do.
+    const bool small = room.y < em * kSmall;
+    if (small && !overlay.scalar) return;
+    const std::string unit = overlay.unit.empty() ? std::string() : fmt::format(" ({})", overlay.unit);
+    const std::string title = small ? std::string(overlay.unit) : std::string(overlay.label) + unit;
+    const float width = std::clamp(room.x - em * 2.4f, em * 5, em * (small ? 9.0f : 15.0f)), pad = em * 0.6f;
+    const float head = title.empty() || small ? 0 : em * 1.35f, bar = em * (small ? 0.4f : 0.7f);
     const float text_width = ImGui::CalcTextSize(title.c_str()).x;
-    const float box_width = overlay.scalar ? std::max(width, text_width) : text_width;
-    const float box_height = overlay.scalar ? em * 3.4f : em * 1.2f;
+    const float box_width = !overlay.scalar ? text_width
+                            : small         ? width + (title.empty() ? 0 : text_width + pad)
+                                            : std::max(width, text_width);
+    const float box_height = overlay.scalar ? head + bar + em * 1.35f : em * 1.2f;
     const ImVec2 lo(left + em * 0.6f, bottom - em * 0.6f - box_height - pad),
         hi(lo.x + box_width + 2 * pad, bottom - em * 0.6f);
     list.AddRectFilled(lo, hi, theme::kVeil, em * 0.25f);
-    list.AddText({lo.x + pad, lo.y + pad * 0.6f}, theme::kText, title.c_str());
+    const float top = lo.y + pad * 0.6f;
+    list.AddText({lo.x + pad + (small ? width + pad : 0), top + (small ? bar + em * 0.2f : 0)}, theme::kText, title.c_str());
     if (!overlay.scalar) return;
     const Stops stops = stops_of(overlay);
-    const float x0 = lo.x + pad, x2 = x0 + width, x1 = 0.5f * (x0 + x2), y0 = lo.y + pad * 0.6f + em * 1.35f,
-                y1 = y0 + bar;
+    const float x0 = lo.x + pad, x2 = x0 + width, x1 = 0.5f * (x0 + x2), y0 = top + head, y1 = y0 + bar;
     list.AddRectFilledMultiColor({x0, y0}, {x1, y1}, stops.low, stops.middle, stops.middle, stops.low);
     list.AddRectFilledMultiColor({x1, y0}, {x2, y1}, stops.middle, stops.high, stops.high, stops.middle);
     const float low = pane.overlay_min, high = pane.overlay_max;

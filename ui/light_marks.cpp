@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-constexpr ImU32 kLight = theme::kAccent, kFar = IM_COL32(196, 158, 84, 175), kHot = IM_COL32_WHITE;
+constexpr ImU32 kHot = IM_COL32_WHITE;
 constexpr int kRimSegments = 64;
 // How far the pointer to a light outside stays from the picture's edges, pixels at scale 1.
 constexpr double kEdge = 12, kCaptionEdge = 42;
@@ -41,7 +41,7 @@ void diamond(const PicturePainter& p, const glm::dvec2& at, double radius, ImU32
         const float x = float(at.x), y = float(at.y), d = p.px(r);
         p.list().AddQuadFilled({x, y - d}, {x + d, y}, {x, y + d}, {x - d, y}, c);
     };
-    shape(radius + 2, IM_COL32(0, 0, 0, 160));
+    shape(radius + 2, theme::kShade);
     shape(radius, colour);
 }
 
@@ -50,7 +50,7 @@ void square(const PicturePainter& p, const glm::dvec2& at, double half, ImU32 co
         const float x = float(at.x), y = float(at.y), d = p.px(r);
         p.list().AddRectFilled({x - d, y - d}, {x + d, y + d}, c);
     };
-    shape(half + 1.4, IM_COL32(0, 0, 0, 160));
+    shape(half + 1.4, theme::kShade);
     shape(half, colour);
 }
 
@@ -62,7 +62,7 @@ void arrow_head(const PicturePainter& p, const glm::dvec2& at, const glm::dvec2&
     const ImVec2 tip = to_imgui(at), a = to_imgui(at - s * along + 0.45 * s * aside),
                  b = to_imgui(at - s * along - 0.45 * s * aside);
     p.list().AddTriangleFilled(tip, a, b, colour);
-    p.list().AddTriangle(tip, a, b, IM_COL32(0, 0, 0, 160), p.px(1));
+    p.list().AddTriangle(tip, a, b, theme::kShade, p.px(1));
 }
 
 /// The circle of radius |u| = |v| about a point.
@@ -83,7 +83,7 @@ void draw_rim(const PicturePainter& p, const LightPose& pose, double radius, ImU
 }
 
 void draw_range(const PicturePainter& p, const LightPose& pose) {
-    const ImU32 colour = faded(kLight, 120);
+    const ImU32 colour = faded(theme::kLight, 120);
     const double range = pose.settings.range;
     if (pose.type == LightType::Spot) return draw_rim(p, pose, range, colour);
     const glm::dmat3 axes = orthonormal_basis(pose.to_light) * range;
@@ -110,34 +110,35 @@ std::optional<glm::dvec2> pointer_place(const LightPose& pose, const PictureView
 
 void draw_shown_light(const PicturePainter& p, const LightPose& pose, bool pointer_hovered) {
     if (pose.has_map)
-        for (const Segment& s : frustum_edges(pose.view)) p.line(s.from, s.to, s.far ? kFar : kLight);
-    if (pose.type == LightType::Spot) draw_rim(p, pose, cone_reach(pose), faded(kLight, 190));
+        for (const Segment& s : frustum_edges(pose.view))
+            p.line(s.from, s.to, s.far ? theme::kLightFar : theme::kLight);
+    if (pose.type == LightType::Spot) draw_rim(p, pose, cone_reach(pose), faded(theme::kLight, 190));
     if (pose.ranged()) draw_range(p, pose);
     const PictureView& view = p.view();
     if (const auto at = pointer_place(pose, view))
-        arrow_head(p, *at, *at - view.origin - 0.5 * view.size, 12, pointer_hovered ? kHot : kLight);
+        arrow_head(p, *at, *at - view.origin - 0.5 * view.size, 12, pointer_hovered ? kHot : theme::kLight);
 }
 
 void draw_other_light(const PicturePainter& p, const LightPose& pose, const FittedLight& fitted, bool hovered) {
     if (pose.has_map && fitted.views.size() == 1)
-        for (const Segment& s : frustum_edges(pose.view)) p.thin_line(s.from, s.to, faded(kLight, hovered ? 120 : 55));
+        for (const Segment& s : frustum_edges(pose.view)) p.thin_line(s.from, s.to, faded(theme::kLight, hovered ? 120 : 55));
     if (const auto at = p.view().point(pose.position))
-        p.dot(*at, hovered ? 5.5 : 4, faded(kLight, hovered ? 255 : 150));
+        p.dot(*at, hovered ? 5.5 : 4, faded(theme::kLight, hovered ? 255 : 150));
 }
 
 void draw_handles(const PicturePainter& p, const LightPose& pose, std::optional<LightHandle> hovered) {
     const PictureView& view = p.view();
     const glm::dvec3 tip = handle_place(pose, LightHandle::Direction, view);
     if (pose.type == LightType::Spot) {
-        p.dashes(pose.position, pose.target, faded(kLight, 150), 1);
-        p.line(pose.position, tip, kLight);
+        p.dashes(pose.position, pose.target, faded(theme::kLight, 150), 1);
+        p.line(pose.position, tip, theme::kLight);
     } else if (pose.type == LightType::Directional) {
-        p.line(tip, pose.target, kLight);
+        p.line(tip, pose.target, theme::kLight);
     }
     for (const PlacedHandle& h : place_handles(pose, view)) {
         const bool hot = hovered == h.handle;
         const double more = hot ? 1.5 : 0;
-        const ImU32 colour = hot ? kHot : kLight;
+        const ImU32 colour = hot ? kHot : theme::kLight;
         const auto way_from = [&](const glm::dvec3& from) {
             return h.on_screen - view.point(from).value_or(h.on_screen);
         };
@@ -150,7 +151,7 @@ void draw_handles(const PicturePainter& p, const LightPose& pose, std::optional<
             arrow_head(p, h.on_screen, (spot ? 1.0 : -1.0) * way_from(spot ? pose.position : pose.target),
                        13 + 2 * more, colour);
         } else if (h.handle == LightHandle::Target) {
-            p.list().AddCircle(to_imgui(h.on_screen), p.px(5.5 + more), IM_COL32(0, 0, 0, 160), 24, p.px(3.6));
+            p.list().AddCircle(to_imgui(h.on_screen), p.px(5.5 + more), theme::kShade, 24, p.px(3.6));
             p.list().AddCircle(to_imgui(h.on_screen), p.px(5.5 + more), colour, 24, p.px(1.6));
         } else if (is_extent(h.handle)) {
             square(p, h.on_screen, 3.5 + more, colour);
@@ -163,7 +164,7 @@ void draw_handles(const PicturePainter& p, const LightPose& pose, std::optional<
     // The light itself over its arrows.
     if (const auto at = view.point(pose.position)) {
         const bool hot = hovered == LightHandle::Position;
-        p.dot(*at, hot ? 7 : 5.5, hot ? kHot : kLight);
+        p.dot(*at, hot ? 7 : 5.5, hot ? kHot : theme::kLight);
     }
 }
 

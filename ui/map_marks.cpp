@@ -11,7 +11,6 @@
 namespace si {
 namespace {
 
-constexpr ImU32 kShade = IM_COL32(0, 0, 0, 170);
 constexpr float kNumberEms = 5.2f;  ///< least width of a texel that holds its number
 
 }  // namespace
@@ -28,11 +27,11 @@ void outline_texels(const MapRect& rect, glm::ivec2 first, int count, ImU32 colo
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (hi.x - lo.x < em * 0.5f) {
         const ImVec2 c(0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y));
-        list.AddCircle(c, em * 0.45f, kShade, 20, em * 0.24f);
+        list.AddCircle(c, em * 0.45f, theme::kShade, 20, em * 0.24f);
         list.AddCircle(c, em * 0.45f, colour, 20, em * 0.1f);
         return;
     }
-    list.AddRect(lo, hi, kShade, 0, 0, em * 0.24f);
+    list.AddRect(lo, hi, theme::kShade, 0, 0, em * 0.24f);
     list.AddRect(lo, hi, colour, 0, 0, em * 0.1f);
 }
 
@@ -65,7 +64,7 @@ void map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, glm::d
     const float em = ImGui::GetFontSize();
     for (const auto& [from, to] : lines) {
         const ImVec2 a = rect.screen(from), b = rect.screen(to);
-        list.AddLine(a, b, kShade, em * 0.2f);
+        list.AddLine(a, b, theme::kShade, em * 0.2f);
         list.AddLine(a, b, colour, em * 0.09f);
     }
 }

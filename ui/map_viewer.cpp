@@ -20,17 +20,16 @@ namespace si {
 namespace {
 
 constexpr float kZoomPerStep = 1.25f, kMaxTexelPixels = 160;
-constexpr ImU32 kFootprint = IM_COL32(120, 200, 255, 255);
 
 bool of_camera(const Settings& s) {
     return s.view.map_source == int(MapSource::Camera);
 }
 
 void save_menu(EditorState& state, EditorActions& actions) {
-    if (ImGui::Button("Save")) ImGui::OpenPopup("save map");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Write the depth image: .pfm holds the stored values as floats (metres when the view is\n"
-                          "linear), .png the picture as shown");
+    menu_button("Save", "save map",
+                "Write the depth image: .pfm holds the stored values as floats (metres when the view is\n"
+                "linear), .png the picture as shown",
+                ImGui::GetFontSize() * 24);
     if (!ImGui::BeginPopup("save map")) return;
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
     const bool entered = ImGui::InputTextWithHint("##file", "file.pfm or file.png", &state.map_path,
@@ -46,7 +45,7 @@ void save_menu(EditorState& state, EditorActions& actions) {
 void header(EditorState& state, const FrameResult* result, EditorActions& actions) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
-    setting_widget(s, "view.map_source", em * 8.5f);
+    setting_widget(s, "view.map_source", em * 9.5f);
     flow(em * 5.5f);
     setting_widget(s, "view.map", em * 5.5f);
     const auto labelled = [&](const char* label, const char* key, float width) {
@@ -129,20 +128,30 @@ void steer(MapWindow& window, ImVec2 origin, ImVec2 size, glm::ivec2 texels) {
     if (window.zoom <= 1) window.centre = glm::vec2(0.5f);
 }
 
+/// Who reads the map: while the shadow camera is frozen its pixels, not those of the one that flies about.
+const TexelUsage* shown_usage(const EditorState& state, const EditorFrame& frame) {
+    return state.frozen ? frame.frozen_usage : frame.texel_usage;
+}
+
+/// Six digits: what tells neighbouring texels apart.
+std::string exact_metres(double metres) {
+    return std::isfinite(metres) ? fmt::format("{:.6g} m", metres) : "no distance";
+}
+
 /// A texel's number, its stored depth, and what that means.
-std::pair<std::string, std::string> readout(const EditorFrame& frame, const DepthCurve& curve, glm::ivec2 texel,
+std::pair<std::string, std::string> readout(const EditorState& state, const EditorFrame& frame, const DepthCurve& curve, glm::ivec2 texel,
                                             glm::ivec2 n) {
     std::string where = fmt::format("texel {}, {}", texel.x, texel.y);
-    if (frame.texel_usage && frame.texel_usage->resolution() == n.x)
-        where += fmt::format("   read by {} pixels", frame.texel_usage->pixels(texel));
+    if (const TexelUsage* usage = shown_usage(state, frame); usage && usage->resolution() == n.x)
+        where += fmt::format("   read by {} {}pixels", usage->pixels(texel), state.frozen ? "frozen " : "");
     const FloatImage* values = frame.map_values;
     if (!values || values->width != n.x || values->height != n.y) return {where, {}};
     const double stored = values->at(texel.x, n.y - 1 - texel.y);
-    const std::string depth = fmt::format("stored {:.7f}", stored);
-    if (stored == curve.convention.far_depth()) return {where, depth + "   nothing drawn (far plane)"};
-    const double z = curve.distance(stored);
-    const double share = (z - curve.near) / (curve.far - curve.near);
-    return {where, fmt::format("{}   linear {:.5f}   {}", depth, share, metres_text(z))};
+    const double z = curve.distance(stored), share = (z - curve.near) / (curve.far - curve.near);
+    // Nine digits tell any two 32-bit depths apart.
+    const std::string depth = fmt::format("{}   stored {:.9g}   linear {:.6g}", exact_metres(z), stored, share);
+    const bool empty = stored == curve.convention.far_depth();
+    return {where, empty ? depth + "   nothing drawn" : depth};
 }
 
 /// The texels that the kernel at a pixel of the scene picture reads.
@@ -160,9 +169,20 @@ void mark_pixels_texels(const EditorState& state, const EditorFrame& frame, cons
     outline_texels(rect, f.first, f.count, colour);
 }
 
-std::string usage_text(const EditorFrame& frame) {
-    if (!frame.texel_usage) return {};
-    return fmt::format("{:.3g} % of the texels are read by the picture", 100 * frame.texel_usage->utilisation());
+std::string usage_text(const EditorState& state, const EditorFrame& frame) {
+    const TexelUsage* usage = shown_usage(state, frame);
+    if (!usage || usage->resolution() == 0) return {};
+    return fmt::format("{:.3g} % of texels read{}", 100 * usage->utilisation(), state.frozen ? " (frozen)" : "");
+}
+
+/// Puts `more` behind the shorter line.
+void append(std::pair<std::string, std::string>& lines, const std::string& more) {
+    const auto width = [](const std::string& text) {
+        ImFont* font = theme::small();
+        return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+    };
+    std::string& line = width(lines.first) <= width(lines.second) ? lines.first : lines.second;
+    line += "   " + more;
 }
 
 /// What stands between the user and a picture of the map; empty when there is one.
@@ -221,6 +241,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     const FittedLight* fitted = camera ? nullptr : &result.lights[std::size_t(shown_light(state.settings))];
     const glm::ivec2 n = result.map_view_size;
     actions.want_map_facts = plots;
+    actions.want_frozen_usage = !camera && state.frozen && !state.dragging;
 
     ImGui::InvisibleButton("map picture", size);
     const bool hovered = ImGui::IsItemHovered();
@@ -237,27 +258,28 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         if (frame.map_values) texel_numbers(rect, *frame.map_values, origin, end);
     }
     if (camera) {
-        if (state.probe_pixel) outline_texels(rect, {state.probe_pixel->x, n.y - 1 - state.probe_pixel->y}, 1, theme::kAccent);
+        if (state.probe_pixel)
+            outline_texels(rect, {state.probe_pixel->x, n.y - 1 - state.probe_pixel->y}, 1, theme::kProbed);
         if (state.hovered_pixel)
             outline_texels(rect, {state.hovered_pixel->x, n.y - 1 - state.hovered_pixel->y}, 1, IM_COL32_WHITE);
     } else {
         // What the frozen camera sees of the map; the live one's outline stands beside it once it has moved away.
         const LightView& light_view = fitted->views[std::size_t(shown_face(state.settings, result))];
         if (state.frozen) {
-            map_lines(rect, camera_outline_in_map(result.camera, light_view), IM_COL32(150, 150, 148, 160));
-            map_lines(rect, camera_outline_in_map(*state.frozen, light_view), kFootprint);
+            map_lines(rect, camera_outline_in_map(result.camera, light_view), theme::kLive);
+            map_lines(rect, camera_outline_in_map(state.frozen->camera, light_view), theme::kFrozen);
         }
         if (frame.probe && frame.probe->hit)
             for (const Probe::PerLight& p : frame.probe->lights)
                 if (p.casts && p.light == shown_light(state.settings) &&
                     p.face == shown_face(state.settings, result) && p.where == "inside")
-                    outline_texels(rect, p.texel, 1, theme::kAccent);
-        if (state.probe_pixel) mark_pixels_texels(state, frame, rect, *state.probe_pixel, theme::kAccent);
-        if (state.hovered_pixel) mark_pixels_texels(state, frame, rect, *state.hovered_pixel, kFootprint);
+                    outline_texels(rect, p.texel, 1, theme::kProbed);
+        if (state.probe_pixel) mark_pixels_texels(state, frame, rect, *state.probe_pixel, theme::kProbed);
+        if (state.hovered_pixel) mark_pixels_texels(state, frame, rect, *state.hovered_pixel, theme::kLinked);
     }
     auto text = title(state.settings, result, fitted);
     std::optional<double> marked_m;
-    if (const std::string usage = usage_text(frame); !usage.empty() && !camera) text.first += "   " + usage;
+    if (const std::string usage = usage_text(state, frame); !usage.empty() && !camera) append(text, usage);
     if (hovered) {
         actions.want_map_values = true;
         actions.want_links |= !camera;
@@ -266,7 +288,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         if (rect.holds(texel)) {
             state.hovered_texel = texel;
             outline_texels(rect, texel, 1, IM_COL32_WHITE);
-            text = readout(frame, result.map_view_curve, texel, n);
+            text = readout(state, frame, result.map_view_curve, texel, n);
             if (frame.map_values && frame.map_values->width == n.x && frame.map_values->height == n.y)
                 marked_m = result.map_view_curve.distance(frame.map_values->at(texel.x, n.y - 1 - texel.y));
         }

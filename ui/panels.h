@@ -1,6 +1,8 @@
 // The parts of the editor, one file each. Each fills the child window that is current.
 #pragma once
 
+#include <imgui.h>
+
 #include "ui/editor_ui.h"
 
 namespace si {
@@ -22,6 +24,7 @@ void draw_time_bar(EditorState& state, const EditorFrame& frame);
 float time_bar_height(const EditorFrame& frame);
 /// The popup "guided presets", while it is open.
 void draw_presets_menu(const EditorState& state, const EditorFrame& frame, EditorActions& actions);
+float presets_menu_width();
 /// What to look at and what a crash left, where there is such a thing; as wide as asked, as high as the text needs.
 void draw_strips(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width);
 
@@ -29,8 +32,8 @@ void draw_strips(EditorState& state, const EditorFrame& frame, EditorActions& ac
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step);
 
 /// The colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner; `room` is the
-/// picture's width on the screen.
-void draw_legend(const Pane& pane, float left, float bottom, float room);
+/// picture's size on the screen.
+void draw_legend(const Pane& pane, float left, float bottom, ImVec2 room);
 
 /// What is being read, and a button that cancels, at the top of a picture. Pixels of the screen.
 void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, float top, float width);

@@ -51,9 +51,9 @@ void draw_passes(const EditorFrame& frame) {
     const float footer = ImGui::GetTextLineHeightWithSpacing() + em * 0.2f;
     if (ImGui::BeginTable("passes", 7, flags, {0, -footer})) {
         ImGui::TableSetupScrollFreeze(0, 1);
-        ImGui::TableSetupColumn("Pass", ImGuiTableColumnFlags_WidthStretch, 1.1f);
+        ImGui::TableSetupColumn("Pass", ImGuiTableColumnFlags_WidthFixed, em * 12.5f);
         ImGui::TableSetupColumn("State", ImGuiTableColumnFlags_WidthFixed, em * 4.5f);
-        ImGui::TableSetupColumn("Why", ImGuiTableColumnFlags_WidthStretch, 2.4f);
+        ImGui::TableSetupColumn("Why", ImGuiTableColumnFlags_WidthStretch);
         ImGui::TableSetupColumn("Time ms", ImGuiTableColumnFlags_WidthFixed, em * 5);
         ImGui::TableSetupColumn("CPU ms", ImGuiTableColumnFlags_WidthFixed, em * 5);
         ImGui::TableSetupColumn("Draws", ImGuiTableColumnFlags_WidthFixed, em * 4);

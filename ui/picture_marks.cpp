@@ -7,6 +7,7 @@
 
 #include "renderer/techniques.h"
 #include "ui/panels.h"
+#include "ui/picture_painter.h"
 #include "ui/theme.h"
 
 namespace si {
@@ -17,7 +18,7 @@ void draw_probe_mark(const EditorState& state, const FrameResult& result, ImVec2
     const ImVec2 p(origin.x + (float(state.probe_pixel->x) + 0.5f) * size.x / float(result.colour.width),
                    origin.y + (float(state.probe_pixel->y) + 0.5f) * size.y / float(result.colour.height));
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (const auto& [colour, thick] : {std::pair{IM_COL32(0, 0, 0, 160), em * 0.25f}, {IM_COL32_WHITE, em * 0.1f}}) {
+    for (const auto& [colour, thick] : {std::pair{theme::kShade, em * 0.25f}, {theme::kProbed, em * 0.1f}}) {
         list.AddCircle(p, em * 0.5f, colour, 24, thick);
         for (const ImVec2 d : {ImVec2(1, 0), ImVec2(-1, 0), ImVec2(0, 1), ImVec2(0, -1)})
             list.AddLine({p.x + d.x * em * 0.5f, p.y + d.y * em * 0.5f}, {p.x + d.x * em, p.y + d.y * em}, colour,
@@ -34,7 +35,7 @@ void draw_readers(const EditorState& state, const EditorFrame& frame, ImVec2 ori
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (const glm::ivec2 p : frame.texel_usage->readers(*state.hovered_texel)) {
         const ImVec2 lo(origin.x + float(p.x) * step.x, origin.y + float(p.y) * step.y);
-        list.AddRectFilled(lo, {lo.x + step.x, lo.y + step.y}, IM_COL32(120, 200, 255, 200));
+        list.AddRectFilled(lo, {lo.x + step.x, lo.y + step.y}, faded(theme::kLinked, 200));
     }
 }
 

@@ -50,7 +50,7 @@ void PicturePainter::dashes(const glm::dvec3& from, const glm::dvec3& to, ImU32 
 
 void PicturePainter::dot(const glm::dvec2& at, double radius, ImU32 colour) const {
     if (!view_.contains(at)) return;  // a place close to the camera's plane appears beyond what a float holds
-    list_.AddCircleFilled(to_imgui(at), px(radius + 1.4), IM_COL32(0, 0, 0, 160), 24);
+    list_.AddCircleFilled(to_imgui(at), px(radius + 1.4), theme::kShade, 24);
     list_.AddCircleFilled(to_imgui(at), px(radius), colour, 24);
 }
 

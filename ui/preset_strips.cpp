@@ -70,6 +70,7 @@ void strip(const char* id, float width, float buttons, const std::vector<Run>& r
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float lower = !below && text < frame ? (frame - text) / 2 : 0;
     flow(runs, {at.x, at.y + lower}, wrap, ImGui::GetWindowDrawList());
+    ImGui::Dummy({wrap, text});
     ImGui::SetCursorScreenPos(below ? ImVec2(at.x, at.y + text + gap)
                                     : ImVec2(at.x + width - 2 * pad_x - buttons, at.y));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em * kGap, gap));

@@ -30,11 +30,15 @@ bool entry(const PresetEntry& preset, bool current, float width) {
 
 }  // namespace
 
+float presets_menu_width() {
+    const float em = ImGui::GetFontSize();
+    return std::min(em * 46, ImGui::GetIO().DisplaySize.x - 4 * em);
+}
+
 void draw_presets_menu(const EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const float em = ImGui::GetFontSize();
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float width = std::min(em * 46, screen.x - 4 * em);
-    ImGui::SetNextWindowSize({width, std::min(em * 44, screen.y - ImGui::GetFrameHeight() * 2.5f)});
+    const float height = std::min(em * 44, ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() * 2.5f);
+    ImGui::SetNextWindowSize({presets_menu_width(), height});
     if (!ImGui::BeginPopup("guided presets", ImGuiWindowFlags_NoMove)) return;
     if (frame.presets.empty()) ImGui::TextDisabled("No presets ship with this build.");
     std::string topic;

@@ -17,8 +17,6 @@
 namespace si {
 namespace {
 
-constexpr ImU32 kBounds = IM_COL32(168, 186, 206, 74);
-constexpr ImU32 kOffset = IM_COL32(240, 130, 176, 255);
 constexpr double kLeastTick = 3;  // pixels at scale 1: a shorter normal offset is not drawn
 
 void box(const PicturePainter& p, const std::array<glm::dvec3, 8>& corners, ImU32 colour, bool thin) {
@@ -68,7 +66,7 @@ struct Key {
 void draw_scene_marks(const PicturePainter& p, const EditorState& state, const EditorFrame& frame) {
     if (frame.scene && state.settings.view.bounds) draw_caster_bounds(p, *frame.scene, state.settings);
     if (frame.scene) draw_selection(p, state, *frame.scene);
-    if (state.frozen) draw_frozen_camera(p, *state.frozen);
+    if (state.frozen) draw_frozen_camera(p, state.frozen->camera);
     draw_lights(state, frame, p);
     draw_probe_ray(p, state, frame);
     draw_gnomon(state, p);
@@ -89,7 +87,7 @@ void draw_caster_bounds(const PicturePainter& p, const Scene& scene, const Setti
     const SceneShape shape = scene_shape(scene, settings);
     int drawn = 0;
     for (std::size_t i = 0; i < shape.boxes.size() && drawn < kMostBoxes; ++i)
-        if (shape.box_casts[i]) box(p, shape.boxes[i], kBounds, true), ++drawn;
+        if (shape.box_casts[i]) box(p, shape.boxes[i], theme::kBounds, true), ++drawn;
 }
 
 void draw_frozen_camera(const PicturePainter& p, const Camera& frozen) {
@@ -108,7 +106,7 @@ void draw_probe_ray(const PicturePainter& p, const EditorState& state, const Edi
         p.dot(*at, 4, theme::kShadowed);
         p.list().AddCircle(to_imgui(*at), p.px(4), IM_COL32_WHITE, 20, p.px(1.2));
     }
-    if (shows_offset(p.view(), *ray, *answer)) p.line(ray->to, answer->offset_position_ws, kOffset, 1.6);
+    if (shows_offset(p.view(), *ray, *answer)) p.line(ray->to, answer->offset_position_ws, theme::kOffset, 1.6);
 }
 
 void draw_captions(const PicturePainter& p, const EditorState& state, const EditorFrame& frame) {
@@ -122,7 +120,7 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
         y += font.FontSize + p.px(10);
     };
     if (state.settings.camera.source == int(CameraSource::Light) && shown_light(state.settings) >= 0)
-        say(fmt::format("Through light {}; L goes back", shown_light(state.settings)), theme::kAccent);
+        say(fmt::format("Through light {}; L goes back", shown_light(state.settings)), theme::kLight);
     if (state.frozen) say("Shadow camera frozen", theme::kFrozen);
     if (state.flight.on) say(fmt::format("Flying, speed {:.2g}×", state.flight.speed), theme::kText);
     const Probe::PerLight* answer = nullptr;
@@ -130,7 +128,7 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
     if (!ray) return;
     std::vector<Key> keys{{theme::kLit, "lit"}};
     if (ray->blocked) keys.push_back({theme::kShadowed, "in shadow"});
-    if (shows_offset(view, *ray, *answer)) keys.push_back({kOffset, "normal offset"});
+    if (shows_offset(view, *ray, *answer)) keys.push_back({theme::kOffset, "normal offset"});
     const float stroke = p.px(14), gap = p.px(5), between = p.px(12);
     float width = p.px(12) - between;
     for (const Key& k : keys) width += stroke + gap + ImGui::CalcTextSize(k.word).x + between;

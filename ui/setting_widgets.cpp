@@ -230,6 +230,14 @@ bool setting_matches(const SettingRef& ref, std::string_view text) {
     return text.empty() || contains(ref.param->label) || contains(setting_key(ref)) || contains(ref.param->help);
 }
 
+void menu_button(const char* label, const char* popup, const char* hint, float width) {
+    if (ImGui::Button(label)) ImGui::OpenPopup(popup);
+    const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+    if (ImGui::IsItemHovered() && !ImGui::IsPopupOpen(popup)) ImGui::SetTooltip("%s", hint);
+    const float most = ImGui::GetIO().DisplaySize.x - width - ImGui::GetFontSize() * 0.3f;
+    ImGui::SetNextWindowPos({std::max(std::min(lo.x, most), 0.0f), hi.y + ImGui::GetFontSize() * 0.2f});
+}
+
 void flow(float width) {
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();

@@ -37,4 +37,7 @@ bool setting_changed(const Settings& settings, const SettingRef& ref);
 /// Goes on in the line when `width` more pixels fit, else starts the next one.
 void flow(float width);
 
+/// A button that opens a popup below itself; BeginPopup(`popup`) has to follow. `width` is what the popup needs.
+void menu_button(const char* label, const char* popup, const char* hint, float width);
+
 }  // namespace si

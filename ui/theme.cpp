@@ -47,6 +47,10 @@ void load_fonts(float scale) {
     add_font(regular_font(), std::round(kSmallPixels * scale));
 }
 
+ImU32 colour(const glm::vec3& rgb) {
+    return ImGui::ColorConvertFloat4ToU32({rgb.r, rgb.g, rgb.b, 1});
+}
+
 ImFont* strong() {
     const auto& fonts = ImGui::GetIO().Fonts->Fonts;
     return fonts.Size > 1 ? fonts[1] : fonts[0];

@@ -8,6 +8,7 @@
 #include "renderer/scenes/builtin.h"
 #include "ui/panels.h"
 #include "ui/playback.h"
+#include "ui/setting_widgets.h"
 #include "ui/theme.h"
 
 namespace si {
@@ -31,7 +32,7 @@ void recent_menu(const char* label, std::span<const std::string> paths, std::opt
 }
 
 void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
-    if (ImGui::Button("File")) ImGui::OpenPopup("file");
+    menu_button("File", "file", "Open, save, compare, copy the command line", ImGui::GetFontSize() * 20);
     if (!ImGui::BeginPopup("file")) return;
     if (ImGui::MenuItem("Open…", "Ctrl+O")) ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
     recent_menu("Recent scenes", frame.recent_scenes, actions.load_scene);
@@ -78,8 +79,8 @@ void guided_presets(EditorState& state, const EditorFrame& frame, EditorActions&
     if (ImGui::ArrowButton("previous preset", ImGuiDir_Left) && before) actions.load_preset = before;
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("The guided preset before (Page up)");
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    if (button("Guided presets", "Artefacts and remedies, each with a sentence on what to look at"))
-        ImGui::OpenPopup("guided presets");
+    menu_button("Guided presets", "guided presets", "Artefacts and remedies, each with a sentence on what to look at",
+                presets_menu_width());
     draw_presets_menu(state, frame, actions);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::ArrowButton("next preset", ImGuiDir_Right) && after) actions.load_preset = after;

@@ -72,7 +72,9 @@ void header(EditorState& state, const EditorFrame& frame) {
     if (toggle("Through light", s.camera.source == int(CameraSource::Light), "Look through the shown light (L)"))
         toggle_light_camera(state);
     if (toggle("Freeze", state.frozen.has_value(),
-               "Keep this camera and fly about with another (K): its frustum stays drawn in the scene and in the map"))
+               "Keep this camera and fly about with another (K): its frustum stays drawn in the scene and in the\n"
+               "map, and the texels counted are those that it reads. The fits follow the scene, not a camera, so\n"
+               "the map itself stays the same."))
         toggle_frozen_camera(state, frame);
 }
 
@@ -154,7 +156,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     draw_scene_marks(PicturePainter(view, list), state, frame);
     draw_probe_mark(state, result, lo, size);
     draw_readers(state, frame, lo, size);
-    draw_legend(pane, lo.x, hi.y, size.x);
+    draw_legend(pane, lo.x, hi.y, size);
     if (state.hovered_pixel && index == state.active_pane) {
         const float below = panes.grid.count() > 1 ? ImGui::GetFrameHeight() * 1.3f : 0;  // the pane's overlay stands there
         hover_readout(frame, pane, {lo.x, lo.y + below}, *state.hovered_pixel);

@@ -90,10 +90,12 @@ struct PresetTexts {
 void run_preset_save(const SessionOptions& session, const PresetTexts& texts, const std::string& output);
 void run_export(const SessionOptions& session, const std::string& output);
 
-/// docs/settings.md: to `output`, or to stdout when empty; `check` compares and throws when they differ.
-void run_docs(const std::string& output, bool check);
-/// The text of docs/settings.md.
+/// docs/settings.md or docs/presets.md: to `output`, or to stdout when empty; `check` compares and throws when they
+/// differ. @param what "settings" or "presets"
+void run_docs(const std::string& what, const std::string& output, bool check);
+/// The text of docs/settings.md and of docs/presets.md.
 std::string settings_page();
+std::string presets_page();
 /// The table of settings as --help shows it.
 std::string settings_help();
 

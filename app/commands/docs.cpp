@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::string_view kIntro =
     "# Settings\n\n"
-    "Written by `shadow-inspector docs -o docs/settings.md` from the table of settings; do not edit by hand.\n\n"
+    "Written by `shadow-inspector docs settings -o docs/settings.md` from the table of settings; do not edit by "
+    "hand.\n\n"
     "Every setting can be moved in the editor, given as `--set KEY=VALUE`, and saved in a preset. `light.X` means\n"
     "`light.0.X`; lights 0 to 15 have the same settings. `object.PATH.X` is for the object at a node path, such as\n"
     "`object.Root/Fence.cull`.\n";
@@ -65,11 +66,13 @@ std::string settings_page() {
     return text;
 }
 
-void run_docs(const std::string& output, bool check) {
-    const std::string page = settings_page();
+void run_docs(const std::string& what, const std::string& output, bool check) {
+    if (what != "settings" && what != "presets")
+        throw UsageError(fmt::format("docs {}: there are pages of settings and of presets", what));
+    const std::string page = what == "presets" ? presets_page() : settings_page();
     if (check) {
         if (read_text_file(output) == page) return;
-        throw Error(fmt::format("{}: differs from the table of settings; write it with `docs -o {}`", output, output));
+        throw Error(fmt::format("{}: is out of date; write it with `docs {} -o {}`", output, what, output));
     }
     if (output.empty()) {
         fmt::print("{}", page);

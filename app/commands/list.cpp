@@ -120,6 +120,18 @@ std::string plain(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+/// Presets under their topics, each with its title, its scene and what to look at.
+void print_presets(const Json& list) {
+    std::string topic;
+    std::size_t widest = 0;
+    for (const Json& r : list) widest = std::max(widest, r["key"].get_ref<const std::string&>().size());
+    for (const Json& r : list) {
+        if (r["topic"] != topic) fmt::print("{}\n", topic = r["topic"]);
+        fmt::print("  {:<{}}  {} ({})\n      {}\n", r["key"].get<std::string>(), widest, r["label"].get<std::string>(),
+                   r["scene"].get<std::string>(), r["help"].get<std::string>());
+    }
+}
+
 void print_rows(const Json& list) {
     for (const Json& r : list) {
         if (!r.contains("type")) {
@@ -165,6 +177,8 @@ void run_list(const ListOptions& options) {
     }
     if (options.json) {
         fmt::print("{}", json_text(chosen));
+    } else if (kind == "presets") {
+        print_presets(chosen);
     } else {
         print_rows(chosen);
     }

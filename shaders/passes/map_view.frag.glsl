@@ -1,6 +1,7 @@
 // A depth image as a person looks at it: as stored, linear in metres, or in bands.
 #include "lib/depth.glsl"
 #include "lib/shown_depth.glsl"
+#include "shared/colours.h"
 uniform int mode;    // 0 raw, 1 linear, 2 bands
 uniform vec4 range;  // black, white, lower and upper band threshold
 in vec2 picture_uv;
@@ -16,9 +17,9 @@ void main() {
     if (mode == 2) {
         // Thresholds are on standard depth, 0 near and 1 far.
         if (reversed) stored = 1.0 - stored;
-        colour_out = vec4(stored < range.z ? vec3(0.75, 0.15, 0.12) * (0.35 + 0.65 * stored / max(range.z, 1e-6))
-                          : stored < range.w ? vec3(0.20, 0.65, 0.25)
-                                             : vec3(0.15, 0.35, 0.85), 1.0);
+        colour_out = vec4(stored < range.z ? BAND_NEAR * (0.35 + 0.65 * stored / max(range.z, 1e-6))
+                          : stored < range.w ? BAND_MIDDLE
+                                             : BAND_FAR, 1.0);
         return;
     }
     colour_out = vec4(vec3(clamp((value - range.x) / max(range.y - range.x, 1e-9), 0.0, 1.0)), 1.0);

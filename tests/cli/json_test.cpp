@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/commands/commands.h"
+#include "app/presets.h"
 #include "renderer/param.h"
 #include "tests/support/process.h"
 
@@ -189,9 +191,27 @@ TEST(Info, NamesTheDriver) {
     EXPECT_GE(info["driver"]["max_texture_size"], 1024);
 }
 
+TEST(List, PresetsStandInColumns) {
+    const auto presets = builtin_presets();
+    std::istringstream lines(run_program({"list", "presets"}).out);
+    std::size_t column = 0, found = 0;
+    for (std::string line; std::getline(lines, line);)
+        for (const BuiltinPreset& p : presets) {
+            if (!line.starts_with("  " + p.key + " ")) continue;
+            const std::size_t at = line.find("  " + p.title + " (");  // apart from the key by two spaces
+            ASSERT_NE(at, std::string::npos) << line;
+            if (column == 0) column = at;
+            EXPECT_EQ(at, column) << line;
+            ++found;
+        }
+    EXPECT_EQ(found, presets.size());
+}
+
 TEST(Docs, TheSettingsPageIsUpToDate) {
     EXPECT_EQ(file_bytes(std::filesystem::path(SI_SOURCE_DIR) / "docs/settings.md"), settings_page())
-        << "write it with: shadow-inspector docs -o docs/settings.md";
+        << "write it with: shadow-inspector docs settings -o docs/settings.md";
+    EXPECT_EQ(file_bytes(std::filesystem::path(SI_SOURCE_DIR) / "docs/presets.md"), presets_page())
+        << "write it with: shadow-inspector docs presets -o docs/presets.md";
 }
 
 }  // namespace

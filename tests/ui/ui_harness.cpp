@@ -89,6 +89,11 @@ EditorActions UiHarness::frame() {
     EditorFrame facts;
     facts.loading = loading;
     if (sweep) facts.sweep = &*sweep;
+    facts.presets = presets;
+    facts.recent_scenes = recent_scenes;
+    facts.recent_presets = recent_presets;
+    facts.comparison = comparison ? &*comparison : nullptr;
+    facts.lost = lost;
     if (with_facts) {
         facts.result = &result_;
         facts.scene = &scene;

@@ -28,6 +28,10 @@ public:
     Scene scene;
     std::optional<LoadingFacts> loading;
     std::optional<SweepFacts> sweep;
+    std::vector<PresetEntry> presets;
+    std::vector<std::string> recent_scenes, recent_presets;
+    std::optional<ComparisonFacts> comparison;
+    std::optional<LostFacts> lost;
     std::optional<MapFacts> map_facts;
     std::vector<LostCaster> lost_casters;
     bool with_facts = true;  ///< false: the editor knows no frame yet

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "renderer/camera_settings.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/selection.h"
 
@@ -174,7 +175,7 @@ TEST(Viewport, FreezeKeepsTheCameraThatIsLeft) {
     v.press('K');
     ASSERT_TRUE(v.ui.state.frozen);
     v.ui.drag(kPicture, kPicture + glm::vec2(60, 25));
-    EXPECT_NEAR(glm::distance(v.ui.state.frozen->eye, before.eye), 0, 1e-9);
+    EXPECT_NEAR(glm::distance(v.ui.state.frozen->camera.eye, before.eye), 0, 1e-9);
     EXPECT_GT(glm::distance(v.camera().eye, before.eye), 1e-3);
     v.press('K');
     EXPECT_FALSE(v.ui.state.frozen);
@@ -216,7 +217,7 @@ TEST(Viewport, EveryMarkIsDrawnWithoutComplaint) {
     v.settings.lights[3].type = int(LightType::Spot);
     v.settings.lights[3].projection = int(LightProjection::Orthographic);
     v.ui.state.selected_object = v.ui.scene.nodes[std::size_t(v.ui.scene.objects[0].node)].path;
-    v.ui.state.frozen = v.camera();
+    v.ui.state.frozen = FrozenCamera{v.camera(), camera_settings(v.camera()), {640, 360}};
     v.ui.state.probe_pixel = glm::ivec2(20, 30);
     for (const bool orthographic : {false, true})
         for (int light = 0; light < 4; ++light)

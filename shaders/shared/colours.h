@@ -1,0 +1,30 @@
+// Colours that stand for numbers, read by C++ and GLSL alike: the shaders paint with them, the legends explain them.
+#ifndef SI_SHARED_COLOURS_H
+#define SI_SHARED_COLOURS_H
+
+#ifdef __cplusplus
+#include <glm/glm.hpp>
+namespace si::shared {
+using glm::vec3;
+#endif
+
+// Perceptually ordered from dark blue to yellow, readable with the common colour-vision deficiencies and in grey: three
+// stops in the spirit of Nunez, Anderton and Renslow's cividis (PLoS ONE 13(7), 2018).
+const vec3 SEQUENTIAL_LOW = vec3(0.00, 0.13, 0.30);
+const vec3 SEQUENTIAL_MIDDLE = vec3(0.48, 0.48, 0.47);
+const vec3 SEQUENTIAL_HIGH = vec3(0.99, 0.91, 0.27);
+
+// Blue below zero, white at zero, orange above.
+const vec3 DIVERGING_LOW = vec3(0.02, 0.28, 0.60);
+const vec3 DIVERGING_MIDDLE = vec3(0.96, 0.96, 0.96);
+const vec3 DIVERGING_HIGH = vec3(0.80, 0.33, 0.00);
+
+// The depth bands: below view.band_low, up to view.band_high, above.
+const vec3 BAND_NEAR = vec3(0.75, 0.15, 0.12);
+const vec3 BAND_MIDDLE = vec3(0.20, 0.65, 0.25);
+const vec3 BAND_FAR = vec3(0.25, 0.43, 0.89);
+
+#ifdef __cplusplus
+}  // namespace si::shared
+#endif
+#endif

@@ -1,0 +1,253 @@
+// The panels around presets: strips, menu, comparison, dialogs; nothing cut off at any size, every button answers.
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/presets.h"
+#include "renderer/param.h"
+#include "tests/support/process.h"
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<PresetEntry> guided() {
+    std::vector<PresetEntry> list;
+    for (const BuiltinPreset& p : builtin_presets()) list.push_back({p.key, p.title, p.topic, p.about});
+    return list;
+}
+
+/// The window whose name holds `part`, as drawn in the last frame; null when it was not.
+ImGuiWindow* window_of(const char* part) {
+    for (ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
+        if (w->WasActive && std::string_view(w->Name).find(part) != std::string_view::npos) return w;
+    return nullptr;
+}
+
+/// Clicks along a row of pixels until something is wished for; the wishes of that frame.
+template <class Wished>
+std::optional<EditorActions> click_along(UiHarness& ui, float x0, float x1, float y, Wished wished) {
+    for (float x = x0; x < x1; x += 6) {
+        ui.move({x, y});
+        ui.frames(2);
+        ui.press(true);
+        ui.frame();
+        ui.press(false);
+        for (int i = 0; i < 2; ++i)
+            if (const EditorActions actions = ui.frame(); wished(actions)) return actions;
+    }
+    return {};
+}
+
+void press_key(ImGuiKey key) {
+    ImGui::GetIO().KeysDown[ImGui::GetIO().KeyMap[key]] = true;
+}
+void release_key(ImGuiKey key) {
+    ImGui::GetIO().KeysDown[ImGui::GetIO().KeyMap[key]] = false;
+}
+
+class PresetPanels : public testing::TestWithParam<std::tuple<int, int, float>> {};
+
+TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
+    const auto [w, h, scale] = GetParam();
+    UiHarness ui(w, h, scale);
+    const EditorActions bare = ui.frames(4);
+    ui.presets = guided();
+    ui.lost = LostFacts{"/a/rather/long/folder/name/with/a/scene of many words.glb", "less than a minute ago"};
+    for (const PresetEntry& p : ui.presets) {
+        ui.state.guide = {p.key, p.title, p.about};
+        const EditorActions actions = ui.frames(3);
+        for (const char* name : {"guide", "lost session"}) {
+            const ImGuiWindow* strip = window_of(name);
+            ASSERT_TRUE(strip) << p.key << " " << name;
+            EXPECT_EQ(strip->ScrollMax.y, 0) << p.key << " is cut off in " << name;
+            EXPECT_EQ(strip->ScrollMax.x, 0) << p.key << " is cut off in " << name;
+            EXPECT_LE(strip->Pos.x + strip->Size.x, float(w));
+        }
+        EXPECT_EQ(actions.scene_width, bare.scene_width);
+        EXPECT_GT(actions.scene_height, h / 8) << p.key;
+    }
+    ui.state.file_dialog = {};
+    ask_for_file(ui.state.file_dialog, FileDialog::Job::SavePreset, fs::path(SI_SOURCE_DIR) / "assets/presets/x.json");
+    ui.frames(3);
+    const ImGuiWindow* dialog = window_of("Save the preset as");
+    ASSERT_TRUE(dialog);
+    EXPECT_EQ(dialog->ScrollMax.y, 0) << "the dialog is cut off";
+    EXPECT_LE(dialog->Pos.y + dialog->Size.y, float(h));
+    EXPECT_GE(dialog->Pos.x, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, PresetPanels,
+                         testing::Values(std::tuple{1280, 720, 1.0f}, std::tuple{1920, 1080, 1.0f},
+                                         std::tuple{3840, 2160, 2.0f}, std::tuple{700, 480, 1.0f}));
+
+TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
+    UiHarness ui(1280, 720);
+    ui.presets = guided();
+    const PresetEntry& second = ui.presets[1];
+    ui.state.guide = {second.key, second.title, second.about};
+    ui.frames(3);
+    const auto row = [](const char* name) {
+        const ImGuiWindow* w = window_of(name);
+        return glm::vec4(w->Pos.x, w->Pos.x + w->Size.x, w->Pos.y + ImGui::GetFrameHeight() * 0.75f, 0);
+    };
+    const glm::vec4 at = row("guide");
+    const auto loads = [](const EditorActions& a) { return a.load_preset.has_value(); };
+    const auto before = click_along(ui, at.x, at.y, at.z, loads);
+    ASSERT_TRUE(before);
+    EXPECT_EQ(*before->load_preset, ui.presets[0].key);
+    const auto loads_third = [&](const EditorActions& a) { return a.load_preset == ui.presets[2].key; };
+    EXPECT_TRUE(click_along(ui, at.x, at.y, at.z, loads_third));
+    click_along(ui, at.y - 50, at.y, at.z, [&](const EditorActions&) { return !ui.state.hidden_guide.empty(); });
+    EXPECT_EQ(ui.state.hidden_guide, second.key);
+    ui.frames(2);
+    EXPECT_FALSE(window_of("guide")) << "hidden";
+
+    ui.lost = LostFacts{"boxes", "3 minutes ago"};
+    ui.frames(3);
+    const glm::vec4 lost = row("lost session");
+    EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorActions& a) { return a.restore_lost; }));
+    EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorActions& a) { return a.discard_lost; }));
+}
+
+TEST(PresetStrips, AFileWithoutASentenceHasNone) {
+    UiHarness ui(1280, 720);
+    ui.state.guide = {"/a/b.json", "Title", ""};
+    ui.frames(3);
+    EXPECT_FALSE(window_of("guide"));
+}
+
+TEST(PresetKeys, PageKeysWalkAndAnOpenPopupKeepsThemToItself) {
+    UiHarness ui(1280, 720);
+    ui.presets = guided();
+    ui.frames(2);
+    const auto press = [&](ImGuiKey key) {
+        press_key(key);
+        const EditorActions actions = ui.frame();
+        release_key(key);
+        ui.frame();
+        return actions.load_preset;
+    };
+    EXPECT_EQ(press(ImGuiKey_PageDown), ui.presets.front().key);
+    EXPECT_EQ(press(ImGuiKey_PageUp), ui.presets.back().key) << "from nowhere backwards: the last";
+    ui.state.guide.key = ui.presets.back().key;
+    EXPECT_EQ(press(ImGuiKey_PageDown), std::nullopt);
+    EXPECT_EQ(press(ImGuiKey_PageUp), ui.presets[ui.presets.size() - 2].key);
+    ui.state.show_shortcuts = true;
+    ui.frames(2);
+    EXPECT_EQ(press(ImGuiKey_PageUp), std::nullopt);
+}
+
+TEST(PresetsMenu, ShowsEverySentenceUnderItsTopicAndOpensWhatIsClicked) {
+    UiHarness ui(1280, 720);
+    ui.presets = guided();
+    ui.frames(2);
+    click_along(ui, 230, 400, 19, [](const EditorActions&) { return window_of("##Popup") != nullptr; });
+    ui.frames(3);
+    const ImGuiWindow* menu = window_of("##Popup");
+    ASSERT_TRUE(menu) << "the button was not found";
+    EXPECT_GT(menu->ScrollMax.y, 500) << "forty presets do not fit one screen";
+    EXPECT_LE(menu->Pos.y + menu->Size.y, 720.5f);
+    EXPECT_EQ(menu->ScrollMax.x, 0);
+    const auto chosen = click_along(ui, menu->Pos.x + 100, menu->Pos.x + 130, menu->Pos.y + 60,
+                                    [](const EditorActions& a) { return a.load_preset.has_value(); });
+    ASSERT_TRUE(chosen);
+    EXPECT_EQ(*chosen->load_preset, ui.presets.front().key);
+}
+
+TEST(Comparison, ListsDifferencesForEveryKindOfSetting) {
+    UiHarness ui(1280, 720);
+    ui.recent_presets = {"/a/one.json"};
+    ui.presets = guided();
+    for (const CompareKind kind : {CompareKind::Scene, CompareKind::Defaults, CompareKind::Preset}) {
+        ui.state.compare = {kind, kind == CompareKind::Preset ? "/a/one.json" : ""};
+        Settings other;
+        for (const Param& p : params()) {
+            const SettingRef ref{&p, 2, p.scope == Scope::Object ? "Root/Box" : ""};
+            const Value v = default_value(ref);
+            if (const bool* b = std::get_if<bool>(&v)) set_value(other, ref, !*b);
+            if (const int* i = std::get_if<int>(&v)) set_value(other, ref, *i + 1);
+            if (const double* d = std::get_if<double>(&v)) set_value(other, ref, *d + 0.5);
+        }
+        ui.comparison = ComparisonFacts{ui.state.compare, other, "plane", {}};
+        ui.state.open_tab = BottomTab::Compare;
+        ui.frames(3);
+        ASSERT_EQ(ui.state.tab, BottomTab::Compare);
+        EXPECT_EQ(ui.state.settings, Settings{}) << "drawing changed something";
+    }
+    ui.comparison->problem = "/a/one.json: no such file";
+    ui.frames(3);
+    ui.comparison.reset();
+    ui.frames(3);
+}
+
+TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
+    const fs::path folder = fresh_test_folder();
+    fs::create_directory(folder / "below");
+    for (const char* name : {"b.json", "A.glb", "notes.txt", ".hidden.json"}) std::ofstream(folder / name) << "x";
+    UiHarness ui(1280, 720);
+    FileDialog& dialog = ui.state.file_dialog;
+    ask_for_file(dialog, FileDialog::Job::Open, folder / "x.json");
+    ASSERT_EQ(dialog.entries.size(), 3u);
+    EXPECT_TRUE(dialog.entries[0].folder && dialog.entries[0].name == "below");
+    EXPECT_EQ(dialog.entries[1].name, "A.glb");
+    EXPECT_EQ(dialog.entries[2].name, "b.json");
+    ui.frames(3);
+    ui.type("b.json");
+    press_key(ImGuiKey_Enter);
+    std::optional<std::string> opened = ui.frame().open_file;
+    release_key(ImGuiKey_Enter);
+    if (!opened) opened = ui.frame().open_file;
+    ASSERT_TRUE(opened);
+    EXPECT_EQ(*opened, (fs::weakly_canonical(folder) / "b.json").string());
+    ui.frames(3);
+    EXPECT_FALSE(window_of("Open a scene or a preset")) << "it closes";
+
+    ask_for_file(dialog, FileDialog::Job::SavePreset, folder / "mine", "Look.");
+    EXPECT_EQ(dialog.entries.size(), 2u) << "no scenes among presets";
+    ui.frames(3);
+    press_key(ImGuiKey_Enter);
+    EditorActions saved = ui.frame();
+    release_key(ImGuiKey_Enter);
+    if (!saved.save_preset) saved = ui.frame();
+    ASSERT_TRUE(saved.save_preset);
+    EXPECT_EQ(*saved.save_preset, (fs::weakly_canonical(folder) / "mine.json").string());
+    EXPECT_EQ(saved.save_about, "Look.");
+    EXPECT_FALSE(saved.replace);
+
+    ask_for_file(dialog, FileDialog::Job::Open, folder / "no such folder" / "x.json");
+    EXPECT_TRUE(dialog.problem.empty()) << "a folder that is gone: the current one instead";
+    EXPECT_EQ(dialog.folder, fs::weakly_canonical(fs::current_path()));
+}
+
+TEST(FileDialogs, ReplacingAsksFirst) {
+    UiHarness ui(1280, 720);
+    ui.state.replace = Replacement{"/a/b.json", "Look."};
+    ui.frames(3);
+    const ImGuiWindow* question = window_of("Replace the file?");
+    ASSERT_TRUE(question);
+    const float left = question->Pos.x, right = left + question->Size.x;
+    const float y = question->Pos.y + question->Size.y - ImGui::GetFrameHeight() * 0.8f;
+    const auto agreed =
+        click_along(ui, left, right, y, [](const EditorActions& a) { return a.save_preset.has_value(); });
+    ASSERT_TRUE(agreed);
+    EXPECT_EQ(*agreed->save_preset, "/a/b.json");
+    EXPECT_EQ(agreed->save_about, "Look.");
+    EXPECT_TRUE(agreed->replace);
+    EXPECT_FALSE(ui.state.replace);
+    ui.state.replace = Replacement{"/a/b.json", {}};
+    ui.frames(3);
+    press_key(ImGuiKey_Escape);
+    const EditorActions cancelled = ui.frame();
+    release_key(ImGuiKey_Escape);
+    EXPECT_FALSE(cancelled.save_preset);
+    EXPECT_FALSE(ui.state.replace);
+}
+
+}  // namespace
+}  // namespace si::test

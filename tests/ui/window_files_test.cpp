@@ -1,0 +1,223 @@
+// The editor's window and files: opened by menu, dialog and drop, presets saved and loaded, what is kept between runs.
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "app/headless_editor.h"
+#include "renderer/scenes/builtin.h"
+#include "tests/support/process.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/ui/xdnd.h"
+
+namespace si::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// At 1280x720. The dialog is 44 by 32 ems in the middle: its first entry, its field for the name.
+constexpr int kFileX = 26, kTopY = 19, kEntryX = 420, kEntryY = 183, kEntryStep = 21;
+constexpr int kSearchX = 1040, kSearchY = 56, kSliderX = 1170, kSliderY = 115;
+
+class WindowFiles : public Window {
+protected:
+    /// A small scene as a file, no part of the program.
+    fs::path model(const std::string& name) const {
+        const fs::path file = folder_ / name;
+        EXPECT_EQ(run_program({"export", "boxes", "-o", file.string()}).code, 0);
+        return file;
+    }
+    /// The entry of the menu File, counted from 0.
+    void choose(int entry) const {
+        click(kFileX, kTopY);
+        click(kFileX + 30, 47 + entry * 20);
+        breathe();
+    }
+    void change_bias() const {
+        click(kSearchX, kSearchY);
+        type("bias.constant");
+        drag(kSliderX, kSliderY, 60, 0);
+    }
+    /// The settings that a crash would leave behind; null when there are none.
+    nlohmann::json kept() const {
+        std::error_code none_yet;
+        for (const auto& entry : fs::directory_iterator(state_folder() / "sessions", none_yet))
+            if (entry.path().extension() == ".json")
+                if (const auto json = json_of(entry.path()); json.is_object())
+                    return json.value("settings", nlohmann::json());
+        return {};
+    }
+    std::vector<std::string> below(const fs::path& folder) const {
+        std::vector<std::string> files;
+        for (const auto& entry : fs::recursive_directory_iterator(folder)) files.push_back(entry.path().string());
+        return files;
+    }
+};
+
+TEST_F(WindowFiles, AModelIsOpenedThroughMenuAndDialogByItsTypedPath) {
+    const fs::path file = model("typed model.glb");
+    ASSERT_NO_FATAL_FAILURE(start());
+    choose(0);  // Open
+    screen("window_open_dialog");
+    type(file.string());
+    keys("Return");
+    EXPECT_TRUE(shows("typed model.glb")) << log();
+    screen("window_opened");
+    keys("ctrl+z");
+    EXPECT_TRUE(shows("boxes")) << "undo brings the scene before back";
+    quit();
+}
+
+TEST_F(WindowFiles, AModelIsOpenedByADoubleClickInTheDialog) {
+    const fs::path only = folder_ / "models";
+    fs::create_directories(only);
+    fs::rename(model("clicked.gltf"), only / "clicked.gltf");
+    ASSERT_NO_FATAL_FAILURE(start());
+    keys("ctrl+o");
+    breathe();
+    double_click(kEntryX, kEntryY + 2 * kEntryStep);  // the folders are cache, home, models, state
+    screen("window_open_folder");
+    double_click(kEntryX, kEntryY);
+    EXPECT_TRUE(shows("clicked.gltf")) << log();
+    quit();
+}
+
+TEST_F(WindowFiles, APresetIsSavedUnderANameLoadedAndIdentical) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    const nlohmann::json untouched = saved();
+    change_bias();
+    const nlohmann::json changed = saved();
+    ASSERT_TRUE(changed.contains("bias.constant")) << changed;
+    keys("ctrl+shift+s");
+    breathe();
+    keys("ctrl+a");
+    type("mine");
+    keys("Return");
+    ASSERT_TRUE(wait_until([&] { return fs::exists(folder_ / "mine.json"); }, 30)) << log();
+    const nlohmann::json mine = json_of(folder_ / "mine.json");
+    EXPECT_EQ(mine.value("settings", nlohmann::json()), changed);
+    EXPECT_EQ(mine.value("scene", ""), "boxes");
+    keys("ctrl+z");
+    ASSERT_EQ(saved("mine.json"), untouched);
+
+    fs::copy_file(folder_ / "preset.json", folder_ / "other.json");  // with the changed bias
+    keys("ctrl+o");
+    breathe();
+    type((folder_ / "other.json").string());
+    keys("Return");
+    breathe();
+    EXPECT_EQ(saved("other.json"), changed);
+    screen("window_preset_loaded");
+    quit();
+}
+
+TEST_F(WindowFiles, ADroppedModelAndADroppedPresetAreOpened) {
+    const fs::path file = model("dropped måne 1.glb");
+    const fs::path preset = folder_ / "dropped.json";
+    ASSERT_EQ(run_program({"preset", "save", "plane", "--set", "bias.constant=7", "-o", preset.string()}).code, 0);
+    ASSERT_NO_FATAL_FAILURE(start());
+    const unsigned long window = std::strtoul(ask("search --name 'Shadow Inspector'").c_str(), nullptr, 10);
+    ASSERT_NE(window, 0u);
+    EXPECT_TRUE(drop_file(window, file, 300, 300));
+    EXPECT_TRUE(shows("dropped måne 1.glb")) << log();
+    screen("window_dropped");
+    EXPECT_TRUE(drop_file(window, preset, 300, 300));
+    EXPECT_TRUE(shows("plane")) << log();
+    EXPECT_EQ(saved("dropped.json").value("bias.constant", 0.0), 7);
+    // What is neither is said so, and nothing is lost.
+    ASSERT_TRUE(program_->running()) << program_->code();
+    EXPECT_TRUE(drop_file(window, folder_ / "program.log", 300, 300));
+    breathe();
+    EXPECT_EQ(saved("dropped.json").value("bias.constant", 0.0), 7);
+    screen("window_dropped_nonsense");
+    quit();
+}
+
+TEST_F(WindowFiles, AKilledEditorOffersItsSettingsAgain) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    const nlohmann::json untouched = saved();
+    change_bias();
+    const nlohmann::json changed = saved();
+    ASSERT_TRUE(changed.contains("bias.constant")) << changed;
+    ASSERT_TRUE(wait_until([&] { return kept() == changed; }, 30)) << kept();
+    program_->kill_at_once();
+
+    ASSERT_NO_FATAL_FAILURE(start());
+    screen("window_restore");
+    EXPECT_EQ(saved(), untouched) << "restored without being asked";
+    click(808, 54);  // Restore
+    breathe();
+    EXPECT_EQ(saved(), changed);
+    keys("ctrl+z");
+    EXPECT_EQ(saved(), untouched);
+    quit();
+    EXPECT_TRUE(kept().is_null()) << "a clean end leaves nothing to restore";
+}
+
+/// Where the splitter between scene and map stands in a window of that size.
+glm::ivec2 splitter(int width, int height) {
+    EditorOptions o;
+    o.session.scene = "boxes";
+    o.width = width;
+    o.height = height;
+    o.scale = 1;
+    HeadlessEditor editor(o);
+    editor.settle();
+    const ImGuiWindow *scene = nullptr, *map = nullptr;
+    for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
+        if (std::string_view(w->Name).starts_with("editor/scene_")) scene = w;
+        if (std::string_view(w->Name).starts_with("editor/map_")) map = w;
+    }
+    if (!scene || !map) return {};
+    return {int(0.5f * (scene->Pos.x + scene->Size.x + map->Pos.x)), int(map->Pos.y + 0.5f * map->Size.y)};
+}
+
+TEST_F(WindowFiles, LayoutAndSizeStayAcrossRunsAndNothingElseIsWritten) {
+    ASSERT_NO_FATAL_FAILURE(start({}));
+    ASSERT_TRUE(xdotool("search --name 'Shadow Inspector' windowsize 1100 640"));
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    const auto share = [&] {
+        const auto json = json_of(state_folder() / "workspace.json");
+        return json.is_object() ? json.value("/layout/map_share"_json_pointer, -1.0) : -1.0;
+    };
+    const glm::ivec2 at = splitter(1100, 640);
+    ASSERT_GT(at.x, 0);
+    drag(at.x, at.y, -90, 0);
+    ASSERT_TRUE(wait_until([&] { return share() > 0; }, 30)) << "not kept while the editor runs";
+    quit();
+    const double kept_share = share();
+    EXPECT_GT(kept_share, double(EditorLayout{}.map_share) + 0.05);
+
+    ASSERT_NO_FATAL_FAILURE(start({}));
+    EXPECT_NE(ask("search --name 'Shadow Inspector' getwindowgeometry").find("1100x640"), std::string::npos);
+    // It stands where it was put: dragged from there it moves again.
+    drag(at.x - 90, at.y, 45, 0);
+    screen("window_kept_layout");
+    quit();
+    EXPECT_LT(share(), kept_share - 0.02);
+    EXPECT_GT(share(), double(EditorLayout{}.map_share));
+    EXPECT_EQ(below(home()), std::vector<std::string>{});
+    std::vector<std::string> kept_files = below(state_folder());
+    std::erase(kept_files, (state_folder() / "workspace.json").string());
+    std::erase(kept_files, (state_folder() / "workspace.lock").string());
+    std::erase(kept_files, (state_folder() / "sessions").string());
+    EXPECT_EQ(kept_files, std::vector<std::string>{}) << "left behind";
+}
+
+TEST_F(WindowFiles, WithoutStateNothingIsKept) {
+    ASSERT_NO_FATAL_FAILURE(start({"--no-state", "--size", "1280x720"}));
+    change_bias();
+    const glm::ivec2 at = splitter(1280, 720);
+    drag(at.x, at.y, -90, 0);
+    std::this_thread::sleep_for(std::chrono::seconds(3));  // longer than anything waits to be kept
+    EXPECT_FALSE(fs::exists(folder_ / "state"));
+    quit();
+    EXPECT_FALSE(fs::exists(folder_ / "state"));
+    EXPECT_EQ(below(home()), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace si::test

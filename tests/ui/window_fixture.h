@@ -1,0 +1,89 @@
+// The program in a real window on an X server of its own, steered by real mouse and keyboard events.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/frame.h"
+
+namespace si::test {
+
+inline constexpr int kWidth = 1280, kHeight = 720;  ///< of the screen
+
+/// A child process, ended at the latest with this object.
+class Process {
+public:
+    Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder, const std::string& log,
+            int keep_fd = -1);
+    ~Process();
+    Process(const Process&) = delete;
+    Process& operator=(const Process&) = delete;
+
+    bool running();
+    void kill_at_once();
+    /// Valid when no longer running.
+    int code() const { return code_.value_or(-1); }
+    /// Processor time used so far.
+    double cpu_seconds() const;
+    /// No thread wants the processor.
+    bool sleeps() const;
+
+private:
+    pid_t pid_ = -1;
+    std::optional<int> code_;
+};
+
+bool wait_until(const std::function<bool()>& done, double seconds);
+
+/// The virtual screen's pixels, from the XWD file that Xvfb keeps its framebuffer in.
+ByteImage read_screen(const std::filesystem::path& file);
+
+class Window : public testing::Test {
+protected:
+    void SetUp() override;
+
+    /// Starts `edit` and waits for its first picture.
+    void start(const std::vector<std::string>& more = {"--size", "1280x720"}, const std::string& scene = "boxes");
+    /// Ends it by Ctrl+Q; its exit code has to be 0.
+    void quit();
+    bool xdotool(const std::string& command) const;
+    /// What a command of xdotool says.
+    std::string ask(const std::string& command) const;
+    /// Waits for a title that names the scene.
+    bool shows(const std::string& scene) const;
+    bool keys(const std::string& combination) const { return xdotool("key " + combination); }
+    void type(const std::string& text) const;
+    void mouse(int x, int y) const;
+    /// Until the editor has drawn what the last event calls for and sleeps again, however slow the machine is; at most
+    /// twenty seconds.
+    void breathe() const;
+    void drag(int x, int y, int dx, int dy) const;
+    void click(int x, int y) const { drag(x, y, 0, 0); }
+    void double_click(int x, int y) const;
+
+    std::filesystem::path home() const { return folder_ / "home"; }
+    std::filesystem::path state_folder() const { return folder_ / "state/shadow-inspector"; }
+    /// A file's JSON; discarded when there is none.
+    static nlohmann::json json_of(const std::filesystem::path& file);
+    /// The settings of the preset at `file` (default: the one a new session saves to) after a fresh Ctrl+S.
+    nlohmann::json saved(const std::string& file = "preset.json") const;
+    /// The screen, also kept as NAME.png beside the tests.
+    ByteImage screen(const std::string& name) const;
+    std::string log() const;
+
+    std::filesystem::path folder_;
+    std::unique_ptr<Process> server_, program_;
+
+private:
+    bool start_server();
+};
+
+}  // namespace si::test
