@@ -296,6 +296,20 @@ TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {
     EXPECT_GT(sum(s), none);
 }
 
+TEST_F(FrameTest, AnObjectThatCeasesToCastIsKnownToTheFit) {
+    const Scene scene = load_scene("boxes");
+    Settings s = settings_for(scene);
+    EXPECT_TRUE(renderer.render(scene, s, small()).lights.at(0).casts);
+    for (const Object& o : scene.objects) s.objects[scene.nodes[std::size_t(o.node)].path].cast = false;
+    const FittedLight none = renderer.render(scene, s, small()).lights.at(0);
+    EXPECT_FALSE(none.casts);
+    EXPECT_EQ(none.reason, "no object casts");
+    s.objects.begin()->second.cast = true;
+    EXPECT_TRUE(renderer.render(scene, s, small()).lights.at(0).casts);
+    for (auto& [path, object] : s.objects) object.cast = true, object.receive = false;
+    EXPECT_EQ(renderer.render(scene, s, small()).lights.at(0).reason, "no object receives shadows");
+}
+
 TEST_F(FrameTest, ProbeAgreesWithTheVisibilityPicture) {
     const Scene scene = load_scene("stage");
     for (const char* light : {"directional", "spot", "point"}) {

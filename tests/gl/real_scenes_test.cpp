@@ -150,6 +150,27 @@ TEST_F(RealScenes, NormalMapsTiltTheShadingNormalAlike) {
         }
 }
 
+TEST_F(RealScenes, TangentsOfTheFileSayWhereAMapLeans) {
+    // Not along the texture's own axes, as a tool may have written them; glTF: bitangent = cross(normal, tangent) * w.
+    struct Case {
+        glm::vec4 tangent;
+        glm::vec3 map;
+        glm::dvec3 expected;
+    };
+    for (const Case& c : {Case{{0, 0, 1, 1}, {0.6f, 0, 0.8f}, {0, 0.8, 0.6}},
+                          Case{{0, 0, 1, 1}, {0, 0.6f, 0.8f}, {0.6, 0.8, 0}},
+                          Case{{0, 0, 1, -1}, {0, 0.6f, 0.8f}, {-0.6, 0.8, 0}},
+                          Case{{1, 0, 0, -1}, {0, 0.6f, 0.8f}, {0, 0.8, 0.6}}}) {
+        Scene scene = mapped_floor(c.map, true);
+        scene.meshes[0].tangents.assign(4, c.tangent);
+        finalise(scene);
+        const Settings s = settings_for(
+            scene, {{"camera.source", "manual"}, {"camera.elevation", "60"}, {"camera.distance", "3"}});
+        const glm::dvec3 n = middle(scene, s, "normals") * 2.0 - 1.0;
+        EXPECT_LE(glm::distance(n, c.expected), 0.015) << n.x << ' ' << n.y << ' ' << n.z;
+    }
+}
+
 TEST_F(RealScenes, PosesShareTheirTexturesAndOtherScenesBringTheirOwn) {
     const auto moving = [](const glm::vec3& n) {
         Scene scene = mapped_floor(n, false);

@@ -291,6 +291,30 @@ TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
     EXPECT_TRUE(kept);
 }
 
+TEST(Panels, TheListOfObjectsEditsOneAtATime) {
+    UiHarness ui(kWidth, kHeight);
+    ui.state.open_tab = BottomTab::Objects;
+    const std::string other = ui.scene.nodes[std::size_t(ui.scene.objects[1].node)].path;
+    ui.state.settings.objects[other].cull = int(ObjectCull::Back);
+    ui.frames(3);
+    const Settings before = ui.state.settings;
+    // Checkboxes stand somewhere at the right of the list: a click changes one, another click restores it.
+    std::set<std::string> changed;
+    for (float y = 540; y < 690; y += 12)
+        for (float x = 775; x < 905; x += 10) {
+            ui.click({x, y});
+            const Settings after = ui.state.settings;
+            if (after == before) continue;
+            const std::vector<SettingRef> differing = differing_settings(before, after);
+            ASSERT_EQ(differing.size(), 1u) << "more than what was clicked";
+            ASSERT_EQ(differing[0].param->scope, Scope::Object);
+            changed.insert(std::string(differing[0].param->key) + " of " + differing[0].object);
+            ui.click({x, y});
+            ASSERT_EQ(ui.state.settings, before) << setting_key(differing[0]) << ": back at its default it is no override";
+        }
+    EXPECT_GE(changed.size(), 4u);
+}
+
 TEST(Panels, ObjectsWithoutChangesLeaveNoTraceInTheSettings) {
     UiHarness ui(kWidth, kHeight);
     ui.state.open_tab = BottomTab::Objects;

@@ -27,6 +27,19 @@ std::string external(const std::string& uri, std::string& bin) {
     return file.json.dump();
 }
 
+TEST(GltfGuard, ManyWarningsAreCountedNotListed) {
+    GltfFile file;
+    file.add_triangle();
+    Json primitives = Json::array();
+    for (int i = 0; i < 130; ++i)
+        primitives.push_back({{"attributes", {{"POSITION", file.triangle_positions()}}}, {"mode", 0}});
+    file.root({{"mesh", file.append("meshes", {{"primitives", primitives}})}});
+    const Scene scene = file.load();
+    ASSERT_EQ(scene.warnings.size(), 101u);
+    EXPECT_EQ(scene.warnings.back(), "30 more warnings of this file are not listed");
+    EXPECT_EQ(scene.triangle_count(), 1u);
+}
+
 TEST(GltfGuard, EveryTruncationOfAGlbIsRefused) {
     GltfFile file;
     file.add_triangle();
