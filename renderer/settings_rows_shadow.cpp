@@ -145,17 +145,19 @@ constexpr auto kBias = std::to_array<Param>({
      .help = "The normal that slope bias and normal offset use.", .shader = true},
     {SI_FIELD(bias.raster_slope), .label = "Raster slope", .unit = "x depth slope", .min = -100, .max = 100,
      .help = "glPolygonOffset factor while the map is drawn: depth per texel of the triangle's own slope, times this. "
-             "Towards the far plane when positive, under reversed depth too."},
+             "Towards the far plane when positive, under reversed depth too.",
+     .shader = true},
     {SI_FIELD(bias.raster_units), .label = "Raster units", .unit = "depth steps", .min = -1e7, .max = 1e7,
      .logarithmic = true,
      .help = "glPolygonOffset units while the map is drawn: smallest steps of the depth format, as the driver defines "
-             "them. Towards the far plane when positive, under reversed depth too."},
+             "them. Towards the far plane when positive, under reversed depth too.",
+     .shader = true},
     {SI_FIELD(bias.raster_clamp), .label = "Raster clamp", .unit = "depth", .min = 0, .max = 1,
      SI_IDLE(s.bias.raster_slope == 0 && s.bias.raster_units == 0,
              "without effect: bias.raster_slope and bias.raster_units are 0"),
      .help = "Largest offset that raster slope and units may add, in depth [0,1]; 0 is no limit. Needs "
              "glPolygonOffsetClamp.",
-     .needs = DriverFeature::PolygonOffsetClamp},
+     .needs = DriverFeature::PolygonOffsetClamp, .shader = true},
 });
 static_assert(kBias.size() == members<BiasSettings>(), "a member of BiasSettings has no row");
 

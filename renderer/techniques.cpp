@@ -52,6 +52,14 @@ constexpr Overlay kOverlays[] = {
      .file = "overlays/wireframe.glsl", .scalar = false, .draw = OverlayDraw::Edges},
     {.key = "overdraw", .label = "Overdraw", .unit = "fragments", .help = "Fragments that the triangles at each pixel make, hidden ones included: what shading costs before the depth test helps.",
      .file = "overlays/overdraw.glsl", .min = 0, .max = 8, .draw = OverlayDraw::Count},
+    {.key = "least-bias", .label = "Least bias needed", .unit = "texels", .help = "The bias below which each triangle's plane shadows itself, by the kernel's reach, the plane's slope in the map and the depth format.",
+     .file = "overlays/least_bias.glsl", .min = 0, .max = 8},
+    {.key = "bias-slack", .label = "Bias slack", .unit = "texels", .help = "What bias and normal offset are worth beyond the least bias needed: below zero (blue) acne is due, far above it shadows come off needlessly.",
+     .file = "overlays/bias_slack.glsl", .min = -3, .max = 3, .diverging = true},
+    {.key = "pixels-per-texel", .label = "Pixels per texel", .unit = "pixels", .help = "Pixels that a shadow texel spans along its longest direction in the picture; above 1 the map's texels show.",
+     .file = "overlays/pixels_per_texel.glsl", .min = 0, .max = 4},
+    {.key = "sampling-bands", .label = "Sampling bands", .unit = "log2 of texels per pixel", .help = "Texels per pixel along the sparsest direction, in whole powers of two: blue is under-sampled (texels show), orange over-sampled (the map is finer than the picture everywhere).",
+     .file = "overlays/sampling_bands.glsl", .min = -4, .max = 4, .diverging = true},
 };
 
 template <typename Row, std::size_t N>

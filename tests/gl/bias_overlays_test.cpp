@@ -1,0 +1,167 @@
+// Overlays of bias and texel density against the same formulas in double, pixel by pixel.
+#include "renderer/bias_account.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/techniques.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+class BiasOverlays : public FrameTest {
+protected:
+    /// A floor with a ball on it: planes of every direction.
+    static Scene hills() {
+        Scene scene;
+        const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
+        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(6, 6), grey));
+        add_object(scene, "ball", -1, add_mesh(scene, "ball", make_sphere(1, 12, 8), grey), moved(0, 1.2, 0));
+        finalise(scene);
+        return scene;
+    }
+    struct Pixels {
+        FrameResult frame;
+        FloatImage values;
+    };
+    Pixels draw(const Scene& scene, Settings s, const char* overlay) {
+        set_setting(s, "view.overlay", overlay);
+        FrameRequest request{.width = 80, .height = 60};
+        request.outputs.overlay = true;
+        Pixels p{renderer.render(scene, s, request), {}};
+        p.values = renderer.read_float(p.frame.overlay, 4);
+        return p;
+    }
+    /// Calls check(hit, value) for each pixel that holds a number away from the outlines of triangles.
+    template <typename Check>
+    int each_inner(const Scene& scene, const Pixels& p, Check&& check) {
+        const test::RayTruth rays(scene);
+        int count = 0;
+        for (int y = 0; y < 60; ++y)
+            for (int x = 0; x < 80; ++x) {
+                glm::dvec3 origin, dir;
+                // Derivatives are of 2x2 blocks: all four must lie in one triangle.
+                std::optional<test::Hit> hit, other;
+                bool inner = true;
+                for (int k = 0; k < 4 && inner; ++k) {
+                    p.frame.camera.pixel_ray((x & ~1) + (k & 1), (y & ~1) + (k >> 1), 80, 60, origin, dir);
+                    other = rays.first_hit(origin, dir);
+                    inner = other && (!hit || hit->triangle == other->triangle);
+                    hit = other;
+                }
+                if (!inner) continue;
+                p.frame.camera.pixel_ray(x, y, 80, 60, origin, dir);
+                hit = rays.first_hit(origin, dir);
+                const float value = p.values.at(x, y);
+                if (std::isnan(value)) continue;
+                check(*hit, double(value));
+                ++count;
+            }
+        return count;
+    }
+};
+
+Settings lit_by(LightType type) {
+    Settings s = test::hard_settings();
+    s.camera.target_y = 0.6;
+    s.camera.distance = 7;
+    LightSettings& light = s.lights[0];
+    light.type = int(type);
+    if (type != LightType::Directional) light.distance = 6, light.cone = 80;
+    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.constant = 0.4, s.bias.slope = 2.5, s.bias.normal = 1.3;
+    return s;
+}
+
+TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
+    const Scene scene = hills();
+    for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
+        for (const char* format : {"d16", "d24", "d32f"})
+            for (const bool reversed : {false, true}) {
+                SCOPED_TRACE(testing::Message() << int(type) << " " << format << (reversed ? " reversed" : ""));
+                Settings s = lit_by(type);
+                set_setting(s, "map.format", format);
+                s.map.reversed_z = reversed;
+                s.filter.kernel = test::kernel(reversed ? "pcf3" : "hard");
+                s.bias.raster_slope = reversed ? 1.5 : 0, s.bias.raster_units = reversed ? 2 : 0;
+                const auto compare = [&](const char* overlay, auto&& expected_depth) {
+                    const Pixels p = draw(scene, s, overlay);
+                    const int bits = renderer.driver().subpixel_bits;
+                    double worst = 0;
+                    const int count = each_inner(scene, p, [&](const test::Hit& hit, double value) {
+                        const BiasAccount a =
+                            bias_account(p.frame.lights[0], s, p.frame.map_resolution,
+                                         {.position_ws = hit.position, .geometric = hit.normal, .bias_normal = hit.normal,
+                                          .eye_ws = p.frame.camera.eye},
+                                         bits);
+                        if (a.receiver.n_dot_l < 0.02) return;  // edge-on nothing of single precision is left
+                        const double scale = a.amount(a.least.total()).texels;
+                        worst = std::max(worst, std::abs(value - a.amount(expected_depth(a)).texels) / (1 + scale));
+                    });
+                    EXPECT_GT(count, 800) << overlay;
+                    EXPECT_LT(worst, 2e-3) << overlay;
+                };
+                compare("least-bias", [](const BiasAccount& a) { return a.least.total(); });
+                compare("bias-slack", [](const BiasAccount& a) { return a.clears() - a.least.total(); });
+            }
+}
+
+TEST_F(BiasOverlays, SlackBelowZeroIsWhereAcneIs) {
+    const Scene scene = hills();
+    Settings s = lit_by(LightType::Directional);
+    s.bias = test::no_bias();
+    s.bias.unit = int(BiasUnit::Texels);
+    s.map.resolution = 256;
+    for (const auto& [constant, negative] : {std::pair{0.0, true}, std::pair{40.0, false}}) {
+        s.bias.constant = constant;
+        const Pixels p = draw(scene, s, "bias-slack");
+        int below = 0;
+        const int count = each_inner(scene, p, [&](const test::Hit&, double value) { below += value < 0; });
+        EXPECT_GT(count, 800);
+        EXPECT_EQ(below > count / 2, negative) << constant;
+        EXPECT_EQ(below == 0, !negative) << constant;
+    }
+}
+
+// A pixel's step in the map by central differences of exact positions.
+TEST_F(BiasOverlays, DensityIsBothSingularValues) {
+    const Scene scene = hills();
+    for (const LightType type : {LightType::Directional, LightType::Spot}) {
+        const Settings s = lit_by(type);
+        const Pixels wide = draw(scene, s, "texels-per-pixel"), narrow = draw(scene, s, "pixels-per-texel"),
+                     bands = draw(scene, s, "sampling-bands");
+        const test::RayTruth rays(scene);
+        const int n = wide.frame.map_resolution;
+        int checked = 0;
+        for (int y = 2; y < 58; y += 3)
+            for (int x = 2; x < 78; x += 3) {
+                std::optional<test::Hit> at[5];
+                constexpr double kStep[5][2] = {{0, 0}, {-0.5, 0}, {0.5, 0}, {0, -0.5}, {0, 0.5}};
+                bool one = true;
+                glm::dvec2 texel[5];
+                for (int k = 0; k < 5 && one; ++k) {
+                    glm::dvec3 origin, dir;
+                    wide.frame.camera.pixel_ray(x + kStep[k][0], y + kStep[k][1], 80, 60, origin, dir);
+                    at[k] = rays.first_hit(origin, dir);
+                    one = at[k] && at[k]->triangle == at[0]->triangle;
+                    if (one)
+                        texel[k] = glm::dvec2(test::uvdw(test::view_of(wide.frame.lights[0], at[k]->position),
+                                                         at[k]->position)) * double(n);
+                }
+                const float sigma1 = wide.values.at(x, y), inverse2 = narrow.values.at(x, y);
+                if (!one || std::isnan(sigma1)) continue;
+                const glm::dvec2 jx = texel[2] - texel[1], jy = texel[4] - texel[3];
+                const double trace = glm::dot(jx, jx) + glm::dot(jy, jy), det = jx.x * jy.y - jx.y * jy.x;
+                const double root = std::sqrt(std::max(trace * trace - 4 * det * det, 0.0));
+                const double s1 = std::sqrt((trace + root) / 2), s2 = std::sqrt(std::max((trace - root) / 2, 0.0));
+                EXPECT_NEAR(sigma1 / s1, 1, 0.15);
+                EXPECT_NEAR(inverse2 * s2, 1, 0.15);
+                EXPECT_GE(sigma1 * inverse2, 0.999) << "the larger one over the smaller one";
+                EXPECT_EQ(bands.values.at(x, y), std::trunc(std::log2(1 / inverse2)));
+                ++checked;
+            }
+        EXPECT_GT(checked, 60);
+    }
+}
+
+}  // namespace
+}  // namespace si
