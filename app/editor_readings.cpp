@@ -30,11 +30,21 @@ Settings texel_settings(const Settings& settings) {
 }  // namespace
 
 void EditorReadings::clear() {
-    *this = {};
+    map_values_ = map_coordinates_ = overlay_values_ = {};
+    facts_.reset(), usage_.reset(), probe_.reset(), probed_pixel_.reset();
+    lost_casters_.clear();
+    probe_of_ = map_of_ = facts_of_ = links_of_ = overlay_of_ = 0;
+}
+
+bool EditorReadings::finish_tracing() const {
+    dossier_.wait();
+    return dossier_.ready();
 }
 
 void EditorReadings::fill(EditorFrame& frame) const {
     frame.probe = probe_ ? &*probe_ : nullptr;
+    frame.dossiers = dossier_.dossiers();
+    frame.tracing_probe = tracing();
     frame.map_values = map_values_.data.empty() ? nullptr : &map_values_;
     frame.map_facts = facts_ ? &*facts_ : nullptr;
     frame.map_coordinates = map_coordinates_.data.empty() ? nullptr : &map_coordinates_;
@@ -57,7 +67,9 @@ bool EditorReadings::update(Renderer& renderer, const Scene& scene, const Editor
     bool changed = update_map(renderer, state, actions, result);
     changed |= update_links(renderer, state, actions, result);
     changed |= update_overlay(renderer, state, actions, result);
-    return update_probe(renderer, scene, state, request) || changed;
+    const bool probed = update_probe(renderer, scene, state, request);
+    changed |= dossier_.update(probe_ ? &*probe_ : nullptr, probed, scene, state.settings, renderer.driver());
+    return changed || probed;
 }
 
 bool EditorReadings::update_map(Renderer& renderer, const EditorState& state, const EditorActions& actions,

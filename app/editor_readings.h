@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/editor_dossier.h"
+#include "renderer/probe.h"
 #include "renderer/renderer.h"
 #include "ui/editor_ui.h"
 
@@ -22,6 +24,11 @@ public:
     bool update_frozen(Renderer& renderer, const Scene& scene, const EditorState& state, const EditorActions& actions);
     /// There is no frame.
     void clear();
+    /// The truth of the probed pixel is there: update() has news.
+    bool has_news() const { return dossier_.ready(); }
+    bool tracing() const { return probe_ && dossier_.tracing(); }
+    /// Waits for it.
+    bool finish_tracing() const;
     /// Tells the editor. The pointers hold until the next update() or clear().
     void fill(EditorFrame& frame) const;
 
@@ -38,6 +45,7 @@ private:
     std::uint64_t probe_of_ = 0, map_of_ = 0, facts_of_ = 0, links_of_ = 0, overlay_of_ = 0;  ///< frames they belong to
     int overlay_pane_ = 0;
     std::optional<Probe> probe_;
+    EditorDossier dossier_;
     std::optional<glm::ivec2> probed_pixel_;
     FloatImage map_values_, map_coordinates_, overlay_values_;
     std::optional<MapFacts> facts_;

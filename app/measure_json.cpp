@@ -31,10 +31,14 @@ Json time_json(const TimeMeasurement& time) {
     return json;
 }
 
-Json error_json(const ErrorMetrics& m) {
+const char* state_key(PixelState state) {
     static constexpr const char* kStates[] = {"counted", "background", "faces_away", "outside_cone",
                                               "not_receiving", "beyond_range"};
     static_assert(std::size(kStates) == kPixelStates);
+    return kStates[std::size_t(state)];
+}
+
+Json error_json(const ErrorMetrics& m) {
     Json json = {{"false_shadow", m.false_shadow},
                  {"false_light", m.false_light},
                  {"acne", m.acne},
@@ -52,7 +56,7 @@ Json error_json(const ErrorMetrics& m) {
                  {"boundary_px_p95", m.boundary_px_p95},
                  {"boundary_px_max", m.boundary_px_max},
                  {"outside_map", m.outside_map}};
-    for (std::size_t i = 0; i < kPixelStates; ++i) json["pixels"][kStates[i]] = m.pixels[i];
+    for (std::size_t i = 0; i < kPixelStates; ++i) json["pixels"][state_key(PixelState(i))] = m.pixels[i];
     json["artefacts"]["none"] = m.artefacts[std::size_t(Artefact::None)];
     for (const ArtefactStyle& style : artefact_styles())
         json["artefacts"][std::string(style.key)] = m.artefacts[std::size_t(style.artefact)];

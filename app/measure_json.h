@@ -11,6 +11,8 @@ namespace si {
 /// {median, p95, low, high, median_low, median_high, noise}: noise is half the interval of the median.
 nlohmann::ordered_json spread_json(const Spread& spread);
 nlohmann::ordered_json time_json(const TimeMeasurement& time);
+/// What files call a state of a pixel.
+const char* state_key(PixelState state);
 /// Numbers that are not finite become null when the text is made.
 nlohmann::ordered_json error_json(const ErrorMetrics& metrics);
 nlohmann::ordered_json cost_json(const WorkCost& cost);

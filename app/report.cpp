@@ -85,30 +85,6 @@ Json pass_json(const PassInfo& pass) {
             {"triangles", pass.triangles}};
 }
 
-Json per_light_json(const Probe::PerLight& p) {
-    return {{"light", p.light},
-            {"face", p.face},
-            {"casts", p.casts},
-            {"clip", {p.clip.x, p.clip.y, p.clip.z, p.clip.w}},
-            {"ndc", vector_json(p.ndc)},
-            {"uvd", vector_json(p.uvd)},
-            {"texel", {p.texel.x, p.texel.y}},
-            {"n_dot_l", p.n_dot_l},
-            {"stored", p.stored},
-            {"stored_m", p.stored_m},
-            {"own", p.own},
-            {"own_m", p.own_m},
-            {"bias_depth", p.bias_depth},
-            {"bias_texels", p.bias_texels},
-            {"bias_m", p.bias_m},
-            {"normal_offset_m", p.normal_offset_m},
-            {"texel_m", p.texel_m},
-            {"compared", p.compared},
-            {"visibility", p.visibility},
-            {"where", p.where},
-            {"verdict", p.verdict}};
-}
-
 }  // namespace
 
 Json matrix_json(const glm::dmat4& m) {
@@ -134,17 +110,6 @@ Json driver_json(const DriverInfo& d) {
             {"anisotropy", d.anisotropy},
             {"clock", d.clock},
             {"query_share", d.query_share}};
-}
-
-Json probe_json(const Probe& probe) {
-    Json json = {{"hit", probe.hit}, {"x", probe.x}, {"y", probe.y}};
-    if (!probe.hit) return json;
-    json["object"] = probe.object;
-    json["position_ws"] = vector_json(probe.position_ws);
-    json["normal_ws"] = vector_json(probe.normal_ws);
-    json["lights"] = Json::array();
-    for (const auto& light : probe.lights) json["lights"].push_back(per_light_json(light));
-    return json;
 }
 
 Json report_json(const Session& session, const std::string& view, const FrameRequest& request, const FrameResult& frame,

@@ -97,32 +97,4 @@ struct ByteImage {
     bool operator==(const ByteImage&) const = default;
 };
 
-/// The lit/shadow test of one pixel written out (catalogue A22).
-struct Probe {
-    bool hit = false;
-    int x = 0, y = 0;
-    glm::dvec3 position_ws{0}, normal_ws{0};
-    std::string object;
-    struct PerLight {
-        int light = 0, face = 0;
-        bool casts = false;
-        glm::dvec4 clip{0};      ///< light clip space
-        glm::dvec3 ndc{0};       ///< after division by w
-        glm::dvec3 uvd{0};       ///< [0,1]: map coordinates and depth
-        glm::ivec2 texel{0};
-        double n_dot_l = 0;
-        double stored = 0, stored_m = 0;     ///< nearest texel, raw and metres
-        double own = 0, own_m = 0;           ///< the fragment's own depth before bias
-        double bias_depth = 0, bias_texels = 0, bias_m = 0;
-        double normal_offset_m = 0;
-        glm::dvec3 offset_position_ws{0};  ///< after the normal offset
-        double texel_m = 0;
-        double compared = 0;     ///< depth after bias
-        double visibility = 1;   ///< what the renderer's filter computed
-        std::string where;       ///< inside, sides, beyond far, behind, before near
-        std::string verdict;     ///< a sentence
-    };
-    std::vector<PerLight> lights;
-};
-
 }  // namespace si

@@ -9,6 +9,8 @@
 
 namespace si {
 
+struct Probe;
+
 /// What this driver can do, and what was measured on it.
 struct DriverInfo {
     std::string vendor, renderer, version, glsl;

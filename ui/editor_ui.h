@@ -22,6 +22,9 @@
 
 namespace si {
 
+struct Probe;
+struct Dossier;
+
 /// Where the splitters stand. Sizes are in units of text height, so that they survive a change of scale.
 struct EditorLayout {
     float settings_width = 24;
@@ -73,6 +76,12 @@ struct Replacement {
     std::optional<std::string> about;
 };
 
+/// The limits of a search, as they are being typed.
+struct TunePanel {
+    bool bound_error = true, bound_ms = false;
+    double most_error = 0.01, most_ms = 10;
+};
+
 struct EditorState {
     Settings settings;
     History history;
@@ -88,6 +97,7 @@ struct EditorState {
     bool between_steps = false;  ///< undo or redo waits for the scene of its step
     std::string search;
     bool only_changed = false;
+    TunePanel tune;
     std::optional<glm::ivec2> probe_pixel;  ///< of the scene picture, row 0 at the top
     EditorLayout layout;
     MapWindow map_window;
@@ -148,12 +158,26 @@ struct MapFacts {
     DepthHistogram histogram;  ///< of the values that view.map shows
 };
 
+/// A search for the least bias, under way.
+struct TuneFacts {
+    std::string about;    ///< what is being tried
+    double progress = 0;  ///< 0..1
+};
+
+/// What a search is to find: without limits the least bias that leaves no acne.
+struct TuneWish {
+    std::optional<double> most_error, most_ms;  ///< then kernel and resolution are searched, too
+};
+
 /// What the last frame found out. Pointers may be null: the editor draws without them.
 struct EditorFrame {
     const FrameResult* result = nullptr;
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
     const Probe* probe = nullptr;            ///< of state.probe_pixel
+    std::span<const Dossier> dossiers;       ///< one for each light of the probe, once the truth is there
+    bool tracing_probe = false;              ///< dossiers will follow
+    std::optional<TuneFacts> tuning;
     const FloatImage* map_values = nullptr;  ///< the map viewer's depth image as stored, row 0 at the top
     const MapFacts* map_facts = nullptr;
     const FloatImage* map_coordinates = nullptr;  ///< FrameResult::map_coordinates read back
@@ -193,6 +217,8 @@ struct EditorActions {
     std::optional<std::string> save_sweep, open_sweep;  ///< folders
     bool take_sweep_base = false;  ///< the settings that the sweep's cases share
     bool want_present = false;     ///< the present settings are to be measured
+    std::optional<TuneWish> tune;
+    bool cancel_tune = false;
     bool copy_command_line = false;
     bool quit = false;
     bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies

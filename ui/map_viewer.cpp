@@ -8,9 +8,11 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/probe.h"
 #include "renderer/techniques.h"
 #include "ui/camera_outline.h"
 #include "ui/depth_plots.h"
+#include "ui/kernel_marks.h"
 #include "ui/map_marks.h"
 #include "ui/panels.h"
 #include "ui/setting_widgets.h"
@@ -169,6 +171,18 @@ void mark_pixels_texels(const EditorState& state, const EditorFrame& frame, cons
     outline_texels(rect, f.first, f.count, colour);
 }
 
+/// The texels that a probed kernel compares, each in the colour of its result.
+void mark_taps(const MapRect& rect, const Probe::PerLight& p) {
+    if (p.taps.empty()) return;
+    const double heaviest = heaviest_tap(p);
+    if (rect.texel_pixels() > 4)
+        for (const KernelTap& t : p.taps) {
+            const auto [lo, hi] = rect.square(t.texel, 1);
+            ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, faded(tap_colour(t, heaviest), 110));
+        }
+    outline_texels(rect, p.taps.front().texel, p.taps_across, theme::kProbed);
+}
+
 std::string usage_text(const EditorState& state, const EditorFrame& frame) {
     const TexelUsage* usage = shown_usage(state, frame);
     if (!usage || usage->resolution() == 0) return {};
@@ -273,8 +287,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
             for (const Probe::PerLight& p : frame.probe->lights)
                 if (p.casts && p.light == shown_light(state.settings) &&
                     p.face == shown_face(state.settings, result) && p.where == "inside")
-                    outline_texels(rect, p.texel, 1, theme::kProbed);
-        if (state.probe_pixel) mark_pixels_texels(state, frame, rect, *state.probe_pixel, theme::kProbed);
+                    mark_taps(rect, p);
         if (state.hovered_pixel) mark_pixels_texels(state, frame, rect, *state.hovered_pixel, theme::kLinked);
     }
     auto text = title(state.settings, result, fitted);

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "renderer/frame.h"
+#include "renderer/probe.h"
 
 namespace si {
 

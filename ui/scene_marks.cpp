@@ -8,6 +8,7 @@
 #include "renderer/fit_bounds.h"
 #include "ui/camera_outline.h"
 #include "ui/gnomon.h"
+#include "ui/kernel_marks.h"
 #include "ui/light_gizmo.h"
 #include "ui/panels.h"
 #include "ui/probe_ray.h"
@@ -100,6 +101,7 @@ void draw_probe_ray(const PicturePainter& p, const EditorState& state, const Edi
     const Probe::PerLight* answer = nullptr;
     const auto ray = shown_ray(state, frame, &answer);
     if (!ray) return;
+    draw_kernel_on_surface(p, *answer);
     p.line(ray->from, ray->occluder, theme::kLit, 2);
     if (ray->blocked) p.line(ray->occluder, ray->to, theme::kShadowed, 2);
     if (const auto at = p.view().point(ray->occluder); ray->blocked && at) {

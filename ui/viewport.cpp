@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "renderer/pane_grid.h"
+#include "renderer/probe.h"
 #include "ui/camera_steering.h"
 #include "ui/gnomon.h"
 #include "ui/light_gizmo.h"

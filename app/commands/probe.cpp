@@ -1,18 +1,36 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
+#include <memory>
 
 #include "app/commands/commands.h"
 #include "app/headless_context.h"
 #include "app/notes.h"
+#include "app/probe_json.h"
 #include "app/report.h"
 #include "app/views.h"
 #include "renderer/error.h"
 #include "renderer/param.h"
+#include "renderer/reference/truth_scene.h"
 #include "renderer/renderer.h"
 
 namespace si {
 namespace {
+
+/// One letter a tap, the map's top row first.
+void print_taps(const Probe::PerLight& p) {
+    if (p.taps.size() < 2) return;
+    const int n = p.taps_across;
+    for (int y = n - 1; y >= 0; --y) {
+        std::string row;
+        for (int x = 0; x < n; ++x) {
+            const KernelTap& t = p.taps[std::size_t(y * n + x)];
+            row += t.lit ? " ." : t.meets == KernelTap::Meets::Own ? " S" : " #";
+        }
+        fmt::print("    {}{}\n", row, y == n - 1 ? "    . lit, # dark, S dark by the surface itself" : "");
+    }
+}
 
 /// The lectures' lit/shadow test, one step a line.
 void print_light(const Probe::PerLight& p, const Settings& s) {
@@ -40,7 +58,39 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
     fmt::print("  9 nearest texel      {:.8g} {} {:.8g} is {}\n", p.compared, than, p.stored,
                lit ? "true: lit" : "false: in shadow");
     fmt::print(" 10 kernel             visibility {:.4g}\n", p.visibility);
+    print_taps(p);
     fmt::print("  {}\n", p.verdict);
+}
+
+void print_amount(const char* name, const DepthAmount& a, const char* about = "") {
+    if (std::isfinite(a.depth))
+        fmt::print("    {:<18} {:>10.4g} texels {:>11.4g} m {:>12.5g} of depth   {}\n", name, a.texels, a.metres, a.depth, about);
+    else
+        fmt::print("    {:<18} {:>10}                                       {}\n", name, "none", about);
+}
+
+void print_dossier(const Probe::PerLight& p, const Dossier& d) {
+    fmt::print("  verdict: {}\n", d.verdict);
+    if (d.remedy) fmt::print("  remedy: {} (--set {}={})\n", d.remedy->text, d.remedy->key, d.remedy->value);
+    if (!p.casts) return;
+    const BiasAccount& a = p.account;
+    fmt::print("  bias\n");
+    print_amount("constant", a.amount(a.constant));
+    print_amount("slope", a.amount(a.slope));
+    print_amount("normal offset", a.amount(a.normal));
+    if (a.raster != 0) print_amount("while drawing", a.amount(a.raster), "bias.raster_*, the least that a driver may add");
+    print_amount("worth in all", d.has, "against acne");
+    print_amount("least needed", d.least, "of kernel, format, sub-pixel grid and single precision:");
+    print_amount("  kernel", a.amount(a.least.kernel));
+    print_amount("  format", a.amount(a.least.quantum));
+    print_amount("  sub-pixel grid", a.amount(a.least.snapping));
+    print_amount("  rounding", a.amount(a.least.rounding));
+    print_amount("moved to the light", d.lifted, "a surface nearer than this is lost");
+    print_amount("nearest the light", d.occluder, "the surface that shadows this one");
+    fmt::print("  truth: {}", d.truth.lit ? "lit" : "dark");
+    if (d.truth.share > 0 && d.truth.share < 1) fmt::print(", {:.1f} % of the light seen (light.size)", 100 * d.truth.share);
+    fmt::print("; bias window [{:.4g}, {:.4g}) texels{}\n", d.least.texels, d.occluder.texels,
+               d.window_open() ? "" : ": empty");
 }
 
 }  // namespace
@@ -61,6 +111,20 @@ std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size
     return {x, y};
 }
 
+namespace {
+
+std::vector<Dossier> dossiers(const Probe& probe, const Scene& scene, const Settings& settings, const DriverInfo& driver) {
+    std::vector<Dossier> out;
+    if (!probe.hit) return out;
+    const TruthScene casters(std::make_shared<TruthGeometry>(scene, settings));
+    const auto traits = object_traits(scene, settings);
+    for (const Probe::PerLight& light : probe.lights)
+        out.push_back(explain(probe, light, fragment_truth(casters, probe, light, settings, traits), settings, driver));
+    return out;
+}
+
+}  // namespace
+
 void run_probe(const ProbeOptions& options) {
     const auto [x, y] = parse_pixel(options.pixel, options.size);
     const Session session = open_session(options.session);
@@ -72,16 +136,21 @@ void run_probe(const ProbeOptions& options) {
     if (!place) throw UsageError(fmt::format("--pixel {},{}: lies between two panes (view.panes)", x, y));
     request.width = grid.width, request.height = grid.height;
     Probe probe = renderer.probe(session.scene, session.settings, request, place->pixel.x, place->pixel.y);
+    const std::vector<Dossier> found =
+        options.truth ? dossiers(probe, session.scene, session.settings, renderer.driver()) : std::vector<Dossier>();
     probe.x = x, probe.y = y;  // of the picture asked for, of which this pane is a part
     if (options.json) {
-        fmt::print("{}", json_text(probe_json(probe)));
+        fmt::print("{}", json_text(probe_json(probe, found)));
     } else if (!probe.hit) {
         fmt::print("pixel {},{}: nothing there\n", x, y);
     } else {
         fmt::print("pixel {},{}: {}\n", x, y, probe.object.empty() ? "(unnamed)" : probe.object);
         fmt::print("position ({:.6g}, {:.6g}, {:.6g}) m, normal ({:.4g}, {:.4g}, {:.4g})\n", probe.position_ws.x,
                    probe.position_ws.y, probe.position_ws.z, probe.normal_ws.x, probe.normal_ws.y, probe.normal_ws.z);
-        for (const auto& light : probe.lights) print_light(light, session.settings);
+        for (std::size_t i = 0; i < probe.lights.size(); ++i) {
+            print_light(probe.lights[i], session.settings);
+            if (i < found.size()) print_dossier(probe.lights[i], found[i]);
+        }
     }
     print_notes(session.notes);
 }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "renderer/light_receiver.h"
 #include "renderer/reference/light_space.h"
@@ -71,15 +72,19 @@ ErrorTask error_task(Renderer& renderer, const Scene& scene, const Settings& set
 }
 
 MeasuredError measure_error(const ErrorTask& task, TruthCache& cache, const Workers& workers) {
+    return compare_with_truth(task, cache.trace(task.truth, workers.part(0, 0.8)), workers.part(0.8, 1));
+}
+
+MeasuredError compare_with_truth(const ErrorTask& task, TracedTruth traced, const Workers& workers) {
     MeasuredError out;
-    out.traced = cache.trace(task.truth, workers.part(0, 0.8));
+    out.traced = std::move(traced);
     const auto start = std::chrono::steady_clock::now();
     const FittedLight& light = task.truth.lights[std::size_t(task.light)];
     const std::vector<Footprint> footprints =
-        place_in_map(task, light, out.traced, out.facts, workers.part(0.8, 0.85));
+        place_in_map(task, light, out.traced, out.facts, workers.part(0, 0.25));
     out.facts.edge_texels =
         edge_distances(*out.traced.scene, *out.traced.receivers, *out.traced.truth, light, task.truth.map_resolution,
-                       task.reach_texels, footprints, workers.part(0.85, 1));
+                       task.reach_texels, footprints, workers.part(0.25, 1));
     out.metrics = error_metrics(task.measured, *out.traced.truth, out.facts, &out.artefacts);
     out.classify_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return out;

@@ -32,7 +32,10 @@ struct MeasuredError {
     double classify_ms = 0;           ///< wall time beside the truth's
 };
 
-/// @throws Cancelled, Error
+/// Compares with a truth that is known. @throws Cancelled, Error
+MeasuredError compare_with_truth(const ErrorTask& task, TracedTruth traced, const Workers& workers = {});
+
+/// Traces the truth and compares. @throws Cancelled, Error
 MeasuredError measure_error(const ErrorTask& task, TruthCache& cache, const Workers& workers = {});
 
 /// How far from the receiver, in texels, the centre of a texel that the kernel compares may lie, per axis.

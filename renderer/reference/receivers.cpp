@@ -62,6 +62,12 @@ bool joined(const Receiver& a, const Receiver& b) {
     return std::abs(glm::dot(d, a.normal_ws)) <= most && std::abs(glm::dot(d, b.normal_ws)) <= most;
 }
 
+Receiver meet(const Prepared& triangle, const Camera& camera, std::size_t x, std::size_t y, int width, int height) {
+    glm::dvec3 origin, dir;
+    camera.pixel_ray(double(x), double(y), width, height, origin, dir);
+    return triangle.meet(origin, dir);
+}
+
 }  // namespace
 
 glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& r) {
@@ -69,6 +75,13 @@ glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& r) {
     // Corners, origin and the intersection's own arithmetic err by steps of the largest coordinate involved.
     const double largest = std::max({a.x, a.y, a.z, double(r.edge_m) * frame.scale});
     return glm::vec3(point + r.normal_ws * (32 * 0x1p-23 * largest));
+}
+
+Receiver place_receiver(const TruthGeometry& geometry, const Camera& camera, glm::uvec2 id, glm::ivec2 pixel, int width,
+                        int height) {
+    Prepared triangle;
+    triangle.load(geometry, id.x - 1, id.y);
+    return meet(triangle, camera, std::size_t(pixel.x), std::size_t(pixel.y), width, height);
 }
 
 Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
@@ -83,9 +96,7 @@ Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, c
             const glm::uvec2 id = ids.data[y * width + x];
             if (id.x == 0) continue;
             triangle.load(geometry, id.x - 1, id.y);
-            glm::dvec3 origin, dir;
-            camera.pixel_ray(double(x), double(y), ids.width, ids.height, origin, dir);
-            const Receiver& r = out.pixels[y * width + x] = triangle.meet(origin, dir);
+            const Receiver& r = out.pixels[y * width + x] = meet(triangle, camera, x, y, ids.width, ids.height);
             out.starts[y * width + x] = {ray_origin(frame, r), glm::vec3(r.normal_ws), r.object};
         }
     });

@@ -48,4 +48,8 @@ struct Receivers {
 Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
                           const Workers& workers);
 
+/// The same for one pixel of a picture. @param id as in SurfaceIds; x not 0
+Receiver place_receiver(const TruthGeometry& geometry, const Camera& camera, glm::uvec2 id, glm::ivec2 pixel, int width,
+                        int height);
+
 }  // namespace si

@@ -3,8 +3,8 @@
 #include "lib/visibility.glsl"
 
 layout(location = 0) out vec4 position_out;   // xyz relative, w: 1 + object number
-layout(location = 1) out vec4 geometric_out;  // xyz, w: receives
-layout(location = 2) out vec4 shading_out;    // xyz
+layout(location = 1) out vec4 geometric_out;  // xyz, w: receives, plus 2 x the low 16 bits of the triangle's number
+layout(location = 2) out vec4 shading_out;    // xyz, w: the high 16 bits, as floats hold whole numbers up to 2^24
 layout(location = 3) out vec4 visibility_out; // x, yzw: vertex normal
 
 void main() {
@@ -13,7 +13,8 @@ void main() {
 #endif
     Surface s = make_surface();
     position_out = vec4(s.position, 1.0 + surface.w);
-    geometric_out = vec4(s.geometric, surface.x);
-    shading_out = vec4(s.shading, 0.0);
+    uint triangle = uint(gl_PrimitiveID);
+    geometric_out = vec4(s.geometric, float((triangle & 0xffffu) * 2u + (surface.x > 0.5 ? 1u : 0u)));
+    shading_out = vec4(s.shading, float(triangle >> 16));
     visibility_out = vec4(light_visibility(s, LIGHT_INDEX), s.vertex);
 }

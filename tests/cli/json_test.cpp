@@ -184,6 +184,46 @@ TEST(Probe, WritesTheTestOut) {
     EXPECT_NE(text.out.find(light["verdict"].get<std::string>()), std::string::npos);
 }
 
+TEST(Probe, ExplainsThePixelAndNamesWhatPutsItRight) {
+    const std::vector<std::string> scene = {"probe",           "boxes", "--pixel", "160,130", "--size",       "320x180", "--set",
+                                            "bias.normal=0", "--set", "bias.constant=0",       "--set", "filter.kernel=pcf5"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), scene.begin(), scene.end());
+        return more;
+    };
+    const Json light = json_of(with({"--json"}))["lights"][0];
+    const Json& d = light["dossier"];
+    EXPECT_EQ(d["truth"]["state"], "counted");
+    EXPECT_EQ(d["truth"]["lit"], true);
+    EXPECT_NE(d["verdict"].get<std::string>().find("acne"), std::string::npos) << d["verdict"];
+    EXPECT_EQ(d["window"]["open"], true);
+    EXPECT_TRUE(d["window"]["occluder"]["depth"].is_null()) << "nothing stands between";
+    const Json& bias = light["bias"];
+    double parts = 0;
+    for (const auto& [name, part] : bias["least_parts"].items()) parts += part["texels"].get<double>();
+    EXPECT_NEAR(parts, bias["least"]["texels"].get<double>(), 1e-9);
+    EXPECT_EQ(bias["worth"]["texels"], 0);
+    ASSERT_EQ(light["taps"].size(), 36u);
+    double lit = 0;
+    int own = 0;
+    for (const Json& tap : light["taps"]) {
+        lit += tap["lit"].get<bool>() ? tap["weight"].get<double>() : 0;
+        own += !tap["lit"].get<bool>() && tap["meets"] == "own surface";
+    }
+    EXPECT_NEAR(lit, light["visibility"].get<double>(), 1e-3);
+    EXPECT_GT(own, 0);
+    // What it says puts the pixel right does so.
+    ASSERT_TRUE(d["remedy"].is_object());
+    const std::string remedy = d["remedy"]["key"].get<std::string>() + "=" + d["remedy"]["value"].get<std::string>();
+    const Json cured = json_of(with({"--set", remedy, "--json"}))["lights"][0];
+    EXPECT_EQ(cured["visibility"], 1);
+    EXPECT_TRUE(cured["dossier"]["remedy"].is_null());
+    EXPECT_FALSE(json_of(with({"--no-truth", "--json"}))["lights"][0].contains("dossier"));
+    const ProcessResult text = run_program(with({}));
+    for (const char* part : {"verdict: ", "remedy: ", "least needed", "S dark by the surface itself", "bias window ["})
+        EXPECT_NE(text.out.find(part), std::string::npos) << part;
+}
+
 TEST(Info, NamesTheDriver) {
     const Json info = json_of({"info", "--json"});
     EXPECT_FALSE(info["driver"]["renderer"].get<std::string>().empty());

@@ -5,6 +5,7 @@
 
 #include "app/headless_context.h"
 #include "renderer/param.h"
+#include "renderer/probe.h"
 #include "renderer/renderer.h"
 #include "renderer/scenes/builtin.h"
 

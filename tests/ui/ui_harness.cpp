@@ -44,6 +44,10 @@ Probe made_up_probe(int lights) {
         l.casts = i != 1;
         l.texel = {5, 7};
         l.where = "inside";
+        l.n_dot_l = 0.6;
+        l.taps_across = 2;
+        for (const glm::ivec2 t : {glm::ivec2(4, 6), {5, 6}, {4, 7}, {5, 7}})
+            l.taps.push_back({.texel = t, .weight = 0.25, .stored = 0.4, .lit = t.x == 5, .meets = KernelTap::Meets::Own});
         l.verdict = "in shadow: its texel stores a surface 0.2 m nearer to the light";
         p.lights.push_back(l);
     }
@@ -101,10 +105,14 @@ EditorActions UiHarness::frame() {
         if (state.probe_pixel) facts.probe = &probe_;
         if (map_facts) facts.map_facts = &*map_facts;
         facts.lost_casters = lost_casters;
+        if (facts.probe) facts.dossiers = dossiers;
+        facts.tracing_probe = tracing_probe;
+        facts.tuning = tuning;
     }
     ImGui::NewFrame();
     EditorActions actions = draw_editor(state, facts);
     ImGui::Render();
+    if (actions.tune || actions.cancel_tune) last_wish = actions;
     io.MouseWheel = 0;
     return actions;
 }
@@ -142,6 +150,24 @@ void UiHarness::drag(glm::vec2 from, glm::vec2 to, int button) {
 void UiHarness::type(const std::string& text) {
     ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
     frames(2);
+}
+
+std::optional<glm::vec2> UiHarness::find(const std::string& window, const std::string& group, const std::string& label) {
+    frames(2);
+    std::vector<std::pair<ImGuiID, ImRect>> wanted;
+    for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
+        if (!w->WasActive || std::string(w->Name).find(window) == std::string::npos) continue;
+        const ImGuiID seed = group.empty() ? w->ID : ImHashData(group.data(), group.size(), w->ID);
+        wanted.emplace_back(ImHashStr(label.c_str(), 0, seed), w->InnerClipRect);
+    }
+    for (const auto& [id, rect] : wanted)
+        for (float y = rect.Min.y + 3; y < rect.Max.y; y += 7)
+            for (float x = rect.Min.x + 5; x < rect.Max.x; x += 16) {
+                move({x, y});
+                frame();
+                if (hovered() == id) return glm::vec2(x, y);
+            }
+    return {};
 }
 
 unsigned UiHarness::hovered() const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/frame.h"
+#include "renderer/dossier.h"
 #include "ui/editor_ui.h"
 
 namespace si::test {
@@ -34,6 +35,9 @@ public:
     std::optional<LostFacts> lost;
     std::optional<MapFacts> map_facts;
     std::vector<LostCaster> lost_casters;
+    std::vector<Dossier> dossiers;
+    bool tracing_probe = false;
+    std::optional<TuneFacts> tuning;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
     double frame_seconds = 1.0 / 60;
@@ -48,10 +52,15 @@ public:
     void click(glm::vec2 at, int button = 0);
     void drag(glm::vec2 from, glm::vec2 to, int button = 0);
     void type(const std::string& text);
+    /// The middle of the widget called `label` below the ID `group` (empty: none) of a window whose name holds `window`;
+    /// found by moving the mouse. Nothing when it is not on the screen.
+    std::optional<glm::vec2> find(const std::string& window, const std::string& group, const std::string& label);
     /// The ID under the mouse, 0 for none.
     unsigned hovered() const;
     int width() const { return width_; }
     int height() const { return height_; }
+
+    EditorActions last_wish;  ///< of the last frame that asked for a search or its end
 
 private:
     int width_, height_;

@@ -1,0 +1,264 @@
+// The dossier of a probed pixel: taps that add up to what the GPU found, a truth that agrees with `measure`, verdicts,
+// and remedies that work.
+#include "renderer/dossier.h"
+#include "renderer/reference/error_task.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/techniques.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+constexpr FrameRequest kPicture{.width = 160, .height = 120};
+
+class DossierTest : public FrameTest {
+protected:
+    Probe probed;
+
+    Dossier dossier(const Scene& scene, const Settings& s, glm::ivec2 pixel) {
+        probed = renderer.probe(scene, s, kPicture, pixel.x, pixel.y);
+        EXPECT_TRUE(probed.hit);
+        const TruthScene casters(std::make_shared<TruthGeometry>(scene, s));
+        return explain(probed, probed.lights.at(0),
+                       fragment_truth(casters, probed, probed.lights[0], s, object_traits(scene, s)), s,
+                       renderer.driver());
+    }
+    MeasuredError measure(const Scene& scene, const Settings& s) {
+        TruthCache cache;
+        return measure_error(error_task(renderer, scene, s, kPicture, 0), cache);
+    }
+    /// The first pixel from the middle of the picture outwards that `measure` calls this.
+    std::optional<glm::ivec2> find(const MeasuredError& m, Artefact wanted) {
+        std::optional<glm::ivec2> best;
+        int least = 1 << 30;
+        for (int y = 0; y < kPicture.height; ++y)
+            for (int x = 0; x < kPicture.width; ++x) {
+                if (m.artefacts[std::size_t(y * kPicture.width + x)] != wanted) continue;
+                const glm::ivec2 off = glm::ivec2(x, y) - glm::ivec2(80, 60);
+                const int distance = off.x * off.x + off.y * off.y;
+                if (distance < least) least = distance, best = glm::ivec2(x, y);
+            }
+        return best;
+    }
+    static Settings plain(const char* kernel, double constant_texels) {
+        Settings s = test::hard_settings();
+        s.filter.kernel = test::kernel(kernel);
+        s.bias = test::no_bias();
+        s.bias.unit = int(BiasUnit::Texels);
+        s.bias.constant = constant_texels;
+        return s;
+    }
+    static Scene sheet_over_floor(double height) {
+        Scene scene;
+        const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
+        add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(3, 3), grey), moved(0, height, 0));
+        finalise(scene);
+        return scene;
+    }
+};
+
+TEST_F(DossierTest, TapsAddUpToWhatTheGpuFound) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    int checked = 0, partial = 0, off = 0;
+    for (const Filter& filter : filters())
+        for (const char* format : {"d16", "d32f", "colour"}) {
+            Settings s = plain(std::string(filter.key).c_str(), 0.7);
+            set_setting(s, "map.format", format);
+            s.map.resolution = 128;
+            s.bias.normal = 0.5;
+            for (int y = 20; y < 110; y += 17)
+                for (int x = 13; x < 150; x += 23) {
+                    const Probe p = renderer.probe(scene, s, kPicture, x, y);
+                    if (!p.hit || p.lights[0].n_dot_l <= 0) continue;
+                    double sum = 0;
+                    for (const KernelTap& t : p.lights[0].taps) sum += t.weight * t.lit;
+                    ++checked;
+                    partial += sum > 0 && sum < 1;
+                    off += std::abs(sum - p.lights[0].visibility) > 1e-3;
+                }
+        }
+    EXPECT_GT(checked, 500);
+    EXPECT_GT(partial, 30);
+    // Single precision may decide a comparison or a texel the other way.
+    EXPECT_LE(off, checked / 200);
+}
+
+TEST_F(DossierTest, AgreesWithMeasureOnEveryPixel) {
+    const Scene scene = sheet_over_floor(1.5);
+    Settings s = plain("hard", 12);
+    s.map.resolution = 64;
+    const MeasuredError m = measure(scene, s);
+    const TruthScene casters(std::make_shared<TruthGeometry>(scene, s));
+    int kinds[kArtefacts] = {}, dark = 0;
+    for (int y = 5; y < kPicture.height; y += 5)
+        for (int x = 3; x < kPicture.width; x += 4) {
+            const std::size_t i = std::size_t(y * kPicture.width + x);
+            const Probe p = renderer.probe(scene, s, kPicture, x, y);
+            EXPECT_EQ(p.hit, m.traced.truth->state[i] != PixelState::Background);
+            if (!p.hit) continue;
+            const FragmentTruth t = fragment_truth(casters, p, p.lights[0], s, object_traits(scene, s));
+            EXPECT_EQ(t.state, m.traced.truth->state[i]);
+            EXPECT_EQ(t.lit, m.traced.truth->hard().data[i] >= 0.5f);
+            EXPECT_EQ(t.artefact, m.artefacts[i]) << x << "," << y;
+            const float gap = m.traced.truth->nearest_m.data[i];
+            EXPECT_EQ(std::isnan(t.gap_m), std::isnan(gap));
+            if (!std::isnan(gap)) EXPECT_NEAR(t.gap_m, gap, 1e-6), ++dark;
+            ++kinds[std::size_t(t.artefact)];
+        }
+    EXPECT_GT(dark, 20);
+    EXPECT_GT(kinds[std::size_t(Artefact::None)], 100);
+    EXPECT_GT(kinds[std::size_t(Artefact::EdgeAliasing)], 5);
+    EXPECT_GT(kinds[std::size_t(Artefact::PeterPanning)] + kinds[std::size_t(Artefact::Acne)], 5);
+}
+
+TEST_F(DossierTest, AcneNamesItsNeedAndTheRemedyCuresIt) {
+    const Scene scene = make_scene(make_plane(10, 10));
+    for (const char* kernel : {"hard", "hw2x2"})
+        for (const bool slope : {false, true}) {
+            Settings s = plain(kernel, 0.2);
+            if (slope) s.bias.slope = 0.6;
+            const MeasuredError before = measure(scene, s);
+            const auto pixel = find(before, Artefact::Acne);
+            ASSERT_TRUE(pixel) << kernel;
+            const Dossier d = dossier(scene, s, *pixel);
+            EXPECT_EQ(d.verdict.find("acne: needs"), 0u) << d.verdict;
+            EXPECT_FALSE(d.right);
+            EXPECT_LT(d.has.texels, d.least.texels);
+            EXPECT_TRUE(d.window_open());
+            EXPECT_TRUE(std::isinf(d.occluder.texels)) << "nothing stands over a bare floor";
+            int own = 0;
+            for (const KernelTap& t : probed.lights[0].taps) own += !t.lit && t.meets == KernelTap::Meets::Own;
+            EXPECT_GT(own, 0) << "what darkens it is the surface itself";
+            ASSERT_TRUE(d.remedy) << kernel;
+            EXPECT_EQ(d.remedy->key, slope ? "bias.slope" : "bias.constant");
+            set_setting(s, d.remedy->key, d.remedy->value);
+            EXPECT_TRUE(dossier(scene, s, *pixel).right);
+            // The floor is one plane under one light: what cures a pixel cures all.
+            const ErrorMetrics after = measure(scene, s).metrics;
+            EXPECT_GT(before.metrics.acne, 0.1);
+            EXPECT_EQ(after.acne, 0) << kernel << d.remedy->text;
+        }
+}
+
+TEST_F(DossierTest, AWideKernelHidesAcneThatIsStillTold) {
+    const Scene scene = make_scene(make_plane(10, 10));
+    Settings s = plain("pcf5", 1.5);
+    const Dossier d = dossier(scene, s, {80, 60});
+    EXPECT_TRUE(d.right);
+    EXPECT_LT(probed.lights[0].visibility, 0.99);
+    EXPECT_EQ(d.verdict.find("faint acne: lit"), 0u) << d.verdict;
+    ASSERT_TRUE(d.remedy);
+    set_setting(s, d.remedy->key, d.remedy->value);
+    EXPECT_EQ(dossier(scene, s, {80, 60}).verdict.find("right: lit"), 0u);
+    EXPECT_EQ(measure(scene, s).metrics.any_acne, 0);
+}
+
+TEST_F(DossierTest, TooMuchBiasIsCalledPeterPanningAndLessCuresIt) {
+    const Scene scene = sheet_over_floor(0.6);
+    Settings s = plain("hard", 0);
+    s.bias.constant = 60;
+    const auto pixel = find(measure(scene, s), Artefact::PeterPanning);
+    ASSERT_TRUE(pixel);
+    const Dossier d = dossier(scene, s, *pixel);
+    EXPECT_EQ(d.verdict.find("peter-panning: bias moves it"), 0u) << d.verdict;
+    EXPECT_TRUE(d.window_open());
+    EXPECT_GE(d.lifted.texels, d.occluder.texels);
+    // Along a ray at 40 degrees above the horizon.
+    EXPECT_NEAR(d.occluder.metres, 0.6 / std::sin(glm::radians(40.0)), 1e-4);
+    EXPECT_NEAR(d.truth.gap_m, d.occluder.metres, 1e-6);
+    ASSERT_TRUE(d.remedy);
+    EXPECT_EQ(d.remedy->key, "bias.constant");
+    set_setting(s, d.remedy->key, d.remedy->value);
+    const Dossier cured = dossier(scene, s, *pixel);
+    EXPECT_TRUE(cured.right) << cured.verdict;
+    EXPECT_EQ(measure(scene, s).metrics.artefacts[std::size_t(Artefact::Acne)], 0u);
+}
+
+TEST_F(DossierTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
+    const Scene scene = sheet_over_floor(0.3);
+    Settings s = plain("pcf5", 12);
+    s.map.resolution = 128;
+    s.camera.elevation = 5;  // beneath the sheet
+    s.camera.target_y = 0.1;
+    const auto pixel = find(measure(scene, s), Artefact::PeterPanning);
+    ASSERT_TRUE(pixel);
+    const Dossier d = dossier(scene, s, *pixel);
+    EXPECT_FALSE(d.window_open());
+    EXPECT_NE(d.verdict.find("no bias can be right here"), std::string::npos) << d.verdict;
+    EXPECT_NE(d.verdict.find(std::to_string(int(d.opening_resolution)) + "² would open the window"), std::string::npos);
+    EXPECT_GT(d.opening_resolution, 128);
+    // At that resolution there is such a bias, at half of it there is none.
+    for (const auto& [resolution, open] : {std::pair{int(d.opening_resolution), true}, {int(d.opening_resolution) / 2, false}}) {
+        s.map.resolution = resolution;
+        EXPECT_EQ(dossier(scene, s, *pixel).window_open(), open) << resolution;
+    }
+    s.map.resolution = int(d.opening_resolution);
+    const Dossier opened = dossier(scene, s, *pixel);
+    s.bias.constant = 0.5 * (opened.least.texels + opened.occluder.texels);
+    EXPECT_TRUE(dossier(scene, s, *pixel).right);
+}
+
+TEST_F(DossierTest, NormalOffsetCountsByItsWorthAlongTheRay) {
+    const Scene scene = make_scene(make_plane(10, 10));
+    Settings s = plain("hard", 0);
+    s.bias.normal = 1;
+    const Dossier d = dossier(scene, s, {80, 60});
+    const BiasAccount& a = probed.lights[0].account;
+    const double cosine = std::sin(glm::radians(40.0));
+    EXPECT_NEAR(a.amount(a.normal).metres, a.receiver.texel_m / cosine, 1e-6);
+    EXPECT_NEAR(d.lifted.metres, a.receiver.texel_m * cosine, 1e-6) << "towards the light only its part along it";
+    EXPECT_NEAR(a.contact_gap_m(), a.receiver.texel_m * std::tan(std::acos(cosine)), 1e-6) << "h tan(theta)";
+    // The least offset by the theory is where the account comes out even.
+    s.bias.normal = least_normal_offset(probed.lights[0].fitted.views[0], probed.position_ws, probed.normal_ws,
+                                        a.least.total()) / a.receiver.texel_m;
+    const Dossier even = dossier(scene, s, {80, 60});
+    EXPECT_NEAR(even.has.depth / even.least.depth, 1, 1e-4);
+}
+
+TEST_F(DossierTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
+    const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = plain("hard", 3);
+    s.map.resolution = 64;
+    const auto edge = find(measure(box, s), Artefact::EdgeAliasing);
+    ASSERT_TRUE(edge);
+    const Dossier at_edge = dossier(box, s, *edge);
+    EXPECT_EQ(at_edge.verdict.find("edge aliasing"), 0u) << at_edge.verdict;
+    EXPECT_FALSE(at_edge.remedy);
+
+    const Scene sheet = sheet_over_floor(1.2);
+    s = plain("hard", 3);
+    s.caster.cull = int(Cull::Front);
+    const auto lost = find(measure(sheet, s), Artefact::LostCaster);
+    ASSERT_TRUE(lost);
+    const Dossier d = dossier(sheet, s, *lost);
+    EXPECT_EQ(d.verdict.find("lost caster"), 0u) << d.verdict;
+    ASSERT_TRUE(d.remedy);
+    set_setting(s, d.remedy->key, d.remedy->value);
+    EXPECT_TRUE(dossier(sheet, s, *lost).right);
+
+    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].extent = 1.2;
+    const auto outside = find(measure(sheet, s), Artefact::OutsideMap);
+    ASSERT_TRUE(outside);
+    EXPECT_EQ(dossier(sheet, s, *outside).verdict.find("outside the map"), 0u);
+}
+
+TEST_F(DossierTest, ALargeLightIsSeenInPart) {
+    const Scene scene = sheet_over_floor(1.2);
+    Settings s = plain("hard", 3);
+    s.lights[0].size = 8;
+    const MeasuredError m = measure(scene, s);
+    const auto edge = find(m, Artefact::EdgeAliasing);
+    ASSERT_TRUE(edge);
+    const Dossier d = dossier(scene, s, *edge);
+    EXPECT_GT(d.truth.share, 0.02);
+    EXPECT_LT(d.truth.share, 0.98);
+    s.lights[0].size = 0;
+    const double share = dossier(scene, s, *edge).truth.share;
+    EXPECT_TRUE(share == 0 || share == 1) << share;
+}
+
+}  // namespace
+}  // namespace si
