@@ -1,0 +1,204 @@
+// The predicted least bias against what the renderer shows, over formats, kernels, lights and angles; and the table of it
+// in docs/bias-prediction.md. To measure the table anew:
+//   SI_UPDATE_ASSETS=1 test_hard_cases --gtest_filter='*BiasPrediction*'
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "renderer/bias_account.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/techniques.h"
+#include "tests/support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+constexpr double kAngles[] = {0, 20, 45, 60, 75, 85};
+constexpr const char* kKernels[] = {"hard", "hw2x2", "pcf3", "pcf5"};
+constexpr double kShares[] = {0, 0.5, 0.9, 0.99, 1};
+constexpr const char* kTable = SI_SOURCE_DIR "/docs/bias-prediction.md";
+constexpr int kWidth = 240, kHeight = 180;
+
+struct Case {
+    MapFormat format;
+    LightType light;
+    std::string heading() const {
+        const char* formats[] = {"16-bit depth", "24-bit depth", "32-bit float depth"};
+        return fmt::format("## {}, {}", formats[int(format)], light == LightType::Spot ? "spot light" : "directional light");
+    }
+};
+
+Settings plane_settings(const Case& c, const char* filter, double theta_deg) {
+    Settings s = hard_settings();
+    s.camera.elevation = 70;
+    s.camera.target_y = 0;
+    s.map.format = int(c.format);
+    s.filter.kernel = kernel(filter);
+    s.bias = no_bias();
+    LightSettings& light = s.lights[0];
+    light.type = int(c.light);
+    light.elevation = 90 - theta_deg;
+    light.target_x = light.target_y = light.target_z = 0;
+    if (c.light == LightType::Spot) light.distance = 20, light.cone = 50;
+    return s;
+}
+
+/// Points of the plane that pixels show inside the map, and where.
+struct Seen {
+    std::vector<std::size_t> pixels;
+    std::vector<glm::dvec3> points;
+};
+
+Seen seen_points(const Scene& scene, const FrameResult& frame) {
+    static const RayTruth rays(scene);
+    Seen seen;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            glm::dvec3 origin, dir;
+            frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
+            const auto hit = rays.first_hit(origin, dir);
+            if (!hit) continue;
+            const glm::dvec4 at = uvdw(view_of(frame.lights[0], hit->position), hit->position);
+            if (at.x < 0.02 || at.x > 0.98 || at.y < 0.02 || at.y > 0.98) continue;
+            seen.pixels.push_back(std::size_t(y * kWidth + x));
+            seen.points.push_back(hit->position);
+        }
+    return seen;
+}
+
+struct Row {
+    std::string config;  ///< "| hard | 45 | 0.71 |": with the prediction in texels
+    double texels = 0, steps = 0;
+    double acne[std::size(kShares)] = {};  ///< percent of the pixels darker than lit
+    std::string text() const {
+        std::string out = config;
+        for (const double share : acne) out += share == 0 ? " 0 |" : share < 0.1 ? fmt::format(" {:.1g} |", share) : fmt::format(" {:.1f} |", share);
+        return out;
+    }
+};
+
+Row measured(const Scene& scene, const Case& c, const char* filter, double theta) {
+    Settings s = plane_settings(c, filter, theta);
+    const FrameRequest request{.width = kWidth, .height = kHeight, .outputs = {.colour = false, .visibility = true}};
+    FrameResult frame = hard_renderer().render(scene, s, request);
+    const Seen seen = seen_points(scene, frame);
+    EXPECT_GT(seen.pixels.size(), 4000u);
+    double least = 0;
+    BiasAccount worst;
+    for (std::size_t i = 0; i < seen.points.size(); i += 37) {
+        const BiasAccount a = bias_account(frame.lights[0], s, frame.map_resolution,
+                                           {seen.points[i], {0, 1, 0}, {0, 1, 0}, frame.camera.eye},
+                                           hard_renderer().driver().subpixel_bits);
+        if (a.least.total() > least) least = a.least.total(), worst = a;
+    }
+    Row row;
+    row.steps = worst.least.kernel / (worst.least.quantum + worst.least.rounding);
+    row.texels = worst.amount(least).texels;
+    row.config = fmt::format("| {} | {} | {:.3g} |", filters()[std::size_t(s.filter.kernel)].label, theta, row.texels);
+    for (std::size_t k = 0; k < std::size(kShares); ++k) {
+        s.bias.constant = kShares[k] * least;
+        frame = hard_renderer().render(scene, s, request);
+        const FloatImage visibility = hard_renderer().read_float(frame.visibility, 1);
+        std::size_t dark = 0;
+        for (const std::size_t i : seen.pixels) dark += visibility.data[i] < 1 - 1e-3f;
+        row.acne[k] = 100 * double(dark) / double(seen.pixels.size());
+    }
+    return row;
+}
+
+std::vector<std::string> lines_of(const std::string& path) {
+    std::ifstream in(path);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+/// The lines of a section's rows: from after its table's head to the next empty line.
+std::pair<std::size_t, std::size_t> section(const std::vector<std::string>& lines, const std::string& heading) {
+    const auto at = std::find(lines.begin(), lines.end(), heading);
+    if (at == lines.end()) return {0, 0};
+    const std::size_t first = std::size_t(at - lines.begin()) + 4;
+    std::size_t end = first;
+    while (end < lines.size() && !lines[end].empty()) ++end;
+    return {first, end};
+}
+
+void write_section(const Case& c, const std::vector<Row>& rows) {
+    std::vector<std::string> lines = lines_of(kTable);
+    auto [first, end] = section(lines, c.heading());
+    if (first == 0) {
+        lines.insert(lines.end(), {"", c.heading(), "",
+                                   "| kernel | angle of light (degrees) | least bias (texels) | acne at none (%) | at 0.5 | "
+                                   "at 0.9 | at 0.99 | at 1.00 |",
+                                   "|---|---|---|---|---|---|---|---|"});
+        first = end = lines.size();
+    }
+    lines.erase(lines.begin() + std::ptrdiff_t(first), lines.begin() + std::ptrdiff_t(end));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        lines.insert(lines.begin() + std::ptrdiff_t(first + i), rows[i].text());
+    std::ofstream out(kTable);
+    for (const std::string& line : lines) out << line << '\n';
+}
+
+/// Numbers after the configuration.
+std::vector<double> shares_of(const std::string& line, std::size_t from) {
+    std::string rest = line.substr(from);
+    std::replace(rest.begin(), rest.end(), '|', ' ');
+    std::istringstream in(rest);
+    std::vector<double> out;
+    for (double v; in >> v;) out.push_back(v);
+    return out;
+}
+
+class BiasPrediction : public testing::TestWithParam<Case> {};
+
+TEST_P(BiasPrediction, IsWhatIsMeasured) {
+    const Case& c = GetParam();
+    const Scene scene = make_scene(make_plane(10, 10));
+    std::vector<Row> rows;
+    int judged = 0;
+    for (const char* filter : kKernels)
+        for (const double theta : kAngles) {
+            const Row row = measured(scene, c, filter, theta);
+            SCOPED_TRACE(row.text());
+            EXPECT_EQ(row.acne[4], 0) << "at the predicted bias";
+            if (theta > 0 && row.steps >= 20) {
+                ++judged;
+                EXPECT_GE(row.acne[0], 45) << "without bias half of the plane must shadow itself";
+                EXPECT_GT(row.acne[2], 0) << "a tenth less bias must show acne: the prediction is tight";
+            }
+            rows.push_back(row);
+        }
+    EXPECT_GE(judged, 12) << "too few cases in which quantisation does not decide";
+    if (std::getenv("SI_UPDATE_ASSETS")) return write_section(c, rows);
+    const std::vector<std::string> lines = lines_of(kTable);
+    const auto [first, end] = section(lines, c.heading());
+    ASSERT_EQ(end - first, rows.size()) << kTable << " lacks rows of \"" << c.heading() << "\"; measure it anew";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::string& line = lines[first + i];
+        EXPECT_EQ(line.rfind(rows[i].config, 0), 0u) << kTable << ": " << line << "\npredicted now: " << rows[i].config;
+        const auto shares = shares_of(line, std::min(rows[i].config.size(), line.size()));
+        ASSERT_EQ(shares.size(), std::size(kShares)) << line;
+        // Other drivers place vertices and round depths a little differently.
+        for (std::size_t k = 0; k < shares.size(); ++k) EXPECT_NEAR(shares[k], rows[i].acne[k], 2) << line << "\nnow " << rows[i].text();
+    }
+}
+
+std::string case_name(const testing::TestParamInfo<Case>& named) {
+    const char* formats[] = {"d16", "d24", "d32f"};
+    return std::string(formats[int(named.param.format)]) +
+           (named.param.light == LightType::Spot ? "_spot" : "_directional");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BiasPrediction,
+                         testing::Values(Case{MapFormat::D16, LightType::Directional}, Case{MapFormat::D16, LightType::Spot},
+                                         Case{MapFormat::D24, LightType::Directional}, Case{MapFormat::D24, LightType::Spot},
+                                         Case{MapFormat::D32F, LightType::Directional},
+                                         Case{MapFormat::D32F, LightType::Spot}),
+                         case_name);
+
+}  // namespace
+}  // namespace si::test
