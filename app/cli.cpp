@@ -139,6 +139,7 @@ void add_probe(CLI::App& app, Options& o, std::function<void()>& run) {
     add_session_options(*c, o.session, true);
     c->add_option("--pixel", o.probe.pixel, "The pixel, counted from the top left")->required()->type_name("X,Y");
     add_size(*c, o, "1280x720");
+    c->add_flag("!--no-truth", o.probe.truth, "Trace no rays: only what the map says, no verdict on it");
     c->add_flag("--json", o.json, "All numbers as JSON");
     c->callback([&o, &run] {
         run = [&o] {

@@ -49,12 +49,42 @@ void add_merge(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run) 
     c->callback([&o, &run] { run = [&o] { run_merge(o.merge); }; });
 }
 
+void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, const AddSessionOptions& add_session) {
+    auto* c = app.add_subcommand("tune",
+                                 "Find the least bias that leaves no acne, and write it as a preset; with limits, the "
+                                 "kernel and resolution that suit them, too");
+    add_session(*c, o.tune.session);
+    c->add_option("-o,--output", o.tune.output, "The preset, .json")->required()->type_name("PRESET");
+    c->add_option("--max-error", o.tune.most_error,
+                  "Search kernels and resolutions for the cheapest whose error (--error) is at most this")
+        ->check(CLI::PositiveNumber)
+        ->type_name("E");
+    c->add_option("--max-ms", o.tune.most_ms,
+                  "Search kernels and resolutions for the most accurate whose frame takes at most this long")
+        ->check(CLI::PositiveNumber)
+        ->type_name("MS");
+    c->add_option("--error", o.tune.error,
+                  "What --max-error bounds: mae (default), rmse, false_shadow, false_light, leak or boundary_px_mean, as "
+                  "`measure --json` names them")
+        ->type_name("NAME");
+    c->add_flag("--area", o.tune.area, "Against a light of its size (light.size), not a point or direction");
+    c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");
+    c->add_flag("--json", o.tune.json, "What was tried and found as JSON");
+    c->callback([&o, &run] {
+        run = [&o] {
+            if (!o.size.empty()) o.tune.size = parse_size(o.size);
+            run_tune(o.tune);
+        };
+    });
+}
+
 }  // namespace
 
 void add_measure_commands(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
                           const AddSessionOptions& add_session) {
     add_sweep(app, o, run, add_session);
     add_merge(app, o, run);
+    add_tune(app, o, run, add_session);
 }
 
 }  // namespace si

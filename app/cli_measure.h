@@ -12,6 +12,7 @@ namespace si {
 struct MeasureCliOptions {
     SweepOptions sweep;
     MergeOptions merge;
+    TuneOptions tune;
     std::string size;
     bool no_time = false;
 };

@@ -79,6 +79,7 @@ EditorFrame EditorModel::facts() const {
     f.driver = drawn_ ? &renderer_.driver() : nullptr;
     f.result = drawn_ ? &result_ : nullptr;
     readings_.fill(f);
+    f.tuning = tuner_.facts();
     f.presets = desk_.entries();
     f.comparison = comparison_;
     f.unsaved = unsaved_;
@@ -326,8 +327,38 @@ void EditorModel::save_map(const std::string& path) {
     state.log.add(LogKind::Info, "Saved " + path);
 }
 
+void EditorModel::start_tuning(const TuneWish& wish) {
+    require_scene();
+    // A kernel must be drawn to be judged: a picture that is not shown has no size.
+    tuner_.start(scene_, state.settings, request_.width, request_.height, wish);
+}
+
+bool EditorModel::poll_tuning() {
+    const auto outcome = tuner_.end();
+    if (!outcome) return false;
+    if (!outcome->found) {
+        if (outcome->failed)
+            report(outcome->text);
+        else
+            state.log.add(LogKind::Info, outcome->text);
+        return true;
+    }
+    // What was searched for is right for that scene, camera and light only.
+    Settings now = state.settings;
+    apply_tuning(now, outcome->settings);
+    now.view = outcome->settings.view;
+    if (scene_.id != outcome->scene || !(now == outcome->settings)) {
+        state.log.add(LogKind::Warning, "Not applied, as scene or settings changed meanwhile: " + outcome->text);
+        return true;
+    }
+    apply_tuning(state.settings, *outcome->found);
+    state.log.add(LogKind::Info, outcome->text);
+    return true;
+}
+
 bool EditorModel::fulfil(const EditorActions& actions) {
     bool changed = poll_loading();
+    changed |= poll_tuning();
     const auto attempt = [&](const auto& wish) {
         try {
             wish();
@@ -347,6 +378,8 @@ bool EditorModel::fulfil(const EditorActions& actions) {
     if (actions.reset_all && has_scene_)
         attempt([&] { given_ = state.settings = base_settings(scene_), state.guide = {}; });
     if (state.between_steps && !arrival_.step) attempt([&] { follow_step(); });
+    if (actions.tune) attempt([&] { start_tuning(*actions.tune); });
+    if (actions.cancel_tune) tuner_.cancel();
     if (actions.save_map) attempt([&] { save_map(*actions.save_map); });
     if (actions.start_sweep)
         attempt([&] { require_scene(), sweep_.start(scene_, state.scene_name, state.settings, *actions.start_sweep); });

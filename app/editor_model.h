@@ -12,6 +12,7 @@
 #include "app/editor_memory.h"
 #include "app/editor_readings.h"
 #include "app/editor_sweep.h"
+#include "app/editor_tuner.h"
 #include "app/preset_desk.h"
 #include "app/scene_loading.h"
 #include "app/session.h"
@@ -44,11 +45,11 @@ public:
     /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
     bool loading_moved() const;
     /// Something is being measured in the background.
-    bool measuring() const { return sweep_.busy(); }
+    bool measuring() const { return sweep_.busy() || readings_.tracing() || tuner_.running(); }
     /// Whether the next fulfil() has news of it.
-    bool measuring_moved() const { return sweep_.moved(); }
+    bool measuring_moved() const { return sweep_.moved() || readings_.has_news() || tuner_.moved(); }
     /// Waits until nothing is being measured.
-    void finish_measuring() { sweep_.wait(); }
+    void finish_measuring() { sweep_.wait(), readings_.finish_tracing(), tuner_.wait(); }
     /// Waits for the scene that is being read and switches to it.
     void finish_loading();
     /// @throws Error why there is no scene, or (headless) what of the options the first one lacks.
@@ -105,6 +106,9 @@ private:
     void take_sweep_base();
     bool draw_scene(const EditorActions& actions);
     void save_map(const std::string& path);
+    void start_tuning(const TuneWish& wish);
+    /// Takes over what a search found. Returns whether it ended.
+    bool poll_tuning();
     void report(const std::string& error);
 
     Renderer renderer_;
@@ -135,6 +139,7 @@ private:
     std::string problem_, shader_log_;
     EditorReadings readings_;
     EditorSweep sweep_;
+    EditorTuner tuner_;
 };
 
 }  // namespace si

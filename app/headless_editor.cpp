@@ -84,7 +84,7 @@ void HeadlessEditor::settle() {
             model_->finish_measuring();
             frame(), frame();
         }
-    } while (model_->loading());  // a frame may ask for a scene
+    } while (model_->loading() || model_->measuring());  // a frame may ask for a scene, or for the truth
 }
 
 ByteImage HeadlessEditor::picture() const {

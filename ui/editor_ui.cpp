@@ -177,7 +177,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     if (const float d = splitter("settings splitter", true, {bar, rest.y}); d != 0)
         layout.settings_width = (settings - d) / em;
     ImGui::SameLine();
-    child("settings", {settings, rest.y}, spaced([&] { draw_settings(state, frame); }));
+    child("settings", {settings, rest.y}, spaced([&] { draw_settings(state, frame, actions); }));
     ImGui::PopStyleVar();
     draw_shortcuts(state);
     draw_file_dialog(state, actions);

@@ -78,7 +78,7 @@ struct Replacement {
 
 /// The limits of a search, as they are being typed.
 struct TunePanel {
-    bool bound_error = true, bound_ms = false;
+    bool bound_error = true, bound_ms = false, area = false;
     double most_error = 0.01, most_ms = 10;
 };
 
@@ -167,6 +167,7 @@ struct TuneFacts {
 /// What a search is to find: without limits the least bias that leaves no acne.
 struct TuneWish {
     std::optional<double> most_error, most_ms;  ///< then kernel and resolution are searched, too
+    bool area = false;                          ///< against a light of its size
 };
 
 /// What the last frame found out. Pointers may be null: the editor draws without them.

@@ -10,7 +10,7 @@ namespace si {
 void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions& actions);
-void draw_settings(EditorState& state, const EditorFrame& frame);
+void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_passes(const EditorFrame& frame);
 void draw_probe(EditorState& state, const EditorFrame& frame);
 void draw_objects(EditorState& state, const EditorFrame& frame);

@@ -10,6 +10,7 @@
 #include "ui/panels.h"
 #include "ui/setting_widgets.h"
 #include "ui/theme.h"
+#include "ui/tune_controls.h"
 
 namespace si {
 namespace {
@@ -82,7 +83,7 @@ void light_tabs(Settings& s) {
     }
 }
 
-void draw_group(EditorState& state, const EditorFrame& frame, const Group& group) {
+void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Group& group) {
     const std::vector<SettingRef> rows = rows_of(state, group.prefix);
     if (rows.empty()) return;
     const bool filtered = !state.search.empty() || state.only_changed;
@@ -123,6 +124,7 @@ void draw_group(EditorState& state, const EditorFrame& frame, const Group& group
         setting_row(state.settings, ref, scene_choices(frame.scene, ref.param->key));
     }
     if (table) ImGui::EndTable();
+    if (group.prefix == "bias" && !filtered) draw_tune_controls(state, frame, actions);
     ImGui::PopID();
 }
 
@@ -134,7 +136,7 @@ std::string_view setting_group_label(std::string_view prefix) {
     return prefix;
 }
 
-void draw_settings(EditorState& state, const EditorFrame& frame) {
+void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextItemWidth(-em * 7.2f);
     ImGui::InputTextWithHint("##search", "Search settings", &state.search);
@@ -146,7 +148,7 @@ void draw_settings(EditorState& state, const EditorFrame& frame) {
     bool any = false;
     for (const Group& group : groups()) {
         any |= !rows_of(state, group.prefix).empty();
-        draw_group(state, frame, group);
+        draw_group(state, frame, actions, group);
     }
     if (!any) ImGui::TextDisabled(state.only_changed ? "Nothing is changed." : "No setting matches.");
     if (frame.result && !frame.result->notes.empty()) {

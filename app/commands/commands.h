@@ -49,11 +49,21 @@ struct MeasureOptions {
 /// How far the shadows of view.light are from the truth, and what they cost, in numbers.
 void run_measure(const MeasureOptions& options);
 
+struct TuneOptions {
+    SessionOptions session;
+    std::string output, error;  ///< error: key of error_kinds()
+    std::optional<double> most_error, most_ms;
+    PictureSize size;
+    bool area = false, json = false;
+};
+/// Writes a preset with the least bias that leaves no acne; with limits, with the kernel and resolution that suit them.
+void run_tune(const TuneOptions& options);
+
 struct ProbeOptions {
     SessionOptions session;
     std::string pixel;  ///< "X,Y" from the top left
     PictureSize size;
-    bool json = false;
+    bool json = false, truth = true;
 };
 void run_probe(const ProbeOptions& options);
 

@@ -44,11 +44,13 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(const SweepProgress& progress, const SweepTiming& timing) {
+    show(progress_text(progress, timing), progress.done == progress.total && (!progress.timing || !terminal_));
+}
+
+void ProgressLine::show(std::string text, bool last) {
     const auto now = std::chrono::steady_clock::now();
-    const bool last = progress.done == progress.total && (!progress.timing || !terminal_);
     if (now < next_ && !last) return;
     next_ = now + (terminal_ ? 100ms : 10s);
-    std::string text = progress_text(progress, timing);
     if (!terminal_) return fmt::print(stderr, "{}\n", text);
     text.resize(std::min(text.size(), columns_of_terminal() - 1));
     fmt::print(stderr, "\r{}\x1b[K", text);

@@ -1,4 +1,4 @@
-// How far a sweep is, on stderr: one line that is rewritten on a terminal, else a line now and then.
+// How far a sweep or search is, on stderr: one line that is rewritten on a terminal, else a line now and then.
 #pragma once
 
 #include <chrono>
@@ -21,6 +21,8 @@ public:
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
     void show(const SweepProgress& progress, const SweepTiming& timing);
+    /// @param last must not be left out
+    void show(std::string text, bool last);
 
 private:
     bool terminal_ = false, open_ = false;

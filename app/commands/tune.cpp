@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "app/commands/commands.h"
+#include "app/headless_context.h"
+#include "app/interrupt.h"
+#include "app/measure_json.h"
+#include "app/notes.h"
+#include "app/output.h"
+#include "app/report.h"
+#include "app/setting_json.h"
+#include "app/sweep/progress_line.h"
+#include "app/tuning.h"
+#include "renderer/error.h"
+#include "renderer/param.h"
+#include "renderer/techniques.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const ErrorKind& error_named(const std::string& key) {
+    std::vector<std::string> names;
+    for (const ErrorKind& kind : error_kinds()) {
+        if (key.empty() || kind.key == key) return kind;
+        names.emplace_back(kind.key);
+    }
+    throw UsageError(fmt::format("--error {}: it is one of {}", key, fmt::join(names, ", ")));
+}
+
+Json bias_json(const BiasSettings& b) {
+    static constexpr const char* kUnits[] = {"depth", "texels", "metres"};
+    return {{"unit", kUnits[b.unit]}, {"constant", b.constant}, {"slope", b.slope}, {"normal", b.normal}};
+}
+
+Json trial_json(const BiasTrial& t) {
+    return {{"acne_px", t.acne()},
+            {"corner_px", t.needs.folds},
+            {"leak_px", t.leaks()},
+            {"gap_median_m", t.needs.gap_median_m},
+            {"gap_p95_m", t.needs.gap_p95_m},
+            {"error", error_json(t.error)}};
+}
+
+Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& after, double seconds) {
+    const BiasSearch& search = tuner.bias();
+    Json json = {{"format", "shadow-inspector-tuning"},
+                 {"version", 1},
+                 {"found", tuner.result().has_value()},
+                 {"summary", tuner.summary()},
+                 {"trials", tuner.trials()},
+                 {"seconds", seconds},
+                 {"before", trial_json(search.before())},
+                 {"lit_pixels", search.before().needs.pixels},
+                 {"families", Json::array()},
+                 {"candidates", Json::array()},
+                 {"settings", Json::object()}};
+    for (const BiasFound& f : search.found()) {
+        Json row = {{"family", family_word(f.family)}, {"chosen", &f == search.best()}, {"of_theory", f.factor}};
+        row["bias"] = bias_json(f.bias);
+        row.update(trial_json(f.trial));
+        json["families"].push_back(std::move(row));
+    }
+    for (const TuneCandidate& c : tuner.candidates()) {
+        Json row = {{"kernel", filters()[std::size_t(c.settings.filter.kernel)].key},
+                    {"resolution", c.settings.map.resolution},
+                    {"chosen", &c == tuner.best()},
+                    {"within_limits", c.meets},
+                    {"no_acne", c.clear},
+                    {"error", c.trial ? Json(c.error) : Json()},
+                    {"ms", c.ms ? Json(*c.ms) : Json()},
+                    {"bias", bias_json(c.settings.bias)}};
+        json["candidates"].push_back(std::move(row));
+    }
+    for (const SettingRef& ref : all_settings(after))
+        if (get_value(after, ref) != get_value(before, ref))
+            json["settings"][setting_key(ref)] = setting_to_json(ref, get_value(after, ref));
+    return json;
+}
+
+void print_tuned(const Tuner& tuner) {
+    for (const BiasFound& f : tuner.bias().found())
+        fmt::print("  {:<14} {}: gap {:.3g} m at the median, {:.3g} m for 95 %, {} px leak\n", family_word(f.family),
+                   bias_text(f.bias), f.trial.needs.gap_median_m, f.trial.needs.gap_p95_m, f.trial.leaks());
+    for (const TuneCandidate& c : tuner.candidates()) {
+        const std::string error = c.trial ? fmt::format("{:.5f}", c.error) : "-";
+        const std::string ms = c.ms ? fmt::format("{:.3g} ms", *c.ms) : "-";
+        fmt::print("  {:<14} {:>5}²  error {:>8}  {:>9}  {}\n", filters()[std::size_t(c.settings.filter.kernel)].key,
+                   c.settings.map.resolution, error, ms,
+                   &c == tuner.best() ? "chosen" : c.meets ? "within the limits" : c.trial && !c.clear ? "acne remains" : "");
+    }
+    fmt::print("{}\n", tuner.summary());
+}
+
+}  // namespace
+
+void run_tune(const TuneOptions& options) {
+    if (lower_extension(options.output) != ".json")
+        throw UsageError(fmt::format("{}: a preset must end in .json", options.output));
+    TuneGoals goals{.most_error = options.most_error, .most_ms = options.most_ms, .error = &error_named(options.error)};
+    require_writable(options.output);
+    Session session = open_session(options.session);
+    const HeadlessContext context;
+    Renderer renderer;
+    const TuningJob job{session.settings, options.size.width, options.size.height, goals, options.area};
+    const auto began = std::chrono::steady_clock::now();
+    InterruptGuard interrupt;
+    std::stop_source stop;
+    std::optional<Tuner> tuner;
+    try {
+        ProgressLine line;
+        const Workers workers{.stop = stop.get_token(), .progress = [&](double) {
+            if (interrupt.asked()) stop.request_stop();
+        }};
+        tuner = run_tuning(renderer, session.scene, job, workers, [&](const Tuner& t) {
+            if (interrupt.asked()) stop.request_stop();
+            line.show(fmt::format("{:3.0f} %  {}", 100 * t.progress(), t.about()), false);
+        });
+    } catch (const Cancelled&) {
+        fmt::print(stderr, "shadow-inspector: interrupted; {} was not written\n", options.output);
+        interrupt.end();
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    const std::optional<Settings> found = tuner->result();
+    Settings after = session.settings;
+    if (found) apply_tuning(after, *found);
+    if (options.json)
+        fmt::print("{}", json_text(tuned_json(*tuner, session.settings, after, seconds)));
+    else
+        print_tuned(*tuner);
+    if (!found) throw Error(tuner->summary() + "; nothing was written");
+    save_preset({"", "", tuner->summary(), session.scene_name, after}, options.output);
+    if (!options.json) fmt::print("wrote {}\n", options.output);
+    print_notes(session.notes);
+}
+
+}  // namespace si

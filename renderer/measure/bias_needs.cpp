@@ -1,0 +1,126 @@
+#include "renderer/measure/bias_needs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/bias_account.h"
+#include "renderer/param.h"
+
+namespace si {
+namespace {
+
+/// What one pixel asks for, in texels.
+struct Need {
+    double total = 0, step = 0;  ///< the least bias, and its part that does not grow with the slope
+    double falls = 0;            ///< 1 - n.l
+    double per_normal = 0;       ///< bias that one texel of normal offset is worth: 1 / |n . ray|
+    double sine = 0, texel_m = 0;
+    double gap(double bias_texels) const { return bias_texels * texel_m * sine; }
+};
+
+double worst(const std::vector<Need>& needs, auto&& amount) {
+    double most = 0;
+    for (const Need& n : needs) most = std::max(most, amount(n));
+    return most;
+}
+
+double share_of(std::vector<double> values, double share) {
+    if (values.empty()) return 0;
+    const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+BiasSettings in_texels(double constant, double slope, double normal) {
+    BiasSettings b;
+    b.unit = int(BiasUnit::Texels);
+    b.constant = constant, b.slope = slope, b.normal = normal;
+    b.normal_source = int(NormalSource::Geometric);
+    return b;
+}
+
+/// Of all pairs that clear every pixel, the one that costs the least gap on average. A slope term of 1 - n.l rises too
+/// late for flat light, so a constant carries that part: for each constant, the slope that does the rest.
+BiasSettings cheapest_slope(const std::vector<Need>& needs, double largest) {
+    BiasSettings best = in_texels(largest, 0, 0);
+    double least_cost = std::numeric_limits<double>::infinity();
+    constexpr int kSteps = 40;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double constant = largest * std::pow(1e-3, double(i) / kSteps);
+        const double slope = worst(needs, [&](const Need& n) {
+            return n.total <= constant ? 0 : n.falls > 1e-9 ? n.total / n.falls : 1e9;
+        });
+        double cost = 0;
+        for (const Need& n : needs) cost += n.gap(std::max(constant, slope * n.falls));
+        if (cost < least_cost) least_cost = cost, best = in_texels(constant, slope, 0);
+    }
+    return best;
+}
+
+}  // namespace
+
+std::string_view family_word(BiasFamily family) {
+    switch (family) {
+        case BiasFamily::Constant: return "constant bias";
+        case BiasFamily::Slope: return "slope bias";
+        case BiasFamily::Normal: return "normal offset";
+    }
+    return "";
+}
+
+BiasSettings scaled(const BiasSettings& bias, double factor) {
+    BiasSettings out = bias;
+    const auto scale = [&](double& value, const char* key) {
+        value = std::clamp(value * factor, 0.0, find_setting(key)->param->max);
+    };
+    scale(out.constant, "bias.constant");
+    scale(out.slope, "bias.slope");
+    scale(out.normal, "bias.normal");
+    return out;
+}
+
+BiasNeeds bias_needs(const ErrorTask& task, const MeasuredError& measured, const Settings& settings, int subpixel_bits) {
+    BiasNeeds out;
+    const FittedLight& light = task.truth.lights[std::size_t(task.light)];
+    if (!light.casts) return out;
+    const Truth& truth = *measured.traced.truth;
+    const FloatImage& hard = truth.hard();
+    const auto darkened = [&](std::size_t i) {
+        return truth.visibility.data[i] == 1 && !std::isfinite(measured.facts.edge_texels[i]) &&
+               task.measured.data[i] < 1 - kRightVisibility;
+    };
+    std::vector<Need> needs;
+    std::vector<double> gaps;
+    for (std::size_t i = 0; i < truth.state.size(); ++i) {
+        if (truth.state[i] != PixelState::Counted || hard.data[i] < 0.5f || measured.facts.outside_map[i]) continue;
+        const Receiver& r = measured.traced.receivers->pixels[i];
+        const BiasAccount a = bias_account(light, settings, task.truth.map_resolution,
+                                           {r.position_ws, r.normal_ws, r.normal_ws, task.truth.camera.eye}, subpixel_bits);
+        const double step = a.amount(a.least.quantum + a.least.rounding).texels;
+        const double total = a.amount(a.least.total()).texels;
+        const LightView& view = light.views[a.receiver.view];
+        const double b = a.least.total();
+        const double offset_m = least_normal_offset(view, r.position_ws, r.normal_ws, b);
+        if (!std::isfinite(total) || !(offset_m > 0)) continue;  // edge-on
+        needs.push_back({total, step, 1 - std::clamp(a.receiver.n_dot_l, 0.0, 1.0), total * a.receiver.texel_m / offset_m,
+                         std::sin(a.theta_rad), a.receiver.texel_m});
+        gaps.push_back(a.contact_gap_m());
+        if (!darkened(i)) continue;
+        if (a.clears() >= a.least.total())
+            ++out.folds;
+        else
+            out.faint_acne += task.measured.data[i] >= 0.5f;
+    }
+    out.pixels = needs.size();
+    if (needs.empty()) return out;
+    out.gap_median_m = share_of(gaps, 0.5), out.gap_p95_m = share_of(std::move(gaps), 0.95);
+    const double largest = worst(needs, [](const Need& n) { return n.total; });
+    const double step = worst(needs, [](const Need& n) { return n.step; });
+    out.least[std::size_t(BiasFamily::Constant)] = in_texels(largest, 0, 0);
+    out.least[std::size_t(BiasFamily::Slope)] = cheapest_slope(needs, largest);
+    out.least[std::size_t(BiasFamily::Normal)] =
+        in_texels(step, 0, worst(needs, [&](const Need& n) { return std::max(n.total - step, 0.0) / n.per_normal; }));
+    return out;
+}
+
+}  // namespace si

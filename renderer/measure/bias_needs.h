@@ -1,0 +1,38 @@
+// How much bias a whole frame needs, by theory: the start of every search for the least bias.
+#pragma once
+
+#include "renderer/measure/frontier.h"
+#include "renderer/reference/error_task.h"
+
+namespace si {
+
+/// A way to spend bias. Each leaves the others at nothing but a small constant for what grows with no slope.
+enum class BiasFamily {
+    Constant,  ///< bias.constant alone
+    Slope,     ///< bias.slope over a constant, the pair that costs least
+    Normal,    ///< bias.normal over a constant for the format's steps
+};
+inline constexpr std::size_t kBiasFamilies = 3;
+std::string_view family_word(BiasFamily family);
+
+struct BiasNeeds {
+    std::size_t pixels = 0;  ///< that the light reaches, inside the map
+    /// Of them those away from true edges that are darker than fully lit. Faint: half lit or more, on planes that have
+    /// less bias than they need. Folds: the plane has all that it needs, so what darkens it rises beside it, as a wall does
+    /// above the floor that it stands on.
+    std::size_t faint_acne = 0, folds = 0;
+    /// The least setting of each family that clears every one of these pixels' planes, in texels.
+    std::array<BiasSettings, kBiasFamilies> least{};
+    /// What the present bias costs: metres of lit ground beside a caster that touches its receiver, over these pixels.
+    double gap_median_m = 0, gap_p95_m = 0;
+    const BiasSettings& of(BiasFamily family) const { return least[std::size_t(family)]; }
+};
+
+/// Over the pixels that count, are lit in truth and lie in the map: only these can show acne.
+/// @param settings that the task was made with
+BiasNeeds bias_needs(const ErrorTask& task, const MeasuredError& measured, const Settings& settings, int subpixel_bits);
+
+/// Every amount times `factor`, within what the settings allow.
+BiasSettings scaled(const BiasSettings& bias, double factor);
+
+}  // namespace si

@@ -1,0 +1,185 @@
+// The dossier in the probe panel and the search for the least bias: buttons, undo, progress, and both on real frames.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/headless_editor.h"
+#include "renderer/param.h"
+#include "tests/ui/ui_harness.h"
+#include "ui/kernel_marks.h"
+
+namespace si::test {
+namespace {
+
+Dossier acne_dossier() {
+    Dossier d;
+    d.truth.state = PixelState::Counted;
+    d.least = {0.001, 1.8, 0.02}, d.has = {0.0003, 0.6, 0.007};
+    d.right = false;
+    d.verdict = "acne: needs 1.8 texels of bias here, has 0.6 texels";
+    d.remedy = Remedy{"bias.slope", "4.5", "set bias.slope to 4.5 texels"};
+    return d;
+}
+
+TEST(DossierPanel, TheRemedyIsOneStepOfUndo) {
+    UiHarness ui(1280, 720);
+    ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.state.open_tab = BottomTab::Probe;
+    ui.dossiers = {acne_dossier()};
+    ui.frames(5);
+    const Settings before = ui.state.settings;
+    const int light = 0;
+    const auto id_of_light = std::string(reinterpret_cast<const char*>(&light), sizeof light);
+    const auto at = ui.find("Probe", id_of_light, "Set bias.slope to 4.5 texels");
+    ASSERT_TRUE(at) << "no button for the remedy";
+    ui.click(*at);
+    EXPECT_EQ(ui.state.settings.bias.slope, 4.5);
+    ui.frames(3);
+    EXPECT_EQ(ui.state.history.undo(), before);
+    EXPECT_FALSE(ui.state.history.can_undo());
+}
+
+TEST(DossierPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
+    for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
+        UiHarness ui(w, h, scale);
+        ui.state.probe_pixel = glm::ivec2(3, 4);
+        ui.state.open_tab = BottomTab::Probe;
+        ui.tracing_probe = true;
+        ui.frames(4);
+        ui.tracing_probe = false;
+        ui.dossiers = {acne_dossier()};
+        ui.frames(4);
+        ui.dossiers[0].occluder = {0.0001, 0.3, 0.002};  // no bias is right
+        ui.frames(4);
+    }
+}
+
+TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
+    UiHarness ui(1280, 720);
+    ui.frames(4);
+    const auto button = ui.find("/rows_", "bias", "Least bias without acne");
+    ASSERT_TRUE(button);
+    ui.click(*button);
+    ASSERT_TRUE(ui.last_wish.tune);
+    EXPECT_FALSE(ui.last_wish.tune->most_error || ui.last_wish.tune->most_ms);
+
+    const auto limits = ui.find("/rows_", "bias", "Tune...");
+    ASSERT_TRUE(limits);
+    ui.state.tune = {.bound_error = true, .bound_ms = true, .area = true, .most_error = 0.02, .most_ms = 7};
+    ui.click(*limits);
+    const auto search = ui.find("##Popup", "", "Search");
+    ASSERT_TRUE(search);
+    ui.click(*search);
+    ASSERT_TRUE(ui.last_wish.tune);
+    EXPECT_EQ(ui.last_wish.tune->most_error, 0.02);
+    EXPECT_EQ(ui.last_wish.tune->most_ms, 7);
+    EXPECT_TRUE(ui.last_wish.tune->area);
+
+    ui.tuning = TuneFacts{"normal offset, 2 texels", 0.4};
+    ui.frames(2);
+    EXPECT_FALSE(ui.find("/rows_", "bias", "Least bias without acne")) << "one search at a time";
+    const auto cancel = ui.find("/rows_", "bias", "Cancel");
+    ASSERT_TRUE(cancel);
+    ui.click(*cancel);
+    EXPECT_TRUE(ui.last_wish.cancel_tune);
+}
+
+TEST(KernelMarks, TapsAreColouredByWhatTheyMeet) {
+    KernelTap lit{.weight = 1, .lit = true}, own{.weight = 1, .lit = false, .meets = KernelTap::Meets::Own},
+        dark{.weight = 1, .lit = false, .meets = KernelTap::Meets::Nearer}, light{.weight = 0.1, .lit = true};
+    EXPECT_NE(tap_colour(lit, 1), tap_colour(dark, 1));
+    EXPECT_NE(tap_colour(own, 1), tap_colour(dark, 1));
+    EXPECT_LT(tap_colour(light, 1) >> IM_COL32_A_SHIFT, tap_colour(lit, 1) >> IM_COL32_A_SHIFT);
+}
+
+EditorOptions boxes() {
+    EditorOptions o;
+    o.session.scene = "boxes";
+    o.session.sets = {"bias.normal=0", "bias.constant=0.1", "map.resolution=512"};
+    o.width = 1280, o.height = 720;
+    o.headless = true;
+    return o;
+}
+
+TEST(EditorDossierTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
+    HeadlessEditor editor(boxes());
+    editor.settle();
+    EditorState& state = editor.model().state;
+    // A pixel that acne darkens: some on a grid of the picture.
+    const Dossier* found = nullptr;
+    Dossier dossier;
+    for (int y = 100; y < 400 && !found; y += 12)
+        for (int x = 40; x < 500 && !found; x += 12) {
+            state.probe_pixel = glm::ivec2(x, y);
+            editor.settle();
+            const EditorFrame facts = editor.model().facts();
+            EXPECT_FALSE(facts.tracing_probe) << "settled";
+            if (!facts.probe || !facts.probe->hit) continue;
+            ASSERT_EQ(facts.dossiers.size(), facts.probe->lights.size());
+            if (facts.dossiers[0].truth.artefact == Artefact::Acne) dossier = facts.dossiers[0], found = &dossier;
+        }
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->verdict.find("acne: needs"), 0u) << found->verdict;
+    ASSERT_TRUE(found->remedy);
+    set_setting(state.settings, found->remedy->key, found->remedy->value);
+    editor.settle();
+    const EditorFrame after = editor.model().facts();
+    ASSERT_EQ(after.dossiers.size(), 1u);
+    EXPECT_TRUE(after.dossiers[0].right) << after.dossiers[0].verdict;
+}
+
+TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
+    HeadlessEditor editor(boxes());
+    editor.settle();
+    EditorModel& model = editor.model();
+    const Settings before = model.state.settings;
+    EditorActions wish;
+    wish.scene_width = 320, wish.scene_height = 180;
+    model.fulfil(wish);
+    wish.tune = TuneWish{};
+    model.fulfil(wish);
+    EXPECT_TRUE(model.facts().tuning) << "it goes on in the background";
+    EXPECT_EQ(model.state.settings, before) << "and the editor went on at once";
+    editor.settle();
+    EXPECT_FALSE(model.facts().tuning);
+    const Settings after = model.state.settings;
+    EXPECT_NE(after.bias, before.bias);
+    Settings only_bias = before;
+    only_bias.bias = after.bias;
+    EXPECT_EQ(after, only_bias);
+    const auto& lines = model.state.log.lines();
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const auto& line) {
+        return line.text.find("least bias without acne") != std::string::npos &&
+               line.text.find("gap beside casters") != std::string::npos;
+    }));
+    EXPECT_EQ(model.state.history.undo(), before);
+    EXPECT_FALSE(model.state.history.can_undo());
+}
+
+TEST(EditorTuning, IsNotAppliedToWhatItWasNotSearchedFor) {
+    HeadlessEditor editor(boxes());
+    editor.settle();
+    EditorModel& model = editor.model();
+    EditorActions wish;
+    wish.scene_width = 320, wish.scene_height = 180;
+    model.fulfil(wish);
+    wish.tune = TuneWish{};
+    model.fulfil(wish);
+    model.state.settings.lights[0].elevation += 10;
+    const Settings turned = model.state.settings;
+    editor.settle();
+    EXPECT_EQ(model.state.settings, turned);
+
+    model.fulfil(wish);
+    EditorActions cancel;
+    cancel.scene_width = 320, cancel.scene_height = 180;
+    cancel.cancel_tune = true;
+    model.fulfil(cancel);
+    editor.settle();
+    EXPECT_FALSE(model.facts().tuning);
+    EXPECT_EQ(model.state.settings, turned);
+}
+
+}  // namespace
+}  // namespace si::test
