@@ -6,13 +6,18 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/measure/artefact_picture.h"
 #include "ui/panels.h"
 #include "ui/theme.h"
 
 namespace si {
 namespace {
 
-constexpr ImU32 kSelfShadow = IM_COL32(213, 94, 0, 255);  ///< as acne is coloured
+/// Dark by the surface itself: the colour of acne wherever artefacts are coloured.
+ImU32 self_shadow() {
+    const auto& rgb = artefact_styles()[std::size_t(Artefact::Acne) - 1].rgb;
+    return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
+}
 
 const char* meets_text(const KernelTap& t) {
     switch (t.meets) {
@@ -45,7 +50,7 @@ double heaviest_tap(const Probe::PerLight& light) {
 }
 
 ImU32 tap_colour(const KernelTap& t, double heaviest) {
-    const ImU32 colour = t.lit ? theme::kLit : t.meets == KernelTap::Meets::Own ? kSelfShadow : theme::kShadowed;
+    const ImU32 colour = t.lit ? theme::kLit : t.meets == KernelTap::Meets::Own ? self_shadow() : theme::kShadowed;
     const double share = heaviest > 0 ? t.weight / heaviest : 1;
     return faded(colour, unsigned(70 + 185 * std::clamp(share, 0.0, 1.0)));
 }
@@ -77,7 +82,7 @@ const KernelTap* draw_tap_grid(const Probe::PerLight& p, float side) {
 
 void draw_tap_key() {
     const std::array<std::pair<ImU32, const char*>, 3> keys{
-        {{theme::kLit, "lit"}, {theme::kShadowed, "dark"}, {kSelfShadow, "dark by itself"}}};
+        {{theme::kLit, "lit"}, {theme::kShadowed, "dark"}, {self_shadow(), "dark by itself"}}};
     const float em = theme::small()->FontSize;
     ImGui::PushFont(theme::small());
     ImGui::BeginGroup();

@@ -69,32 +69,34 @@ void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
                           v.slabs_texels);
 }
 
+/// Text at the right end of the table's next column.
+void right_cell(const std::string& text) {
+    ImGui::TableNextColumn();
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+    ImGui::TextUnformatted(text.c_str());
+}
+
 /// An amount of depth in its three currencies, as one row.
 void amount_row(const char* name, const DepthAmount& a, const char* about) {
-    const auto cell = [](const std::string& text) {
-        ImGui::TableNextColumn();
-        const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-        if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
-        ImGui::TextUnformatted(text.c_str());
-    };
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", name);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
-    if (!std::isfinite(a.depth)) return cell("none");
-    cell(fmt::format("{:.3g}", a.texels));
-    cell(metres_text(a.metres));
-    cell(fmt::format("{:.3g}", a.depth));
+    if (!std::isfinite(a.depth)) return right_cell("none");
+    right_cell(fmt::format("{:.3g}", a.texels));
+    right_cell(metres_text(a.metres));
+    right_cell(fmt::format("{:.3g}", a.depth));
 }
 
 bool begin_amounts(const char* id) {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable(id, 4, flags)) return false;
-    for (const char* name : {"", "texels", "metres", "depth"}) {
-        if (*name == 0) ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::TextDisabled("%s", name);
-    }
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
+    for (const char* name : {"texels", "metres", "depth"}) right_cell(name);
+    ImGui::PopStyleColor();
     return true;
 }
 
@@ -233,8 +235,8 @@ void draw_light(const Probe::PerLight& p, const Dossier* d, bool tracing, Settin
         ImGui::SameLine();
         draw_tap_key();
     });
-    if (d && d->truth.state == PixelState::Counted) flow.block(em * 21, [&] { truth_column(*d); });
-    if (p.n_dot_l > 0) flow.block(em * 22, [&] { bias_terms(p.account); });
+    if (d && d->truth.state == PixelState::Counted) flow.block(em * 20, [&] { truth_column(*d); });
+    if (p.n_dot_l > 0) flow.block(em * 20, [&] { bias_terms(p.account); });
     flow.block(em * 33, [&] { depths(p); });
     flow.block(em * 36, [&] { space(p); });
 }

@@ -58,18 +58,19 @@ TEST(Tune, KeepsToTheErrorThatIsAsked) {
     const auto r = run_program({"tune", "boxes", "--max-error", "0.02", "--size", "160x90", "-o", preset.string(), "--json"});
     ASSERT_EQ(r.code, 0) << r.err;
     const Json json = Json::parse(r.out);
-    int chosen = 0;
+    int chosen = 0, resolution = 0;
     double cheapest = 1e300, taken = 0;
     for (const Json& c : json["candidates"]) {
         if (!c["within_limits"].get<bool>()) continue;
         EXPECT_LE(c["error"], 0.02);
         cheapest = std::min(cheapest, c["ms"].get<double>());
-        if (c["chosen"].get<bool>()) taken = c["ms"], ++chosen;
+        if (c["chosen"].get<bool>()) taken = c["ms"], resolution = c["resolution"], ++chosen;
     }
     EXPECT_EQ(chosen, 1);
     EXPECT_EQ(taken, cheapest);
     const auto again = run_program({"measure", "boxes", "--preset", preset.string(), "--size", "160x90", "--no-time", "--json"});
     EXPECT_LE(Json::parse(again.out)["error"]["mae"], 0.02);
+    EXPECT_EQ(Json::parse(again.out)["map_resolution"], resolution);
 }
 
 TEST(Tune, SaysWhatIsWrong) {
