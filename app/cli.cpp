@@ -73,6 +73,18 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
                                "without it the picture with the overlays and panes of view.*")
                      ->type_name("V");
     add_size(*c, o, "1280x720");
+    auto* against = c->add_option("--against", o.render.against,
+                                  "Hold the picture against another one of the same frame, right of it: truth (traced by "
+                                  "rays), or a preset (its light, maps, bias, filter and shading)")
+                        ->type_name("WHAT");
+    auto* swipe = c->add_option("--swipe", o.render.swipe,
+                                "With --against: one picture, this left of a line at X (0 to 1), the other right of it")
+                      ->check(CLI::Range(0.0, 1.0))
+                      ->type_name("X")
+                      ->needs(against);
+    c->add_flag("--difference", o.render.difference, "With --against: one picture of 2 |A - B|")
+        ->needs(against)
+        ->excludes(swipe);
     c->add_option("--report", o.render.report, "Write facts of the frame as JSON: fit, settings, passes and times")
         ->type_name("F.json");
     c->callback([&o, &run, view] {
@@ -92,23 +104,30 @@ void add_truth(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_option("-o,--output", o.output, "The file: .png (8 bit) or .pfm (float); 1 lit to 0 in shadow")
         ->required()
         ->type_name("OUT");
-    c->add_flag("--area", o.truth.truth.area, "Give the light its size (light.size); else it is a point or a direction");
+    auto* area = c->add_flag("--area", o.truth.truth.area, "Give the light its size (light.size); else it is a point or a direction. As --set "
+                                       "truth.area=true");
     c->add_flag("--as-rasterised", o.truth.truth.as_rasterised,
                 "Leave out the faces that culling leaves out of the shadow map (caster.cull)");
-    c->add_option("--samples", o.truth.truth.samples, "With --area: most rays a pixel (default 1024)")
-        ->check(CLI::Range(1, 1 << 20))
-        ->type_name("N");
-    c->add_option("--noise", o.truth.truth.noise, "With --area: wanted standard error of a pixel (default 0.005)")
-        ->check(CLI::Range(0.0, 1.0))
-        ->type_name("E");
+    auto* samples = c->add_option("--samples", o.truth.truth.samples,
+                                  "With --area: most rays a pixel (default 1024). As --set truth.samples=N")
+                        ->check(CLI::Range(1, 1 << 20))
+                        ->type_name("N");
+    auto* noise = c->add_option("--noise", o.truth.truth.noise,
+                                "With --area: wanted standard error of a pixel (default 0.005). As --set truth.noise=E")
+                      ->check(CLI::Range(0.0, 1.0))
+                      ->type_name("E");
     c->add_option("--threads", o.truth.threads, "Threads that trace (default: all)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
     add_size(*c, o, "1280x720");
     c->add_option("--report", o.truth.report, "Write counts, rays, noise and times as JSON")->type_name("F.json");
-    c->callback([&o, &run] {
-        run = [&o] {
+    c->callback([&o, &run, area, samples, noise] {
+        run = [&o, area, samples, noise] {
             o.truth.session = o.session;
+            std::vector<std::string>& sets = o.truth.session.sets;
+            if (area->count()) sets.push_back("truth.area=true");
+            if (samples->count()) sets.push_back(fmt::format("truth.samples={}", o.truth.truth.samples));
+            if (noise->count()) sets.push_back(fmt::format("truth.noise={}", o.truth.truth.noise));
             o.truth.output = o.output;
             o.truth.size = size_of(o);
             run_truth(o.truth);
@@ -219,7 +238,7 @@ void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
     add_size(*c, o, "1600x900");
     c->add_option("--probe", o.probe.pixel, "Probe this pixel of the scene's picture at the start")->type_name("X,Y");
     c->add_option("--tab", o.editor.tab,
-                  "The tab in front at the start: passes, probe, objects, compare, frontier or log");
+                  "The tab in front at the start: passes, probe, error, objects, compare, frontier or log");
     c->add_option("--sweep", o.editor.sweep, "Show the sweep in this folder in the tab frontier")->type_name("DIR");
     c->add_flag("--no-state", o.no_state,
                 "Neither read nor keep layout, recent files and autosaves "

@@ -23,7 +23,7 @@ namespace si {
 namespace {
 
 constexpr double kPollSeconds = 0.4;  ///< between looks at shader files and blinks of a text cursor
-constexpr double kLoadingPollSeconds = 0.05;  ///< between looks at what is being read or measured
+constexpr double kLoadingPollSeconds = 0.05;  ///< between looks at what is being read, measured or traced
 constexpr int kSettleFrames = 3;      ///< frames that ImGui takes to settle after input
 
 /// ImGui's hold on the window's callbacks.
@@ -76,11 +76,11 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         if (due > 0)
             window.poll_events();
         else
-            window.wait_events(model.loading() || model.measuring() ? kLoadingPollSeconds : kPollSeconds);
+            window.wait_events(model.loading() || model.measuring() || model.tracing() ? kLoadingPollSeconds : kPollSeconds);
         if (window.take_input()) due = kSettleFrames;
         for (const auto& path : window.take_dropped()) model.open(path), due = kSettleFrames;
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
-        if (model.loading_moved() || model.measuring_moved()) due = std::max(due, 1);
+        if (model.loading_moved() || model.measuring_moved() || model.tracing_moved()) due = std::max(due, 1);
         model.keep();
         const int width = window.framebuffer_width(), height = window.framebuffer_height();
         if (due == 0 || width == 0 || height == 0) {

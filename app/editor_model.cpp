@@ -38,7 +38,7 @@ Settings rebased(const Settings& settings, const Settings& from, const Settings&
 
 BottomTab tab_named(const std::string& name) {
     static const std::vector<std::pair<std::string, BottomTab>> kTabs = {
-        {"passes", BottomTab::Passes},   {"probe", BottomTab::Probe},       {"objects", BottomTab::Objects},
+        {"passes", BottomTab::Passes},   {"probe", BottomTab::Probe},       {"error", BottomTab::Error}, {"objects", BottomTab::Objects},
         {"compare", BottomTab::Compare}, {"frontier", BottomTab::Frontier}, {"log", BottomTab::Log}};
     std::string names;
     for (const auto& [key, tab] : kTabs) {
@@ -80,6 +80,11 @@ EditorFrame EditorModel::facts() const {
     f.result = drawn_ ? &result_ : nullptr;
     readings_.fill(f);
     f.tuning = tuner_.facts();
+    if (drawn_) {
+        f.truth = truth_.facts(result_);
+        f.error = result_.error.get();
+    }
+    f.against = against_.facts();
     f.presets = desk_.entries();
     f.comparison = comparison_;
     f.unsaved = unsaved_;
@@ -269,19 +274,25 @@ bool EditorModel::draw_scene(const EditorActions& actions) {
     wanted.outputs.shadow_map = actions.want_map;
     wanted.outputs.overlay = true;
     wanted.outputs.map_coordinates = actions.want_links;
+    wanted.outputs.error = actions.want_error;
+    wanted.outputs.true_colour = state.against.view != AgainstView::Off && state.against.truth;
     wanted.timing = actions.want_timing;
+    wanted.truth = truth_.picture();
     if (!has_scene_) return false;
+    // Held against another, the picture is one pane.
+    Settings settings = state.settings;
+    if (state.against.view != AgainstView::Off) settings.view.panes = int(Panes::One);
     const bool same = drawn_ && !shaders_changed_ && wanted.width == request_.width &&
                       wanted.height == request_.height && wanted.outputs == request_.outputs &&
-                      wanted.timing == request_.timing && drawn_settings_ == state.settings &&
-                      drawn_scene_ == scene_.id;
+                      wanted.timing == request_.timing && wanted.truth == request_.truth &&
+                      drawn_settings_ == settings && drawn_scene_ == scene_.id;
     if (same || actions.scene_width < 1) return false;
     request_ = wanted;
-    drawn_settings_ = state.settings;
+    drawn_settings_ = settings;
     drawn_scene_ = scene_.id;
     shaders_changed_ = false;
     try {
-        result_ = renderer_.render(scene_, state.settings, request_);
+        result_ = renderer_.render(scene_, drawn_settings_, request_);
         drawn_ = true;
         problem_.clear();
     } catch (const std::exception& e) {
@@ -311,6 +322,21 @@ bool EditorModel::follow_measuring(const EditorActions& actions) {
     const bool had_problem = !sweep_.facts().problem.empty();
     const bool changed = sweep_.update(state);
     if (!had_problem && !sweep_.facts().problem.empty()) report("The sweep ended: " + sweep_.facts().problem);
+    return changed;
+}
+
+bool EditorModel::follow_truth(const EditorActions& actions, bool drawn) {
+    if (!drawn_) {
+        truth_.clear();
+        against_.clear();
+        return false;
+    }
+    const bool was_busy = truth_.busy();
+    const EditorTruth::Wishes wishes{actions.cancel_truth, actions.save_error};
+    bool changed = truth_.update(renderer_, scene_, drawn_settings_, request_, result_, drawn, wishes);
+    if (!was_busy && truth_.busy()) drawn_scene_ = 0;  // it drew another request: the map viewer's depth is to be drawn anew
+    if (const std::string remark = truth_.take_remark(); !remark.empty()) state.log.add(LogKind::Info, remark);
+    changed |= against_.update(renderer_, scene_, state, request_, result_, drawn, comparison_);
     return changed;
 }
 
@@ -418,6 +444,12 @@ bool EditorModel::fulfil(const EditorActions& actions) {
             readings_.clear();
     } catch (const std::exception& e) {
         readings_.clear();
+        report(e.what());
+        changed = true;
+    }
+    try {
+        changed |= follow_truth(actions, drawn);
+    } catch (const std::exception& e) {
         report(e.what());
         changed = true;
     }

@@ -9,10 +9,12 @@
 
 #include "app/command_line.h"
 #include "app/editor.h"
+#include "app/editor_against.h"
 #include "app/editor_memory.h"
 #include "app/editor_readings.h"
 #include "app/editor_sweep.h"
 #include "app/editor_tuner.h"
+#include "app/editor_truth.h"
 #include "app/preset_desk.h"
 #include "app/scene_loading.h"
 #include "app/session.h"
@@ -50,6 +52,11 @@ public:
     bool measuring_moved() const { return sweep_.moved() || readings_.has_news() || tuner_.moved(); }
     /// Waits until nothing is being measured.
     void finish_measuring() { sweep_.wait(), readings_.finish_tracing(), tuner_.wait(); }
+    /// Rays are being traced, or something is made of them.
+    bool tracing() const { return truth_.busy(); }
+    /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
+    bool tracing_moved() const { return truth_.moved(); }
+    void finish_tracing() const { truth_.wait(); }
     /// Waits for the scene that is being read and switches to it.
     void finish_loading();
     /// @throws Error why there is no scene, or (headless) what of the options the first one lacks.
@@ -105,6 +112,8 @@ private:
     bool follow_measuring(const EditorActions& actions);
     void take_sweep_base();
     bool draw_scene(const EditorActions& actions);
+    /// Traces and compares what is shown. Returns whether the editor now shows something else.
+    bool follow_truth(const EditorActions& actions, bool drawn);
     void save_map(const std::string& path);
     void start_tuning(const TuneWish& wish);
     /// Takes over what a search found. Returns whether it ended.
@@ -140,6 +149,8 @@ private:
     EditorReadings readings_;
     EditorSweep sweep_;
     EditorTuner tuner_;
+    EditorTruth truth_;
+    EditorAgainst against_;
 };
 
 }  // namespace si

@@ -63,7 +63,8 @@ bool EditorModel::compare() {
     const bool unsaved = has_scene_ && (known ? !desk_.holds(state.preset_path, state.scene_name, state.settings)
                                               : state.settings != given_);
     const std::optional<CompareWith> before = comparison_ ? std::optional(comparison_->with) : std::nullopt;
-    const bool shown = has_scene_ && state.tab == BottomTab::Compare;
+    const bool against = state.against.view != AgainstView::Off && !state.against.truth;
+    const bool shown = has_scene_ && (state.tab == BottomTab::Compare || against);
     comparison_ = shown ? &desk_.compare(state.compare, base_settings(scene_), state.scene_name) : nullptr;
     const std::optional<CompareWith> after = comparison_ ? std::optional(comparison_->with) : std::nullopt;
     return std::exchange(unsaved_, unsaved) != unsaved || before != after;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "renderer/error.h"
+#include "renderer/reference/live_error.h"
 
 namespace si {
 
@@ -39,6 +40,16 @@ struct HeadlessEditor::Canvas {
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 };
+
+namespace {
+
+/// A truth was asked for that is still to be traced, or edges of it are to be found.
+bool lacks_truth(const EditorFrame& f) {
+    if (!f.truth || !f.truth->wanted || !f.truth->problem.empty()) return false;
+    return !f.truth->current || (f.error && f.error->undecided > 0);
+}
+
+}  // namespace
 
 float screenshot_scale(int height) {
     return std::clamp(std::round(float(height) / 1080 * 4) / 4, 1.0f, 4.0f);
@@ -78,13 +89,14 @@ EditorActions HeadlessEditor::frame() {
 void HeadlessEditor::settle() {
     do {
         model_->finish_loading();
+        model_->finish_tracing();
         // Sizes settle in two frames, the picture of that size is there in the next, numbers read from it in one more.
         for (int i = 0; i < 6; ++i) frame();
         if (model_->measuring()) {
             model_->finish_measuring();
             frame(), frame();
         }
-    } while (model_->loading() || model_->measuring());  // a frame may ask for a scene, or for the truth
+    } while (model_->loading() || model_->measuring() || model_->tracing() || lacks_truth(model_->facts()));
 }
 
 ByteImage HeadlessEditor::picture() const {

@@ -1,6 +1,7 @@
 #include "app/notes.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -21,6 +22,17 @@ std::string one_line(const std::string& text) {
     }
     while (line.ends_with("; ")) line.erase(line.size() - 2);
     return line;
+}
+
+Workers tracing_workers(int threads) {
+    Workers workers{.threads = threads};
+    if (!::isatty(STDERR_FILENO)) return workers;
+    workers.progress = [last = -1](double t) mutable {
+        const int percent = int(t * 100);
+        if (percent != last) fmt::print(stderr, "\rtracing {} %{}", last = percent, percent == 100 ? "\r\033[K" : "");
+        std::fflush(stderr);
+    };
+    return workers;
 }
 
 void print_notes(const std::vector<std::string>& notes) {

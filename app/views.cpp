@@ -8,6 +8,7 @@
 #include "app/output.h"
 #include "renderer/error.h"
 #include "renderer/param.h"
+#include "renderer/reference/truth_picture.h"
 #include "renderer/techniques.h"
 
 namespace si {
@@ -112,7 +113,7 @@ PaneGrid picture_grid(const Settings& settings, int width, int height) {
 }
 
 void write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request, const View& view,
-                const std::string& path, FrameResult* frame) {
+                const std::string& path, FrameResult* frame, const Workers& workers) {
     const bool floats = lower_extension(path) == ".pfm";
     if (view.overlay > 0) settings.view.overlay = view.overlay;
     // Only the picture itself has panes: whatever is asked for by another name is one picture.
@@ -131,7 +132,9 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
     const int width = request.width, height = request.height;
     const PaneGrid grid = picture_grid(settings, width, height);
     if (grid.count() > 1) request.width = grid.width, request.height = grid.height;
-    const FrameResult result = renderer.render(scene, settings, request);
+    TruthCache truths;
+    // The renderer's frame may lack what overlays judge by.
+    const FrameResult result = render_with_truth(renderer, scene, settings, request, truths, workers);
     if (frame) *frame = result;
     if (depth) {
         if (view.key == "shadow-map") require_map(settings, result);

@@ -6,6 +6,7 @@
 
 #include "renderer/frame.h"
 #include "renderer/pane_grid.h"
+#include "renderer/reference/workers.h"
 #include "renderer/renderer.h"
 
 namespace si {
@@ -25,10 +26,10 @@ View find_view(const std::string& key);
 PaneGrid picture_grid(const Settings& settings, int width, int height);
 
 /// Draws `view` into the file, PNG or PFM by extension; the picture of several panes (view.panes) as one of the size
-/// asked for. `frame` gets the facts.
+/// asked for. What its overlays need of the truth is traced by `workers`. `frame` gets the facts.
 /// @throws Error when the light has no map, or the file cannot be written.
 void write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request, const View& view,
-                const std::string& path, FrameResult* frame = nullptr);
+                const std::string& path, FrameResult* frame = nullptr, const Workers& workers = {});
 
 /// @throws UsageError unless `path` ends in .png, or in .pfm and the view is scalar.
 void check_view_file(const View& view, const std::string& path);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@
 
 namespace si {
 
+struct TruthPicture;  // renderer/reference/truth_picture.h
+struct LiveError;     // renderer/reference/live_error.h
+
 /// Outputs a frame can be asked for. Passes nobody's output depends on do not run.
 struct Outputs {
     bool colour = true;      ///< the panes' pictures: shaded, with their overlays and the texel slabs over them
@@ -21,6 +25,8 @@ struct Outputs {
     bool overlay = false;    ///< the raw values of the panes' overlays
     bool surface_ids = false; ///< the object and triangle behind each pixel
     bool map_coordinates = false;  ///< where in the map of view.light each pixel's kernel is centred
+    bool error = false;        ///< what is wrong with the shadows of view.light, in numbers; needs FrameRequest::truth
+    bool true_colour = false;  ///< the picture as the truth lights it; needs FrameRequest::truth
     bool operator==(const Outputs&) const = default;
 };
 
@@ -30,6 +36,8 @@ struct FrameRequest {
     bool timing = false;   ///< measure each pass (costs time itself)
     bool force = false;    ///< run every pass even when its result is cached
     bool no_skip = false;  ///< run passes that the scene does not call for (must not change the picture)
+    /// What rays found for this very view and light; another one's is left unused. See FrameResult::truth.
+    std::shared_ptr<const TruthPicture> truth;
 };
 
 enum class PassState { Ran, Reused, Skipped };
@@ -54,6 +62,14 @@ struct Pane {
     Image values;     ///< RGBA32F, x is the value of scalar overlays, a is 0 where nothing was drawn; empty: no overlay
     int overlay = 0;  ///< 0 none, else row of the overlay table + 1
     float overlay_min = 0, overlay_max = 1;  ///< the colour scale in use
+    bool lacks_truth = false;  ///< its overlay needs a truth that FrameRequest did not bring; it is not drawn
+};
+
+/// What truth a frame asks for, and whether it had it.
+struct TruthNeed {
+    std::uint64_t key = 0;        ///< truth_key() of this frame; 0: nothing asks for it, or there is no light
+    std::uint64_t edges_key = 0;  ///< of what true edges near a kernel depend on beside it
+    bool met = false;             ///< FrameRequest::truth was the one
 };
 
 struct FrameResult {
@@ -69,6 +85,9 @@ struct FrameResult {
     /// the layer among that light's views, and 1 where the kernel reads a texel of it, else 0. Empty without a map.
     Image map_coordinates;
     Image surface_ids; ///< RG32UI, see SurfaceIds
+    Image true_colour; ///< RGBA8, as `colour` without overlays
+    TruthNeed truth;
+    std::shared_ptr<const LiveError> error;  ///< null unless asked for and truth.met
     int map_resolution = 0;
     float overlay_min = 0, overlay_max = 1;  ///< the first pane's colour scale
     Image map_view;    ///< RGBA8: the depth image of view.map_source as view.map shows it

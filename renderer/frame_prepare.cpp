@@ -5,6 +5,7 @@
 
 #include "renderer/driver.h"
 #include "renderer/param.h"
+#include "renderer/reference/truth_picture.h"
 #include "renderer/renderer_impl.h"
 #include "renderer/settings_block.h"
 
@@ -109,18 +110,52 @@ void choose_kernel(FrameState& f) {
     f.surface_flags = needs_surface_flags(f);
 }
 
+/// What truth the frame needs, and whether the request brings it.
+void find_truth(FrameState& f, std::span<const int> shown_overlays) {
+    const Outputs& o = f.request.outputs;
+    bool asked = o.error || o.true_colour;
+    if (o.colour || o.overlay)
+        for (const int overlay : shown_overlays) asked |= overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_truth;
+    if (!asked) return;
+    const int light = f.settings.view.light;
+    f.truth.key = truth_key(f.scene, f.settings, f.camera, f.request.width, f.request.height, f.gl.fitted, light,
+                            truth_options(f.settings));
+    if (f.truth.key == 0) {
+        f.notes.push_back("there is no light to trace the truth of");
+        return;
+    }
+    // Where in the map each pixel's kernel is centred.
+    Key edges;
+    edges.add(f.truth.key).add(texel_rays_key(f.gl.fitted[std::size_t(light)], f.map_resolution));
+    edges.add(f.settings.bias.normal);
+    edges.add(f.settings.bias.normal_source).add(f.settings.shading.textures);
+    f.truth.edges_key = edges.value();
+    const TruthPicture* truth = f.request.truth.get();
+    f.truth.met = truth && truth->key == f.truth.key;
+    if (!f.truth.met) return;
+    Key content;
+    content.add(truth->version).add(truth->edges && truth->edges_key == f.truth.edges_key);
+    f.truth_content = content.value();
+}
+
 /// Which panes there are and what they need.
 void arrange_panes(FrameState& f) {
     const ViewSettings& v = f.settings.view;
-    const int overlays[kMaxPanes] = {v.overlay, v.overlay_2, v.overlay_3, v.overlay_4};
+    const int chosen[kMaxPanes] = {v.overlay, v.overlay_2, v.overlay_3, v.overlay_4};
     const int count = v.panes == int(Panes::Four) ? 4 : v.panes == int(Panes::Two) ? 2 : 1;
     const Outputs& o = f.request.outputs;
-    f.separate_visibility = o.visibility || f.settings.shading.separate_visibility;
+    find_truth(f, {chosen, std::size_t(count)});
+    f.separate_visibility = o.visibility || f.settings.shading.separate_visibility ||
+                            (f.truth.met && (o.error || o.true_colour));
+    int shown[kMaxPanes];
+    bool lacks[kMaxPanes];
     for (int i = 0; i < count; ++i) {
-        const int slot = int(std::find(overlays, overlays + i, overlays[i]) - overlays);
-        f.panes.push_back({overlays[i], slot});
+        lacks[i] = chosen[i] > 0 && overlays()[std::size_t(chosen[i] - 1)].reads_truth && !f.truth.met;
+        shown[i] = lacks[i] ? 0 : chosen[i];
+        const int slot = int(std::find(shown, shown + i, shown[i]) - shown);
+        f.panes.push_back({shown[i], slot, lacks[i]});
         const Overlay* row = f.panes.back().row();
-        f.separate_visibility |= row && row->reads_visibility && (o.overlay || o.colour);
+        f.separate_visibility |= row && (row->reads_visibility || row->reads_truth) && (o.overlay || o.colour);
     }
     f.slabs_shown = v.slabs != int(Slabs::None) && f.shown_view();
 }

@@ -26,7 +26,7 @@ Image visibility_image(Resources& r, int light) {
 void describe_panes(const FrameState& f, FrameResult& result) {
     const Outputs& o = f.request.outputs;
     for (const FrameState::ShownPane& shown : f.panes) {
-        Pane pane{.overlay = shown.overlay};
+        Pane pane{.overlay = shown.overlay, .lacks_truth = shown.lacks_truth};
         if (o.colour) pane.picture = image_of(f.target_of(shown));
         if (shown.row()) {
             if (o.colour || o.overlay) pane.values = image_of(f.gl.panes[std::size_t(shown.slot)].values);
@@ -65,8 +65,11 @@ void describe_frame(FrameState& f, FrameResult& result) {
     r.shown = {};
     if (valid("map viewer")) describe_map_view(f, result);
     if (valid("visibility")) result.visibility = visibility_image(r, f.settings.view.light);
+    if (valid("errors summed up")) result.error = r.error;
+    if (valid("shading by the truth")) result.true_colour = image_of(r.true_shaded);
     if (valid("surface ids")) result.surface_ids = image_of(r.surface_ids);
     if (valid("map coordinates")) result.map_coordinates = image_of(r.map_coordinates);
+    result.truth = f.truth;
     result.camera = f.camera;
     result.lights = r.fitted;
     result.notes = std::move(f.notes);

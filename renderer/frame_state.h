@@ -22,7 +22,7 @@
 namespace si {
 
 /// Texture units, the same in every program (layout(binding) in shaders/).
-enum Unit : GLuint { kShadowMap, kShadowMapCompare, kBaseColour, kVisibility, kShaded, kOverlayValues, kNormalMap };
+enum Unit : GLuint { kShadowMap, kShadowMapCompare, kBaseColour, kVisibility, kShaded, kOverlayValues, kNormalMap, kTruth, kEdges, kJudged };
 
 inline constexpr int kMaxPanes = 4;
 
@@ -62,6 +62,11 @@ struct Resources {
     gl::Framebuffer map_framebuffer, camera_depth_framebuffer, visibility_framebuffer, shaded_framebuffer,
         map_coordinates_framebuffer, depth_range_framebuffer, map_view_framebuffer, surface_ids_framebuffer;
     SlabResources slabs;
+    gl::Target truth, edges;                ///< of the truth picture; the key of `truth` is its version
+    gl::Target judged, error_tiles;         ///< RGBA32F, see judge.frag.glsl and error_tiles.frag.glsl
+    gl::Target true_shaded;
+    gl::Framebuffer judged_framebuffer, error_tiles_framebuffer, true_shaded_framebuffer;
+    std::shared_ptr<const LiveError> error; ///< of the error tiles
     std::uint64_t depth_key = 0;            ///< of the camera depth: what of the scene is in it
     std::uint64_t fit_key = 0;
     std::vector<FittedLight> fitted;
@@ -96,10 +101,13 @@ struct FrameState {
     struct ShownPane {
         int overlay = 0;  ///< as view.overlay
         int slot = 0;
+        bool lacks_truth = false;  ///< `overlay` is 0 for that
         const Overlay* row() const { return overlay > 0 ? &overlays()[std::size_t(overlay - 1)] : nullptr; }
     };
     std::vector<ShownPane> panes;
     bool slabs_shown = false;  ///< view.slabs has a map to show
+    TruthNeed truth;           ///< what the frame needs of a truth, and whether request.truth is it
+    std::uint64_t truth_content = 0;  ///< key of what of it is used
 
     /// The view of a light whose map is shown (view.light, view.face), or null. `layer` is its layer of the maps.
     const LightView* shown_view(int* layer = nullptr) const;
@@ -136,12 +144,19 @@ struct FrameState {
     static void draw_fullscreen(PassInfo& info);
 };
 
+/// Defines and texture for shaders that read the truth (lib/truth.glsl).
+std::vector<gl::Define> truth_defines(const FrameState& f);
+void bind_truth(const FrameState& f);
+
 // One function per pass; each appends itself to the plan. (renderer/passes/)
 void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan);
 void add_depth_blur_pass(FrameState& f, std::vector<Pass>& plan);
 void add_camera_depth_pass(FrameState& f, std::vector<Pass>& plan);
 void add_surface_ids_pass(FrameState& f, std::vector<Pass>& plan);
 void add_visibility_pass(FrameState& f, std::vector<Pass>& plan);
+/// Uploads the truth, judges each pixel by it, and sums up.
+void add_truth_passes(FrameState& f, std::vector<Pass>& plan);
+void add_true_shade_pass(FrameState& f, std::vector<Pass>& plan);
 void add_shade_pass(FrameState& f, std::vector<Pass>& plan);
 void add_pane_passes(FrameState& f, std::vector<Pass>& plan);
 void add_map_coordinates_pass(FrameState& f, std::vector<Pass>& plan);

@@ -40,6 +40,8 @@ std::vector<std::string> wanted_results(const FrameState& f) {
     }
     if (o.surface_ids) wanted.push_back("surface ids");
     if (o.visibility) wanted.push_back("visibility");
+    if (o.error) wanted.push_back("error");
+    if (o.true_colour) wanted.push_back("true picture");
     if (o.map_coordinates) wanted.push_back("map coordinates");
     if (o.shadow_map) wanted.insert(wanted.end(), {"map view", "shadow maps"});
     return wanted;
@@ -48,7 +50,9 @@ std::vector<std::string> wanted_results(const FrameState& f) {
 }  // namespace
 
 Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
-Renderer::~Renderer() = default;
+Renderer::~Renderer() {
+    glUseProgram(0);  // so that nobody restores a program that is gone
+}
 
 FrameResult Renderer::render(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     if (request.width < 1 || request.height < 1 || request.width > impl_->driver.max_texture_size ||
@@ -62,6 +66,8 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
     add_camera_depth_pass(f, plan);
     add_surface_ids_pass(f, plan);
     add_visibility_pass(f, plan);
+    add_truth_passes(f, plan);
+    add_true_shade_pass(f, plan);
     add_shade_pass(f, plan);
     add_pane_passes(f, plan);
     add_map_coordinates_pass(f, plan);

@@ -140,6 +140,15 @@ struct ViewSettings {
     bool operator==(const ViewSettings&) const = default;
 };
 
+/// The ray-traced truth that the shadows of view.light are compared with.
+struct TruthSettings {
+    bool area = false;
+    int samples = 1024;
+    double noise = 0.005;
+    int step = 1;
+    bool operator==(const TruthSettings&) const = default;
+};
+
 /// What one object does differently from the scene; keyed by its node path.
 struct ObjectSettings {
     int cull = 0;  ///< ObjectCull
@@ -159,6 +168,7 @@ struct Settings {
     std::array<LightSettings, kMaxLights> lights{};
     ShadingSettings shading;
     ViewSettings view;
+    TruthSettings truth;
     std::map<std::string, ObjectSettings> objects;
     bool operator==(const Settings&) const = default;
 };

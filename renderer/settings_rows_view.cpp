@@ -94,6 +94,25 @@ constexpr auto kScene = std::to_array<Param>({
 });
 static_assert(kScene.size() == members<SceneSettings>(), "a member of SceneSettings has no row");
 
+std::string_view area_idle(const Settings& s, int) {
+    return s.truth.area ? "" : "without effect: truth.area is off";
+}
+
+constexpr auto kTruth = std::to_array<Param>({
+    {SI_FIELD(truth.area), .label = "Light with its size", .unit = "",
+     .help = "Compare with a light of its size (light.size), which casts penumbras. Off: with a point or a direction, which "
+             "casts hard shadows."},
+    {SI_FIELD(truth.samples), .label = "Most rays", .unit = "", .min = 1, .max = 1 << 20, .logarithmic = true, .idle = area_idle,
+     .help = "Most rays of a pixel to a light of size: 64 everywhere, then four times as many, and again, where the noise "
+             "demands it."},
+    {SI_FIELD(truth.noise), .label = "Noise", .unit = "", .min = 0, .max = 1, .logarithmic = true, .idle = area_idle,
+     .help = "Wanted standard error of a pixel's true visibility under a light of size."},
+    {SI_FIELD(truth.step), .label = "Pixel step", .unit = "px", .min = 1, .max = 8,
+     .help = "Every that many pixels, across and down, are traced and compared: 1 is every pixel, 2 one of four (half "
+             "resolution)."},
+});
+static_assert(kTruth.size() == members<TruthSettings>(), "a member of TruthSettings has no row");
+
 constexpr Choice kObjectCulls[] = {
     {"inherit", "as the scene", "As caster.cull says."},
     {"none", "none", "Every triangle of the object casts."},
@@ -122,6 +141,10 @@ std::span<const Param> camera_rows() {
 }
 std::span<const Param> scene_rows() {
     return kScene;
+}
+
+std::span<const Param> truth_rows() {
+    return kTruth;
 }
 
 std::span<const Param> object_rows() {

@@ -31,6 +31,7 @@ struct Overlay {
     double min = 0, max = 1;    ///< colour scale when view.overlay_range is declared
     bool diverging = false;     ///< the scale is centred on zero
     bool reads_visibility = false;  ///< asks for the visibility texture
+    bool reads_truth = false;       ///< asks for the traced truth and for what it makes of the visibility
     OverlayDraw draw = OverlayDraw::Fragments;
 };
 

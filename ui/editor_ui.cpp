@@ -52,6 +52,10 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (pressed('L')) toggle_light_camera(state);
     if (pressed(' ')) toggle_play(state, frame);
     if (pressed('K')) toggle_frozen_camera(state, frame);
+    if (pressed('B')) state.against.view = AgainstView((int(state.against.view) + 1) % 4);
+    for (const auto& [key, step] : {std::pair{',', -0.02f}, std::pair{'.', 0.02f}})
+        if (state.against.view == AgainstView::Swipe && ImGui::IsKeyPressed(int(key)))
+            state.against.at = std::clamp(state.against.at + step * (io.KeyShift ? 5 : 1), 0.0f, 1.0f);
     if (pressed('M')) s.view.map = (s.view.map + 1) % 3;
     if (pressed(ImGuiKey_Home)) reset_camera(state, frame);
     if (pressed(ImGuiKey_Escape)) {
@@ -93,11 +97,22 @@ void tab(EditorState& state, BottomTab which, const char* label, const auto& dra
     ImGui::EndTabItem();
 }
 
+/// The legend of that overlay has numbers.
+bool shows_artefacts(const Settings& settings) {
+    const ViewSettings& v = settings.view;
+    const int shown[] = {v.overlay, v.overlay_2, v.overlay_3, v.overlay_4};
+    const int panes = v.panes == int(Panes::Four) ? 4 : v.panes == int(Panes::Two) ? 2 : 1;
+    return std::any_of(shown, shown + panes, [](int overlay) {
+        return overlay > 0 && overlays()[std::size_t(overlay - 1)].key == "artefacts";
+    });
+}
+
 void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     if (!ImGui::BeginTabBar("bottom")) return;
     const auto asked = state.open_tab;
     tab(state, BottomTab::Passes, "Passes", [&] { draw_passes(frame); });
     tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame); });
+    tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, actions); });
     tab(state, BottomTab::Objects, "Objects", [&] { draw_objects(state, frame); });
     tab(state, BottomTab::Compare, "Compare", [&] { draw_compare(state, frame, actions); });
     tab(state, BottomTab::Frontier, "Frontier", [&] { draw_frontier(state, frame, actions); });
@@ -185,6 +200,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     ImGui::End();
 
     actions.want_timing = state.tab == BottomTab::Passes;
+    actions.want_error = state.tab == BottomTab::Error || shows_artefacts(state.settings);
     const bool turning_wheel = ImGui::GetTime() < state.wheel_until;
     const bool gesture = ImGui::IsAnyItemActive() || state.dragging || turning_wheel;
     state.history.set_place({state.scene_name, state.guide});

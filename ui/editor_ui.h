@@ -60,7 +60,7 @@ struct Playback {
     double speed = 1;  ///< seconds of the animation in a second
 };
 
-enum class BottomTab { Passes, Probe, Objects, Compare, Frontier, Log };
+enum class BottomTab { Passes, Probe, Error, Objects, Compare, Frontier, Log };
 
 /// What the present state is compared with.
 enum class CompareKind { Scene, Defaults, Preset };
@@ -68,6 +68,15 @@ struct CompareWith {
     CompareKind kind = CompareKind::Scene;
     std::string preset;  ///< built-in key or path
     bool operator==(const CompareWith&) const = default;
+};
+
+/// What the picture shown is held against, and how.
+enum class AgainstView { Off, Swipe, SideBySide, Difference };
+struct Against {
+    AgainstView view = AgainstView::Off;
+    bool truth = true;   ///< the ray-traced truth; else what EditorState::compare names
+    float at = 0.5f;     ///< where the swipe's line stands: share of the picture's width, what is shown on its left
+    bool held = false;   ///< the line is being dragged
 };
 
 /// A file that exists and is to be replaced, once a person agrees.
@@ -92,6 +101,8 @@ struct EditorState {
     GuideNote guide;           ///< of the preset that was opened last
     std::string hidden_guide;  ///< key of the note that is not to be shown
     CompareWith compare;
+    Against against;
+    std::string error_path = "error.json";  ///< that the error panel's Save writes
     FileDialog file_dialog;
     std::optional<Replacement> replace;
     bool between_steps = false;  ///< undo or redo waits for the scene of its step
@@ -145,6 +156,27 @@ struct ComparisonFacts {
     std::string problem;  ///< why there are no settings
 };
 
+/// What is known of the ray-traced truth about the frame.
+struct TruthFacts {
+    bool current = false;          ///< the frame shown is judged by it
+    bool wanted = false;           ///< something that is shown asks for it
+    std::string doing;             ///< what runs in the background: "Tracing rays"; empty: nothing
+    double progress = 0;           ///< 0..1, of that
+    std::string problem;           ///< why there is none
+    double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time of the last trace; 0 where it was known
+    std::uint64_t rays = 0;
+    double noise = 0;              ///< of a light of size: root mean square of the pixels' standard errors
+    int width = 0, height = 0;     ///< in pixels
+};
+
+/// The picture that the one shown is held against.
+struct AgainstFacts {
+    Image picture, difference;  ///< without a texture: not there yet
+    std::string label;          ///< what it shows: "Truth", "PCF 5x5"
+    std::string problem;        ///< why there is none
+    double mae = 0;             ///< mean |A - B| of the pictures' channels, 0..1; with the difference
+};
+
 /// A scene that is being read while the editor shows another.
 struct LoadingFacts {
     std::string name;         ///< built-in key or path
@@ -195,6 +227,9 @@ struct EditorFrame {
     std::string_view problem;  ///< why there is no picture
     std::optional<LoadingFacts> loading;
     const SweepFacts* sweep = nullptr;
+    std::optional<TruthFacts> truth;
+    const LiveError* error = nullptr;  ///< of the frame shown; null: not known
+    std::optional<AgainstFacts> against;
 };
 
 struct EditorActions {
@@ -206,6 +241,9 @@ struct EditorActions {
     bool want_links = false;       ///< which pixel reads which texel: a picture is hovered and nothing is dragged
     bool want_frozen_usage = false;  ///< what the frozen camera reads: the map is shown and nothing is dragged
     bool want_timing = false;
+    bool want_error = false;        ///< the error panel is shown
+    bool cancel_truth = false;
+    std::optional<std::string> save_error;  ///< all metrics as JSON into this file
     std::optional<std::string> load_scene, load_preset, save_preset, save_map;
     std::optional<std::string> open_file;   ///< a scene or a preset, by its extension
     std::optional<std::string> save_about;  ///< the sentence to save along

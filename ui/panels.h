@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "ui/editor_ui.h"
+#include "ui/picture_view.h"
 
 namespace si {
 
@@ -13,6 +14,8 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_passes(const EditorFrame& frame);
 void draw_probe(EditorState& state, const EditorFrame& frame);
+/// What is wrong with the shadows of the shown light, in numbers.
+void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_objects(EditorState& state, const EditorFrame& frame);
 void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 /// What accuracy costs in time.
@@ -34,6 +37,22 @@ std::optional<std::string> neighbour_preset(const EditorState& state, const Edit
 /// The colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner; `room` is the
 /// picture's size on the screen.
 void draw_legend(const Pane& pane, float left, float bottom, ImVec2 room);
+
+/// The colours of the artefact overlay with what they mean and how many pixels have them, in its picture's corner.
+void draw_artefact_legend(const LiveError* error, float left, float bottom, float room);
+
+/// How far the truth is, or what it took. Only where frame.truth is.
+std::string truth_status(const EditorFrame& frame);
+
+/// Over a picture whose overlay waits for rays: what is done about it, and how far.
+void draw_tracing(const EditorFrame& frame, EditorActions& actions, float left, float bottom, float width);
+
+/// Chooses what the picture is held against, in the present line.
+void against_widgets(EditorState& state, const EditorFrame& frame);
+/// A press of the mouse on the swipe's line drags it. Call before the picture's own gestures: returns whether it did.
+bool steer_swipe(EditorState& state, const PictureView& view);
+/// The other picture, right of the line, beside or as a difference, and what the sides are. Pixels of the screen.
+void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
 
 /// What is being read, and a button that cancels, at the top of a picture. Pixels of the screen.
 void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, float top, float width);

@@ -26,6 +26,7 @@ constexpr Group kGroups[] = {
     {"bias", "Bias", true},      {"filter", "Filter", true},    {"map", "Shadow map", true},
     {"caster", "Casters", true}, {"light", "Lights", true},     {"camera", "Camera", false},
     {"scene", "Scene and time", false},    {"shading", "Shading", false}, {"view", "View", false},
+    {"truth", "Truth", false},
 };
 
 std::string_view prefix_of(std::string_view key) {

@@ -25,6 +25,8 @@ constexpr std::pair<const char*, const char*> kShortcuts[] = {
     {"Space", "play or pause the animation"},
     {"1 to 9", "overlays; the same key again, or 0: none"},
     {"M", "map viewer: raw, linear, bands"},
+    {"B", "hold the picture against the truth or another preset: swipe, side by side, difference"},
+    {", and .", "move the swipe's line; Shift: farther"},
     {"Ctrl+Z, Ctrl+Y", "undo, redo"},
     {"Page down, Page up", "the next, the previous guided preset"},
     {"Ctrl+O", "open a scene or a preset"},

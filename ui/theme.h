@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <array>
+#include <cstdint>
 #include <glm/glm.hpp>
 
 namespace si::theme {
@@ -37,6 +39,10 @@ inline constexpr ImU32 kNote = IM_COL32(50, 50, 52, 255);  ///< behind remarks t
 inline constexpr ImU32 kVeil = IM_COL32(18, 18, 19, 205);  ///< under text on pictures
 
 inline constexpr ImU32 kDone = IM_COL32(92, 84, 62, 255);  ///< of a progress bar: dark enough for text on it
+
+inline ImU32 rgb(const std::array<std::uint8_t, 3>& c) {
+    return IM_COL32(c[0], c[1], c[2], 255);
+}
 
 /// Fills the font atlas of the current ImGui context: [0] body, [1] strong, [2] small. Call before the first frame.
 void load_fonts(float scale);

@@ -6,6 +6,7 @@
 
 #include "renderer/pane_grid.h"
 #include "renderer/probe.h"
+#include "renderer/techniques.h"
 #include "ui/camera_steering.h"
 #include "ui/gnomon.h"
 #include "ui/light_gizmo.h"
@@ -25,8 +26,10 @@ ImTextureID texture_id(unsigned texture) {
 
 constexpr const char* kPaneOverlays[] = {"view.overlay", "view.overlay_2", "view.overlay_3", "view.overlay_4"};
 
+/// One that waits for the truth counts, so that the header, and with it the picture, keeps its size when that arrives.
 bool any_overlay(const FrameResult* result) {
-    return result && std::any_of(result->panes.begin(), result->panes.end(), [](const Pane& p) { return p.overlay > 0; });
+    return result && std::any_of(result->panes.begin(), result->panes.end(),
+                                 [](const Pane& p) { return p.overlay > 0 || p.lacks_truth; });
 }
 
 /// A button that stays down while `on`; returns whether it was pressed.
@@ -62,13 +65,22 @@ void header(EditorState& state, const EditorFrame& frame) {
         }
         setting_widget(s, key, width);
     };
-    labelled("Panes", "view.panes", em * 5);
-    if (s.view.panes == int(Panes::One)) labelled("Overlay", kPaneOverlays[0], em * (labels ? 9.5f : 5.5f));
+    const bool alone = state.against.view == AgainstView::Off;
+    if (alone) labelled("Panes", "view.panes", em * 5);
+    if (!alone || s.view.panes == int(Panes::One)) labelled("Overlay", kPaneOverlays[0], em * (labels ? 9.5f : 5.5f));
     if (any_overlay(result)) {
         labelled("Opacity", "view.overlay_opacity", em * 4.5f);
         labelled("Scale", "view.overlay_range", em * 7);
     }
-    if (!labels) return;  // the rest is among the settings or has a key
+    if (!labels && alone) return;  // the rest is among the settings or has a key
+    flow((labels ? ImGui::CalcTextSize("Against").x + gap : 0) + em * 6.5f);
+    if (labels) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("Against");
+        ImGui::SameLine();
+    }
+    against_widgets(state, frame);
+    if (!labels) return;
     labelled("Lights", "view.frustum", ImGui::GetFrameHeight());
     if (toggle("Through light", s.camera.source == int(CameraSource::Light), "Look through the shown light (L)"))
         toggle_light_camera(state);
@@ -130,6 +142,10 @@ void steer(EditorState& state, const EditorFrame& frame, EditorActions& actions,
     const PictureView view{frame.result->camera, {lo.x, lo.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
     state.scene_view = view;
     if (ImGui::IsItemActivated()) state.press_moved = state.press_taken = false;
+    if (steer_swipe(state, view)) {
+        state.press_taken = state.press_moved = true;
+        return;
+    }
     steer_gnomon(state, frame, view);
     steer_lights(state, frame, view);
     const bool taken = state.press_taken;
@@ -148,16 +164,21 @@ void steer(EditorState& state, const EditorFrame& frame, EditorActions& actions,
 
 void draw_pane(const EditorState& state, const EditorFrame& frame, const Panorama& panes, int index) {
     const FrameResult& result = *frame.result;
-    const Pane& pane = result.panes[std::size_t(index)];
+    // Beside the picture stands the other one; both under the same marks.
+    const Pane& pane = result.panes[std::min(std::size_t(index), result.panes.size() - 1)];
     const ImVec2 lo = panes.lo(index), size = panes.size(), hi(lo.x + size.x, lo.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddImage(texture_id(pane.picture.texture), lo, hi, {0, 1}, {1, 0});  // stored bottom row first
     list.PushClipRect(lo, hi, true);
+    draw_against(state, frame, {lo.x, lo.y}, {size.x, size.y}, index > 0);
     const PictureView view{result.camera, {lo.x, lo.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
     draw_scene_marks(PicturePainter(view, list), state, frame);
     draw_probe_mark(state, result, lo, size);
     draw_readers(state, frame, lo, size);
-    draw_legend(pane, lo.x, hi.y, size);
+    if (pane.overlay > 0 && overlays()[std::size_t(pane.overlay - 1)].key == "artefacts")
+        draw_artefact_legend(frame.error, lo.x, hi.y, size.x);
+    else
+        draw_legend(pane, lo.x, hi.y, size);
     if (state.hovered_pixel && index == state.active_pane) {
         const float below = panes.grid.count() > 1 ? ImGui::GetFrameHeight() * 1.3f : 0;  // the pane's overlay stands there
         hover_readout(frame, pane, {lo.x, lo.y + below}, *state.hovered_pixel);
@@ -185,7 +206,11 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
     const ImVec2 size(std::floor(std::max(available.x, 16.0f)), std::floor(std::max(available.y, 16.0f)));
     const float pixels = ImGui::GetIO().DisplayFramebufferScale.x;
-    const Panorama panes{pane_grid(state.settings.view.panes, int(size.x * pixels), int(size.y * pixels),
+    const AgainstView against = state.against.view;
+    const int shown_panes = against == AgainstView::Off          ? state.settings.view.panes
+                            : against == AgainstView::SideBySide ? int(Panes::Two)
+                                                                 : int(Panes::One);
+    const Panorama panes{pane_grid(shown_panes, int(size.x * pixels), int(size.y * pixels),
                                    int(em * pixels * 0.2f)),
                          origin, pixels};
     actions.scene_width = panes.grid.width;
@@ -193,7 +218,8 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, theme::kWell);
     // After a change of view.panes the pictures are there with the next frame.
-    if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != panes.grid.count()) {
+    const int pictures = against == AgainstView::Off ? panes.grid.count() : 1;
+    if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != pictures) {
         no_picture(frame, origin, size);
         draw_loading(frame, actions, origin.x, origin.y, size.x);
         return;
@@ -205,7 +231,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     steer(state, frame, actions, panes);
     select_probed(state, frame);
     for (int i = 0; i < panes.grid.count(); ++i) draw_pane(state, frame, panes, i);
-    if (panes.grid.count() > 1)
+    if (pictures > 1)
         for (int i = 0; i < panes.grid.count(); ++i) {
             const ImVec2 lo = panes.lo(i);
             ImGui::SetCursorScreenPos({lo.x + em * 0.4f, lo.y + em * 0.3f});
@@ -214,6 +240,12 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     if (!frame.shader_log.empty())
         veiled_text({origin.x + em * 0.8f, origin.y + em * 2.2f},
                     "A shader does not compile; the last good one is in use (see Log)");
+    for (int i = 0; i < pictures; ++i)
+        if (frame.result->panes[std::size_t(i)].lacks_truth) {
+            ImGui::PushID(i);
+            draw_tracing(frame, actions, panes.lo(i).x, panes.lo(i).y + panes.size().y, panes.size().x);
+            ImGui::PopID();
+        }
     draw_loading(frame, actions, origin.x, origin.y, size.x);
 }
 

@@ -27,6 +27,9 @@ struct RenderOptions {
     std::string output, view = "shaded", report;
     bool view_given = false;
     PictureSize size;
+    std::string against;      ///< "truth" or a preset: the picture is held against that one; empty: it stands alone
+    double swipe = -1;        ///< where the line between the two stands, 0..1; negative: beside each other
+    bool difference = false;  ///< |A - B| instead
 };
 void run_render(const RenderOptions& options);
 

@@ -62,7 +62,7 @@ void run_measure(const MeasureOptions& options) {
                      {"width", options.size.width},
                      {"height", options.size.height},
                      {"map_resolution", judged.map_resolution},
-                     {"area", options.truth.area}};
+                     {"area", options.truth.area || session.settings.truth.area}};
         json["error"] = error_json(judged.error);
         json["error"]["noise"] = judged.noise;
         json["time"] = time ? time_json(*time) : Json();

@@ -2,14 +2,17 @@
 
 #include <charconv>
 
+#include "app/against.h"
 #include "app/commands/commands.h"
 #include "app/headless_context.h"
 #include "app/map_report.h"
 #include "app/notes.h"
 #include "app/output.h"
+#include "app/presets.h"
 #include "app/report.h"
 #include "app/views.h"
 #include "renderer/error.h"
+#include "renderer/reference/truth_picture.h"
 #include "renderer/lost_casters.h"
 
 namespace si {
@@ -28,11 +31,49 @@ PictureSize parse_size(const std::string& text) {
     return size;
 }
 
+namespace {
+
+/// Draws the frame and the one that it is held against into one picture. Returns the mean difference of the two.
+/// @param preset of the other one; null: it is the truth
+double write_against(Renderer& renderer, const Session& session, FrameRequest request, const RenderOptions& options,
+                     const Settings* preset, FrameResult& frame) {
+    TruthCache truths;
+    Settings settings = session.settings;
+    settings.view.panes = int(Panes::One);
+    request.outputs.true_colour = preset == nullptr;
+    frame = render_with_truth(renderer, session.scene, settings, request, truths, tracing_workers());
+    const ByteImage a = renderer.read_colour(frame.colour);
+    ByteImage b;
+    if (!preset) {
+        if (!frame.true_colour.texture) throw Error("--against truth: there is no light to trace the truth of");
+        b = renderer.read_colour(frame.true_colour);
+    } else {
+        Settings other = other_settings(settings, *preset);
+        check_objects(session.scene, other, options.against, nullptr);
+        request.outputs.true_colour = false;
+        b = renderer.read_colour(
+            render_with_truth(renderer, session.scene, other, request, truths, tracing_workers()).colour);
+    }
+    write_png(options.output, options.difference   ? difference(a, b)
+                              : options.swipe >= 0 ? swiped(a, b, options.swipe)
+                                                   : side_by_side(a, b));
+    return mean_difference(a, b);
+}
+
+}  // namespace
+
 void run_render(const RenderOptions& options) {
     const View view = find_view(options.view);
     require_writable(options.output);
     check_view_file(view, options.output);
+    const bool against = !options.against.empty();
+    if (against && view.key != "shaded")
+        throw UsageError(fmt::format("--against: it holds the picture itself against another, not the view '{}'; leave out "
+                                     "--view",
+                                     view.key));
     if (!options.report.empty()) require_writable(options.report);
+    std::optional<Settings> other;
+    if (against && options.against != "truth") other = load_preset(options.against).settings;
     Session session = open_session(options.session);
     // Asked for by name, the plain picture is plain; else the settings decide on overlays, panes and slabs.
     if (options.view_given && view.key == "shaded") {
@@ -46,9 +87,16 @@ void run_render(const RenderOptions& options) {
     request.width = options.size.width, request.height = options.size.height;
     request.timing = !options.report.empty();
     FrameResult frame;
-    write_view(renderer, session.scene, session.settings, request, view, options.output, &frame);
+    double mean = 0;
+    if (against) {
+        mean = write_against(renderer, session, request, options, other ? &*other : nullptr, frame);
+        fmt::print("mean |A - B| {:.6f}, B: {}\n", mean, options.against);
+    } else {
+        write_view(renderer, session.scene, session.settings, request, view, options.output, &frame, tracing_workers());
+    }
     if (!options.report.empty()) {
         auto report = report_json(session, view.key, request, frame, renderer.driver());
+        if (against) report["against"] = {{"what", options.against}, {"mean_difference", mean}};
         const PaneGrid grid = picture_grid(session.settings, request.width, request.height);
         request.width = grid.width, request.height = grid.height;
         const auto map = map_report(renderer, session.scene, session.settings, request);

@@ -59,7 +59,7 @@ void run_sweep(const SweepOptions& options) {
     if (!options.fresh) require_sweep_folder(folder);
     Session session = open_session(options.session);
     SweepSpec spec = sweep_spec(session.scene_name, session.scene, session.settings, std::move(axes), options.size.width, options.size.height);
-    spec.area = options.area, spec.shard = shard;
+    spec.area = options.area || session.settings.truth.area, spec.shard = shard;
     SweepPlan plan = plan_sweep(spec.base, spec.axes);
     Settings first = plan.cases.front().settings;  // all cases override the same objects
     check_objects(session.scene, first, "", nullptr);

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "app/commands/commands.h"
 #include "app/headless_context.h"
@@ -13,20 +12,7 @@
 namespace si {
 namespace {
 
-/// Percent done on stderr, where a person looks on.
-Workers workers_of(const TruthCommandOptions& options) {
-    Workers workers{.threads = options.threads};
-    if (!::isatty(STDERR_FILENO)) return workers;
-    workers.progress = [last = -1](double t) mutable {
-        const int percent = int(t * 100);
-        if (percent != last) fmt::print(stderr, "\rtracing {} %{}", last = percent, percent == 100 ? "\r\033[K" : "");
-        std::fflush(stderr);
-    };
-    return workers;
-}
-
-nlohmann::ordered_json truth_json(const TracedTruth& traced, const TruthTask& task, const TruthCommandOptions& options,
-                                  int light) {
+nlohmann::ordered_json truth_json(const TracedTruth& traced, const TruthTask& task, int light) {
     const Truth& t = *traced.truth;
     const auto pixels = [&](PixelState s) { return t.pixels[std::size_t(s)]; };
     double sum = 0, hard = 0;
@@ -55,7 +41,7 @@ nlohmann::ordered_json truth_json(const TracedTruth& traced, const TruthTask& ta
     if (task.query.options.area) {
         json["partly_lit"] = t.partial;
         json["noise"] = t.noise;
-        json["samples"] = options.truth.samples;
+        json["samples"] = task.query.options.samples;
     }
     json["time_ms"] = {{"build", traced.build_ms}, {"place", traced.place_ms}, {"trace", traced.trace_ms}};
     return json;
@@ -72,13 +58,15 @@ void run_truth(const TruthCommandOptions& options) {
     Renderer renderer;
     const int light = session.settings.view.light;
     const FrameRequest request{.width = options.size.width, .height = options.size.height};
-    const TruthTask task = truth_task(renderer, session.scene, session.settings, request, light, options.truth);
+    TruthOptions wanted = truth_options(session.settings);
+    wanted.as_rasterised = options.truth.as_rasterised;
+    const TruthTask task = truth_task(renderer, session.scene, session.settings, request, light, wanted);
     TruthCache cache;
-    const TracedTruth traced = cache.trace(task, workers_of(options));
+    const TracedTruth traced = cache.trace(task, tracing_workers(options.threads));
     const FloatImage& picture = traced.truth->visibility;
     lower_extension(options.output) == ".pfm" ? write_pfm(options.output, picture)
                                               : write_grey_png(options.output, picture);
-    if (!options.report.empty()) write_file(options.report, json_text(truth_json(traced, task, options, light)));
+    if (!options.report.empty()) write_file(options.report, json_text(truth_json(traced, task, light)));
     print_notes(session.notes);
 }
 

@@ -9,10 +9,14 @@ namespace si::gl {
 MessageLog::MessageLog() {
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glGetPointerv(GL_DEBUG_CALLBACK_FUNCTION, &outer_function_);
+    glGetPointerv(GL_DEBUG_CALLBACK_USER_PARAM, &outer_user_);
     glDebugMessageCallback(&MessageLog::on_message, this);
 }
 
-MessageLog::~MessageLog() { glDebugMessageCallback(nullptr, nullptr); }
+MessageLog::~MessageLog() {
+    glDebugMessageCallback(reinterpret_cast<GLDEBUGPROC>(outer_function_), outer_user_);
+}
 
 void GLAPIENTRY MessageLog::on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length,
                                        const GLchar* message, const void* user) {

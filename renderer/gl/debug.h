@@ -23,6 +23,8 @@ private:
     static void GLAPIENTRY on_message(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
                                       const GLchar* message, const void* user);
     std::vector<std::string> messages_;
+    void* outer_function_ = nullptr;  ///< of a log that lives longer, on the same context
+    void* outer_user_ = nullptr;
 };
 
 /// A KHR_debug group for the lifetime of the value.

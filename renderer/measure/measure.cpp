@@ -15,12 +15,15 @@ Judgement Measurer::judge(const Scene& scene, const Settings& settings) {
     judged.picture = renderer_.read_colour(frame.colour);
     judged.notes = frame.notes;
     request.force = false;
+    TruthOptions truth = truth_options(measured);
+    truth.area |= truth_options_.area;
+    truth.as_rasterised |= truth_options_.as_rasterised;
     const ErrorTask task =
-        error_task(renderer_, scene, measured, request, measured.view.light, truth_options_, truths_.geometry());
+        error_task(renderer_, scene, measured, request, measured.view.light, truth, truths_.geometry());
     const MeasuredError error = measure_error(task, truths_, workers_);
     judged.error = error.metrics;
     judged.noise = error.traced.truth->noise;
-    judged.artefacts = artefact_picture(judged.picture, error.artefacts);
+    judged.artefacts = artefact_picture(judged.picture, error.artefacts, truth.step);
     return judged;
 }
 

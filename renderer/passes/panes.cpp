@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "renderer/frame_state.h"
+#include "renderer/reference/error_task.h"
 
 namespace si {
 namespace {
@@ -22,6 +23,8 @@ std::vector<gl::Define> overlay_defines(const FrameState& f, const Overlay& row)
                                 {"LIGHT_INDEX", std::to_string(std::clamp(f.settings.view.light, 0, last))}};
     if (row.scalar) out.push_back({"OVERLAY_SCALAR", "1"});
     if (f.separate_visibility) out.push_back({"SEPARATE_VISIBILITY", "1"});
+    if (row.reads_truth)
+        for (gl::Define& d : truth_defines(f)) out.push_back(std::move(d));
     return out;
 }
 
@@ -60,10 +63,11 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
     pass.name = slot_name("overlay values", pane);
     pass.reads = {"shadow maps"};
     if (f.separate_visibility) pass.reads.push_back("visibility");
+    if (pane.row() && pane.row()->reads_truth) pass.reads.insert(pass.reads.end(), {"truth", "judged"});
     pass.writes = {slot_name("overlay", pane)};
     pass.idle_reason = "the overlay was not asked for";
     if (!pane.row()) {
-        pass.unneeded = "no overlay is chosen";
+        pass.unneeded = pane.lacks_truth ? "the truth about this frame is not traced" : "no overlay is chosen";
         return pass;
     }
     // Where nothing writes depth, it has to be there.
@@ -72,6 +76,7 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
     Key key = f.camera_key;
     key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(pane.overlay).add(f.settings.view.light);
     key.add(f.settings.view.face).add(f.separate_visibility).add(f.gl.programs.source().generation());
+    if (pane.row()->reads_truth) key.add(f.truth_content).add(kernel_reach_texels(f.settings));
     pass.key = key.value();
     pass.cached = &t.values.key;
     pass.run = [&f, &t, pane](PassInfo& info) {
@@ -82,6 +87,7 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
         const glm::vec4 nothing(0);
         glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &nothing.x);
         if (f.separate_visibility) glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
+        if (pane.row()->reads_truth) bind_truth(f);
         const DrawState state(pane.row()->draw, f.camera.curve.convention.reversed);
         f.draw_from_camera("passes/overlay.frag.glsl", overlay_defines(f, *pane.row()), info);
     };
@@ -118,6 +124,7 @@ Pass compose_pass(FrameState& f, const ShownPane& pane, std::uint64_t values_key
         glUniform4f(glGetUniformLocation(id, "scale"), range.min, range.max, float(f.settings.view.overlay_opacity),
                     pane.row()->diverging ? 1.f : 0.f);
         glUniform1i(glGetUniformLocation(id, "scalar"), pane.row()->scalar);
+        glUniform1i(glGetUniformLocation(id, "grey"), pane.row()->reads_truth && !pane.row()->scalar);
         FrameState::draw_fullscreen(info);
     };
     return pass;

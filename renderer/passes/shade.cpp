@@ -34,7 +34,44 @@ void draw_blended(const FrameState& f, PassInfo& info) {
     glDepthMask(GL_TRUE);
 }
 
+void draw_picture(FrameState& f, gl::Target& target, gl::Framebuffer& framebuffer, const std::vector<gl::Define>& extra,
+                  PassInfo& info) {
+    target.ensure("shaded picture", GL_RGBA8, f.request.width, f.request.height);
+    framebuffer = gl::make_framebuffer("shaded picture", &target, &f.gl.camera_depth);
+    f.begin_camera_pass(framebuffer.id());
+    glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, 0, &kBackground.x);
+    if (f.separate_visibility) glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
+    f.draw_from_camera("passes/shade.frag.glsl", extra, info);
+    draw_blended(f, info);
+}
+
 }  // namespace
+
+void add_true_shade_pass(FrameState& f, std::vector<Pass>& plan) {
+    Pass pass;
+    pass.name = "shading by the truth";
+    pass.reads = {"visibility", "shadow maps", "truth"};
+    pass.writes = {"true picture"};
+    pass.idle_reason = "nobody asks for the true picture";
+    if (!f.truth.met) {
+        pass.unneeded = "the truth about this frame is not traced";
+        plan.push_back(std::move(pass));
+        return;
+    }
+    Key key = f.camera_key;
+    key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(f.truth.key);
+    key.add(f.settings.view.light).add(f.gl.programs.source().generation());
+    pass.key = key.value();
+    pass.cached = &f.gl.true_shaded.key;
+    pass.run = [&f](PassInfo& info) {
+        std::vector<gl::Define> extra = truth_defines(f);
+        extra.push_back({"SEPARATE_VISIBILITY", "1"});
+        extra.push_back({"TRUE_LIGHT", std::to_string(f.settings.view.light)});
+        bind_truth(f);
+        draw_picture(f, f.gl.true_shaded, f.gl.true_shaded_framebuffer, extra, info);
+    };
+    plan.push_back(std::move(pass));
+}
 
 void add_shade_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
@@ -48,18 +85,9 @@ void add_shade_pass(FrameState& f, std::vector<Pass>& plan) {
     pass.key = key.value();
     pass.cached = &f.gl.shaded.key;
     pass.run = [&f](PassInfo& info) {
-        f.gl.shaded.ensure("shaded picture", GL_RGBA8, f.request.width, f.request.height);
-        f.gl.shaded_framebuffer = gl::make_framebuffer("shaded picture", &f.gl.shaded, &f.gl.camera_depth);
-        const GLuint framebuffer = f.gl.shaded_framebuffer.id();
-        f.begin_camera_pass(framebuffer);
-        glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &kBackground.x);
         std::vector<gl::Define> extra;
-        if (f.separate_visibility) {
-            extra.push_back({"SEPARATE_VISIBILITY", "1"});
-            glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
-        }
-        f.draw_from_camera("passes/shade.frag.glsl", extra, info);
-        draw_blended(f, info);
+        if (f.separate_visibility) extra.push_back({"SEPARATE_VISIBILITY", "1"});
+        draw_picture(f, f.gl.shaded, f.gl.shaded_framebuffer, extra, info);
     };
     plan.push_back(std::move(pass));
 }

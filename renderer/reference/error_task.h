@@ -12,8 +12,8 @@ namespace si {
 
 struct ErrorTask {
     TruthTask truth;
-    FloatImage measured;         ///< visibility as the settings draw it
-    FloatImage map_coordinates;  ///< FrameResult::map_coordinates; empty when the light has no map
+    FloatImage measured;         ///< visibility as the settings draw it, by pixel of the truth
+    FloatImage map_coordinates;  ///< FrameResult::map_coordinates likewise; empty when the light has no map
     BiasSettings bias;
     int light = 0;
     double reach_texels = 0.5;   ///< of the kernel, kappa
@@ -37,6 +37,12 @@ MeasuredError compare_with_truth(const ErrorTask& task, TracedTruth traced, cons
 
 /// Traces the truth and compares. @throws Cancelled, Error
 MeasuredError measure_error(const ErrorTask& task, TruthCache& cache, const Workers& workers = {});
+
+/// Where the kernel of each pixel looks whose two visibilities differ inside the map; others have no view.
+/// @param facts if not null, gets outside_map, bias_m and joins. @throws Cancelled
+std::vector<Footprint> differing_footprints(const FloatImage& measured, const FloatImage& map_coordinates,
+                                            const TracedTruth& traced, const FittedLight& light, const BiasSettings& bias,
+                                            int map_resolution, PixelFacts* facts, const Workers& workers);
 
 /// How far from the receiver, in texels, the centre of a texel that the kernel compares may lie, per axis.
 double kernel_reach_texels(const Settings& settings);

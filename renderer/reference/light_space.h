@@ -1,6 +1,10 @@
 // Where true shadow edges are in the light's own picture, to tell errors of sampling from errors of bias.
 #pragma once
 
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "renderer/light_fit.h"
@@ -31,5 +35,35 @@ struct Footprint {
 std::vector<float> edge_distances(const TruthScene& scene, const Receivers& receivers, const Truth& truth,
                                   const FittedLight& light, int map_resolution, double reach_texels,
                                   const std::vector<Footprint>& footprints, const Workers& workers);
+
+/// What is known of the true edge nearest to a pixel's footprint. One lies within x texels if `texels` <= x; none does if
+/// else `searched` >= x; else it is unknown.
+struct EdgeFact {
+    float texels;    ///< to the nearest; infinite: none within `searched`
+    float searched;  ///< texels; 0: not looked for
+};
+using EdgeImage = std::vector<EdgeFact>;
+inline constexpr EdgeFact kUnknownEdge{std::numeric_limits<float>::infinity(), 0};
+
+/// Of what the rays through a light's texels depend on beside the scene.
+std::uint64_t texel_rays_key(const FittedLight& light, int map_resolution);
+
+/// Finds what edge_distances() tells, and remembers the surfaces met along the light's rays: asked again with another bias,
+/// kernel or camera, it traces only what is new.
+class EdgeFinder {
+public:
+    /// `scene` must outlive it.
+    EdgeFinder(const TruthScene& scene, const FittedLight& light, int map_resolution);
+    ~EdgeFinder();
+    /// Looks within `reach_texels` + 1 around each footprint asked for, unless `facts` say so far already.
+    /// @param facts one per pixel @throws Cancelled
+    void find(const Receivers& receivers, const Truth& truth, double reach_texels, std::span<const Footprint> footprints,
+              EdgeImage& facts, const Workers& workers);
+    std::uint64_t rays() const;  ///< traced so far
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace si

@@ -85,10 +85,11 @@ Receiver place_receiver(const TruthGeometry& geometry, const Camera& camera, glm
 }
 
 Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
-                          const Workers& workers) {
+                          const PixelRaster& raster, const Workers& workers) {
     Receivers out{ids.width, ids.height, {}};
     out.pixels.resize(ids.data.size()), out.starts.resize(ids.data.size());
     const UnitFrame frame = geometry.unit_frame();
+    const auto step = std::size_t(raster.step);
     const auto width = std::size_t(ids.width);
     for_blocks(std::size_t(ids.height), workers.part(0, 0.8), [&](std::size_t y) {
         Prepared triangle;
@@ -96,7 +97,8 @@ Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, c
             const glm::uvec2 id = ids.data[y * width + x];
             if (id.x == 0) continue;
             triangle.load(geometry, id.x - 1, id.y);
-            const Receiver& r = out.pixels[y * width + x] = meet(triangle, camera, x, y, ids.width, ids.height);
+            const Receiver& r = out.pixels[y * width + x] =
+                meet(triangle, camera, x * step, y * step, raster.width, raster.height);
             out.starts[y * width + x] = {ray_origin(frame, r), glm::vec3(r.normal_ws), r.object};
         }
     });

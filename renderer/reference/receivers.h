@@ -41,12 +41,25 @@ struct Receivers {
     const Receiver& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
+/// Which pixels of the camera's picture are placed: every `step`-th across and down, from the top left.
+struct PixelRaster {
+    int width = 0, height = 0;  ///< of the camera's picture
+    int step = 1;
+    int columns() const { return (width + step - 1) / step; }
+    int rows() const { return (height + step - 1) / step; }
+};
+
 /// Meets each pixel's ray with the plane of the triangle that the GPU drew there, in double, and keeps the point inside
 /// the triangle (rasterisers snap corners, so the ray may pass by a hair).
-/// @param ids Outputs::surface_ids of a frame of the same scene and camera
+/// @param ids Outputs::surface_ids of a frame of the same scene and camera, columns() x rows() of them
 /// @throws Cancelled; Error when an id names no triangle of the geometry
 Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
-                          const Workers& workers);
+                          const PixelRaster& raster, const Workers& workers);
+/// Every pixel.
+inline Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
+                                 const Workers& workers) {
+    return place_receivers(geometry, camera, ids, {ids.width, ids.height}, workers);
+}
 
 /// The same for one pixel of a picture. @param id as in SurfaceIds; x not 0
 Receiver place_receiver(const TruthGeometry& geometry, const Camera& camera, glm::uvec2 id, glm::ivec2 pixel, int width,

@@ -267,6 +267,11 @@ FloatImage image(int width, int height, float value) {
 
 }  // namespace
 
+TruthOptions truth_options(const Settings& settings) {
+    const TruthSettings& t = settings.truth;
+    return {.area = t.area, .samples = t.samples, .noise = t.noise, .step = t.step};
+}
+
 TruthQuery truth_query(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights, int light,
                        const TruthOptions& options) {
     if (light < 0 || std::size_t(light) >= lights.size())

@@ -39,8 +39,12 @@ struct TruthOptions {
     int samples = 1024;          ///< area: most rays a pixel. 64 everywhere, then four times as many, as noise demands
     double noise = 0.005;        ///< area: wanted standard error of a pixel's visibility
     bool nearest = true;         ///< find Truth::nearest_m
+    int step = 1;                ///< every that many pixels of the picture, across and down, are one of the truth's
     bool operator==(const TruthOptions&) const = default;
 };
+
+/// As truth.* of the settings say.
+TruthOptions truth_options(const Settings& settings);
 
 struct TruthQuery {
     Emitter emitter;

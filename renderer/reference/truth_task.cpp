@@ -21,11 +21,27 @@ Key query_key(const TruthQuery& query) {
     const Emitter& e = query.emitter;
     const TruthOptions& o = query.options;
     key.add(e.type).add(e.position_ws).add(e.to_light).add(e.cos_cone).add(e.range_m).add(e.casts).add(o.area).add(o.as_rasterised);
-    key.add(o.nearest);
+    key.add(o.nearest).add(o.step);
     if (o.area) key.add(e.size).add(o.samples).add(o.noise);
     for (const ObjectTraits& t : query.traits) key.add(t.receives).add(t.cull);
     for (const LightView& view : query.views) add_near_plane(key, view);
     return key;
+}
+
+Key receivers_key(const Scene& scene, const Camera& camera, const PixelRaster& raster) {
+    Key key;
+    key.add(scene.id).add(camera.clip_from_relative(camera.eye)).add(camera.eye);
+    return key.add(raster.width).add(raster.height).add(raster.step);
+}
+
+SurfaceIds every_nth(const SurfaceIds& all, const PixelRaster& raster) {
+    if (raster.step == 1) return all;
+    SurfaceIds out{raster.columns(), raster.rows(), {}};
+    out.data.reserve(std::size_t(out.width) * std::size_t(out.height));
+    for (int y = 0; y < raster.height; y += raster.step)
+        for (int x = 0; x < raster.width; x += raster.step)
+            out.data.push_back(all.data[std::size_t(y) * std::size_t(raster.width) + std::size_t(x)]);
+    return out;
 }
 
 template <typename Make>
@@ -38,6 +54,26 @@ auto timed(double& ms, Make&& make) {
 
 }  // namespace
 
+FloatImage every_nth(const FloatImage& image, int step) {
+    if (step <= 1) return image;
+    FloatImage out{(image.width + step - 1) / step, (image.height + step - 1) / step, image.channels, {}};
+    out.data.reserve(std::size_t(out.width) * std::size_t(out.height) * std::size_t(out.channels));
+    for (int y = 0; y < image.height; y += step)
+        for (int x = 0; x < image.width; x += step)
+            for (int c = 0; c < image.channels; ++c) out.data.push_back(image.at(x, y, c));
+    return out;
+}
+
+std::uint64_t truth_key(const Scene& scene, const Settings& settings, const Camera& camera, int width, int height,
+                        const std::vector<FittedLight>& lights, int light, const TruthOptions& options) {
+    if (light < 0 || std::size_t(light) >= lights.size()) return 0;
+    const PixelRaster raster{width, height, std::max(options.step, 1)};
+    return query_key(truth_query(scene, settings, lights, light, options))
+        .add(receivers_key(scene, camera, raster))
+        .add(truth_geometry_key(scene, settings).value())
+        .value();
+}
+
 TruthTask truth_task(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                      int light, const TruthOptions& options, const std::shared_ptr<const TruthGeometry>& known) {
     FrameRequest wanted = request;
@@ -49,20 +85,30 @@ TruthTask truth_task(Renderer& renderer, const Scene& scene, const Settings& set
     const bool same = known && known->key == truth_geometry_key(scene, settings).value();
     task.geometry = same ? known : std::make_shared<TruthGeometry>(scene, settings);
     task.camera = frame.camera;
-    task.ids = renderer.read_surface_ids(frame.surface_ids);
+    task.raster = {request.width, request.height, std::max(options.step, 1)};
+    task.ids = every_nth(renderer.read_surface_ids(frame.surface_ids), task.raster);
     task.lights = frame.lights;
     task.map_resolution = frame.map_resolution;
-    Key receivers;
-    receivers.add(scene.id).add(frame.camera.clip_from_relative(frame.camera.eye)).add(frame.camera.eye);
-    receivers.add(request.width).add(request.height);
+    const Key receivers = receivers_key(scene, frame.camera, task.raster);
     task.receivers_key = receivers.value();
     task.key = query_key(task.query).add(receivers).add(task.geometry->key).value();
     return task;
 }
 
+EdgeFinder& TruthCache::edge_finder(const std::shared_ptr<const TruthScene>& scene, const FittedLight& light,
+                                    int map_resolution) {
+    const std::uint64_t key = texel_rays_key(light, map_resolution);
+    if (!edges_ || edges_of_ != scene || edges_key_ != key) {
+        edges_ = std::make_unique<EdgeFinder>(*scene, light, map_resolution);
+        edges_of_ = scene, edges_key_ = key;
+    }
+    return *edges_;
+}
+
 TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
     TracedTruth out;
     if (!scene_ || scene_->geometry().key != task.geometry->key) {
+        edges_.reset(), edges_of_.reset();
         scene_.reset();  // the old hierarchy's memory first
         scene_ = timed(out.build_ms,
                        [&] { return std::make_shared<TruthScene>(task.geometry, workers.part(0, 0.1)); });
@@ -70,7 +116,7 @@ TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
     if (!receivers_ || receivers_key_ != task.receivers_key) {
         receivers_ = timed(out.place_ms, [&] {
             return std::make_shared<Receivers>(
-                place_receivers(*task.geometry, task.camera, task.ids, workers.part(0.1, 0.2)));
+                place_receivers(*task.geometry, task.camera, task.ids, task.raster, workers.part(0.1, 0.2)));
         });
         receivers_key_ = task.receivers_key;
     }

@@ -9,6 +9,7 @@
 #include <list>
 #include <memory>
 
+#include "renderer/reference/light_space.h"
 #include "renderer/reference/truth.h"
 #include "renderer/renderer.h"
 
@@ -18,13 +19,21 @@ namespace si {
 struct TruthTask {
     std::shared_ptr<const TruthGeometry> geometry;
     Camera camera;
-    SurfaceIds ids;
+    PixelRaster raster;
+    SurfaceIds ids;  ///< of the raster's pixels
     TruthQuery query;
     std::vector<FittedLight> lights;  ///< of the frame
     int map_resolution = 0;
     std::uint64_t receivers_key = 0;
     std::uint64_t key = 0;  ///< of the truth: scene, objects, camera, size, light, options; not the map's resolution
 };
+
+/// The key of the truth about one light in one picture. 0 when there is no such light.
+std::uint64_t truth_key(const Scene& scene, const Settings& settings, const Camera& camera, int width, int height,
+                        const std::vector<FittedLight>& lights, int light, const TruthOptions& options);
+
+/// Every `step`-th pixel across and down, from the top left.
+FloatImage every_nth(const FloatImage& image, int step);
 
 /// Draws which triangle each pixel shows, and copies the scene's triangles unless `known` holds them already.
 /// @param light index of light.*. @throws Error when there is no such light, or as Renderer::render() does
@@ -39,11 +48,13 @@ struct TracedTruth {
     double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time; 0 where the cache had it
 };
 
-/// The last hierarchy and receivers, and the last truths. Used by one thread at a time.
+/// The last hierarchy, receivers and finder of edges, and the last truths. Used by one thread at a time.
 class TruthCache {
 public:
     /// @throws Cancelled, Error; what was complete by then is kept
     TracedTruth trace(const TruthTask& task, const Workers& workers = {});
+    /// Of the scene traced last. It holds until the next call.
+    EdgeFinder& edge_finder(const std::shared_ptr<const TruthScene>& scene, const FittedLight& light, int map_resolution);
     /// The triangles of the last trace, for truth_task().
     std::shared_ptr<const TruthGeometry> geometry() const { return scene_ ? scene_->shared_geometry() : nullptr; }
     void clear() { *this = {}; }
@@ -53,6 +64,9 @@ private:
     std::shared_ptr<const TruthScene> scene_;
     std::shared_ptr<const Receivers> receivers_;
     std::uint64_t receivers_key_ = 0;
+    std::shared_ptr<const TruthScene> edges_of_;
+    std::unique_ptr<EdgeFinder> edges_;
+    std::uint64_t edges_key_ = 0;
     std::list<std::pair<std::uint64_t, std::shared_ptr<const Truth>>> truths_;  ///< latest first
 };
 

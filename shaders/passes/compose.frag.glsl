@@ -4,11 +4,14 @@ layout(binding = 4) uniform sampler2D shaded;
 layout(binding = 5) uniform sampler2D overlay_values;
 uniform vec4 scale;  // min, max, opacity, 1 diverging
 uniform int scalar;
+uniform int grey;  // the picture under the overlay loses its colours, so that those of the overlay stand out
 layout(location = 0) out vec4 colour_out;
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 under = texelFetch(shaded, at, 0), value = texelFetch(overlay_values, at, 0);
+    // Rec. 709 weights on encoded values: a backdrop, not a measurement (as artefact_picture() has it).
+    if (grey != 0) under.rgb = vec3(40.0 / 255.0 + 0.7 * dot(under.rgb, vec3(0.2126, 0.7152, 0.0722)));
     vec3 colour = value.rgb;
     float opacity = min(value.a, 1.0) * scale.z;  // counts add up alpha too
     if (scalar != 0) {

@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-constexpr FrameRequest kPicture{.width = 160, .height = 120};
+const FrameRequest kPicture{.width = 160, .height = 120};
 
 class DossierTest : public FrameTest {
 protected:

@@ -55,8 +55,8 @@ TEST(Panels, DrawForEveryChoiceOfEveryRow) {
             ui.state.settings = Settings{};
             set_value(ui.state.settings, ref, value);
             sanitise(ui.state.settings);
-            for (const BottomTab tab : {BottomTab::Passes, BottomTab::Probe, BottomTab::Objects, BottomTab::Compare,
-                                        BottomTab::Frontier, BottomTab::Log}) {
+            for (const BottomTab tab : {BottomTab::Passes, BottomTab::Probe, BottomTab::Error, BottomTab::Objects,
+                                        BottomTab::Compare, BottomTab::Frontier, BottomTab::Log}) {
                 ui.state.open_tab = tab;
                 ui.state.probe_pixel = glm::ivec2(3, 4);
                 ui.frames(2);

@@ -102,6 +102,9 @@ EditorActions UiHarness::frame() {
         facts.result = &result_;
         facts.scene = &scene;
         facts.driver = &driver_;
+        facts.truth = truth;
+        facts.error = error ? &*error : nullptr;
+        facts.against = against;
         if (state.probe_pixel) facts.probe = &probe_;
         if (map_facts) facts.map_facts = &*map_facts;
         facts.lost_casters = lost_casters;

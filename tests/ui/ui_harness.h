@@ -9,6 +9,7 @@
 
 #include "renderer/frame.h"
 #include "renderer/dossier.h"
+#include "renderer/reference/live_error.h"
 #include "ui/editor_ui.h"
 
 namespace si::test {
@@ -33,6 +34,9 @@ public:
     std::vector<std::string> recent_scenes, recent_presets;
     std::optional<ComparisonFacts> comparison;
     std::optional<LostFacts> lost;
+    std::optional<TruthFacts> truth;
+    std::optional<LiveError> error;
+    std::optional<AgainstFacts> against;
     std::optional<MapFacts> map_facts;
     std::vector<LostCaster> lost_casters;
     std::vector<Dossier> dossiers;

@@ -1,0 +1,7 @@
+// What is wrong with each pixel, by colour.
+#include "lib/truth.glsl"
+const vec3 COLOURS[] = ARTEFACT_COLOURS;
+vec4 overlay(Receiver r) {
+    int artefact = int(judged_here().x);
+    return artefact == ARTEFACT_NONE ? vec4(0.0) : vec4(COLOURS[artefact - 1], 1.0);
+}

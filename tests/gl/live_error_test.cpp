@@ -1,0 +1,242 @@
+// What a frame says is wrong with its shadows, against the same computed on the CPU.
+#include "renderer/bias_account.h"
+#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/error_task.h"
+#include "renderer/reference/live_error.h"
+#include "renderer/reference/truth_picture.h"
+#include "renderer/scenes/shapes.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+class LiveErrorTest : public FrameTest {
+protected:
+    TruthCache cache;
+    Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    FrameRequest request{.width = 321, .height = 243, .outputs = {.colour = false, .error = true}};
+    FrameResult frame;
+
+    static Settings hard(int resolution, double constant) {
+        Settings s = test::hard_settings();
+        s.map.resolution = resolution;
+        s.filter.kernel = test::kernel("hard");
+        s.bias = test::no_bias();
+        s.bias.unit = int(BiasUnit::Texels);
+        s.bias.constant = constant;
+        return s;
+    }
+
+    /// Measures on both sides and demands that they agree. @returns the CPU's numbers
+    ErrorMetrics agree(const Settings& s, const char* what) {
+        SCOPED_TRACE(what);
+        frame = render_with_truth(renderer, scene, s, request, cache);
+        EXPECT_TRUE(frame.truth.met);
+        const ErrorTask task = error_task(renderer, scene, s, request, 0, truth_options(s), cache.geometry());
+        const ErrorMetrics cpu = measure_error(task, cache).metrics;
+        if (!frame.error) {
+            ADD_FAILURE() << "no numbers";
+            return cpu;
+        }
+        const ErrorMetrics& gpu = frame.error->metrics;
+        EXPECT_EQ(frame.error->undecided, 0u);
+        EXPECT_EQ(gpu.counted, cpu.counted);
+        EXPECT_EQ(gpu.pixels, cpu.pixels);
+        EXPECT_EQ(gpu.artefacts, cpu.artefacts);
+        const auto same_count = [&](double a, double b, const char* name) {
+            EXPECT_EQ(std::llround(a * double(cpu.counted)), std::llround(b * double(cpu.counted))) << name;
+        };
+        same_count(gpu.false_shadow, cpu.false_shadow, "false shadow");
+        same_count(gpu.false_light, cpu.false_light, "false light");
+        same_count(gpu.acne, cpu.acne, "acne");
+        same_count(gpu.leak, cpu.leak, "leak");
+        same_count(gpu.boundary_false_shadow, cpu.boundary_false_shadow, "boundary false shadow");
+        same_count(gpu.boundary_false_light, cpu.boundary_false_light, "boundary false light");
+        same_count(gpu.outside_false_shadow, cpu.outside_false_shadow, "outside false shadow");
+        same_count(gpu.outside_false_light, cpu.outside_false_light, "outside false light");
+        same_count(gpu.any_acne, cpu.any_acne, "any acne");
+        same_count(gpu.outside_map, cpu.outside_map, "outside the map");
+        EXPECT_NEAR(gpu.mae, cpu.mae, 1e-5 * std::max(cpu.mae, 0.01));
+        EXPECT_NEAR(gpu.rmse, cpu.rmse, 1e-5 * std::max(cpu.rmse, 0.01));
+        EXPECT_NEAR(gpu.signed_mean, cpu.signed_mean, 1e-5 * std::max(cpu.mae, 0.01));
+        EXPECT_NEAR(gpu.iou, cpu.iou, 1e-9);
+        return cpu;
+    }
+};
+
+TEST_F(LiveErrorTest, AgreesWithTheCpuOnEveryArtefact) {
+    EXPECT_GT(agree(hard(512, 0), "no bias").acne, 0.3);
+    Settings s = hard(256, 8);
+    s.filter.kernel = test::kernel("pcf3");
+    EXPECT_GT(agree(s, "well biased").artefacts[std::size_t(Artefact::EdgeAliasing)], 10u);
+
+    s = hard(512, 3);
+    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].extent = 1.2;
+    EXPECT_GT(agree(s, "outside of the map").outside_map, 0.3);
+    s = hard(512, 0);
+    s.lights[0].type = int(LightType::Spot);
+    s.bias.normal = 0.1;
+    s.bias.slope = 0.05;
+    EXPECT_GT(agree(s, "spot light, too little of each bias").any_acne, 0.001);
+    s.lights[0].type = int(LightType::Point);
+    EXPECT_GT(agree(s, "point light").counted, 1000u);
+
+    scene = test::floor_and_box(10, {1.5, 1, 2}, 0.1);
+    s = hard(1024, 3);
+    s.bias.unit = int(BiasUnit::Metres);
+    EXPECT_GT(agree(s, "peter-panning").artefacts[std::size_t(Artefact::PeterPanning)], 300u);
+    s.lights[0].type = int(LightType::Spot);
+    s.map.reversed_z = true;
+    agree(s, "peter-panning under a spot light");
+}
+
+TEST_F(LiveErrorTest, AgreesOnLostCasters) {
+    scene = {};
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
+    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(2, 2), grey), moved(0, 1.2, 0));
+    finalise(scene);
+    Settings s = hard(512, 3);
+    s.caster.cull = int(Cull::Front);
+    EXPECT_GT(agree(s, "front culling").artefacts[std::size_t(Artefact::LostCaster)], 300u);
+}
+
+TEST_F(LiveErrorTest, AgreesUnderALightOfSizeAndOnPartOfThePixels) {
+    Settings s = hard(512, 0.5);
+    s.filter.kernel = test::kernel("pcf5");
+    s.lights[0].size = 3;
+    s.truth.area = true;
+    s.truth.samples = 64;
+    EXPECT_GT(agree(s, "light of size").mae, 0.001);
+    const std::size_t all = frame.error->metrics.counted;
+    for (const int step : {2, 3}) {
+        s.truth.step = step;
+        agree(s, "part of the pixels");
+        EXPECT_NEAR(double(frame.error->metrics.counted) * step * step, double(all), 0.03 * double(all)) << step;
+    }
+}
+
+TEST_F(LiveErrorTest, FollowsTheBiasWithoutNewRays) {
+    Settings s = hard(512, 0);
+    const double acne = agree(s, "before").acne;
+    const auto truth = request.truth;
+    for (const double constant : {1.0, 2.0, 4.0, 8.0}) {
+        s.bias.constant = constant;
+        frame = renderer.render(scene, s, request);  // not render_with_truth: nothing may be traced
+        ASSERT_TRUE(frame.truth.met);
+        ASSERT_TRUE(frame.error);
+        const ErrorMetrics& m = frame.error->metrics;
+        EXPECT_LT(m.acne, 0.7 * acne + 1e-9) << constant;
+        EXPECT_LT(double(frame.error->undecided), 0.01 * double(m.counted)) << "a smaller bias found these edges";
+    }
+    EXPECT_EQ(frame.error->metrics.acne, 0);
+    s.filter.kernel = test::kernel("pcf3");
+    s.bias.constant = 0;
+    frame = renderer.render(scene, s, request);
+    EXPECT_GT(frame.error->undecided, 1000u) << "another kernel needs other edges, and says so";
+    EXPECT_EQ(frame.error->metrics.acne, 0) << "and judges nothing before it knows";
+    s.filter.kernel = test::kernel("hard");
+    s.lights[0].azimuth += 1;
+    frame = renderer.render(scene, s, request);
+    EXPECT_FALSE(frame.truth.met) << "another light, another truth";
+    EXPECT_FALSE(frame.error);
+    EXPECT_EQ(request.truth, truth);
+}
+
+TEST_F(LiveErrorTest, OverlaysShowWhatTheNumbersCount) {
+    Settings s = hard(512, 0);
+    set_setting(s, "view.overlay", "artefacts");
+    request.outputs = {.colour = true, .overlay = true, .error = true};
+    FrameResult untraced = renderer.render(scene, s, request);
+    EXPECT_TRUE(untraced.panes.front().lacks_truth);
+    EXPECT_EQ(untraced.panes.front().overlay, 0);
+    EXPECT_NE(untraced.truth.key, 0u);
+    frame = render_with_truth(renderer, scene, s, request, cache);
+    EXPECT_EQ(untraced.truth.key, request.truth->key);
+    const FloatImage values = renderer.read_float(frame.overlay, 4);
+    for (const ArtefactStyle& style : artefact_styles()) {
+        std::size_t pixels = 0;
+        for (std::size_t i = 0; i < values.data.size(); i += 4) {
+            bool same = values.data[i + 3] == 1;
+            for (std::size_t c = 0; c < 3; ++c) same &= std::abs(values.data[i + c] * 255 - style.rgb[c]) < 0.01f;
+            pixels += same;
+        }
+        EXPECT_EQ(pixels, frame.error->metrics.artefacts[std::size_t(style.artefact)]) << style.key;
+    }
+
+    const Truth& truth = *request.truth->traced.truth;
+    set_setting(s, "view.overlay", "truth");
+    frame = render_with_truth(renderer, scene, s, request, cache);
+    const FloatImage shown = renderer.read_float(frame.overlay, 4);
+    for (int y = 0; y < truth.height; ++y)
+        for (int x = 0; x < truth.width; ++x)
+            if (shown.at(x, y, 3) > 0) ASSERT_EQ(shown.at(x, y), truth.visibility.at(x, y)) << x << ", " << y;
+    set_setting(s, "view.overlay", "truth-difference");
+    frame = render_with_truth(renderer, scene, s, request, cache);
+    const FloatImage difference = renderer.read_float(frame.overlay, 4);
+    double sum = 0;
+    std::size_t counted = 0;
+    for (std::size_t i = 0; i < difference.data.size(); i += 4)
+        if (difference.data[i + 3] > 0 && !std::isnan(difference.data[i])) sum += difference.data[i], ++counted;
+    EXPECT_EQ(counted, frame.error->metrics.counted);
+    EXPECT_NEAR(sum / double(counted), frame.error->metrics.signed_mean, 1e-6);
+}
+
+TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
+    scene = test::floor_and_box(10, {1.5, 1, 2}, 0);
+    request.outputs = {.colour = false, .overlay = true};
+    for (const LightType type : {LightType::Directional, LightType::Spot}) {
+        Settings s = hard(128, 1);
+        s.lights[0].type = int(type);
+        s.filter.kernel = test::kernel("pcf9");  // wide: it needs more bias than there is room for beside the box
+        set_setting(s, "view.overlay", "bias-window");
+        frame = render_with_truth(renderer, scene, s, request, cache);
+        ASSERT_FALSE(frame.panes.front().lacks_truth);
+        const FloatImage shown = renderer.read_float(frame.overlay, 4);
+        const Truth& truth = *request.truth->traced.truth;
+        const FittedLight& light = frame.lights[0];
+        std::size_t shadowed = 0, closed = 0, off = 0;
+        for (int y = 0; y < truth.height; ++y)
+            for (int x = 0; x < truth.width; ++x) {
+                const std::size_t i = std::size_t(y) * std::size_t(truth.width) + std::size_t(x);
+                const float nearest = truth.nearest_m.data[i], value = shown.at(x, y);
+                if (truth.state[i] != PixelState::Counted) continue;
+                ASSERT_EQ(std::isnan(nearest), std::isnan(value)) << x << ", " << y;
+                if (std::isnan(nearest)) continue;
+                const Receiver& r = request.truth->traced.receivers->pixels[i];
+                const BiasAccount account = bias_account(light, s, frame.map_resolution,
+                                                         {r.position_ws, r.normal_ws, r.normal_ws, frame.camera.eye},
+                                                         renderer.driver().subpixel_bits);
+                const LightView& view = light.views[account.receiver.view];
+                const double z = account.receiver.own_m;
+                const double before = z - nearest * glm::dot(account.receiver.to_light, view.axes[2]);
+                const double gap = std::abs(view.curve.depth(z) - view.curve.depth(before));
+                const double texels = account.amount(gap - account.least.total()).texels;
+                ++shadowed, closed += texels <= 0;
+                off += !(std::abs(value - texels) <= 0.02 + 2e-3 * std::abs(texels));
+            }
+        EXPECT_GT(shadowed, 1000u);
+        EXPECT_GT(closed, 20u) << "beside the box no bias is right";
+        EXPECT_LT(off, shadowed / 200) << int(type);
+    }
+}
+
+TEST_F(LiveErrorTest, TruePictureIsTheShadedOneUnderTheTruth) {
+    Settings s = hard(4096, 4);
+    request.outputs = {.colour = true, .true_colour = true};
+    frame = render_with_truth(renderer, scene, s, request, cache);
+    ASSERT_NE(frame.true_colour.texture, 0u);
+    const ByteImage map = renderer.read_colour(frame.colour), truth = renderer.read_colour(frame.true_colour);
+    const std::size_t off = different_pixels(map, truth, 2);
+    EXPECT_LT(off, map.data.size() / 4 / 50) << "a fine map is nearly true";
+    s.bias.constant = 0;
+    s.map.resolution = 256;
+    frame = render_with_truth(renderer, scene, s, request, cache);
+    EXPECT_EQ(truth.data, renderer.read_colour(frame.true_colour).data) << "the truth knows no map";
+    EXPECT_GT(different_pixels(renderer.read_colour(frame.colour), truth, 2), map.data.size() / 4 / 10);
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,136 @@
+// The error panel, the artefact legend and the picture against another over made-up facts: that they fit, and what they ask for.
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <set>
+
+#include "renderer/measure/artefact_picture.h"
+#include "renderer/param.h"
+#include "tests/ui/ui_harness.h"
+#include "ui/theme.h"
+
+namespace si::test {
+namespace {
+
+LiveError made_up_error() {
+    LiveError e;
+    ErrorMetrics& m = e.metrics;
+    m.counted = 123456;
+    m.false_shadow = 0.25, m.acne = 0.2, m.boundary_false_shadow = 0.05;
+    m.false_light = 0.000123, m.mae = 0.1, m.rmse = 0.2, m.signed_mean = -0.09, m.iou = 0.5;
+    m.pixels = {123456, 1000, 2000};
+    m.artefacts = {90000, 24691, 5, 4, 6000, 3, 2};
+    e.undecided = 77, e.undecided_wrong = 66;
+    return e;
+}
+
+TruthFacts made_up_truth() {
+    return {.current = true, .wanted = true, .build_ms = 100, .trace_ms = 200, .rays = 1234567, .width = 640, .height = 480};
+}
+
+/// Colours of all vertices of the last frame.
+std::set<ImU32> colours() {
+    std::set<ImU32> out;
+    const ImDrawData* data = ImGui::GetDrawData();
+    for (int i = 0; i < data->CmdListsCount; ++i)
+        for (const ImDrawVert& v : data->CmdLists[i]->VtxBuffer) out.insert(v.col);
+    return out;
+}
+
+TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
+    for (const auto& [width, height, scale] :
+         {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {1920, 1080, 1.25f}, {3840, 2160, 2.0f}}) {
+        UiHarness ui(width, height, scale);
+        ui.state.open_tab = BottomTab::Error;
+        for (int variant = 0; variant < 4; ++variant) {
+            ui.truth = made_up_truth();
+            ui.error = made_up_error();
+            if (variant == 1) ui.truth->current = false, ui.truth->doing = "Tracing rays", ui.error.reset();
+            if (variant == 2) ui.truth->current = false, ui.truth->problem = "Cancelled", ui.error.reset();
+            if (variant == 3) ui.state.settings.truth.area = true;
+            ui.frames(4);
+            ASSERT_EQ(ui.state.tab, BottomTab::Error);
+            bool seen = false;
+            for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
+                const std::string_view name(w->Name);
+                if (!w->WasActive || name.find("/Error_") == std::string_view::npos) continue;
+                seen = true;
+                EXPECT_LE(w->ContentSize.x, w->InnerRect.GetWidth() + 1) << name << " at " << width << ", " << variant;
+                EXPECT_LE(w->ContentSize.y, w->InnerRect.GetHeight() + 1) << name << " at " << width << ", " << variant;
+            }
+            EXPECT_TRUE(seen);
+        }
+    }
+}
+
+TEST(ErrorPanel, AsksForNumbersOnlyWhileTheyAreShown) {
+    UiHarness ui(1280, 720);
+    EXPECT_FALSE(ui.frames(3).want_error);
+    ui.state.open_tab = BottomTab::Error;
+    EXPECT_TRUE(ui.frames(3).want_error);
+    ui.state.open_tab = BottomTab::Log;
+    EXPECT_FALSE(ui.frames(3).want_error);
+    set_setting(ui.state.settings, "view.overlay", "artefacts");
+    EXPECT_TRUE(ui.frames(2).want_error) << "for the legend";
+    set_setting(ui.state.settings, "view.overlay", "truth");
+    EXPECT_FALSE(ui.frames(2).want_error);
+}
+
+TEST(ErrorPanel, TheLegendHasEveryColour) {
+    UiHarness ui(1280, 720);
+    set_setting(ui.state.settings, "view.overlay", "artefacts");
+    ui.truth = made_up_truth();
+    ui.frames(3);
+    std::set<ImU32> seen = colours();
+    for (const ArtefactStyle& style : artefact_styles()) EXPECT_TRUE(seen.contains(theme::rgb(style.rgb))) << style.key;
+    EXPECT_FALSE(seen.contains(theme::rgb(kUndecidedRgb)));
+    ui.error = made_up_error();
+    ui.frames(2);
+    EXPECT_TRUE(colours().contains(theme::rgb(kUndecidedRgb))) << "while pixels are being decided";
+}
+
+TEST(Against, EveryViewFitsAndSaysWhatIsMissing) {
+    for (const auto& [width, height, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}}) {
+        UiHarness ui(width, height, scale);
+        ui.truth = made_up_truth();
+        for (const AgainstView view :
+             {AgainstView::Swipe, AgainstView::SideBySide, AgainstView::Difference, AgainstView::Off}) {
+            ui.state.against.view = view;
+            for (int variant = 0; variant < 3; ++variant) {
+                ui.state.against.truth = variant != 1;
+                ui.against.reset();
+                if (variant > 0) {
+                    ui.against = AgainstFacts{.label = "x", .mae = 0.01};
+                    const FrameResult made_up = made_up_frame(ui.scene, ui.state.settings);
+                    if (variant == 2) ui.against->picture = ui.against->difference = made_up.colour;
+                    if (variant == 1) ui.against->problem = "no such preset";
+                }
+                const EditorActions actions = ui.frames(3);
+                EXPECT_GT(actions.scene_width, 100);
+                EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 2000);
+            }
+        }
+    }
+}
+
+TEST(Against, TheLineIsDraggedAndNothingElse) {
+    UiHarness ui(1280, 720);
+    ui.state.against = {.view = AgainstView::Swipe};
+    ui.frames(3);
+    ASSERT_TRUE(ui.state.scene_view);
+    const PictureView view = *ui.state.scene_view;
+    const auto at = [&](double x) { return glm::vec2(view.origin.x + x * view.size.x, view.origin.y + 0.75 * view.size.y); };
+    const Settings before = ui.state.settings;
+    ui.drag(at(0.5), at(0.2));
+    EXPECT_NEAR(ui.state.against.at, 0.2, 0.01);
+    EXPECT_EQ(ui.state.settings, before);
+    EXPECT_FALSE(ui.state.probe_pixel);
+    ui.drag(at(0.2), glm::vec2(5, 300));
+    EXPECT_GE(ui.state.against.at, 0.f) << "not beyond the picture";
+    ui.drag(at(0.7), at(0.8));
+    EXPECT_NE(ui.state.settings, before) << "elsewhere the camera turns";
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,269 @@
+// The traced truth in the whole editor: numbers that follow the settings, overlays, and the picture against another.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/headless_editor.h"
+#include "app/output.h"
+#include "renderer/param.h"
+#include "renderer/reference/error_task.h"
+#include "renderer/reference/live_error.h"
+#include "renderer/scenes/builtin.h"
+
+namespace si {
+namespace {
+
+const std::filesystem::path kOut = SI_TEST_OUTPUT_DIR;
+
+EditorOptions options(const std::vector<std::string>& sets, int width = 1280, int height = 720) {
+    EditorOptions o;
+    o.session = {.scene = "boxes", .preset = {}, .sets = sets};
+    o.width = width, o.height = height;
+    return o;
+}
+
+const std::vector<std::string> kNoBias = {"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.frustum=false"};
+
+void expect_calm(HeadlessEditor& editor) {
+    for (const LogLine& line : editor.model().state.log.lines()) EXPECT_EQ(line.kind, LogKind::Info) << line.text;
+}
+
+TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
+    HeadlessEditor editor(options(kNoBias));
+    editor.settle();
+    EXPECT_FALSE(editor.model().facts().error) << "nothing asked for it";
+    EXPECT_FALSE(editor.model().facts().truth->wanted);
+
+    EditorState& state = editor.model().state;
+    state.open_tab = BottomTab::Error;
+    editor.settle();
+    const auto error = [&] { return editor.model().facts().error; };
+    ASSERT_TRUE(error());
+    EXPECT_TRUE(editor.model().facts().truth->current);
+    EXPECT_EQ(error()->undecided, 0u);
+    const ErrorMetrics before = error()->metrics;
+    EXPECT_GT(before.acne, 0.1);
+    write_png(kOut / "editor_error.png", editor.picture());
+
+    // The same as the command line measures at this size.
+    {
+        const FrameResult& shown = *editor.model().facts().result;
+        Renderer renderer;
+        TruthCache cache;
+        const ErrorTask task = error_task(renderer, load_scene("boxes"), state.settings,
+                                          {.width = shown.colour.width, .height = shown.colour.height}, 0);
+        EXPECT_EQ(measure_error(task, cache).metrics.artefacts, before.artefacts);
+    }
+
+    state.settings.bias.constant = 4;
+    for (int i = 0; i < 2; ++i) {
+        editor.frame();
+        EXPECT_NE(editor.model().facts().truth->doing, "Tracing rays") << "a slider that moves waits for nothing";
+        EXPECT_TRUE(error());
+    }
+    ASSERT_TRUE(error());
+    EXPECT_LT(error()->metrics.acne, 0.2 * before.acne);
+    EXPECT_TRUE(editor.model().facts().truth->current);
+
+    state.settings.lights[0].azimuth += 10;
+    editor.frame();
+    EXPECT_FALSE(error()) << "the light moved: the old truth says nothing of it";
+    EXPECT_FALSE(editor.model().facts().truth->current);
+    editor.settle();
+    EXPECT_TRUE(error());
+    state.open_tab = BottomTab::Passes;
+    editor.settle();
+    EXPECT_FALSE(error());
+    expect_calm(editor);
+}
+
+TEST(EditorTruth, CancelIsHeededUntilSomethingChanges) {
+    // More rays than can be traced before it is cancelled.
+    std::vector<std::string> sets = kNoBias;
+    for (const char* set : {"truth.area=true", "truth.samples=4096", "truth.noise=0", "light.size=5"}) sets.push_back(set);
+    HeadlessEditor editor(options(sets));
+    editor.model().state.open_tab = BottomTab::Error;
+    for (int i = 0; i < 20 && !editor.model().tracing(); ++i) {
+        editor.model().finish_loading();
+        editor.frame();
+    }
+    ASSERT_TRUE(editor.model().tracing());
+    EditorActions cancel = editor.frame();
+    cancel.cancel_truth = true;
+    editor.model().fulfil(cancel);
+    editor.settle();
+    EXPECT_FALSE(editor.model().facts().error);
+    EXPECT_EQ(editor.model().facts().truth->problem, "Cancelled");
+    editor.model().state.settings.truth.area = false;
+    editor.settle();
+    EXPECT_TRUE(editor.model().facts().error);
+}
+
+TEST(EditorTruth, OverlayWaitsForTheTruthAndThenShowsIt) {
+    HeadlessEditor editor(options(kNoBias));
+    set_setting(editor.model().state.settings, "view.overlay", "artefacts");
+    set_setting(editor.model().state.settings, "view.overlay_2", "truth");
+    editor.model().state.settings.view.panes = int(Panes::Two);
+    editor.model().finish_loading();
+    for (int i = 0; i < 3; ++i) editor.frame();
+    ASSERT_TRUE(editor.model().facts().result);
+    EXPECT_TRUE(editor.model().facts().result->panes.front().lacks_truth);
+    const ByteImage waiting = editor.picture();
+    const int width = editor.model().facts().result->colour.width, height = editor.model().facts().result->colour.height;
+    editor.settle();
+    for (const Pane& pane : editor.model().facts().result->panes) {
+        EXPECT_FALSE(pane.lacks_truth);
+        EXPECT_GT(pane.overlay, 0);
+    }
+    ASSERT_TRUE(editor.model().facts().error) << "for the legend";
+    EXPECT_NE(editor.picture().data, waiting.data);
+    EXPECT_EQ(editor.model().facts().result->colour.width, width);
+    EXPECT_EQ(editor.model().facts().result->colour.height, height) << "or the truth would be of another size again";
+    write_png(kOut / "editor_artefacts.png", editor.picture());
+    expect_calm(editor);
+}
+
+TEST(EditorTruth, SavesAllNumbers) {
+    const std::filesystem::path file = kOut / "editor_error.json";
+    std::filesystem::remove(file);
+    HeadlessEditor editor(options(kNoBias));
+    editor.model().state.open_tab = BottomTab::Error;
+    editor.settle();
+    EditorActions save = editor.frame();
+    save.save_error = file.string();
+    editor.model().fulfil(save);
+    editor.settle();
+    ASSERT_TRUE(std::filesystem::exists(file));
+    const auto json = nlohmann::json::parse(std::ifstream(file));
+    EXPECT_NEAR(json["error"]["acne"], editor.model().facts().error->metrics.acne, 1e-9);
+    EXPECT_TRUE(json["error"]["boundary_px_mean"].is_number()) << "what a frame alone cannot tell";
+    save.save_error = (kOut / "no such folder" / "x.json").string();
+    editor.model().fulfil(save);
+    EXPECT_EQ(editor.model().state.log.lines().back().kind, LogKind::Error);
+}
+
+/// Pixels of a column range of the scene picture, without its upper fifth where labels are.
+std::vector<std::uint8_t> part(const HeadlessEditor& editor, const PictureView& view, double from, double to) {
+    const ByteImage image = editor.picture();
+    std::vector<std::uint8_t> out;
+    const int x0 = int(view.origin.x + from * view.size.x), x1 = int(view.origin.x + to * view.size.x);
+    for (int y = int(view.origin.y + 0.2 * view.size.y); y < int(view.origin.y + 0.8 * view.size.y); ++y) {
+        const auto* row = &image.data[(std::size_t(y) * std::size_t(image.width) + std::size_t(x0)) * 4];
+        out.insert(out.end(), row, row + std::size_t(x1 - x0) * 4);
+    }
+    return out;
+}
+
+TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
+    HeadlessEditor editor(options({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.frustum=false",
+                                   "view.axes=false", "map.resolution=256"}));
+    editor.settle();
+    EditorState& state = editor.model().state;
+    state.against = {.view = AgainstView::Swipe, .truth = true, .at = 1};
+    editor.settle();
+    ASSERT_TRUE(editor.model().facts().against && editor.model().facts().against->picture.texture);
+    ASSERT_TRUE(state.scene_view);
+    const PictureView view = *state.scene_view;
+    const auto left_a = part(editor, view, 0.05, 0.4), right_a = part(editor, view, 0.6, 0.95);
+    state.against.at = 0;
+    editor.settle();
+    const auto left_b = part(editor, view, 0.05, 0.4), right_b = part(editor, view, 0.6, 0.95);
+    EXPECT_NE(left_a, left_b);
+    EXPECT_NE(right_a, right_b);
+    state.against.at = 0.3f;
+
+    // The line is dragged from 0.3 to the middle; the camera stays.
+    const CameraSettings camera = state.settings.camera;
+    const auto at = [&](double share) {
+        return glm::vec2(view.origin.x + share * view.size.x, view.origin.y + 0.7 * view.size.y);
+    };
+    editor.mouse.at = at(0.3);
+    editor.frame(), editor.frame();
+    editor.mouse.left = true;
+    editor.frame();
+    for (const double share : {0.35, 0.42, 0.5}) {
+        editor.mouse.at = at(share);
+        editor.frame();
+    }
+    editor.mouse.left = false;
+    editor.frame();
+    editor.mouse.at.reset();
+    editor.settle();
+    EXPECT_NEAR(state.against.at, 0.5, 0.01);
+    EXPECT_EQ(state.settings.camera, camera);
+    EXPECT_FALSE(state.probe_pixel) << "a drag is no click";
+    EXPECT_EQ(part(editor, view, 0.05, 0.4), left_a);
+    EXPECT_EQ(part(editor, view, 0.6, 0.95), right_b);
+    write_png(kOut / "editor_swipe.png", editor.picture());
+
+    // Elsewhere a drag turns the camera as ever.
+    editor.mouse.at = at(0.8);
+    editor.frame(), editor.frame();
+    editor.mouse.left = true;
+    editor.frame();
+    editor.mouse.at = at(0.9);
+    editor.frame(), editor.frame();
+    editor.mouse.left = false;
+    editor.frame();
+    EXPECT_NEAR(state.against.at, 0.5, 0.01);
+    EXPECT_NE(state.settings.camera, camera);
+
+    const auto press = [&](int key) {
+        ImGui::GetIO().KeysDown[key] = true;
+        editor.frame();
+        ImGui::GetIO().KeysDown[key] = false;
+        editor.frame();
+    };
+    press('.');
+    EXPECT_NEAR(state.against.at, 0.52, 0.01);
+    press(',');
+    EXPECT_NEAR(state.against.at, 0.5, 0.01);
+    press('B');
+    EXPECT_EQ(state.against.view, AgainstView::SideBySide);
+    press('B'), press('B');
+    EXPECT_EQ(state.against.view, AgainstView::Off);
+    expect_calm(editor);
+}
+
+TEST(EditorAgainst, HoldsAgainstPresetsInAllViews) {
+    HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
+    EditorState& state = editor.model().state;
+    state.against = {.view = AgainstView::SideBySide, .truth = false};
+    state.compare = {CompareKind::Defaults, {}};
+    editor.settle();
+    const auto facts = [&] { return editor.model().facts().against; };
+    ASSERT_TRUE(facts() && facts()->picture.texture);
+    EXPECT_EQ(facts()->picture.width, editor.model().facts().result->colour.width) << "both sides are of one size";
+    write_png(kOut / "editor_beside.png", editor.picture());
+    state.against.view = AgainstView::Difference;
+    editor.settle();
+    ASSERT_TRUE(facts()->difference.texture);
+    const double different = facts()->mae;
+    EXPECT_GT(different, 1e-4);
+    write_png(kOut / "editor_difference.png", editor.picture());
+    state.against.view = AgainstView::Off;
+    editor.settle();
+    EXPECT_FALSE(facts());
+    state.against.view = AgainstView::Difference;
+    editor.settle();
+    expect_calm(editor);
+    // Light, maps and kernel as the defaults have them: nothing is left to differ but shading by rounding.
+    state.settings.filter = {};
+    state.settings.map = {};
+    state.settings.bias = {};
+    state.settings.lights = Settings{}.lights;
+    state.settings.shading = {};
+    state.settings.caster = {};
+    editor.settle();
+    EXPECT_EQ(facts()->mae, 0);
+    state.compare = {CompareKind::Preset, "no such preset"};
+    editor.settle();
+    EXPECT_FALSE(facts()->problem.empty());
+    EXPECT_EQ(facts()->picture.texture, 0u);
+}
+
+}  // namespace
+}  // namespace si
