@@ -14,6 +14,7 @@
 #include "ui/depth_plots.h"
 #include "ui/kernel_marks.h"
 #include "ui/map_marks.h"
+#include "ui/map_readout.h"
 #include "ui/panels.h"
 #include "ui/setting_widgets.h"
 #include "ui/theme.h"
@@ -133,27 +134,6 @@ void steer(MapWindow& window, ImVec2 origin, ImVec2 size, glm::ivec2 texels) {
 /// Who reads the map: while the shadow camera is frozen its pixels, not those of the one that flies about.
 const TexelUsage* shown_usage(const EditorState& state, const EditorFrame& frame) {
     return state.frozen ? frame.frozen_usage : frame.texel_usage;
-}
-
-/// Six digits: what tells neighbouring texels apart.
-std::string exact_metres(double metres) {
-    return std::isfinite(metres) ? fmt::format("{:.6g} m", metres) : "no distance";
-}
-
-/// A texel's number, its stored depth, and what that means.
-std::pair<std::string, std::string> readout(const EditorState& state, const EditorFrame& frame, const DepthCurve& curve, glm::ivec2 texel,
-                                            glm::ivec2 n) {
-    std::string where = fmt::format("texel {}, {}", texel.x, texel.y);
-    if (const TexelUsage* usage = shown_usage(state, frame); usage && usage->resolution() == n.x)
-        where += fmt::format("   read by {} {}pixels", usage->pixels(texel), state.frozen ? "frozen " : "");
-    const FloatImage* values = frame.map_values;
-    if (!values || values->width != n.x || values->height != n.y) return {where, {}};
-    const double stored = values->at(texel.x, n.y - 1 - texel.y);
-    const double z = curve.distance(stored), share = (z - curve.near) / (curve.far - curve.near);
-    // Nine digits tell any two 32-bit depths apart.
-    const std::string depth = fmt::format("{}   stored {:.9g}   linear {:.6g}", exact_metres(z), stored, share);
-    const bool empty = stored == curve.convention.far_depth();
-    return {where, empty ? depth + "   nothing drawn" : depth};
 }
 
 /// The texels that the kernel at a pixel of the scene picture reads.
@@ -301,7 +281,8 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         if (rect.holds(texel)) {
             state.hovered_texel = texel;
             outline_texels(rect, texel, 1, IM_COL32_WHITE);
-            text = readout(state, frame, result.map_view_curve, texel, n);
+            text = texel_readout(texel, n, frame.map_values, result.map_view_curve, shown_usage(state, frame),
+                                 state.frozen.has_value());
             if (frame.map_values && frame.map_values->width == n.x && frame.map_values->height == n.y)
                 marked_m = result.map_view_curve.distance(frame.map_values->at(texel.x, n.y - 1 - texel.y));
         }

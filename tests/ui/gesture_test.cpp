@@ -105,6 +105,10 @@ TEST(Gesture, FlyingMovesEyeAndTargetAlike) {
     const glm::dvec3 moved = after.eye - before.eye, expected = 2.0 * before.axes[0] + glm::dvec3(0, 0.5, 0) - 3.0 * before.axes[2];
     EXPECT_NEAR(glm::distance(moved, expected), 0, 1e-9);
     EXPECT_EQ(after.axes, before.axes);
+    // Under parallel rays things grow only when less is seen.
+    Settings parallel = manual(true);
+    fly(parallel.camera, {0, 0, 3});
+    EXPECT_NEAR(parallel.camera.height, 9 * std::exp(-3.0 / 12), 1e-9);
 }
 
 TEST(Gesture, LookingAlongAnAxisShowsTheOtherTwo) {
@@ -129,6 +133,7 @@ TEST(Gesture, FramingShowsAllOfTheBoundsAndNotTooSmall) {
     for (const bool orthographic : {false, true})
         for (const double aspect : {0.5, 1.6}) {
             Settings s = manual(orthographic);
+            s.camera.near = 1, s.camera.far = 2;  // set for another view
             look_at_bounds(s.camera, scene.bounds, aspect);
             const int w = int(aspect * kHeight);
             const Camera c = make_camera(scene, s, aspect);
@@ -142,6 +147,8 @@ TEST(Gesture, FramingShowsAllOfTheBoundsAndNotTooSmall) {
             }
             EXPECT_LE(reach, 1.0) << "orthographic " << orthographic << " aspect " << aspect;
             EXPECT_GT(reach, 0.4);
+            EXPECT_EQ(s.camera.near, 0);
+            EXPECT_EQ(s.camera.far, 0);
         }
 }
 

@@ -27,6 +27,22 @@ TEST(History, AGestureIsOneStep) {
     EXPECT_FALSE(h.can_redo());
 }
 
+TEST(History, ANoteWithoutAChangeBelongsToTheStepThatStands) {
+    History h;
+    Settings s;
+    h.set_place({"boxes", {}});
+    h.reset(s);
+    h.set_place({"boxes", {"acne", "Shadow acne", "Look."}});
+    h.observe(s, false);  // a preset that is equal to what is shown
+    EXPECT_EQ(h.place().guide.key, "acne");
+    EXPECT_FALSE(h.can_undo());
+    h.set_place({"boxes", {}});
+    s.map.resolution = 64;
+    h.observe(s, false);
+    h.undo();
+    EXPECT_EQ(h.place().guide.key, "acne");
+}
+
 TEST(History, AChangeAfterUndoDropsWhatWasUndone) {
     History h;
     h.reset(with_bias(1));

@@ -9,6 +9,7 @@
 
 #include "renderer/manual_light.h"
 #include "tests/support/box_scene.h"
+#include "ui/panels.h"
 
 namespace si {
 namespace {
@@ -350,6 +351,59 @@ TEST(LightDrag, StepsAreRound) {
     EXPECT_TRUE(multiple(planes.light.far, 0.5)) << planes.light.far;
 }
 
+TEST(LightDrag, ATargetIsCountedFromTheScenesCentre) {
+    for (const LightType type : {LightType::Spot, LightType::Directional}) {
+        Case c(type, 40, 30);
+        c.scene = test::box_scene({{{7, -1, -2}, {13, 5, 4}}});
+        c.light.fit = int(LightFit::Manual);
+        c.light.distance = 20;
+        const glm::dvec3 before = c.fitted().target;
+        c.drag(LightHandle::Target, front_view(), {12, -7});
+        expect_near(c.fitted().target, before + kMetresPerPixel * glm::dvec3(12, 7, 0), 1e-9);
+    }
+}
+
+TEST(LightDrag, AcrossItsAxisAConeStaysShutOrWideOpen) {
+    for (const auto& [cone, wanted] : {std::pair{50.0, 0.2}, {300.0, 360.0}}) {
+        Case c(LightType::Spot);
+        c.light.cone = cone;
+        c.light.distance = 9;
+        const LightHandle h = std::abs(handle_way(c.pose(), LightHandle::ConeTop).y) > 0.5 ? LightHandle::ConeTop
+                                                                                           : LightHandle::ConeRight;
+        const glm::dvec3 way = handle_way(c.pose(), h);
+        c.drag(h, front_view(), {0, way.y * 2.5 * cone_reach(c.pose()) / kMetresPerPixel});
+        EXPECT_EQ(c.light.cone, wanted);
+    }
+}
+
+TEST(LightHandles, NumbersAreThoseOfWhatIsDragged) {
+    Case c(LightType::Spot, 30, 20);
+    c.light.cone = 41;
+    c.light.distance = 9;
+    const LightPose pose = c.pose();
+    EXPECT_EQ(handle_numbers(pose, LightHandle::Near), metres_text(pose.view.curve.near));
+    EXPECT_EQ(handle_numbers(pose, LightHandle::Far), metres_text(pose.view.curve.far));
+    EXPECT_NE(handle_numbers(pose, LightHandle::Near), handle_numbers(pose, LightHandle::Far));
+    EXPECT_EQ(handle_numbers(pose, LightHandle::ConeTop), "41.0°");
+    EXPECT_EQ(handle_numbers(pose, LightHandle::Direction), "azimuth 30.0°   elevation 20.0°");
+    EXPECT_EQ(handle_numbers(pose, LightHandle::AxisY), "y " + metres_text(pose.position.y));
+    EXPECT_EQ(handle_numbers(pose, LightHandle::Position),
+              "x " + metres_text(pose.position.x) + "   y " + metres_text(pose.position.y) + "   z " +
+                  metres_text(pose.position.z));
+}
+
+TEST(LightHandles, UnderAFitOnlyALightWithAPlaceHasATarget) {
+    const auto has_target = [](const Case& c) {
+        const auto all = handles_of(c.pose());
+        return std::find(all.begin(), all.end(), LightHandle::Target) != all.end();
+    };
+    Case sun(LightType::Directional), lamp(LightType::Spot);
+    EXPECT_FALSE(has_target(sun)) << "the fit places its map";
+    EXPECT_TRUE(has_target(lamp));
+    sun.light.fit = int(LightFit::Manual);
+    EXPECT_TRUE(has_target(sun));
+}
+
 TEST(LightHandles, AlongTheLineOfSightThereIsNothingToDrag) {
     Case c(LightType::Directional, 0, 0);  // from +z, where the camera is
     for (const PlacedHandle& h : place_handles(c.pose(), front_view()))
@@ -368,6 +422,14 @@ TEST(LightHandles, NoneStandBehindTheCameraOrOutsideThePicture) {
         target = target || h.handle == LightHandle::Target;
     }
     EXPECT_TRUE(target);
+    Case wide(LightType::Directional, 0, 60);
+    wide.light.fit = int(LightFit::Manual);
+    wide.light.distance = 20;
+    wide.light.extent = 100;  // the picture is 60 m wide
+    const LightPose pose = wide.pose();
+    ASSERT_FALSE(front_view().contains(*front_view().point(handle_place(pose, LightHandle::ExtentRight, front_view()))));
+    for (const PlacedHandle& h : place_handles(pose, front_view()))
+        EXPECT_TRUE(front_view().contains(h.on_screen)) << handle_name(h.handle);
 }
 
 TEST(LightHandles, ALightWithoutAMapHasNoPlanes) {

@@ -4,6 +4,7 @@
 
 #include "tests/ui/ui_harness.h"
 #include "ui/light_drag.h"
+#include "ui/light_marks.h"
 
 namespace si::test {
 namespace {
@@ -108,6 +109,54 @@ TEST(LightGizmo, WithinNinePixelsAHandleIsHit) {
     g.ui.move(at + glm::vec2(3, 0));
     g.ui.frames(2);
     EXPECT_TRUE(g.ui.state.hovered_light) << "and again after a click";
+}
+
+TEST(LightGizmo, AHandleTakenBesideItsMiddleDoesNotJump) {
+    LightSettings moved[2];
+    for (const int off : {0, 1}) {
+        Gizmo g(LightType::Spot);
+        const glm::vec2 at = g.place(LightHandle::Far) + float(off) * glm::vec2(-5, 4);
+        g.ui.drag(at, at + glm::vec2(22, 13));
+        moved[off] = g.light;
+    }
+    EXPECT_NE(moved[0], LightSettings{});
+    EXPECT_NEAR(moved[0].far, moved[1].far, 1e-6);
+}
+
+TEST(LightGizmo, TheArrowToALightOutsideBringsItIn) {
+    Gizmo g(LightType::Spot);
+    g.light.distance = 9 * g.ui.scene.bounds.radius();
+    g.light.elevation = 75;
+    g.ui.frames(3);
+    const auto arrow = pointer_place(g.pose(), g.view());
+    ASSERT_TRUE(arrow) << "the light is in the picture";
+    const LightSettings before = g.light;
+    g.ui.click(*arrow);
+    EXPECT_FALSE(pointer_place(g.pose(), g.view())) << "still outside";
+    EXPECT_EQ(g.light, before);
+    EXPECT_FALSE(g.ui.state.probe_pixel) << "the click probed as well";
+}
+
+TEST(LightGizmo, OnlyLightsThatSettingsAndFrameKnowAreThere) {
+    Gizmo g(LightType::Spot);
+    g.settings.light_count = 2;
+    g.settings.lights[1].type = int(LightType::Point);
+    g.settings.lights[1].azimuth = 120;
+    g.settings.lights[1].distance = g.light.distance;
+    g.ui.frames(2);
+    g.ui.move(*g.view().point(g.pose(1).position));
+    g.ui.frames(2);
+    ASSERT_TRUE(g.ui.state.hovered_light);
+    EXPECT_EQ(g.ui.state.hovered_light->light, 1);
+    g.ui.frame_settings = g.settings;  // the frame of a moment ago
+    g.settings.light_count = 1;
+    g.ui.frames(2);
+    EXPECT_FALSE(g.ui.state.hovered_light) << "of a light that is gone";
+    g.ui.frame_settings->light_count = 1;
+    g.settings.light_count = 2;
+    g.settings.view.light = 1;
+    g.ui.frames(2);
+    EXPECT_FALSE(g.ui.state.hovered_light) << "of a light that was not drawn yet";
 }
 
 TEST(LightGizmo, ControlGoesInSteps) {

@@ -86,7 +86,7 @@ EditorActions UiHarness::frame() {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {float(width_), float(height_)};
     io.DeltaTime = float(frame_seconds);
-    result_ = made_up_frame(scene, state.settings);
+    result_ = made_up_frame(scene, frame_settings.value_or(state.settings));
     probe_ = made_up_probe(state.settings.light_count);
     probe_.object = probed_object;
     if (state.probe_pixel) probe_.x = state.probe_pixel->x, probe_.y = state.probe_pixel->y;

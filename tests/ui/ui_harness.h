@@ -29,6 +29,7 @@ public:
     EditorState state;
     Scene scene;
     std::optional<LoadingFacts> loading;
+    std::optional<Settings> frame_settings;  ///< that the last frame was drawn under; else the present ones
     std::optional<SweepFacts> sweep;
     std::vector<PresetEntry> presets;
     std::vector<std::string> recent_scenes, recent_presets;

@@ -94,6 +94,27 @@ TEST(Viewport, TheEditorDrawsOnWhileAKeyIsHeldAndSleepsAfterwards) {
     EXPECT_FALSE(v.ui.frames(2).redraw);
 }
 
+TEST(Viewport, TheMouseIsHeldWhileItFliesAndLinksAreReadWhileItRests) {
+    Viewport v;
+    v.ui.move(kPicture);
+    EditorActions actions = v.ui.frames(2);
+    EXPECT_FALSE(actions.hold_cursor);
+    EXPECT_TRUE(actions.want_links && actions.want_overlay_values);
+    for (const int button : {0, 1}) {
+        v.ui.press(true, button);
+        v.ui.frame();
+        v.ui.move(kPicture + glm::vec2(25, 10));
+        actions = v.ui.frames(2);
+        EXPECT_EQ(actions.hold_cursor, button == 1) << "orbiting ends at the screen's edges as any drag";
+        EXPECT_FALSE(actions.want_links || actions.want_overlay_values) << "read back in every frame of a drag";
+        v.ui.press(false, button);
+        actions = v.ui.frames(2);
+        EXPECT_FALSE(actions.hold_cursor);
+        EXPECT_TRUE(actions.want_links);
+        v.ui.move(kPicture);
+    }
+}
+
 TEST(Viewport, WithoutTheButtonTheKeysOfAFlightDoNothing) {
     Viewport v;
     const Settings before = v.settings;
