@@ -7,7 +7,7 @@ build_packages=(g++ cmake ninja-build pkg-config
   fonts-inter libgl1 libegl1 libegl-mesa0 libgl1-mesa-dri)
 # What the tests need besides: test and benchmark libraries, a display without a screen, a hand for its mouse.
 test_packages=(libgtest-dev googletest libbenchmark-dev xvfb xauth xdotool
-  chromium parallel shellcheck)
+  libx11-dev chromium parallel shellcheck)
 
 say() { printf '%s\n' "$*" >&2; }
 

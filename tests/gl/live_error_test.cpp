@@ -172,7 +172,9 @@ TEST_F(LiveErrorTest, OverlaysShowWhatTheNumbersCount) {
     const FloatImage shown = renderer.read_float(frame.overlay, 4);
     for (int y = 0; y < truth.height; ++y)
         for (int x = 0; x < truth.width; ++x)
-            if (shown.at(x, y, 3) > 0) ASSERT_EQ(shown.at(x, y), truth.visibility.at(x, y)) << x << ", " << y;
+            if (shown.at(x, y, 3) > 0) {
+                ASSERT_EQ(shown.at(x, y), truth.visibility.at(x, y)) << x << ", " << y;
+            }
     set_setting(s, "view.overlay", "truth-difference");
     frame = render_with_truth(renderer, scene, s, request, cache);
     const FloatImage difference = renderer.read_float(frame.overlay, 4);
