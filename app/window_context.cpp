@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/x11_errors.h"
 #include "renderer/error.h"
 
 namespace si {
@@ -59,6 +60,7 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
     }
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
+    survive_x_errors();
     glfwSetWindowUserPointer(window_, &events_);
     install_callbacks();
 }

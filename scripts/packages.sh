@@ -2,12 +2,12 @@
 
 # What compiles the program, and the driver that draws where there is no GPU.
 build_packages=(g++ cmake ninja-build pkg-config
-  libgl-dev libopengl-dev libegl-dev libepoxy-dev libglfw3-dev libglm-dev libimgui-dev
+  libgl-dev libopengl-dev libegl-dev libepoxy-dev libglfw3-dev libx11-dev libglm-dev libimgui-dev
   libtinygltf-dev libstb-dev libembree-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   fonts-inter libgl1 libegl1 libegl-mesa0 libgl1-mesa-dri)
 # What the tests need besides: test and benchmark libraries, a display without a screen, a hand for its mouse.
 test_packages=(libgtest-dev googletest libbenchmark-dev xvfb xauth xdotool
-  libx11-dev chromium parallel shellcheck)
+  chromium parallel shellcheck)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -43,6 +43,35 @@ TEST(History, ANoteWithoutAChangeBelongsToTheStepThatStands) {
     EXPECT_EQ(h.place().guide.key, "acne");
 }
 
+TEST(History, AnUndoThatDoesNotComeAboutStandsWhereItStood) {
+    History h;
+    const Settings first;
+    Settings second;
+    second.map.resolution = 64;
+    h.reset(first);
+    h.observe(second, false);
+    h.undo();
+    h.stay();
+    EXPECT_EQ(h.settings(), second);
+    EXPECT_TRUE(h.can_undo());
+    EXPECT_FALSE(h.can_redo());
+}
+
+TEST(History, WhatFollowsByItselfBelongsToTheStepThatMadeIt) {
+    History h;
+    const Settings first;
+    Settings followed, changed;
+    followed.lights[0].azimuth = 12;
+    changed = followed;
+    changed.map.resolution = 64;
+    h.reset(first);
+    h.follow(first, followed);
+    h.observe(followed, false);
+    EXPECT_FALSE(h.can_undo()) << "nobody changed anything";
+    h.observe(changed, false);
+    EXPECT_EQ(h.undo(), followed);
+}
+
 TEST(History, AChangeAfterUndoDropsWhatWasUndone) {
     History h;
     h.reset(with_bias(1));

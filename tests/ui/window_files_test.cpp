@@ -136,6 +136,16 @@ TEST_F(WindowFiles, ADroppedModelAndADroppedPresetAreOpened) {
     quit();
 }
 
+TEST_F(WindowFiles, ADragWhoseSourceIsGoneEndsNothing) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    const unsigned long window = std::strtoul(ask("search --name 'Shadow Inspector'").c_str(), nullptr, 10);
+    for (int i = 0; i < 5; ++i) begin_drag_and_vanish(window, 300, 300);
+    EXPECT_TRUE(wait_until([&] { return log().find("BadWindow") != std::string::npos; }, 30)) << log();
+    EXPECT_TRUE(program_->running()) << log();
+    EXPECT_FALSE(saved().contains("bias.constant"));
+    quit();
+}
+
 TEST_F(WindowFiles, AKilledEditorOffersItsSettingsAgain) {
     ASSERT_NO_FATAL_FAILURE(start());
     const nlohmann::json untouched = saved();

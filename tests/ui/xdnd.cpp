@@ -44,10 +44,15 @@ public:
     Source(const Source&) = delete;
     Source& operator=(const Source&) = delete;
 
-    bool drop(const std::string& text, int x, int y) {
-        if (!display_) return false;
+    void enter(int x, int y) const {
+        if (!display_) return;
         send("XdndEnter", {long(window_), kVersion << 24, long(atom("text/uri-list")), 0, 0});
         send("XdndPosition", {long(window_), 0, long(x) << 16 | y, CurrentTime, long(atom("XdndActionCopy"))});
+    }
+
+    bool drop(const std::string& text, int x, int y) {
+        if (!display_) return false;
+        enter(x, y);
         const auto status = wait_for("XdndStatus", text);
         if (!status || !(status->data.l[1] & 1)) return false;
         send("XdndDrop", {long(window_), 0, CurrentTime, 0, 0});
@@ -109,6 +114,10 @@ private:
 
 bool drop_file(unsigned long window, const std::filesystem::path& file, int x, int y) {
     return Source(window).drop(uri(file) + "\r\n", x, y);
+}
+
+void begin_drag_and_vanish(unsigned long window, int x, int y) {
+    Source(window).enter(x, y);
 }
 
 }  // namespace si::test

@@ -9,4 +9,7 @@ namespace si::test {
 /// $DISPLAY). Returns whether the window took the drop and said that it is done with it.
 bool drop_file(unsigned long window, const std::filesystem::path& file, int x, int y);
 
+/// A drag over the window whose source is gone before the window can answer.
+void begin_drag_and_vanish(unsigned long window, int x, int y);
+
 }  // namespace si::test

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <memory>
 
@@ -126,6 +127,23 @@ TEST(Autosave, SeveralLostSessionsComeOneAfterTheOther) {
     for (; next.lost(); next.forget_lost()) offered.push_back(next.lost()->preset.settings.bias.constant);
     std::sort(offered.begin(), offered.end());
     EXPECT_EQ(offered, (std::vector<double>{1, 2}));
+}
+
+TEST(Autosave, TheNewestComesFirstAndAnEarlierProcessOfThisNumberLosesNothing) {
+    const fs::path folder = fresh_test_folder();
+    // All crashes of this test have one process number, as a number that is given out again.
+    for (const double bias : {1.0, 2.0, 3.0}) crash(folder, bias);
+    EXPECT_EQ(files_in(folder, ".json"), 3u) << "one session was written over another";
+    for (const auto& entry : fs::directory_iterator(folder / "sessions")) {
+        if (entry.path().extension() != ".json") continue;
+        const double bias = load_preset(entry.path().string()).settings.bias.constant;
+        const auto hours = std::chrono::hours(bias == 3 ? 5 : bias == 2 ? 1 : 9);
+        fs::last_write_time(entry.path(), fs::file_time_type::clock::now() - hours);
+    }
+    const Autosave next(folder);
+    ASSERT_NE(next.lost(), nullptr);
+    EXPECT_EQ(next.lost()->preset.settings.bias.constant, 2) << "an hour old, not five";
+    EXPECT_NEAR(next.lost()->age_s, 3600, 60);
 }
 
 TEST(Autosave, FilesAreNamedSoThatAnotherFolderFindsThem) {
