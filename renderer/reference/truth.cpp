@@ -65,7 +65,7 @@ public:
                            receivers_.starts.size() == receivers_.pixels.size();
         for_tiles(workers, [&](int x0, int y0, int x1, int y1) {
             thread_local Batch batch;
-            thread_local std::vector<float> hits;
+            thread_local std::vector<Hit> hits;
             std::array<std::size_t, kPixelStates> pixels{};
             batch.clear();
             for (int y = y0; y < y1; ++y)
@@ -78,7 +78,7 @@ public:
             batch.trace(scene_, culls_, [&](std::uint32_t i, bool occluded) {
                 if (!occluded) return;
                 out_.visibility.data[i] = 0;
-                if (query_.options.nearest) out_.nearest_m.data[i] = nearest(i, hits);
+                if (query_.options.nearest) find_nearest(i, hits);
             });
             const std::lock_guard guard(lock_);
             for (std::size_t s = 0; s < kPixelStates; ++s) out_.pixels[s] += pixels[s];
@@ -168,8 +168,8 @@ private:
         return state = within_range(distance, query_.emitter.range_m) ? PixelState::Counted : PixelState::BeyondRange;
     }
 
-    /// Metres to the surface nearest the light, on the same ray as the shadow's.
-    float nearest(std::size_t i, std::vector<float>& hits) const {
+    /// The surfaces nearest the light, on the same ray as the shadow's.
+    void find_nearest(std::size_t i, std::vector<Hit>& hits) const {
         const Receiver& r = receivers_.pixels[i];
         const glm::vec3 origin = ray_origin(scene_, r);
         double distance = 0;
@@ -180,10 +180,14 @@ private:
         all_hits(scene_, make_ray(origin, glm::vec3(direction), float(distance * scene_.scale), 0), rules, hits);
         const double lift = glm::dot(glm::dvec3(origin) - scene_.to_unit(r.position_ws), direction);
         const double most = metres_to_near_plane(r.position_ws, direction) * scene_.scale;
-        double farthest = kNaN;
-        for (const float t : hits)
-            if (t + lift <= most && !(t + lift <= farthest)) farthest = t + lift;
-        return float(farthest / scene_.scale);
+        double drawn = kNaN, any = kNaN;
+        for (const Hit& hit : hits) {
+            const double t = hit.t + lift;
+            if (!(t <= any)) any = t;
+            if (!hit.culled && t <= most && !(t <= drawn)) drawn = t;
+        }
+        out_.nearest_m.data[i] = float(drawn / scene_.scale);
+        out_.blocker_m.data[i] = float(any / scene_.scale);
     }
 
     double metres_to_near_plane(const glm::dvec3& point, const glm::dvec3& direction) const {
@@ -289,7 +293,7 @@ Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, cons
     out.width = receivers.width, out.height = receivers.height;
     out.state.resize(receivers.pixels.size());
     out.visibility = image(out.width, out.height, 1);
-    if (query.options.nearest) out.nearest_m = image(out.width, out.height, kNaN);
+    if (query.options.nearest) out.nearest_m = out.blocker_m = image(out.width, out.height, kNaN);
     Tracer tracer(scene, receivers, query, out);
     const bool area = query.options.area && query.emitter.casts;
     tracer.trace_hard(workers.part(0, area ? 0.05 : 1));

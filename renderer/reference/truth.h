@@ -38,7 +38,7 @@ struct TruthOptions {
     bool as_rasterised = false;  ///< faces that culling leaves out of the shadow map cast nothing here either
     int samples = 1024;          ///< area: most rays a pixel. 64 everywhere, then four times as many, as noise demands
     double noise = 0.005;        ///< area: wanted standard error of a pixel's visibility
-    bool nearest = true;         ///< find Truth::nearest_m
+    bool nearest = true;         ///< find Truth::nearest_m and blocker_m
     int step = 1;                ///< every that many pixels of the picture, across and down, are one of the truth's
     bool operator==(const TruthOptions&) const = default;
 };
@@ -68,6 +68,9 @@ struct Truth {
     /// stores: under the culling of casters and beyond the map's near plane. NaN where none stands before the pixel's.
     /// Empty without TruthOptions::nearest.
     FloatImage nearest_m;
+    /// The same over all casters from both sides, whatever is culled and wherever the near plane stands: what a map would
+    /// store that loses no caster. NaN where the surface is lit. Empty without TruthOptions::nearest.
+    FloatImage blocker_m;
     std::array<std::size_t, kPixelStates> pixels{};  ///< per state
     std::uint64_t rays = 0;  ///< to the light
     double noise = 0;        ///< area: root mean square of the counted pixels' estimated standard errors

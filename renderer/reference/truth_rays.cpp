@@ -11,7 +11,7 @@ struct Query {
     RTCIntersectContext context;  ///< first: Embree hands its address to the filter
     const TruthScene::Impl* scene = nullptr;
     HitRules rules;
-    std::vector<float>* hits = nullptr;  ///< collects instead of stopping
+    std::vector<Hit>* hits = nullptr;  ///< collects instead of stopping
 
     Query(const TruthScene::Impl& s, const HitRules& r) : scene(&s), rules(r) { rtcInitIntersectContext(&context); }
 };
@@ -65,10 +65,11 @@ void filter(const RTCFilterFunctionNArguments* args) {
         c.direction = {RTCRayN_dir_x(args->ray, n, i), RTCRayN_dir_y(args->ray, n, i), RTCRayN_dir_z(args->ray, n, i)};
         c.t = RTCRayN_tfar(args->ray, n, i);
         const HitRules& rules = query.rules;
-        const bool counts = (rules.culls.empty() || !culled(c, rules)) &&
-                            (rules.exact.empty() || hits_exactly(c, rules.exact[c.ray], *query.scene));
-        if (counts && query.hits) query.hits->push_back(c.t);
-        if (!counts || query.hits) args->valid[i] = 0;
+        const bool left_out = !rules.culls.empty() && culled(c, rules);
+        const bool met = (query.hits || !left_out) &&
+                         (rules.exact.empty() || hits_exactly(c, rules.exact[c.ray], *query.scene));
+        if (met && query.hits) query.hits->push_back({c.t, left_out});
+        if (!met || query.hits) args->valid[i] = 0;
     }
 }
 
@@ -83,7 +84,7 @@ void occlude(const TruthScene::Impl& scene, std::span<RTCRay> rays, const HitRul
     rtcOccluded1M(scene.scene.get(), &query.context, rays.data(), unsigned(rays.size()), sizeof(RTCRay));
 }
 
-void all_hits(const TruthScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<float>& out) {
+void all_hits(const TruthScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out) {
     out.clear();
     Query query(scene, rules);
     query.context.filter = filter;

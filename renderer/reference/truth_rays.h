@@ -60,7 +60,11 @@ inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, floa
 /// Marks occluded rays by a negative tfar.
 void occlude(const TruthScene::Impl& scene, std::span<RTCRay> rays, const HitRules& rules);
 
-/// Parameters (in lengths of the ray's direction) of all hits up to the ray's end, in no order.
-void all_hits(const TruthScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<float>& out);
+struct Hit {
+    float t = 0;          ///< in lengths of the ray's direction
+    bool culled = false;  ///< by HitRules::culls
+};
+/// All hits up to the ray's end, culled ones too, in no order.
+void all_hits(const TruthScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out);
 
 }  // namespace si

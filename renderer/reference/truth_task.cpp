@@ -7,9 +7,9 @@
 namespace si {
 namespace {
 
-/// The near plane of a view, where it stands and nothing else: the map's size and resolution are no part of the truth.
-void add_near_plane(Key& key, const LightView& view) {
-    key.add(view.axes[2]).add(view.curve.perspective);
+/// A view's axes and near plane and nothing else: the map's size and resolution are no part of the truth.
+void add_view(Key& key, const LightView& view) {
+    key.add(view.axes[0]).add(view.axes[2]).add(view.curve.perspective);
     if (view.curve.perspective)
         key.add(view.eye).add(view.curve.near);
     else
@@ -24,7 +24,7 @@ Key query_key(const TruthQuery& query) {
     key.add(o.nearest).add(o.step);
     if (o.area) key.add(e.size).add(o.samples).add(o.noise);
     for (const ObjectTraits& t : query.traits) key.add(t.receives).add(t.cull);
-    for (const LightView& view : query.views) add_near_plane(key, view);
+    for (const LightView& view : query.views) add_view(key, view);
     return key;
 }
 
@@ -95,20 +95,9 @@ TruthTask truth_task(Renderer& renderer, const Scene& scene, const Settings& set
     return task;
 }
 
-EdgeFinder& TruthCache::edge_finder(const std::shared_ptr<const TruthScene>& scene, const FittedLight& light,
-                                    int map_resolution) {
-    const std::uint64_t key = texel_rays_key(light, map_resolution);
-    if (!edges_ || edges_of_ != scene || edges_key_ != key) {
-        edges_ = std::make_unique<EdgeFinder>(*scene, light, map_resolution);
-        edges_of_ = scene, edges_key_ = key;
-    }
-    return *edges_;
-}
-
 TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
     TracedTruth out;
     if (!scene_ || scene_->geometry().key != task.geometry->key) {
-        edges_.reset(), edges_of_.reset();
         scene_.reset();  // the old hierarchy's memory first
         scene_ = timed(out.build_ms,
                        [&] { return std::make_shared<TruthScene>(task.geometry, workers.part(0, 0.1)); });
@@ -120,17 +109,22 @@ TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
         });
         receivers_key_ = task.receivers_key;
     }
-    auto found = std::find_if(truths_.begin(), truths_.end(), [&](const auto& t) { return t.first == task.key; });
+    auto found = std::find_if(truths_.begin(), truths_.end(), [&](const Known& t) { return t.key == task.key; });
     if (found == truths_.end()) {
-        auto truth = timed(out.trace_ms, [&] {
-            return std::make_shared<Truth>(trace_visibility(*scene_, *receivers_, task.query, workers.part(0.2, 1)));
+        Known known{.key = task.key, .truth = {}, .runs = {}};
+        known.truth = timed(out.trace_ms, [&] {
+            return std::make_shared<Truth>(trace_visibility(*scene_, *receivers_, task.query, workers.part(0.2, 0.9)));
         });
-        truths_.emplace_front(task.key, std::move(truth));
+        known.runs = timed(out.runs_ms, [&] {
+            return std::make_shared<ShadowRuns>(shadow_runs(*known.truth, *receivers_, task.camera, task.raster,
+                                                            task.query.emitter, task.query.views, workers.part(0.9, 1)));
+        });
+        truths_.push_front(std::move(known));
         if (truths_.size() > kKept) truths_.pop_back();
     } else {
         truths_.splice(truths_.begin(), truths_, found);
     }
-    out.scene = scene_, out.receivers = receivers_, out.truth = truths_.front().second;
+    out.scene = scene_, out.receivers = receivers_, out.truth = truths_.front().truth, out.runs = truths_.front().runs;
     return out;
 }
 

@@ -9,8 +9,7 @@
 #include <list>
 #include <memory>
 
-#include "renderer/reference/light_space.h"
-#include "renderer/reference/truth.h"
+#include "renderer/reference/shadow_runs.h"
 #include "renderer/renderer.h"
 
 namespace si {
@@ -45,16 +44,15 @@ struct TracedTruth {
     std::shared_ptr<const TruthScene> scene;
     std::shared_ptr<const Receivers> receivers;
     std::shared_ptr<const Truth> truth;
-    double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time; 0 where the cache had it
+    std::shared_ptr<const ShadowRuns> runs;
+    double build_ms = 0, place_ms = 0, trace_ms = 0, runs_ms = 0;  ///< wall time; 0 where the cache had it
 };
 
-/// The last hierarchy, receivers and finder of edges, and the last truths. Used by one thread at a time.
+/// The last hierarchy and receivers, and the last truths. Used by one thread at a time.
 class TruthCache {
 public:
     /// @throws Cancelled, Error; what was complete by then is kept
     TracedTruth trace(const TruthTask& task, const Workers& workers = {});
-    /// Of the scene traced last. It holds until the next call.
-    EdgeFinder& edge_finder(const std::shared_ptr<const TruthScene>& scene, const FittedLight& light, int map_resolution);
     /// The triangles of the last trace, for truth_task().
     std::shared_ptr<const TruthGeometry> geometry() const { return scene_ ? scene_->shared_geometry() : nullptr; }
     void clear() { *this = {}; }
@@ -64,10 +62,12 @@ private:
     std::shared_ptr<const TruthScene> scene_;
     std::shared_ptr<const Receivers> receivers_;
     std::uint64_t receivers_key_ = 0;
-    std::shared_ptr<const TruthScene> edges_of_;
-    std::unique_ptr<EdgeFinder> edges_;
-    std::uint64_t edges_key_ = 0;
-    std::list<std::pair<std::uint64_t, std::shared_ptr<const Truth>>> truths_;  ///< latest first
+    struct Known {
+        std::uint64_t key = 0;
+        std::shared_ptr<const Truth> truth;
+        std::shared_ptr<const ShadowRuns> runs;
+    };
+    std::list<Known> truths_;  ///< latest first
 };
 
 }  // namespace si

@@ -32,14 +32,18 @@ float depth_quantum(Receiver r) {
 #endif
 }
 
-float least_bias(Receiver r, vec2 gradient) {
+/// @param reach_texels how far the centre of a texel that is compared may lie, per axis
+float least_bias(Receiver r, vec2 gradient, float reach_texels) {
     float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
     vec3 from_eye = abs(r.surface.position - frame.eye.xyz);
     float extent = max(max(0.5 * r.texel_m * float(map_resolution), from_eye.x), max(from_eye.y, from_eye.z));
     float snapping = SUBPIXEL_BITS > 0 ? exp2(-float(SUBPIXEL_BITS + 1)) : 0.0;
-    return (KERNEL_REACH + snapping) * per_texel + depth_quantum(r) +
+    return (reach_texels + snapping) * per_texel + depth_quantum(r) +
            exp2(-21.0) * max(extent * r.depth_per_m, r.uvd.z);
 }
+
+/// Of the chosen kernel.
+float least_bias(Receiver r, vec2 gradient) { return least_bias(r, gradient, KERNEL_REACH); }
 
 /// How far all bias brings the compared depth before the receiver's own plane.
 float bias_worth(Receiver r, vec2 gradient) {

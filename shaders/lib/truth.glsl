@@ -1,10 +1,12 @@
 // The ray-traced truth about the shown light (renderer/reference/truth_picture.h), and what was made of it.
-layout(binding = 7) uniform sampler2D truth_map;   // rows from the top: R, metres to the surface nearest the light, state, -
-layout(binding = 8) uniform sampler2D edge_map;    // rows from the top: texels to the nearest true edge, texels searched
-layout(binding = 9) uniform sampler2D judged_map;  // rows from the bottom: see passes/judge.frag.glsl
+layout(binding = 7) uniform sampler2D truth_map;   // rows from the top: R, metres to the drawn surface nearest the light, state, noise
+layout(binding = 8) uniform sampler2D more_map;    // rows from the top: metres to the nearest of all casters, hard R, edge_m, run_m
+layout(binding = 9) uniform sampler2D judged_map;  // rows from the bottom: see passes/compare.frag.glsl
 
 const float COUNTED = 0.0;  // PixelState::Counted
-const int FALSE_SHADOW = 1, FALSE_LIGHT = 2, OUTSIDE = 4, NEAR_EDGE = 8, UNDECIDED = 16, ANY_ACNE = 32, COUNTS = 64;
+const float RIGHT_VISIBILITY = 1e-3;
+const int FALSE_SHADOW = 1, FALSE_LIGHT = 2, OUTSIDE = 4, ANY_ACNE = 8, WITHIN_NOISE = 16, FAINT = 32, COUNTS = 64, SEAM = 128;
+const int ALSO = 256;  // times the bits of Cause.also
 
 /// The truth's pixel that stands for a pixel of the picture.
 ivec2 truth_pixel(ivec2 at) { return ivec2(at.x, TRUTH_ROWS - 1 - at.y) / TRUTH_STEP; }
@@ -16,7 +18,20 @@ ivec2 traced_pixel(ivec2 at) {
 
 vec4 truth_at(ivec2 at) { return texelFetch(truth_map, truth_pixel(at), 0); }
 vec4 truth_here() { return truth_at(ivec2(gl_FragCoord.xy)); }
+vec4 more_truth_here() { return texelFetch(more_map, truth_pixel(ivec2(gl_FragCoord.xy)), 0); }
 float true_visibility(vec4 truth) { return truth.x; }
+float hard_visibility(vec4 more) { return more.y; }
 bool counts(vec4 truth) { return truth.z == COUNTED; }
-/// What judge.frag.glsl found for the pixel that stands for this one.
+
+/// How the visibility v compares with the truth. Wrong: on the other side of one half, by more than the truth's noise can
+/// explain. Faint: darker than wholly lit, and not wrong.
+int compared_bits(float v, vec4 truth, bool outside) {
+    float true_v = true_visibility(truth);
+    bool sides = (v < 0.5) != (true_v < 0.5), sure = abs(v - true_v) > 3.0 * truth.w;
+    bool faint = true_v == 1.0 && v >= 0.5 && v < 1.0 - RIGHT_VISIBILITY;
+    return COUNTS + int(sides && sure && v < 0.5) * FALSE_SHADOW + int(sides && sure && v >= 0.5) * FALSE_LIGHT +
+           int(sides && !sure) * WITHIN_NOISE + int(faint) * FAINT + int(outside) * OUTSIDE;
+}
+
+/// What the passes found for the pixel that stands for this one.
 vec4 judged_here() { return texelFetch(judged_map, traced_pixel(ivec2(gl_FragCoord.xy)), 0); }

@@ -30,3 +30,9 @@ float light_visibility(Surface s, int light) {
     if (r.geometric_n_dot_l <= 0.0) return 0.0;
     return map_visibility(r);
 }
+
+/// Whether the look-up lies where the map holds nothing.
+bool looks_outside(Receiver r) {
+    if (r.where != INSIDE) return r.where != NO_MAP;
+    return any(lessThan(r.uvd_offset.xy, vec2(0.0))) || any(greaterThan(r.uvd_offset.xy, vec2(1.0)));
+}

@@ -1,0 +1,154 @@
+#include "renderer/reference/shadow_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "renderer/light_receiver.h"
+
+namespace si {
+namespace {
+
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+
+class Walker {
+public:
+    Walker(const Truth& truth, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
+           const Emitter& emitter, const std::vector<LightView>& views)
+        : truth_(truth), hard_(truth.hard()), receivers_(receivers), camera_(camera), raster_(raster), emitter_(emitter),
+          views_(views) {
+        find_clearance();
+    }
+
+    struct Found {
+        float run_m = kInfinite, edge_m = kInfinite;
+    };
+
+    Found at(int x, int y) const {
+        Found found;
+        const std::size_t i = index(x, y);
+        if (truth_.state[i] != PixelState::Counted || clearance_[i] > kRunReach) return found;
+        const Receiver& r = receivers_.pixels[i];
+        double distance = 0;
+        const glm::dvec3 to_light = emitter_.direction_from(r.position_ws, distance);
+        const double facing = glm::dot(r.normal_ws, to_light);
+        const LightView& view = views_[view_index(r.position_ws - emitter_.position_ws, views_.size())];
+        for (int a = 0; a < 2; ++a) {
+            const glm::dvec3 axis = view.axes[a];
+            // Within the receiver's plane; along the light's ray the map's other coordinate stays.
+            const glm::dvec3 along = axis - to_light * (glm::dot(r.normal_ws, axis) / facing);
+            const glm::dvec2 step = screen_step(r.position_ws, along);
+            if (!std::isfinite(step.x) || !std::isfinite(step.y) || (step.x == 0 && step.y == 0)) continue;
+            const float before = walk(x, y, -step, axis), behind = walk(x, y, step, axis);
+            found.edge_m = std::min({found.edge_m, before, behind});
+            found.run_m = std::min(found.run_m, before + behind);
+        }
+        return found;
+    }
+
+private:
+    const Truth& truth_;
+    const FloatImage& hard_;
+    const Receivers& receivers_;
+    const Camera& camera_;
+    const PixelRaster& raster_;
+    const Emitter& emitter_;
+    const std::vector<LightView>& views_;
+    std::vector<std::uint8_t> clearance_;  ///< pixels, at least, to a change of the truth or an end of the surface
+
+    std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(truth_.width) + std::size_t(x); }
+    bool counts(std::size_t i) const { return truth_.state[i] == PixelState::Counted; }
+    bool dark(std::size_t i) const { return hard_.data[i] < 0.5f; }
+    bool joins_right(std::size_t i) const { return receivers_.pixels[i].joins_right; }
+    bool joins_below(std::size_t i) const { return receivers_.pixels[i].joins_below; }
+
+    /// Chessboard distances by two sweeps (Rosenfeld, Pfaltz, Sequential operations in digital picture processing, 1966).
+    void find_clearance() {
+        const int w = truth_.width, h = truth_.height;
+        clearance_.assign(truth_.state.size(), std::uint8_t(kRunReach + 1));
+        const auto ends = [&](std::size_t i, std::size_t k, bool joined) {
+            if (counts(i) && counts(k) && joined && dark(i) == dark(k)) return;
+            clearance_[i] = clearance_[k] = 0;
+        };
+        for (int y = 0; y < h; ++y)
+            for (int x = 0; x < w; ++x) {
+                const std::size_t i = index(x, y);
+                if (x + 1 < w) ends(i, i + 1, joins_right(i));
+                if (y + 1 < h) ends(i, index(x, y + 1), joins_below(i));
+            }
+        const auto lower = [&](int x, int y, int u, int v) {
+            if (u < 0 || v < 0 || u >= w || v >= h) return;
+            std::uint8_t& here = clearance_[index(x, y)];
+            here = std::min<std::uint8_t>(here, std::uint8_t(clearance_[index(u, v)] + 1));
+        };
+        for (int y = 0; y < h; ++y)
+            for (int x = 0; x < w; ++x) lower(x, y, x - 1, y), lower(x, y, x - 1, y - 1), lower(x, y, x, y - 1), lower(x, y, x + 1, y - 1);
+        for (int y = h; y-- > 0;)
+            for (int x = w; x-- > 0;) lower(x, y, x + 1, y), lower(x, y, x + 1, y + 1), lower(x, y, x, y + 1), lower(x, y, x - 1, y + 1);
+    }
+
+    /// A move of the truth's pixels, the longer component 1, that leads along a direction in the world.
+    glm::dvec2 screen_step(const glm::dvec3& point, const glm::dvec3& along) const {
+        const double away = glm::dot(camera_.eye - point, camera_.axes[2]);
+        const double pixel_m = (camera_.orthographic ? camera_.height : 2 * away * std::tan(0.5 * camera_.fov_y_rad)) / raster_.height;
+        const glm::dvec3 moved = point + along * (1e-3 * pixel_m / std::max(glm::length(along), 1e-300));
+        const glm::dvec4 a = camera_.project(point, raster_.width, raster_.height);
+        const glm::dvec4 b = camera_.project(moved, raster_.width, raster_.height);
+        const glm::dvec2 d(b.x - a.x, b.y - a.y);
+        const double most = std::max(std::abs(d.x), std::abs(d.y));
+        return most > 0 ? d / most : glm::dvec2(0);
+    }
+
+    bool joined(int x, int y, int u, int v) const {
+        const auto right = [&](int cx, int cy) { return joins_right(index(cx, cy)); };
+        const auto below = [&](int cx, int cy) { return joins_below(index(cx, cy)); };
+        const int left = std::min(x, u), top = std::min(y, v);
+        if (y == v) return x == u || right(left, y);
+        if (x == u) return below(x, top);
+        return (right(left, y) && below(u, top)) || (below(x, top) && right(left, v));
+    }
+
+    /// Metres along `axis` to the change of the truth, or infinite.
+    float walk(int x, int y, const glm::dvec2& step, const glm::dvec3& axis) const {
+        const std::size_t start = index(x, y);
+        const auto metres = [&](std::size_t i) {
+            return std::abs(glm::dot(receivers_.pixels[i].position_ws - receivers_.pixels[start].position_ws, axis));
+        };
+        int u = x, v = y;
+        for (int gone = 0; gone < kRunReach;) {
+            const int safe = std::max(int(clearance_[index(u, v)]) - 1, 1);
+            gone = std::min(gone + safe, kRunReach);
+            const int s = x + int(std::lround(step.x * gone)), t = y + int(std::lround(step.y * gone));
+            if (s < 0 || t < 0 || s >= truth_.width || t >= truth_.height) return kInfinite;
+            const std::size_t here = index(s, t), before = index(u, v);
+            if (!counts(here)) return kInfinite;
+            if (safe == 1 && !joined(u, v, s, t)) return kInfinite;
+            if (dark(here) != dark(start)) return float(0.5 * (metres(before) + metres(here)));
+            u = s, v = t;
+        }
+        return kInfinite;
+    }
+};
+
+}  // namespace
+
+ShadowRuns shadow_runs(const Truth& truth, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
+                       const Emitter& emitter, const std::vector<LightView>& views, const Workers& workers) {
+    ShadowRuns out;
+    const std::vector<float> nothing(truth.state.size(), kInfinite);
+    out.run_m = {truth.width, truth.height, 1, nothing};
+    out.edge_m = out.run_m;
+    if (views.empty()) return out;
+    const Walker walker(truth, receivers, camera, raster, emitter, views);
+    for_blocks(std::size_t(truth.height), workers, [&](std::size_t y) {
+        for (int x = 0; x < truth.width; ++x) {
+            const Walker::Found found = walker.at(x, int(y));
+            const std::size_t i = y * std::size_t(truth.width) + std::size_t(x);
+            out.run_m.data[i] = found.run_m, out.edge_m.data[i] = found.edge_m;
+        }
+    });
+    return out;
+}
+
+}  // namespace si

@@ -1,0 +1,60 @@
+// Why a pixel is wrong: the first trial that puts it right. renderer/reference/causes.cpp in GLSL; tests hold both equal.
+#include "lib/evidence.glsl"
+
+struct Cause {
+    int artefact;
+    int also;   // bits 1 << artefact of what else has to be put right, or would do as well
+    bool seam;  // OUTSIDE_MAP: the look-up lies inside, taps do not
+};
+
+Cause cause(int artefact, int also) { return Cause(artefact, also, false); }
+
+Cause cause_of_false_light(Evidence e, bool outside) {
+    if (outside) return cause(ARTEFACT_OUTSIDE_MAP, 0);
+    if (e.beyond_dark < 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
+    const int bias = 1 << ARTEFACT_PETER_PANNING, offset = 1 << ARTEFACT_PETER_PANNING_OFFSET, leak = 1 << ARTEFACT_LEAK;
+    if (e.gap_all >= e.least && e.least > e.gap_drawn)
+        return cause(ARTEFACT_LOST_CASTER, e.gap_all < e.applied ? bias : 0);
+    // Else the surface shadowing itself would pass for the caster.
+    bool near = e.gap_drawn < e.applied + e.slack, stands = e.far_bare < 0.5 || e.gap_drawn < e.far;
+    bool by_bias = e.least_kept < 0.5 && near, by_offset = e.own_bare < 0.5 && stands;
+    bool by_both = e.least_bare < 0.5 && (near || stands);
+    bool offset_larger = e.strip_offset_m > e.strip_bias_m;
+    if (by_bias && !by_offset) return cause(ARTEFACT_PETER_PANNING, 0);
+    if (by_offset && !by_bias) return cause(ARTEFACT_PETER_PANNING_OFFSET, 0);
+    if (by_both || by_bias)
+        return offset_larger ? cause(ARTEFACT_PETER_PANNING_OFFSET, bias) : cause(ARTEFACT_PETER_PANNING, offset);
+#if UNFILTERED_DIFFERS
+    if (e.unfiltered < 0.5)
+#if RASTER_BIAS
+        return cause(ARTEFACT_PETER_PANNING, MASK_LEVELS != 0 ? 1 << ARTEFACT_LOST_CASTER : 0);
+#elif MASK_LEVELS
+        return cause(ARTEFACT_LOST_CASTER, DEPTH_BLUR != 0 ? leak : 0);
+#else
+        return cause(ARTEFACT_LEAK, 0);
+#endif
+#endif
+    if (e.nearest_kept < 0.5) return cause(ARTEFACT_LEAK, 0);
+    if (e.nearest_bare < 0.5)
+        return e.nearest_own_bare < 0.5 ? cause(ARTEFACT_PETER_PANNING_OFFSET, leak)
+                                        : cause(ARTEFACT_PETER_PANNING, offset | leak);
+    bool closed = e.gap_all < e.least_nearest;
+    return cause(e.run_m < e.texel_m || closed ? ARTEFACT_UNDERSAMPLED : ARTEFACT_EDGE_ALIASING, 0);
+}
+
+/// Whether more bias lets a pixel be as lit as `enough`, and no true edge stands for that.
+bool is_acne(Evidence e, float enough) {
+    if (e.worth < e.least && e.raised >= enough) return true;
+    return e.worth < e.bent && e.bent_raised >= enough && e.edge_m > (KERNEL_REACH + 1.0) * e.texel_m;
+}
+
+Cause cause_of_false_shadow(Evidence e, bool outside) {
+    if (outside) return cause(ARTEFACT_OUTSIDE_MAP, 0);
+    if (e.beyond_lit >= 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
+    const int acne = 1 << ARTEFACT_ACNE, filtered = 1 << ARTEFACT_FILTER;
+    if (is_acne(e, 0.5)) return cause(ARTEFACT_ACNE, 0);
+    if (e.least_bare >= 0.5) return cause(ARTEFACT_OFFSET_SHADOW, e.worth < e.least ? acne : 0);
+    if (e.unfiltered >= 0.5 || e.nearest_kept >= 0.5) return cause(ARTEFACT_FILTER, 0);
+    if (e.nearest_bare >= 0.5) return cause(ARTEFACT_OFFSET_SHADOW, filtered);
+    return cause(e.run_m < e.texel_m ? ARTEFACT_UNDERSAMPLED : ARTEFACT_EDGE_ALIASING, 0);
+}

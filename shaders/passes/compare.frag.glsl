@@ -1,0 +1,22 @@
+// Each pixel's visibility held against the truth: which are wrong. Why, passes/causes.frag.glsl finds for those alone.
+#include "lib/surface.glsl"
+#include "lib/visibility.glsl"
+#include "lib/truth.glsl"
+layout(binding = 3) uniform sampler2DArray visibility_map;
+
+layout(location = 0) out vec4 judged_out;  // artefact, V - R, bits as in lib/truth.glsl, V
+
+void main() {
+#ifdef MASKED
+    if (masked_out()) discard;
+#endif
+    vec4 truth = truth_here();
+    if (!counts(truth)) {
+        judged_out = vec4(0.0);
+        return;
+    }
+    Receiver r = make_receiver(make_surface(), LIGHT_INDEX);
+    float v = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, LIGHT_INDEX), 0).r;
+    if (isnan(v)) v = 0.0;
+    judged_out = vec4(float(ARTEFACT_NONE), v - true_visibility(truth), float(compared_bits(v, truth, looks_outside(r))), v);
+}

@@ -1,0 +1,48 @@
+// All trials of every pixel, whether it is wrong or not: renderer/reference/causes.h has the names in the same order.
+#include "lib/surface.glsl"
+#include "lib/visibility.glsl"
+#include "lib/truth.glsl"
+#include "lib/evidence.glsl"
+uniform bool truth_known;
+
+layout(location = 0) out vec4 out_0;
+layout(location = 1) out vec4 out_1;
+layout(location = 2) out vec4 out_2;
+layout(location = 3) out vec4 out_3;
+layout(location = 4) out vec4 out_4;
+layout(location = 5) out vec4 out_5;
+layout(location = 6) out vec4 out_6;
+layout(location = 7) out vec4 out_7;
+
+/// The least worth of bias at which the pixel is lit, up to that of the trial for bent surfaces.
+float curing_worth(Receiver r, Evidence e) {
+    float lo = e.worth, hi = max(e.bent, e.worth);
+    for (int i = 0; i < 12; ++i) {
+        float middle = 0.5 * (lo + hi);
+        if (look(r, true, e.own + middle - e.worth) >= 0.5)
+            hi = middle;
+        else
+            lo = middle;
+    }
+    return hi;
+}
+
+void main() {
+#ifdef MASKED
+    if (masked_out()) discard;
+#endif
+    Surface s = make_surface();
+    Receiver r = make_receiver(s, LIGHT_INDEX);
+    float v = light_visibility(s, LIGHT_INDEX);
+    vec4 truth = truth_known ? truth_here() : vec4(0.0, -1.0, 0.0, 0.0);
+    vec4 more = truth_known ? more_truth_here() : vec4(-1.0, 0.0, 3e38, 3e38);
+    Evidence e = gather_evidence(r, v, truth, more);
+    out_0 = vec4(float(looks_outside(r)), v, e.beyond_lit, e.beyond_dark);
+    out_1 = vec4(e.least, e.least_nearest, e.worth, e.applied);
+    out_2 = vec4(e.slack, e.own, e.offset, e.texel_m);
+    out_3 = vec4(e.bent, e.far, e.strip_bias_m, e.strip_offset_m);
+    out_4 = vec4(e.least_kept, e.least_bare, e.own_bare, e.far_bare);
+    out_5 = vec4(e.raised, e.bent_raised, e.nearest_kept, e.nearest_bare);
+    out_6 = vec4(e.nearest_own_bare, e.unfiltered, curing_worth(r, e), texel_depth(r));
+    out_7 = vec4(e.gap_drawn, e.gap_all, e.run_m, e.edge_m);
+}
