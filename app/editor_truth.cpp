@@ -13,7 +13,6 @@
 #include "app/report.h"
 #include "renderer/error.h"
 #include "renderer/reference/error_task.h"
-#include "renderer/reference/live_error.h"
 
 namespace si {
 namespace {
@@ -23,13 +22,12 @@ int tracing_threads() {
     return std::max(1, int(std::thread::hardware_concurrency()) - 1);
 }
 
-nlohmann::ordered_json saved_error(const ErrorTask& task, const MeasuredError& measured) {
+nlohmann::ordered_json saved_error(const MeasuredError& measured) {
     const Truth& truth = *measured.traced.truth;
-    const TruthTask& t = task.truth;
     nlohmann::ordered_json json = {{"format", "shadow-inspector-measurement"}, {"version", 1},
-                                   {"light", task.light},                      {"width", t.raster.width},
-                                   {"height", t.raster.height},                {"map_resolution", t.map_resolution},
-                                   {"area", t.query.options.area},             {"step", t.raster.step},
+                                   {"light", measured.light},                  {"width", measured.picture.x},
+                                   {"height", measured.picture.y},             {"map_resolution", measured.map_resolution},
+                                   {"area", truth.is_area()},                  {"step", truth.step},
                                    {"truth_noise", truth.noise}};
     json["truth"] = truth_quality_json(truth);
     json["error"] = error_json(measured.metrics);
@@ -112,28 +110,17 @@ void EditorTruth::start_trace(Renderer& renderer, const Scene& scene, const Sett
     });
 }
 
-void EditorTruth::start_edges(Renderer& renderer, const Scene& scene, const Settings& settings,
-                              const FrameRequest& request) {
-    FrameRequest judged = request;
-    judged.outputs.visibility = judged.outputs.map_coordinates = judged.outputs.error = true;
-    judged.timing = judged.force = false;
-    const FrameResult frame = renderer.render(scene, settings, judged);
-    auto task = std::make_shared<EdgeTask>(edge_task(renderer, frame, settings, judged));
-    const std::uint64_t key = task->picture->key;
-    launch("Looking for true edges", key, [this, task = std::move(task)](const Workers& workers) {
-        return Outcome{with_edges(*task, cache_, workers), {}};
-    });
-}
-
 void EditorTruth::start_save(Renderer& renderer, const Scene& scene, const Settings& settings,
                              const FrameRequest& request, const std::string& path) {
     require_writable(path);
-    auto task = std::make_shared<ErrorTask>(error_task(renderer, scene, settings, request, settings.view.light,
-                                                       truth_options(settings), cache_.geometry()));
-    const std::uint64_t key = task->truth.key;
-    launch("Measuring", key, [this, path, task = std::move(task)](const Workers& workers) {
-        const MeasuredError measured = measure_error(*task, cache_, workers);
-        write_file(path, json_text(saved_error(*task, measured)));
+    FrameRequest judged = request;
+    judged.outputs = {.colour = false, .judged = true};
+    judged.timing = judged.force = false;
+    const FrameResult frame = renderer.render(scene, settings, judged);
+    auto measured = std::make_shared<MeasuredError>(read_judged(renderer, frame, *request.truth, settings.view.light));
+    launch("Measuring", request.truth->key, [path, measured = std::move(measured)](const Workers&) {
+        sum_up(*measured);
+        write_file(path, json_text(saved_error(*measured)));
         return Outcome{nullptr, "Saved " + path};
     });
 }
@@ -157,12 +144,13 @@ bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings&
     }
     // A picture that was found just now is drawn before it is judged what is missing.
     if (drawn || changed || (picture_ && request.truth != picture_)) return changed;
-    if (save_next_) {
+    if (save_next_ && need.met) {
         start_save(renderer, scene, settings, request, *std::exchange(save_next_, {}));
     } else if (need.key != 0 && !need.met && need.key != given_up_) {
         start_trace(renderer, scene, settings, request);
-    } else if (need.met && frame.error && frame.error->undecided > 0 && need.key != given_up_) {
-        start_edges(renderer, scene, settings, request);
+    } else if (save_next_) {
+        remark_ = "Not saved: the truth about this view is not traced";
+        save_next_.reset();
     } else {
         return changed;
     }

@@ -51,7 +51,6 @@ private:
     /// Takes what the job found. Returns whether there was one.
     bool poll();
     void start_trace(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request);
-    void start_edges(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request);
     void start_save(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                     const std::string& path);
 

@@ -46,7 +46,7 @@ namespace {
 /// A truth was asked for that is still to be traced, or edges of it are to be found.
 bool lacks_truth(const EditorFrame& f) {
     if (!f.truth || !f.truth->wanted || !f.truth->problem.empty()) return false;
-    return !f.truth->current || (f.error && f.error->undecided > 0);
+    return !f.truth->current;
 }
 
 }  // namespace

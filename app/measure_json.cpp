@@ -47,15 +47,20 @@ Json truth_quality_json(const Truth& t) {
 }
 
 Json error_json(const ErrorMetrics& m) {
-    Json json = {{"false_shadow", m.false_shadow},
+    Json json = {{"meaning", kErrorMeaning},
+                 {"false_shadow", m.false_shadow},
                  {"false_light", m.false_light},
                  {"acne", m.acne},
                  {"leak", m.leak},
+                 {"offset_false_shadow", m.offset_false_shadow},
+                 {"bias_false_light", m.bias_false_light},
+                 {"lost_false_light", m.lost_false_light},
                  {"boundary_false_shadow", m.boundary_false_shadow},
                  {"boundary_false_light", m.boundary_false_light},
                  {"outside_false_shadow", m.outside_false_shadow},
                  {"outside_false_light", m.outside_false_light},
                  {"any_acne", m.any_acne},
+                 {"within_noise", m.within_noise},
                  {"mae", m.mae},
                  {"rmse", m.rmse},
                  {"signed_mean", m.signed_mean},

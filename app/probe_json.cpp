@@ -105,7 +105,7 @@ Json dossier_json(const Dossier& d) {
                    {"opening_resolution", d.opening_resolution}}},
                  {"remedy", nullptr}};
     for (const ArtefactStyle& style : artefact_styles())
-        if (style.artefact == d.truth.artefact) json["artefact"] = style.key;
+        if (style.artefact == d.truth.cause.artefact) json["artefact"] = style.key;
     if (d.remedy) json["remedy"] = {{"key", d.remedy->key}, {"value", d.remedy->value}, {"text", d.remedy->text}};
     return json;
 }

@@ -45,8 +45,9 @@ Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, c
             tuner.timed(clock.time(scene, s).total_ms.median);
             continue;
         }
-        const ErrorTask task = error_task(renderer, scene, s, request, start.view.light, truth, cache.geometry());
-        tuner.judged(judge_bias(task, s, cache, renderer.driver().subpixel_bits, workers));
+        const MeasuredError measured =
+            measure_error(renderer, scene, s, request, start.view.light, truth, cache, workers);
+        tuner.judged(judge_bias(measured, s, renderer.driver().subpixel_bits));
     }
     return tuner;
 }

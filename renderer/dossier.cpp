@@ -35,7 +35,7 @@ public:
         d_.right = (p_.visibility >= 0.5) == truth_.lit;
         if (p_.casts) weigh();
         d_.verdict = sentence();
-        if (truth_.state == PixelState::Counted && (!d_.right || faint_acne())) d_.remedy = remedy();
+        if (truth_.state == PixelState::Counted && p_.casts && (!d_.right || faint_acne())) d_.remedy = remedy();
         return d_;
     }
 
@@ -50,13 +50,7 @@ private:
     const LightView& view() const { return p_.fitted.views[std::size_t(p_.face)]; }
     bool sees_surface() const { return p_.casts && p_.where != "behind"; }
     bool dark() const { return p_.visibility < 0.5; }
-    /// Lit, but some of the kernel meets the surface itself.
-    bool faint_acne() const {
-        return truth_.lit && p_.visibility < 1 - kRightVisibility && d_.has.depth < d_.least.depth &&
-               std::any_of(p_.taps.begin(), p_.taps.end(), [](const KernelTap& t) {
-                   return !t.lit && t.weight > 0 && t.meets == KernelTap::Meets::Own;
-               });
-    }
+    bool faint_acne() const { return truth_.cause.faint; }
 
     /// The gap to the surface nearest the light, as a difference of depth.
     double occluder_depth() const {
@@ -90,7 +84,7 @@ private:
         return fmt::format("{:.0f}² would open the window", d_.opening_resolution);
     }
     std::string no_bias_is_right() const {
-        return fmt::format("no bias can be right here: the surface needs {}, but what shadows it lies {} away: {}",
+        return fmt::format("no depth bias can be right here: the surface needs {}, but what shadows it lies {} away: {}",
                            texels(d_.least), texels(d_.occluder), opening());
     }
 
@@ -104,16 +98,15 @@ private:
             case PixelState::Counted: break;
         }
         if (!p_.casts) return d_.right ? "right: lit, as no map is drawn for this light" : "wrong: dark in truth, but this light has no map";
-        if (truth_.artefact == Artefact::OutsideMap)
-            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", p_.where, dark() ? "dark" : "lit",
+        if (truth_.evidence.outside != 0)
+            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}",
+                               p_.where == "inside" ? "the normal offset leads there" : p_.where, dark() ? "dark" : "lit",
                                d_.right ? "and so it is in truth" : dark() ? "lit in truth" : "dark in truth");
         if (d_.right) return right();
-        if (truth_.artefact == Artefact::EdgeAliasing)
-            return fmt::format("edge aliasing: {} though {}, within the kernel's reach of a true shadow's edge; smaller "
-                               "texels bring it nearer, bias does not",
-                               dark() ? "dark" : "lit", dark() ? "lit" : "dark");
-        if (dark()) return acne();
-        return leak();
+        std::string text = wrong();
+        for (std::size_t a = 1; a < kArtefacts; ++a)
+            if (truth_.cause.also >> a & 1) text += fmt::format("; {} too", also(Artefact(a)));
+        return text;
     }
 
     std::string right() const {
@@ -125,33 +118,95 @@ private:
             return fmt::format("faint acne: lit, as in truth, but {:.0f} % of the kernel is dark by the surface itself; {}",
                                100 * (1 - p_.visibility), bias);
         if (!dark()) return fmt::format("right: lit, as in truth; {}", bias);
-        if (!d_.window_open()) return fmt::format("right: dark, as in truth, but {}", no_bias_is_right());
         return fmt::format("right: dark, as in truth, by a surface {} nearer to the light; {}", texels(d_.occluder), bias);
+    }
+
+    std::string wrong() const {
+        switch (truth_.cause.artefact) {
+            case Artefact::None: break;
+            case Artefact::Acne: return acne();
+            case Artefact::PeterPanning:
+                return fmt::format("peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} "
+                                   "away; with {} it is dark, as in truth",
+                                   texels(d_.lifted), texels(d_.occluder), texels(d_.least));
+            case Artefact::PeterPanningOffset:
+                return fmt::format("peter-panning by normal offset: the look-up is moved by {:.4g} m and misses the shadow; "
+                                   "without the offset it is dark, as in truth",
+                                   p_.normal_offset_m);
+            case Artefact::OffsetShadow:
+                return fmt::format("shadow by normal offset: the look-up is moved by {:.4g} m into a shadow; without the "
+                                   "offset it is lit, as in truth",
+                                   p_.normal_offset_m);
+            case Artefact::LostCaster:
+                return fmt::format("lost caster: dark in truth by a surface {:.4g} m nearer to the light, which {} left out of "
+                                   "the map",
+                                   truth_.blocker_m, leaves_out());
+            case Artefact::Leak:
+                return fmt::format("leak: {:.0f} % of the kernel is lit; the nearest texel alone, with the {} of bias that it "
+                                   "needs, is dark, as in truth",
+                                   100 * p_.visibility, nearest_need());
+            case Artefact::Filter:
+                return fmt::format("filter: {:.0f} % of the kernel is dark; the nearest texel alone, with the {} of bias that "
+                                   "it needs, is lit, as in truth",
+                                   100 * (1 - p_.visibility), nearest_need());
+            case Artefact::OutsideMap:
+                return "seam: taps reach beyond the map's sides, where map.outside and map.wrap answer; with the truth's "
+                       "answer there it is right";
+            case Artefact::Undersampled: return undersampled();
+            case Artefact::EdgeAliasing:
+                return fmt::format("edge aliasing: {} though {}; {} and the nearest texel alone were tried and leave it so: a "
+                                   "true edge runs between this pixel and the texels that stand for it, smaller texels bring "
+                                   "it nearer",
+                                   dark() ? "dark" : "lit", dark() ? "lit" : "dark",
+                                   dark() ? "more bias" : "the least bias");
+            case Artefact::Penumbra: return "penumbra: right for a light without size";
+        }
+        return d_.right ? "right" : "wrong";
+    }
+
+    std::string also(Artefact a) const {
+        switch (a) {
+            case Artefact::PeterPanning: return "so much bias would lose it";
+            case Artefact::PeterPanningOffset: return "the normal offset would lose it";
+            case Artefact::Leak:
+            case Artefact::Filter: return "the kernel takes part in it";
+            case Artefact::LostCaster: return "the masks' mip levels take part in it";
+            case Artefact::Acne: return "its bias is less than it needs,";
+            default: return "another cause takes part in it";
+        }
     }
 
     std::string acne() const {
         if (d_.has.depth < d_.least.depth)
             return fmt::format("acne: needs {} of bias here, has {}", texels(d_.least), texels(d_.has));
-        return fmt::format("acne: the triangle's own plane needs {} of bias and has {}, but a steeper surface within the "
-                           "kernel's reach rises above it",
-                           texels(d_.least), texels(d_.has));
+        return fmt::format("acne of a bent surface: the triangle's own plane needs {} of bias and has {}, but a surface within "
+                           "the kernel's reach rises above it; {} would light it",
+                           texels(d_.least), texels(d_.has), texels(p_.account.amount(truth_.evidence.curing)));
     }
 
-    std::string leak() const {
-        if (truth_.artefact == Artefact::LostCaster)
-            return fmt::format("lost caster: dark in truth, but {} left out of the map what casts here",
-                               settings_.caster.cull != int(Cull::None) ? "culling (caster.cull) or the near plane"
-                                                                        : "the near plane or an object's own culling");
-        if (!d_.window_open()) return fmt::format("{}: {}", error_word(), no_bias_is_right());
-        if (truth_.artefact == Artefact::PeterPanning)
-            return fmt::format("peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} "
-                               "away; {} would do",
-                               texels(d_.lifted), texels(d_.occluder), texels(d_.least));
-        return "leak: dark in truth, and the bias is smaller than the gap; what casts here is thinner than a texel, or the "
-               "normal offset moves the look-up past it";
+    std::string leaves_out() const {
+        if (settings_.caster.cull != int(Cull::None)) return "culling (caster.cull) or the near plane";
+        return p_.causes.mask_levels ? "the near plane, an object's own culling or a mask's mip level"
+                                     : "the near plane or an object's own culling";
     }
-    std::string error_word() const {
-        return truth_.artefact == Artefact::PeterPanning ? "peter-panning" : "leak";
+    std::string nearest_need() const { return texels(p_.account.amount(truth_.evidence.least_nearest)); }
+
+    std::string undersampled() const {
+        const CauseEvidence& e = truth_.evidence;
+        if (e.gap_all < e.least_nearest && !dark()) return fmt::format("undersampled: {}", no_bias_is_right());
+        return fmt::format("undersampled: the {} that it lies in is {:.3g} m wide, a texel {:.3g} m; {}",
+                           dark() ? "light" : "shadow", e.run_m, p_.texel_m, sampling_text());
+    }
+    /// Least power of two of map.resolution at which a texel is no wider than the strip of light or shadow.
+    double sampling_resolution() const {
+        const double needed = probe_.map_resolution * p_.texel_m / std::max(double(truth_.evidence.run_m), 1e-300);
+        return std::exp2(std::ceil(std::log2(needed * (1 - 1e-6))));
+    }
+    std::string sampling_text() const {
+        const double n = sampling_resolution();
+        if (n > driver_.max_texture_size)
+            return fmt::format("it would take a map of {:.0f}², more than this driver's {}²", n, driver_.max_texture_size);
+        return fmt::format("a map of {:.0f}² has texels as narrow", n);
     }
 
     /// What the pixel gets under other settings, the map's place unchanged.
@@ -182,8 +237,7 @@ private:
     }
 
     /// The least value of one setting under which the surface does not shadow itself, if that puts the pixel right.
-    std::optional<double> least_value(std::string_view key) const {
-        Settings s = settings_;
+    std::optional<double> least_value(Settings s, std::string_view key) const {
         s.map.resolution = probe_.map_resolution;
         double& value = value_of(s, key);
         const double most = find_setting(key)->param->max;
@@ -200,25 +254,67 @@ private:
         return value;
     }
 
+    Remedy set(std::string_view key, double value) const {
+        const std::string text = fmt::format("{:g}", value);
+        return {{{std::string(key), text}}, fmt::format("set {} to {} {}", key, text, unit_of(key))};
+    }
+
     std::optional<Remedy> remedy() const {
-        const bool bias_errs =
-            truth_.artefact == Artefact::Acne || truth_.artefact == Artefact::PeterPanning || faint_acne();
-        if (truth_.artefact == Artefact::LostCaster && settings_.caster.cull != int(Cull::None))
-            return Remedy{"caster.cull", "none", "set caster.cull to none"};
-        if (!bias_errs || (dark() && d_.has.depth >= d_.least.depth)) return {};
+        switch (truth_.cause.artefact) {
+            case Artefact::LostCaster:
+                if (settings_.caster.cull != int(Cull::None)) return Remedy{{{"caster.cull", "none"}}, "set caster.cull to none"};
+                return {};
+            case Artefact::PeterPanningOffset:
+            case Artefact::OffsetShadow: {
+                Settings bare = settings_;
+                bare.bias.normal = 0;
+                for (const std::string_view key : {"bias.slope", "bias.constant"}) {
+                    if (value_of(bare, key) <= 0 && key == "bias.slope") continue;
+                    const auto value = least_value(bare, key);
+                    if (!value) continue;
+                    Remedy r = set(key, *value);
+                    r.settings.insert(r.settings.begin(), {"bias.normal", "0"});
+                    r.text = "set bias.normal to 0 and " + r.text.substr(4);
+                    return r;
+                }
+                return {};
+            }
+            case Artefact::Undersampled: {
+                const double n = truth_.evidence.run_m < truth_.evidence.texel_m ? sampling_resolution() : d_.opening_resolution;
+                if (!(n > probe_.map_resolution) || n > driver_.max_texture_size) return {};
+                return Remedy{{{"map.resolution", fmt::format("{:.0f}", n)}}, fmt::format("set map.resolution to {:.0f}", n)};
+            }
+            case Artefact::None:
+                if (!faint_acne()) return {};
+                break;
+            case Artefact::Acne:
+            case Artefact::PeterPanning: break;
+            default: return {};
+        }
+        if (dark() && d_.has.depth >= d_.least.depth) return bent_remedy();
         for (const std::string_view key : bias_keys()) {
             if (!d_.window_open()) break;
-            if (const auto value = least_value(key)) {
-                const std::string text = fmt::format("{:g}", *value);
-                return Remedy{std::string(key), text, fmt::format("set {} to {} {}", key, text, unit_of(key))};
-            }
+            if (const auto value = least_value(settings_, key)) return set(key, *value);
         }
         if (d_.window_open() || d_.opening_resolution > driver_.max_texture_size) return {};
         Settings s = settings_;
         s.map.resolution = int(d_.opening_resolution);
         if (!fixes(s)) return {};
-        return Remedy{"map.resolution", fmt::format("{}", s.map.resolution),
+        return Remedy{{{"map.resolution", fmt::format("{}", s.map.resolution)}},
                       fmt::format("set map.resolution to {}", s.map.resolution)};
+    }
+
+    /// More constant bias: by what is missing of what the trial found.
+    std::optional<Remedy> bent_remedy() const {
+        const double missing = truth_.evidence.curing - d_.has.depth;
+        const BiasAccount& a = p_.account;
+        const DepthAmount wanted = a.amount(std::max(a.constant, a.slope) + missing);
+        const double value = rounded_up((settings_.bias.unit == int(BiasUnit::Texels)   ? wanted.texels
+                                         : settings_.bias.unit == int(BiasUnit::Metres) ? wanted.metres
+                                                                                        : wanted.depth) *
+                                        (1 + 1e-3));
+        if (!(value > 0) || value > find_setting("bias.constant")->param->max) return {};
+        return set("bias.constant", value);
     }
 };
 

@@ -4,16 +4,18 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "renderer/reference/fragment_truth.h"
 #include "renderer/renderer.h"
 
 namespace si {
 
-/// One setting that would put the pixel right.
+/// Settings that put the pixel right, by what is known of its plane.
 struct Remedy {
-    std::string key, value;  ///< as set_setting() takes them
-    std::string text;        ///< "set bias.slope to 1.8 texels"
+    std::vector<std::pair<std::string, std::string>> settings;  ///< key and value, as set_setting() takes them
+    std::string text;                                           ///< "set bias.slope to 1.8 texels"
 };
 
 /// A light's verdict about the pixel. The window of depth biases that are right for it is [least, occluder): less, and
@@ -29,6 +31,7 @@ struct Dossier {
                          std::numeric_limits<double>::infinity()};
     /// Whether some depth bias is right: always where nothing stands between surface and light.
     bool window_open() const { return least.depth < occluder.depth; }
+    Cause cause() const { return truth.cause; }
     /// Least power of two of map.resolution at which the window opens; 0 when it is open, infinite when none does it as
     /// the format's steps alone are too coarse.
     double opening_resolution = 0;

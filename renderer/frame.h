@@ -1,6 +1,7 @@
 // What a frame is asked for and what it answers: settings go in, facts come out.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "renderer/camera.h"
 #include "renderer/light_fit.h"
+#include "renderer/reference/causes.h"
 #include "renderer/scene.h"
 #include "renderer/settings.h"
 
@@ -26,6 +28,9 @@ struct Outputs {
     bool surface_ids = false; ///< the object and triangle behind each pixel
     bool map_coordinates = false;  ///< where in the map of view.light each pixel's kernel is centred
     bool error = false;        ///< what is wrong with the shadows of view.light, in numbers; needs FrameRequest::truth
+    bool judged = false;       ///< the same pixel by pixel; needs FrameRequest::truth
+    bool evidence = false;     ///< all trials of every pixel (CauseEvidence); takes FrameRequest::truth where it is there
+    bool unfiltered_map = false;  ///< what trials of a probed pixel read is up to date
     bool true_colour = false;  ///< the picture as the truth lights it; needs FrameRequest::truth
     bool operator==(const Outputs&) const = default;
 };
@@ -68,7 +73,6 @@ struct Pane {
 /// What truth a frame asks for, and whether it had it.
 struct TruthNeed {
     std::uint64_t key = 0;        ///< truth_key() of this frame; 0: nothing asks for it, or there is no light
-    std::uint64_t edges_key = 0;  ///< of what true edges near a kernel depend on beside it
     bool met = false;             ///< FrameRequest::truth was the one
 };
 
@@ -86,6 +90,9 @@ struct FrameResult {
     Image map_coordinates;
     Image surface_ids; ///< RG32UI, see SurfaceIds
     Image true_colour; ///< RGBA8, as `colour` without overlays
+    Image judged;      ///< RGBA32F, see judged_pixels()
+    std::array<Image, kEvidenceImages> evidence;  ///< RGBA32F each, in the order of CauseEvidence
+    bool mask_levels = false;  ///< of the evidence's CauseContext
     TruthNeed truth;
     std::shared_ptr<const LiveError> error;  ///< null unless asked for and truth.met
     int map_resolution = 0;

@@ -108,34 +108,32 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
     f.preamble = settings_block_text() + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
+    const auto& batches = f.gl.scene->batches();
+    f.mask_levels = std::any_of(batches.begin(), batches.end(), [&](const Batch& b) {
+        const bool masked = b.masked || (b.blend && f.settings.caster.blend == int(BlendCasters::Mask));
+        return b.cast && masked && b.texture != 0;
+    });
 }
 
 /// What truth the frame needs, and whether the request brings it.
 void find_truth(FrameState& f, std::span<const int> shown_overlays) {
     const Outputs& o = f.request.outputs;
-    bool asked = o.error || o.true_colour;
+    bool asked = o.error || o.true_colour || o.judged || o.evidence;
     if (o.colour || o.overlay)
         for (const int overlay : shown_overlays) asked |= overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_truth;
     if (!asked) return;
     const int light = f.settings.view.light;
     f.truth.key = truth_key(f.scene, f.settings, f.camera, f.request.width, f.request.height, f.gl.fitted, light,
-                            truth_options(f.settings));
+                            f.request.truth && f.request.truth->options ? *f.request.truth->options
+                                                                       : truth_options(f.settings));
     if (f.truth.key == 0) {
         f.notes.push_back("there is no light to trace the truth of");
         return;
     }
-    // Where in the map each pixel's kernel is centred.
-    Key edges;
-    edges.add(f.truth.key).add(texel_rays_key(f.gl.fitted[std::size_t(light)], f.map_resolution));
-    edges.add(f.settings.bias.normal);
-    edges.add(f.settings.bias.normal_source).add(f.settings.shading.textures);
-    f.truth.edges_key = edges.value();
     const TruthPicture* truth = f.request.truth.get();
     f.truth.met = truth && truth->key == f.truth.key;
     if (!f.truth.met) return;
-    Key content;
-    content.add(truth->version).add(truth->edges && truth->edges_key == f.truth.edges_key);
-    f.truth_content = content.value();
+    f.truth_content = truth->version;
 }
 
 /// Which panes there are and what they need.
@@ -146,7 +144,7 @@ void arrange_panes(FrameState& f) {
     const Outputs& o = f.request.outputs;
     find_truth(f, {chosen, std::size_t(count)});
     f.separate_visibility = o.visibility || f.settings.shading.separate_visibility ||
-                            (f.truth.met && (o.error || o.true_colour));
+                            (f.truth.met && (o.error || o.judged || o.true_colour));
     int shown[kMaxPanes];
     bool lacks[kMaxPanes];
     for (int i = 0; i < count; ++i) {

@@ -66,6 +66,11 @@ void describe_frame(FrameState& f, FrameResult& result) {
     if (valid("map viewer")) describe_map_view(f, result);
     if (valid("visibility")) result.visibility = visibility_image(r, f.settings.view.light);
     if (valid("errors summed up")) result.error = r.error;
+    if (valid("causes found")) result.judged = image_of(r.judged);
+    if (valid("trials of every pixel")) {
+        std::transform(r.evidence.begin(), r.evidence.end(), result.evidence.begin(), image_of);
+        result.mask_levels = f.mask_levels;
+    }
     if (valid("shading by the truth")) result.true_colour = image_of(r.true_shaded);
     if (valid("surface ids")) result.surface_ids = image_of(r.surface_ids);
     if (valid("map coordinates")) result.map_coordinates = image_of(r.map_coordinates);

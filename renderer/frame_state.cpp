@@ -1,5 +1,7 @@
 #include "renderer/frame_state.h"
 
+#include <algorithm>
+
 #include "renderer/settings_block.h"
 
 namespace si {
@@ -13,6 +15,10 @@ GLuint FrameState::program(std::string_view vertex, std::string_view fragment, s
     for (gl::Define& d : extra) {
         if (d.name.ends_with("_FILE"))
             wanted.includes[d.name] = d.value;
+        else if (const auto known = std::find_if(wanted.defines.begin(), wanted.defines.end(),
+                                                 [&](const gl::Define& k) { return k.name == d.name; });
+                 known != wanted.defines.end())
+            known->value = std::move(d.value);
         else
             wanted.defines.push_back(std::move(d));
     }
@@ -48,6 +54,10 @@ void FrameState::begin_camera_pass(GLuint framebuffer) const {
         gl.depth_key = depth;
     }
     bind_maps();
+}
+
+bool FrameState::draws_unfiltered() const {
+    return settings.bias.raster_slope != 0 || settings.bias.raster_units != 0 || mask_levels;
 }
 
 Key FrameState::camera_depth_key() const {

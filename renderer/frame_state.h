@@ -22,7 +22,7 @@
 namespace si {
 
 /// Texture units, the same in every program (layout(binding) in shaders/).
-enum Unit : GLuint { kShadowMap, kShadowMapCompare, kBaseColour, kVisibility, kShaded, kOverlayValues, kNormalMap, kTruth, kEdges, kJudged };
+enum Unit : GLuint { kShadowMap, kShadowMapCompare, kBaseColour, kVisibility, kShaded, kOverlayValues, kNormalMap, kTruth, kMoreTruth, kJudged, kUnfilteredMap };
 
 inline constexpr int kMaxPanes = 4;
 
@@ -62,10 +62,15 @@ struct Resources {
     gl::Framebuffer map_framebuffer, camera_depth_framebuffer, visibility_framebuffer, shaded_framebuffer,
         map_coordinates_framebuffer, depth_range_framebuffer, map_view_framebuffer, surface_ids_framebuffer;
     SlabResources slabs;
-    gl::Target truth, edges;                ///< of the truth picture; the key of `truth` is its version
-    gl::Target judged, error_tiles;         ///< RGBA32F, see judge.frag.glsl and error_tiles.frag.glsl
+    gl::Target truth, more_truth;           ///< of the truth picture; the key of `truth` is its version
+    gl::Target judged, error_tiles;         ///< RGBA32F, see compare.frag.glsl and error_tiles.frag.glsl
+    std::uint64_t causes_key = 0;           ///< of `judged` with the causes in it
+    gl::Target marks;                       ///< depths that only wrong pixels pass
+    gl::Target map_unfiltered;              ///< the maps without polygon offset, masks at their finest level
+    std::array<gl::Target, kEvidenceImages> evidence;
     gl::Target true_shaded;
-    gl::Framebuffer judged_framebuffer, error_tiles_framebuffer, true_shaded_framebuffer;
+    gl::Framebuffer judged_framebuffer, marks_framebuffer, causes_framebuffer, evidence_framebuffer, error_tiles_framebuffer,
+        true_shaded_framebuffer;
     std::shared_ptr<const LiveError> error; ///< of the error tiles
     std::uint64_t depth_key = 0;            ///< of the camera depth: what of the scene is in it
     std::uint64_t fit_key = 0;
@@ -124,10 +129,15 @@ struct FrameState {
     /// The colour scale of a pane. A fitted one reads back the pane's values, once for each change of them.
     ValueRange range_of(const ShownPane& pane) const;
     std::string preamble;             ///< GLSL before every shader: settings block, facts about the lights
+    bool mask_levels = false;         ///< some caster's mask may be read from a coarser mip level
+    /// Whether the unfiltered map is not the map as drawn, but one of its own.
+    bool draws_unfiltered() const;
+    /// The map that the nearest texel's trials read.
+    const gl::Target& unfiltered_map() const { return draws_unfiltered() ? gl.map_unfiltered : gl.map; }
     bool surface_flags = false;       ///< some object or material needs the per-object flags
 
     /// The program of a scene or full-screen pass under the frame's settings. Of the extra defines those whose name
-    /// ends in _FILE say which file such an include stands for.
+    /// ends in _FILE say which file such an include stands for; others take the place of the frame's of their name.
     GLuint program(std::string_view vertex, std::string_view fragment, std::vector<gl::Define> extra = {}) const;
     /// Draws the batches that `filter` accepts from the camera with the fragment shader given, textures bound.
     void draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra, PassInfo& info) const;
@@ -154,8 +164,12 @@ void add_depth_blur_pass(FrameState& f, std::vector<Pass>& plan);
 void add_camera_depth_pass(FrameState& f, std::vector<Pass>& plan);
 void add_surface_ids_pass(FrameState& f, std::vector<Pass>& plan);
 void add_visibility_pass(FrameState& f, std::vector<Pass>& plan);
-/// Uploads the truth, judges each pixel by it, and sums up.
+/// Draws the maps again where what is compared is not what a caster's surface is: see FrameState::unfiltered_map().
+void add_unfiltered_map_pass(FrameState& f, std::vector<Pass>& plan);
+/// Uploads the truth, compares each pixel with it, finds why some are wrong, and sums up.
 void add_truth_passes(FrameState& f, std::vector<Pass>& plan);
+/// All trials of every pixel of a light into eight colour attachments, see CauseEvidence.
+void draw_evidence(const FrameState& f, int light, bool truth_known, PassInfo& info);
 void add_true_shade_pass(FrameState& f, std::vector<Pass>& plan);
 void add_shade_pass(FrameState& f, std::vector<Pass>& plan);
 void add_pane_passes(FrameState& f, std::vector<Pass>& plan);

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
 #include "renderer/error.h"
+#include "renderer/reference/error_task.h"
 #include "renderer/renderer_impl.h"
 #include "renderer/shadow_test.h"
 
@@ -21,36 +23,70 @@ struct PixelFacts {
     bool receives() const { return (std::uint32_t(values[1].w) & 1) != 0; }
 };
 
-/// Draws the 2x2 block that holds the pixel, so that derivatives are those of the whole picture.
-PixelFacts draw_pixel(FrameState& f, int x, int y_bottom, int light) {
-    std::array<gl::Target, 4> targets;
-    gl::Target depth;
-    auto framebuffer = gl::Framebuffer::create("probe");
-    std::array<GLenum, 4> buffers{};
-    for (std::size_t i = 0; i < 4; ++i) {
-        targets[i].ensure("probe", GL_RGBA32F, 2, 2);
-        buffers[i] = GL_COLOR_ATTACHMENT0 + GLenum(i);
-        glNamedFramebufferTexture(framebuffer.id(), buffers[i], targets[i].texture.id(), 0);
+/// The 2x2 block that holds a pixel, so that derivatives are those of the whole picture.
+template <std::size_t Count>
+class Block {
+public:
+    Block(FrameState& f, int x, int y_bottom) : f_(f), x_(x), y_(y_bottom) {
+        std::array<GLenum, Count> buffers{};
+        for (std::size_t i = 0; i < Count; ++i) {
+            targets_[i].ensure("probe", GL_RGBA32F, 2, 2);
+            buffers[i] = GL_COLOR_ATTACHMENT0 + GLenum(i);
+            glNamedFramebufferTexture(framebuffer_.id(), buffers[i], targets_[i].texture.id(), 0);
+        }
+        depth_.ensure("probe depth", GL_DEPTH_COMPONENT32F, 2, 2);
+        glNamedFramebufferTexture(framebuffer_.id(), GL_DEPTH_ATTACHMENT, depth_.texture.id(), 0);
+        glNamedFramebufferDrawBuffers(framebuffer_.id(), GLsizei(Count), buffers.data());
+        const std::uint64_t pictures = std::exchange(f.gl.depth_key, 0);  // this depth is fresh, and not the picture's
+        f.begin_camera_pass(framebuffer_.id());
+        f.gl.depth_key = pictures;
+        glViewport(-(x & ~1), -(y_bottom & ~1), f.request.width, f.request.height);
+        const glm::vec4 nothing(0);
+        for (GLint i = 0; i < GLint(Count); ++i) glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, i, &nothing.x);
     }
-    depth.ensure("probe depth", GL_DEPTH_COMPONENT32F, 2, 2);
-    glNamedFramebufferTexture(framebuffer.id(), GL_DEPTH_ATTACHMENT, depth.texture.id(), 0);
-    glNamedFramebufferDrawBuffers(framebuffer.id(), 4, buffers.data());
-    const std::uint64_t pictures = std::exchange(f.gl.depth_key, 0);  // this depth is fresh, and not the picture's
-    f.begin_camera_pass(framebuffer.id());
-    f.gl.depth_key = pictures;
-    glViewport(-(x & ~1), -(y_bottom & ~1), f.request.width, f.request.height);
-    const glm::vec4 nothing(0);
-    for (GLint i = 0; i < 4; ++i) glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, i, &nothing.x);
+    glm::vec4 value(std::size_t i) const {
+        std::array<glm::vec4, 4> block;
+        glGetTextureImage(targets_[i].texture.id(), 0, GL_RGBA, GL_FLOAT, sizeof block, block.data());
+        return block[std::size_t((y_ & 1) * 2 + (x_ & 1))];
+    }
+
+private:
+    FrameState& f_;
+    int x_, y_;
+    std::array<gl::Target, Count> targets_;
+    gl::Target depth_;
+    gl::Framebuffer framebuffer_ = gl::Framebuffer::create("probe");
+};
+
+PixelFacts draw_pixel(FrameState& f, int x, int y_bottom, int light) {
+    const Block<4> block(f, x, y_bottom);
     PassInfo info;
     f.surface_flags = true;  // the object's number is asked for
     f.draw_from_camera("passes/probe.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);
     PixelFacts facts;
-    for (std::size_t i = 0; i < 4; ++i) {
-        std::array<glm::vec4, 4> block;
-        glGetTextureImage(targets[i].texture.id(), 0, GL_RGBA, GL_FLOAT, sizeof block, block.data());
-        facts.values[i] = block[std::size_t((y_bottom & 1) * 2 + (x & 1))];
-    }
+    for (std::size_t i = 0; i < 4; ++i) facts.values[i] = block.value(i);
     return facts;
+}
+
+CauseEvidence draw_trials(FrameState& f, int x, int y_bottom, int light) {
+    const Block<kEvidenceImages> block(f, x, y_bottom);
+    PassInfo info;
+    draw_evidence(f, light, false, info);
+    std::array<glm::vec4, kEvidenceImages> values;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = block.value(i);
+    return std::bit_cast<CauseEvidence>(values);
+}
+
+/// @param[out] at where its top left pixel is
+SurfaceIds part_of(const SurfaceIds& all, glm::ivec2 pixel, glm::ivec2& at) {
+    at = glm::max(pixel - kRunReach, glm::ivec2(0));
+    const glm::ivec2 end = glm::min(pixel + kRunReach + 1, glm::ivec2(all.width, all.height));
+    SurfaceIds out{end.x - at.x, end.y - at.y, {}};
+    for (int y = at.y; y < end.y; ++y) {
+        const auto row = all.data.begin() + std::ptrdiff_t(y) * all.width;
+        out.data.insert(out.data.end(), row + at.x, row + end.x);
+    }
+    return out;
 }
 
 }  // namespace
@@ -60,9 +96,9 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
         throw UsageError(fmt::format("pixel {},{} lies outside the picture of {} x {} pixels", x, y, request.width,
                                      request.height));
     FrameRequest maps = request;
-    maps.outputs = {.colour = false, .shadow_map = true};
+    maps.outputs = {.colour = false, .shadow_map = true, .surface_ids = true, .unfiltered_map = true};
     maps.force = maps.timing = false;
-    render(scene, settings, maps);
+    const SurfaceIds ids = read_surface_ids(render(scene, settings, maps).surface_ids);
     FrameState f = impl_->prepare(scene, settings, maps);
     impl_->upload_blocks(f);
     Probe out;
@@ -70,6 +106,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     out.width = request.width, out.height = request.height;
     out.camera = f.camera;
     out.map_resolution = f.map_resolution;
+    out.around = part_of(ids, {x, y}, out.around_at);
     const int y_bottom = request.height - 1 - y;
     for (std::size_t i = 0; i < std::max<std::size_t>(f.gl.fitted.size(), 1); ++i) {
         const PixelFacts facts = draw_pixel(f, x, y_bottom, int(i));
@@ -98,6 +135,8 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                                                                          : out.normal_ws;
         pixel.point.eye_ws = f.camera.eye;
         out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver.subpixel_bits));
+        out.lights.back().evidence = draw_trials(f, x, y_bottom, int(i));
+        out.lights.back().causes = cause_context(f.settings, f.mask_levels);
     }
     return out;
 }

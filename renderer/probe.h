@@ -7,6 +7,7 @@
 
 #include "renderer/bias_account.h"
 #include "renderer/camera.h"
+#include "renderer/frame.h"
 
 namespace si {
 
@@ -33,6 +34,8 @@ struct Probe {
     Camera camera;
     int width = 0, height = 0;  ///< of the picture that x and y count in
     int map_resolution = 0;
+    SurfaceIds around;      ///< of the pixels within kRunReach of this one, as far as the picture goes
+    glm::ivec2 around_at{0};  ///< the place of its top left pixel in the picture
     glm::dvec3 position_ws{0}, normal_ws{0};
     std::string object;
     struct PerLight {
@@ -58,6 +61,8 @@ struct Probe {
         int taps_across = 1;
         std::vector<KernelTap> taps;  ///< row by row from the lowest
         double visibility = 1;   ///< what the renderer's filter computed
+        CauseEvidence evidence;  ///< trials of the pixel; gaps, run_m and edge_m are the truth's to fill in
+        CauseContext causes;
         std::string where;       ///< inside, sides, beyond far, behind, before near
         std::string verdict;     ///< a sentence
     };

@@ -41,6 +41,9 @@ std::vector<std::string> wanted_results(const FrameState& f) {
     if (o.surface_ids) wanted.push_back("surface ids");
     if (o.visibility) wanted.push_back("visibility");
     if (o.error) wanted.push_back("error");
+    if (o.judged) wanted.push_back("judged");
+    if (o.unfiltered_map) wanted.push_back("unfiltered map");
+    if (o.evidence) wanted.push_back("evidence");
     if (o.true_colour) wanted.push_back("true picture");
     if (o.map_coordinates) wanted.push_back("map coordinates");
     if (o.shadow_map) wanted.insert(wanted.end(), {"map view", "shadow maps"});
@@ -66,6 +69,7 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
     add_camera_depth_pass(f, plan);
     add_surface_ids_pass(f, plan);
     add_visibility_pass(f, plan);
+    add_unfiltered_map_pass(f, plan);
     add_truth_passes(f, plan);
     add_true_shade_pass(f, plan);
     add_shade_pass(f, plan);

@@ -25,29 +25,41 @@ struct Row {
 // V: what the map gives, R: the truth, n: counted pixels.
 constexpr Row kRows[] = {
     {"False shadow", &ErrorMetrics::false_shadow, Row::Share,
-     "#{R >= 1/2 and V < 1/2} / n\nDark though lit: acne, and shadows that are too large."},
+     "#{R >= 1/2 and V < 1/2} / n\nDark though lit: acne, and shadows that are too large. The sum of the rows below."},
     {"   acne", &ErrorMetrics::acne, Row::Share,
-     "False shadow inside the map, away from true edges: surfaces that shadow themselves.\nMore bias helps."},
+     "Surfaces that shadow themselves: more bias puts these pixels right."},
+    {"   by normal offset", &ErrorMetrics::offset_false_shadow, Row::Share,
+     "Without the normal offset these pixels are right."},
     {"   at edges", &ErrorMetrics::boundary_false_shadow, Row::Share,
-     "False shadow where the kernel, in the light's picture, meets a true edge: the map's texels show.\nMore resolution "
-     "helps."},
+     "Bias puts none of these right: edge aliasing, undersampled, filter and penumbra."},
+    {"   outside the map", &ErrorMetrics::outside_false_shadow, Row::Share,
+     "The map holds nothing where these are looked up, or taps reach beyond its sides."},
     {"False light", &ErrorMetrics::false_light, Row::Share,
-     "#{R < 1/2 and V >= 1/2} / n\nLit though dark: leaks, lost casters, shadows that are too small."},
+     "#{R < 1/2 and V >= 1/2} / n\nLit though dark: shadows that are lost or too small. The sum of the rows below."},
+    {"   by bias", &ErrorMetrics::bias_false_light, Row::Share,
+     "Peter-panning: less bias, or no normal offset, puts these pixels right."},
+    {"   lost casters", &ErrorMetrics::lost_false_light, Row::Share,
+     "Culling, the near plane or a mask's mip level left out of the map what casts here."},
     {"   leak", &ErrorMetrics::leak, Row::Share,
-     "False light inside the map, away from true edges: peter-panning, lost casters, other leaks.\nLess bias or another "
-     "culling helps."},
+     "The nearest texel, unfiltered and at its own least bias, is right here."},
     {"   at edges", &ErrorMetrics::boundary_false_light, Row::Share,
-     "False light where the kernel meets a true edge.\nMore resolution helps."},
+     "Neither bias nor filter puts these right: edge aliasing, undersampled and penumbra."},
+    {"   outside the map", &ErrorMetrics::outside_false_light, Row::Share,
+     "The map holds nothing where these are looked up, or taps reach beyond its sides."},
     {"Any acne", &ErrorMetrics::any_acne, Row::Share,
-     "#{R = 1, away from edges, inside the map, V < 1 - 0.001} / n\nAlso the faint acne that a wide kernel hides."},
+     "#{R = 1, V < 1 - 0.001, and more bias lights them wholly} / n\nAlso the faint acne that a wide kernel hides."},
     {"Outside the map", &ErrorMetrics::outside_map, Row::Share,
      "Pixels beside the map, beyond its far plane or behind the light, right or wrong, / n"},
+    {"Within the noise", &ErrorMetrics::within_noise, Row::Share,
+     "V and R on different sides of 1/2, but no further apart than three times the truth's own noise, / n:\nnot called wrong. "
+     "A smaller truth.noise decides them."},
     {"Mean |V - R|", &ErrorMetrics::mae, Row::Number, "sum |V - R| / n, of visibility: 0 to 1"},
     {"Root mean square", &ErrorMetrics::rmse, Row::Number, "sqrt(sum (V - R)^2 / n), of visibility: 0 to 1"},
     {"Mean V - R", &ErrorMetrics::signed_mean, Row::Signed, "sum (V - R) / n: above 0 too light, below too dark"},
     {"Overlap of shadows", &ErrorMetrics::iou, Row::Number,
      "#{in shadow by both} / #{in shadow by either}: 1 is perfect"},
 };
+constexpr int kShares = 14;
 
 std::string text_of(const Row& row, double value) {
     if (!std::isfinite(value)) return "-";
@@ -107,8 +119,6 @@ void causes_table(const LiveError& error) {
     const ErrorMetrics& m = error.metrics;
     for (const ArtefactStyle& style : artefact_styles())
         cause_row(theme::rgb(style.rgb), style.label, m.artefacts[std::size_t(style.artefact)], m.counted);
-    if (error.undecided_wrong > 0)
-        cause_row(theme::rgb(kUndecidedRgb), "being decided", error.undecided_wrong, m.counted);
     ImGui::EndTable();
 }
 
@@ -169,9 +179,9 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
         return;
     constexpr int kRowCount = int(std::size(kRows));
     ImGui::TableNextColumn();
-    metrics_table(error.metrics, 0, 8, "shares");
+    metrics_table(error.metrics, 0, kShares, "shares");
     if (columns > 1) ImGui::TableNextColumn();
-    metrics_table(error.metrics, 8, kRowCount, "means");
+    metrics_table(error.metrics, kShares, kRowCount, "means");
     ImGui::TextDisabled("%zu pixels compared", error.metrics.counted);
     if (ImGui::IsItemHovered()) {
         const auto& p = error.metrics.pixels;
@@ -179,8 +189,6 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
         for (std::size_t i = 1; i < p.size(); ++i) others += p[i];
         ImGui::SetTooltip("n: they show a surface that faces the light, in its cone and range.\n%zu do not", others);
     }
-    if (error.undecided > 0)
-        ImGui::TextDisabled("%zu more differ: edges near them are looked for", error.undecided);
     if (columns > 2) ImGui::TableNextColumn();
     causes_table(error);
     ImGui::EndTable();

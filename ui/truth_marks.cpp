@@ -38,8 +38,6 @@ void draw_artefact_legend(const LiveError* error, float left, float bottom, floa
     for (const ArtefactStyle& style : artefact_styles())
         lines.push_back({theme::rgb(style.rgb), std::string(style.label),
                          error ? count_of(error->metrics.artefacts[std::size_t(style.artefact)]) : ""});
-    if (error && error->undecided_wrong > 0)
-        lines.push_back({theme::rgb(kUndecidedRgb), "being decided", count_of(error->undecided_wrong)});
     float label_width = 0, count_width = 0;
     for (const Line& l : lines) {
         label_width = std::max(label_width, ImGui::CalcTextSize(l.label.c_str()).x);

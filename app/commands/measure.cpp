@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <utility>
 
 #include "app/commands/commands.h"
 #include "app/headless_context.h"
 #include "app/measure_json.h"
 #include "app/notes.h"
 #include "app/report.h"
+#include "renderer/measure/artefact_picture.h"
 #include "renderer/measure/measure.h"
 
 namespace si {
@@ -21,13 +23,25 @@ void print_error(const ErrorMetrics& m, const Truth& truth) {
         fmt::print("  {:<22} {:>9.4f} %   {}\n", name, 100 * v, about);
     };
     share("false shadow", m.false_shadow, "dark though lit");
-    share("  acne", m.acne, "of it away from true edges: surfaces that shadow themselves");
-    share("  at edges", m.boundary_false_shadow, "of it within the kernel's reach of a true edge");
+    share("  acne", m.acne, "of it: surfaces that shadow themselves, more bias puts them right");
+    share("  by normal offset", m.offset_false_shadow, "of it: right without the offset");
+    share("  at edges", m.boundary_false_shadow, "of it: no bias puts these right");
+    share("  outside the map", m.outside_false_shadow, "of it: the map holds nothing there");
     share("false light", m.false_light, "lit though dark");
-    share("  leak", m.leak, "of it away from true edges: peter-panning, lost casters, leaks");
-    share("  at edges", m.boundary_false_light, "of it within the kernel's reach of a true edge");
-    share("any acne", m.any_acne, "fully lit in truth and at all darker, away from true edges");
-    share("outside the map", m.outside_map, "surfaces that the map does not hold");
+    share("  by bias", m.bias_false_light, "of it: peter-panning, less bias or offset puts it right");
+    share("  lost casters", m.lost_false_light, "of it: culling, near plane or a mask's mip left them out of the map");
+    share("  leak", m.leak, "of it: the nearest texel alone is right");
+    share("  at edges", m.boundary_false_light, "of it: neither bias nor filter puts these right");
+    share("  outside the map", m.outside_false_light, "of it: the map holds nothing there");
+    share("any acne", m.any_acne, "fully lit in truth, at all darker, and more bias lights it");
+    share("outside the map", m.outside_map, "surfaces that the map does not hold, right or wrong");
+    if (m.within_noise > 0) share("within the noise", m.within_noise, "differ, but the truth is too noisy to call them wrong");
+    fmt::print("  pixels by cause:");
+    const char* comma = "";
+    for (const ArtefactStyle& style : artefact_styles())
+        if (const std::size_t pixels = m.artefacts[std::size_t(style.artefact)]; pixels > 0)
+            fmt::print("{} {} {}", std::exchange(comma, ","), style.label, pixels);
+    fmt::print("{}\n", *comma ? "" : " none is wrong");
     fmt::print("  mean |V - truth| {:.5f}, root mean square {:.5f}, mean {:+.5f}, overlap of the shadows {:.4f}\n", m.mae,
                m.rmse, m.signed_mean, m.iou);
     fmt::print("  edges are off by {:.3f} px on average, {:.3f} px for 95 %, {:.3f} px at most\n", m.boundary_px_mean,

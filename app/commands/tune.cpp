@@ -38,7 +38,9 @@ Json bias_json(const BiasSettings& b) {
 Json trial_json(const BiasTrial& t) {
     return {{"acne_px", t.acne()},
             {"corner_px", t.needs.folds},
-            {"leak_px", t.leaks()},
+            {"lost_px", t.lost()},
+            {"leak_px", t.error.artefacts[std::size_t(Artefact::Leak)]},
+            {"wrong_px", t.wrong()},
             {"gap_median_m", t.needs.gap_median_m},
             {"gap_p95_m", t.needs.gap_p95_m},
             {"error", error_json(t.error)}};
@@ -82,8 +84,8 @@ Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& afte
 
 void print_tuned(const Tuner& tuner) {
     for (const BiasFound& f : tuner.bias().found())
-        fmt::print("  {:<14} {}: gap {:.3g} m at the median, {:.3g} m for 95 %, {} px leak\n", family_word(f.family),
-                   bias_text(f.bias), f.trial.needs.gap_median_m, f.trial.needs.gap_p95_m, f.trial.leaks());
+        fmt::print("  {:<14} {}: gap {:.3g} m at the median, {:.3g} m for 95 %, {} px lost to bias, {} px wrong\n", family_word(f.family),
+                   bias_text(f.bias), f.trial.needs.gap_median_m, f.trial.needs.gap_p95_m, f.trial.lost(), f.trial.wrong());
     for (const TuneCandidate& c : tuner.candidates()) {
         const std::string error = c.trial ? fmt::format("{:.5f}", c.error) : "-";
         const std::string ms = c.ms ? fmt::format("{:.3g} ms", *c.ms) : "-";

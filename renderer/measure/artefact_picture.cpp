@@ -5,7 +5,7 @@
 namespace si {
 namespace {
 
-// Okabe and Ito, Color Universal Design, 2008.
+// Okabe and Ito, Color Universal Design, 2008; those of the normal offset are lighter tints of their kin.
 constexpr auto kStyles = std::to_array<ArtefactStyle>({
     {Artefact::Acne, "acne", "acne", {213, 94, 0}},
     {Artefact::PeterPanning, "peter_panning", "peter-panning", {86, 180, 233}},
@@ -13,6 +13,11 @@ constexpr auto kStyles = std::to_array<ArtefactStyle>({
     {Artefact::EdgeAliasing, "edge_aliasing", "edge aliasing", {240, 228, 66}},
     {Artefact::OutsideMap, "outside_map", "outside the map", {0, 158, 115}},
     {Artefact::LostCaster, "lost_caster", "lost caster", {204, 121, 167}},
+    {Artefact::PeterPanningOffset, "peter_panning_offset", "peter-panning by offset", {130, 226, 255}},
+    {Artefact::OffsetShadow, "offset_shadow", "shadow by offset", {255, 158, 92}},
+    {Artefact::Filter, "filter", "filter", {230, 159, 0}},
+    {Artefact::Undersampled, "undersampled", "undersampled", {255, 255, 255}},
+    {Artefact::Penumbra, "penumbra", "penumbra", {150, 120, 200}},
 });
 static_assert(kStyles.size() == kArtefacts - 1);
 
@@ -22,7 +27,7 @@ std::span<const ArtefactStyle> artefact_styles() {
     return kStyles;
 }
 
-ByteImage artefact_picture(const ByteImage& picture, const std::vector<Artefact>& artefacts, int step) {
+ByteImage artefact_picture(const ByteImage& picture, const std::vector<JudgedPixel>& judged, int step) {
     ByteImage out = picture;
     const auto width = std::size_t(out.width), every = std::size_t(std::max(step, 1));
     const std::size_t columns = (width + every - 1) / every;
@@ -32,7 +37,7 @@ ByteImage artefact_picture(const ByteImage& picture, const std::vector<Artefact>
         const double grey = 40 + 0.7 * (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]);
         std::fill_n(p, 3, std::uint8_t(grey));
         const std::size_t at = i / width / every * columns + i % width / every;
-        const Artefact artefact = at < artefacts.size() ? artefacts[at] : Artefact::None;
+        const Artefact artefact = at < judged.size() ? judged[at].artefact : Artefact::None;
         if (artefact != Artefact::None) std::copy_n(kStyles[std::size_t(artefact) - 1].rgb.begin(), 3, p);
         p[3] = 255;
     }

@@ -17,14 +17,11 @@ struct ArtefactStyle {
     std::array<std::uint8_t, 3> rgb;  ///< sRGB; told apart by people who are colour-blind, too
 };
 
-/// Of pixels that differ from the truth where it is not known yet whether a true edge is near (LiveError::undecided).
-inline constexpr std::array<std::uint8_t, 3> kUndecidedRgb{232, 232, 232};
-
 /// All but Artefact::None, in its order.
 std::span<const ArtefactStyle> artefact_styles();
 
-/// The picture in grey, what is wrong in colour. @param artefacts one per pixel of the truth, top row first
+/// The picture in grey, what is wrong in colour. @param judged one per pixel of the truth, top row first
 /// @param step pixels of the picture per pixel of the truth (TruthOptions::step)
-ByteImage artefact_picture(const ByteImage& picture, const std::vector<Artefact>& artefacts, int step = 1);
+ByteImage artefact_picture(const ByteImage& picture, const std::vector<JudgedPixel>& judged, int step = 1);
 
 }  // namespace si

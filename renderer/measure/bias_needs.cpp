@@ -79,23 +79,21 @@ BiasSettings scaled(const BiasSettings& bias, double factor) {
     return out;
 }
 
-BiasNeeds bias_needs(const ErrorTask& task, const MeasuredError& measured, const Settings& settings, int subpixel_bits) {
+BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, int subpixel_bits) {
     BiasNeeds out;
-    const FittedLight& light = task.truth.lights[std::size_t(task.light)];
+    const FittedLight& light = measured.lights[std::size_t(measured.light)];
     if (!light.casts) return out;
     const Truth& truth = *measured.traced.truth;
     const FloatImage& hard = truth.hard();
-    const auto darkened = [&](std::size_t i) {
-        return truth.visibility.data[i] == 1 && !std::isfinite(measured.facts.edge_texels[i]) &&
-               task.measured.data[i] < 1 - kRightVisibility;
-    };
     std::vector<Need> needs;
     std::vector<double> gaps;
     for (std::size_t i = 0; i < truth.state.size(); ++i) {
-        if (truth.state[i] != PixelState::Counted || hard.data[i] < 0.5f || measured.facts.outside_map[i]) continue;
+        if (truth.state[i] != PixelState::Counted || hard.data[i] < 0.5f ||
+            measured.judged[i].has(JudgedPixel::kOutside))
+            continue;
         const Receiver& r = measured.traced.receivers->pixels[i];
-        const BiasAccount a = bias_account(light, settings, task.truth.map_resolution,
-                                           {r.position_ws, r.normal_ws, r.normal_ws, task.truth.camera.eye}, subpixel_bits);
+        const BiasAccount a = bias_account(light, settings, measured.map_resolution,
+                                           {r.position_ws, r.normal_ws, r.normal_ws, measured.camera.eye}, subpixel_bits);
         const double step = a.amount(a.least.quantum + a.least.rounding).texels;
         const double total = a.amount(a.least.total()).texels;
         const LightView& view = light.views[a.receiver.view];
@@ -105,11 +103,11 @@ BiasNeeds bias_needs(const ErrorTask& task, const MeasuredError& measured, const
         needs.push_back({total, step, 1 - std::clamp(a.receiver.n_dot_l, 0.0, 1.0), total * a.receiver.texel_m / offset_m,
                          std::sin(a.theta_rad), a.receiver.texel_m});
         gaps.push_back(a.contact_gap_m());
-        if (!darkened(i)) continue;
+        if (!measured.judged[i].has(JudgedPixel::kAnyAcne)) continue;
         if (a.clears() >= a.least.total())
             ++out.folds;
         else
-            out.faint_acne += task.measured.data[i] >= 0.5f;
+            out.faint_acne += measured.judged[i].visibility >= 0.5f;
     }
     out.pixels = needs.size();
     if (needs.empty()) return out;

@@ -17,9 +17,9 @@ std::string_view family_word(BiasFamily family);
 
 struct BiasNeeds {
     std::size_t pixels = 0;  ///< that the light reaches, inside the map
-    /// Of them those away from true edges that are darker than fully lit. Faint: half lit or more, on planes that have
-    /// less bias than they need. Folds: the plane has all that it needs, so what darkens it rises beside it, as a wall does
-    /// above the floor that it stands on.
+    /// Of them those that more bias lights wholly. Faint: half lit or more, on planes that have less bias than they need.
+    /// Folds: the plane has all that it needs, so what darkens it rises beside it, as a wall does above the floor that it
+    /// stands on.
     std::size_t faint_acne = 0, folds = 0;
     /// The least setting of each family that clears every one of these pixels' planes, in texels.
     std::array<BiasSettings, kBiasFamilies> least{};
@@ -29,8 +29,8 @@ struct BiasNeeds {
 };
 
 /// Over the pixels that count, are lit in truth and lie in the map: only these can show acne.
-/// @param settings that the task was made with
-BiasNeeds bias_needs(const ErrorTask& task, const MeasuredError& measured, const Settings& settings, int subpixel_bits);
+/// @param settings that were measured
+BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, int subpixel_bits);
 
 /// Every amount times `factor`, within what the settings allow.
 BiasSettings scaled(const BiasSettings& bias, double factor);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace si {
 
@@ -11,14 +12,17 @@ std::size_t BiasTrial::acne() const {
     return error.artefacts[std::size_t(Artefact::Acne)] + needs.faint_acne;
 }
 
-std::size_t BiasTrial::leaks() const {
-    return error.artefacts[std::size_t(Artefact::PeterPanning)] + error.artefacts[std::size_t(Artefact::Leak)];
+std::size_t BiasTrial::lost() const {
+    const auto pixels = [&](Artefact a) { return error.artefacts[std::size_t(a)]; };
+    return pixels(Artefact::PeterPanning) + pixels(Artefact::PeterPanningOffset) + pixels(Artefact::OffsetShadow);
 }
 
-BiasTrial judge_bias(const ErrorTask& task, const Settings& settings, TruthCache& cache, int subpixel_bits,
-                     const Workers& workers) {
-    const MeasuredError measured = measure_error(task, cache, workers);
-    return {measured.metrics, bias_needs(task, measured, settings, subpixel_bits)};
+std::size_t BiasTrial::wrong() const {
+    return std::accumulate(error.artefacts.begin() + 1, error.artefacts.end(), std::size_t(0));
+}
+
+BiasTrial judge_bias(const MeasuredError& measured, const Settings& settings, int subpixel_bits) {
+    return {measured.metrics, bias_needs(measured, settings, subpixel_bits)};
 }
 
 BiasSearch::BiasSearch(const Settings& start, const Options& options) : start_(start), options_(options) {
@@ -106,9 +110,8 @@ void BiasSearch::narrow(bool clear) {
 
 const BiasFound* BiasSearch::best() const {
     const auto better = [](const BiasFound& a, const BiasFound& b) {
-        const double leaks_a = double(a.trial.leaks()), leaks_b = double(b.trial.leaks());
-        if (std::abs(leaks_a - leaks_b) > std::max(5.0, 0.1 * std::max(leaks_a, leaks_b))) return leaks_a < leaks_b;
-        return a.trial.needs.gap_p95_m < b.trial.needs.gap_p95_m;
+        const std::size_t lost_a = a.trial.lost(), lost_b = b.trial.lost();
+        return lost_a != lost_b ? lost_a < lost_b : a.trial.needs.gap_p95_m < b.trial.needs.gap_p95_m;
     };
     const auto it = std::min_element(found_.begin(), found_.end(), better);
     return it == found_.end() ? nullptr : &*it;

@@ -3,8 +3,8 @@
 //
 //     BiasSearch search(settings);
 //     while (!search.done()) {
-//         const ErrorTask task = error_task(renderer, scene, search.next(), request, light);   // renderer's thread
-//         search.report(judge_bias(task, search.next(), cache, driver.subpixel_bits));         // any one thread
+//         const MeasuredError measured = measure_error(renderer, scene, search.next(), request, light, {}, cache);
+//         search.report(judge_bias(measured, search.next(), driver.subpixel_bits));
 //     }
 //     search.best()->bias
 #pragma once
@@ -21,16 +21,17 @@ namespace si {
 struct BiasTrial {
     ErrorMetrics error;
     BiasNeeds needs;
-    /// Pixels away from true edges that are dark though lit, and with wide kernels those whose surface darkens itself
-    /// faintly, long before that counts as shadow.
+    /// Pixels that are dark though lit and that more bias puts right, and with wide kernels those whose surface darkens
+    /// itself faintly, long before that counts as shadow.
     std::size_t acne() const;
-    /// Pixels away from true edges that are lit though dark.
-    std::size_t leaks() const;
+    /// The price of bias: pixels that are wrong, and would be right if each had just the least bias of its own.
+    std::size_t lost() const;
+    /// Pixels that are wrong for whatever cause.
+    std::size_t wrong() const;
 };
 
-/// Compares a frame with the truth. @param settings that the task was made with. @throws Cancelled, Error
-BiasTrial judge_bias(const ErrorTask& task, const Settings& settings, TruthCache& cache, int subpixel_bits,
-                     const Workers& workers = {});
+/// What was measured, as a search takes it. @param settings that were measured
+BiasTrial judge_bias(const MeasuredError& measured, const Settings& settings, int subpixel_bits);
 
 struct BiasFound {
     BiasFamily family = BiasFamily::Constant;
@@ -62,8 +63,8 @@ public:
     const BiasTrial& before() const { return before_; }
     /// The least of each family that leaves no acne; families that never do are missing.
     const std::vector<BiasFound>& found() const { return found_; }
-    /// The one that loses the fewest pixels to leaks, and of about equal ones that with the smallest gap; nothing when no
-    /// bias leaves no acne.
+    /// The one that loses the fewest pixels, and of equal ones that with the smallest gap for 95 %; nothing when no bias
+    /// leaves no acne.
     const BiasFound* best() const;
     /// Where none does: what came nearest.
     const BiasFound* nearest() const { return nearest_ ? &*nearest_ : nullptr; }

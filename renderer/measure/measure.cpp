@@ -18,12 +18,11 @@ Judgement Measurer::judge(const Scene& scene, const Settings& settings) {
     TruthOptions truth = truth_options(measured);
     truth.area |= truth_options_.area;
     truth.as_rasterised |= truth_options_.as_rasterised;
-    const ErrorTask task =
-        error_task(renderer_, scene, measured, request, measured.view.light, truth, truths_.geometry());
-    const MeasuredError error = measure_error(task, truths_, workers_);
+    const MeasuredError error =
+        measure_error(renderer_, scene, measured, request, measured.view.light, truth, truths_, workers_);
     judged.error = error.metrics;
     judged.truth = error.traced.truth;
-    judged.artefacts = artefact_picture(judged.picture, error.artefacts, truth.step);
+    judged.artefacts = artefact_picture(judged.picture, error.judged, truth.step);
     return judged;
 }
 

@@ -26,9 +26,9 @@ std::string metres(double m) {
 
 std::string cost_text(const BiasTrial& before, const BiasTrial& after) {
     std::string text =
-        fmt::format("gap beside casters {} at the median, {} for 95 % (was {}, {}); leaks {} px (was {}); acne {} px (was {})",
+        fmt::format("gap beside casters {} at the median, {} for 95 % (was {}, {}); {} px lost to bias (was {}); acne {} px (was {})",
                     metres(after.needs.gap_median_m), metres(after.needs.gap_p95_m), metres(before.needs.gap_median_m),
-                    metres(before.needs.gap_p95_m), after.leaks(), before.leaks(), after.acne(), before.acne());
+                    metres(before.needs.gap_p95_m), after.lost(), before.lost(), after.acne(), before.acne());
     if (after.needs.folds > 0) text += fmt::format("; {} px stay a little darker in inner corners", after.needs.folds);
     return text;
 }

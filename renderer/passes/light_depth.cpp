@@ -64,11 +64,12 @@ void set_raster_bias(const FrameState& f, bool reversed) {
         glPolygonOffset(sign * float(b.raster_slope), sign * float(b.raster_units));
 }
 
-void draw_view(FrameState& f, const LightView& view, int layer, PassInfo& info) {
-    if (f.gl.map.layers == 0) layer = -1;  // a plain texture
+/// @param unfiltered without polygon offset, masks at their finest level
+void draw_view(FrameState& f, const gl::Target& map, bool unfiltered, const LightView& view, int layer, PassInfo& info) {
+    if (map.layers == 0) layer = -1;  // a plain texture
     const bool colour = f.settings.map.format == int(MapFormat::Colour);
-    f.gl.map_framebuffer = colour ? gl::make_framebuffer("shadow map", &f.gl.map, &f.gl.map_depth, layer)
-                                  : gl::make_framebuffer("shadow map", nullptr, &f.gl.map, -1, layer);
+    f.gl.map_framebuffer = colour ? gl::make_framebuffer("shadow map", &map, &f.gl.map_depth, layer)
+                                  : gl::make_framebuffer("shadow map", nullptr, &map, -1, layer);
     const GLuint framebuffer = f.gl.map_framebuffer.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);
@@ -84,7 +85,11 @@ void draw_view(FrameState& f, const LightView& view, int layer, PassInfo& info) 
         const glm::vec4 clear(far_depth);
         glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &clear.x);
     }
-    set_raster_bias(f, convention.reversed);
+    if (unfiltered)
+        glDisable(GL_POLYGON_OFFSET_FILL);
+    else
+        set_raster_bias(f, convention.reversed);
+    const std::vector<gl::Define> extra = unfiltered ? std::vector<gl::Define>{{"MASKS_AT_LEVEL_0", "1"}} : std::vector<gl::Define>();
     const glm::mat4 matrix(view.clip_from_relative(f.light_origin));
     f.gl.scene->bind(f.scene, f.settings, f.light_origin, 1);
     GLuint current = 0, texture = 0;
@@ -96,7 +101,7 @@ void draw_view(FrameState& f, const LightView& view, int layer, PassInfo& info) 
         batch.masked |= batch.blend;
         const bool same = previous && previous->masked == batch.masked &&
                           (!batch.masked || !previous->texture == !batch.texture);
-        const GLuint id = same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", {}, batch, true);
+        const GLuint id = same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", extra, batch, true);
         if (id != current) {
             glUseProgram(current = id);
             glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
@@ -143,7 +148,7 @@ void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan) {
         pass.run = [&f, i](PassInfo& info) {
             const FittedLight& l = f.gl.fitted[i];
             for (std::size_t v = 0; v < l.views.size(); ++v)
-                draw_view(f, l.views[v], f.first_view[i] + int(v), info);
+                draw_view(f, f.gl.map, false, l.views[v], f.first_view[i] + int(v), info);
             const auto& batches = f.gl.scene->batches();
             const bool masks = std::any_of(batches.begin(), batches.end(),
                                            [](const Batch& b) { return b.cast && b.masked && !b.blend; });
@@ -153,6 +158,34 @@ void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan) {
     }
     if (f.gl.fitted.empty())
         plan.push_back({.name = "shadow maps", .writes = {"shadow maps"}, .unneeded = "there are no lights"});
+}
+
+void add_unfiltered_map_pass(FrameState& f, std::vector<Pass>& plan) {
+    Pass pass;
+    pass.name = "unfiltered map";
+    pass.reads = {"shadow maps"};
+    pass.writes = {"unfiltered map"};
+    pass.idle_reason = "nothing asks what is wrong";
+    if (f.view_count == 0) {
+        pass.unneeded = "no light has a shadow map";
+    } else if (!f.draws_unfiltered()) {
+        pass.unneeded = "the map as drawn is it: no polygon offset, no textured mask";
+        f.gl.map_unfiltered = {};
+    } else {
+        Key key = f.maps_key;
+        pass.key = key.add("unfiltered").value();
+        pass.cached = &f.gl.map_unfiltered.key;
+        pass.run = [&f](PassInfo& info) {
+            f.gl.map_unfiltered.ensure("unfiltered shadow maps", f.gl.map.format, f.map_resolution, f.map_resolution,
+                                       f.gl.map.layers);
+            for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
+                const FittedLight& l = f.gl.fitted[i];
+                for (std::size_t v = 0; l.casts && v < l.views.size(); ++v)
+                    draw_view(f, f.gl.map_unfiltered, true, l.views[v], f.first_view[i] + int(v), info);
+            }
+        };
+    }
+    plan.push_back(std::move(pass));
 }
 
 }  // namespace si

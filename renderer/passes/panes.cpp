@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "renderer/frame_state.h"
-#include "renderer/reference/error_task.h"
 
 namespace si {
 namespace {
@@ -76,7 +75,7 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
     Key key = f.camera_key;
     key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(pane.overlay).add(f.settings.view.light);
     key.add(f.settings.view.face).add(f.separate_visibility).add(f.gl.programs.source().generation());
-    if (pane.row()->reads_truth) key.add(f.truth_content).add(kernel_reach_texels(f.settings));
+    if (pane.row()->reads_truth) key.add(f.truth_content);
     pass.key = key.value();
     pass.cached = &t.values.key;
     pass.run = [&f, &t, pane](PassInfo& info) {

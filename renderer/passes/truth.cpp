@@ -16,29 +16,33 @@ namespace si {
 namespace {
 
 constexpr int kTile = 32;       ///< pixels of the truth a side, summed by one invocation
-constexpr int kTileValues = 5;  ///< four numbers each
+constexpr int kTileValues = 7;  ///< four numbers each
 
 constexpr const char* kUntraced = "the truth about this frame is not traced";
 
-/// What EdgeFact and PixelState are for the shader; rows stay from the top.
-void upload(const TruthPicture& picture, bool with_edges, Resources& gl) {
-    const Truth& truth = *picture.traced.truth;
-    std::vector<glm::vec4> pixels(truth.state.size());
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const float nearest = truth.nearest_m.data.empty() ? std::numeric_limits<float>::quiet_NaN() : truth.nearest_m.data[i];
-        // Not all drivers keep NaN.
-        pixels[i] = {truth.visibility.data[i], std::isnan(nearest) ? -1.f : std::max(nearest, 0.f),
-                     float(truth.state[i]), 0};
-    }
-    const auto put = [&](gl::Target& t, const char* label, GLenum internal, GLenum format, const void* data) {
-        t.ensure(label, internal, truth.width, truth.height);
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTextureSubImage2D(t.texture.id(), 0, 0, 0, truth.width, truth.height, format, GL_FLOAT, data);
+/// What PixelState is for the shader; rows stay from the top.
+void upload(const TracedTruth& traced, Resources& gl) {
+    const Truth& truth = *traced.truth;
+    const std::size_t n = truth.state.size();
+    std::vector<glm::vec4> pixels(n), more(n);
+    // Not all drivers keep NaN and infinity.
+    const auto metres = [](const FloatImage& image, std::size_t i) {
+        return image.data.empty() || std::isnan(image.data[i]) ? -1.f : std::max(image.data[i], 0.f);
     };
-    put(gl.truth, "truth", GL_RGBA32F, GL_RGBA, pixels.data());
-    const bool known = with_edges && picture.edges;
-    const EdgeImage unknown(known ? 0 : pixels.size(), kUnknownEdge);
-    put(gl.edges, "true edges", GL_RG32F, GL_RG, known ? picture.edges->data() : unknown.data());
+    const auto finite = [](float v) { return std::isfinite(v) ? v : 3e38f; };
+    for (std::size_t i = 0; i < n; ++i) {
+        const TruePixel t = true_pixel(truth, i);
+        pixels[i] = {truth.visibility.data[i], metres(truth.nearest_m, i), float(truth.state[i]), float(t.noise)};
+        more[i] = {metres(truth.blocker_m, i), truth.hard().data[i], finite(traced.runs->edge_m.data[i]),
+                   finite(traced.runs->run_m.data[i])};
+    }
+    const auto put = [&](gl::Target& t, const char* label, const std::vector<glm::vec4>& data) {
+        t.ensure(label, GL_RGBA32F, truth.width, truth.height);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        glTextureSubImage2D(t.texture.id(), 0, 0, 0, truth.width, truth.height, GL_RGBA, GL_FLOAT, data.data());
+    };
+    put(gl.truth, "truth", pixels);
+    put(gl.more_truth, "more of the truth", more);
 }
 
 Pass upload_pass(FrameState& f) {
@@ -48,28 +52,46 @@ Pass upload_pass(FrameState& f) {
     pass.idle_reason = "nothing asks for the truth";
     pass.key = f.truth_content;
     pass.cached = &f.gl.truth.key;
-    pass.run = [&f](PassInfo&) {
-        const TruthPicture& truth = *f.request.truth;
-        upload(truth, truth.edges_key == f.truth.edges_key, f.gl);
-    };
+    pass.run = [&f](PassInfo&) { upload(f.request.truth->traced, f.gl); };
     return pass;
 }
 
 std::uint64_t judged_key(const FrameState& f) {
     Key key = f.camera_key;
     key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(f.settings.view.light).add(f.truth_content);
-    return key.add(kernel_reach_texels(f.settings)).add(f.gl.programs.source().generation()).value();
+    return key.add(f.gl.programs.source().generation()).value();
 }
 
-Pass judge_pass(FrameState& f) {
+/// The kernels once more, with other biases and on the unfiltered map. What hardware samplers do is done by hand.
+std::vector<gl::Define> trial_defines(const FrameState& f) {
+    const CauseContext c = cause_context(f.settings, f.mask_levels);
+    std::vector<gl::Define> out = truth_defines(f);
+    out.insert(out.end(), {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
+                           {"MAP_TRIALS", "1"},
+                           {"FILTER_SAMPLER", "0"},
+                           {"RASTER_BIAS", std::to_string(int(c.raster_bias))},
+                           {"MASK_LEVELS", std::to_string(int(c.mask_levels))},
+                           {"DEPTH_BLUR", std::to_string(int(c.depth_blur))},
+                           {"UNFILTERED_DIFFERS", std::to_string(int(c.unfiltered_differs()))}});
+    return out;
+}
+
+void bind_unfiltered(const FrameState& f) {
+    if (!f.unfiltered_map().texture) return;
+    glBindTextureUnit(kUnfilteredMap, f.unfiltered_map().texture.id());
+    glBindSampler(kUnfilteredMap, f.gl.map_nearest.id());
+}
+
+Pass compare_pass(FrameState& f) {
     Pass pass;
-    pass.name = "pixels judged";
-    pass.reads = {"visibility", "shadow maps", "truth"};
-    pass.writes = {"judged"};
+    pass.name = "pixels compared";
+    pass.reads = {"visibility", "truth"};
+    pass.writes = {"compared"};
     pass.idle_reason = "nothing asks what is wrong";
     pass.key = judged_key(f);
     pass.cached = &f.gl.judged.key;
     pass.run = [&f](PassInfo& info) {
+        f.gl.causes_key = 0;
         f.gl.judged.ensure("judged pixels", GL_RGBA32F, f.request.width, f.request.height);
         f.gl.judged_framebuffer = gl::make_framebuffer("judged pixels", &f.gl.judged, &f.gl.camera_depth);
         const GLuint framebuffer = f.gl.judged_framebuffer.id();
@@ -80,7 +102,82 @@ Pass judge_pass(FrameState& f) {
         bind_truth(f);
         std::vector<gl::Define> extra = truth_defines(f);
         extra.push_back({"LIGHT_INDEX", std::to_string(f.settings.view.light)});
-        f.draw_from_camera("passes/judge.frag.glsl", extra, info);
+        f.draw_from_camera("passes/compare.frag.glsl", extra, info);
+    };
+    return pass;
+}
+
+/// Lets only pixels pass that have one of the bits.
+void mark(FrameState& f, const char* bits, PassInfo& info) {
+    f.gl.marks.ensure("marks of wrong pixels", GL_DEPTH_COMPONENT32F, f.request.width, f.request.height);
+    f.gl.marks_framebuffer = gl::make_framebuffer("marks of wrong pixels", nullptr, &f.gl.marks);
+    f.begin_fullscreen_pass(f.gl.marks_framebuffer.id(), f.request.width, f.request.height);
+    glEnable(GL_DEPTH_TEST);  // without the test nothing is written
+    glDepthFunc(GL_ALWAYS);
+    glDepthMask(GL_TRUE);
+    std::vector<gl::Define> extra = truth_defines(f);
+    extra.push_back({"MARKED_BITS", bits});
+    const GLuint program = f.program("passes/fullscreen.vert.glsl", "passes/marks.frag.glsl", std::move(extra));
+    glUseProgram(program);
+    glUniform1f(glGetUniformLocation(program, "near_depth"), float(1 - f.camera.curve.convention.far_depth()));
+    bind_truth(f);
+    glBindTextureUnit(kShaded, f.gl.camera_depth.texture.id());
+    FrameState::draw_fullscreen(info);
+}
+
+Pass causes_pass(FrameState& f) {
+    Pass pass;
+    pass.name = "causes found";
+    pass.reads = {"compared", "visibility", "shadow maps", "unfiltered map", "truth"};
+    pass.writes = {"judged"};
+    pass.idle_reason = "nothing asks why it is wrong";
+    Key key;
+    pass.key = key.add(judged_key(f)).add("causes").value();
+    pass.cached = &f.gl.causes_key;
+    pass.run = [&f](PassInfo& info) {
+        const auto find = [&](const char* bits, const char* for_light, const char* for_shadow) {
+            mark(f, bits, info);
+            f.gl.causes_framebuffer = gl::make_framebuffer("causes", &f.gl.judged, &f.gl.marks);
+            f.begin_camera_pass(f.gl.causes_framebuffer.id());
+            glDepthMask(GL_FALSE);
+            glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
+            bind_truth(f);
+            bind_unfiltered(f);
+            std::vector<gl::Define> extra = trial_defines(f);
+            extra.insert(extra.end(), {{"FOR_FALSE_LIGHT", for_light}, {"FOR_FALSE_SHADOW", for_shadow}});
+            f.draw_from_camera("passes/causes.frag.glsl", extra, info);
+            glDepthMask(GL_TRUE);
+        };
+        // By themselves, as a CPU rasteriser takes both ways of each branch.
+        find("FALSE_LIGHT", "1", "0");
+        find("(FALSE_SHADOW + FAINT)", "0", "1");
+    };
+    return pass;
+}
+
+Pass evidence_pass(FrameState& f) {
+    Pass pass;
+    pass.name = "trials of every pixel";
+    pass.reads = {"shadow maps", "unfiltered map"};
+    if (f.truth.met) pass.reads.push_back("truth");
+    pass.writes = {"evidence"};
+    pass.idle_reason = "nothing asks for trials";
+    pass.run = [&f](PassInfo& info) {
+        f.gl.evidence_framebuffer = gl::Framebuffer::create("evidence");
+        GLenum buffers[kEvidenceImages];
+        for (int i = 0; i < kEvidenceImages; ++i) {
+            buffers[i] = GL_COLOR_ATTACHMENT0 + GLenum(i);
+            gl::Target& t = f.gl.evidence[std::size_t(i)];
+            t.ensure("evidence", GL_RGBA32F, f.request.width, f.request.height);
+            glNamedFramebufferTexture(f.gl.evidence_framebuffer.id(), buffers[i], t.texture.id(), 0);
+        }
+        glNamedFramebufferTexture(f.gl.evidence_framebuffer.id(), GL_DEPTH_ATTACHMENT, f.gl.camera_depth.texture.id(), 0);
+        glNamedFramebufferDrawBuffers(f.gl.evidence_framebuffer.id(), kEvidenceImages, buffers);
+        f.begin_camera_pass(f.gl.evidence_framebuffer.id());
+        const glm::vec4 nothing(0);
+        for (GLint i = 0; i < kEvidenceImages; ++i)
+            glClearNamedFramebufferfv(f.gl.evidence_framebuffer.id(), GL_COLOR, i, &nothing.x);
+        draw_evidence(f, f.settings.view.light, f.truth.met, info);
     };
     return pass;
 }
@@ -110,21 +207,27 @@ LiveError error_of(const Sums& s, const Truth& truth) {
     m.counted = truth.counted();
     const double n = m.counted > 0 ? double(m.counted) : 1;
     m.false_shadow = s.v[0][0] / n, m.false_light = s.v[0][1] / n, m.outside_map = s.v[0][2] / n, m.any_acne = s.v[0][3] / n;
-    m.acne = s.v[1][0] / n, m.leak = s.v[1][1] / n;
-    m.boundary_false_shadow = s.v[1][2] / n, m.boundary_false_light = s.v[1][3] / n;
-    m.outside_false_shadow = s.v[2][0] / n, m.outside_false_light = s.v[2][1] / n;
-    m.mae = s.v[3][0] / n, m.rmse = std::sqrt(s.v[3][1] / n), m.signed_mean = s.v[3][2] / n;
-    if (s.v[4][0] > 0) m.iou = s.v[3][3] / s.v[4][0];
+    m.within_noise = s.v[1][0] / n, m.acne = s.v[1][1] / n, m.offset_false_shadow = s.v[1][2] / n;
+    m.bias_false_light = (s.v[2][0] + s.v[2][1]) / n, m.lost_false_light = s.v[2][2] / n, m.leak = s.v[2][3] / n;
+    m.boundary_false_shadow = (s.v[1][3] + s.v[3][0] + s.v[3][2] + s.v[4][0]) / n;
+    m.boundary_false_light = (s.v[3][1] + s.v[3][3] + s.v[4][1]) / n;
+    m.outside_false_shadow = s.v[4][2] / n, m.outside_false_light = s.v[4][3] / n;
+    m.mae = s.v[5][0] / n, m.rmse = std::sqrt(s.v[5][1] / n), m.signed_mean = s.v[5][2] / n;
+    if (s.v[6][0] > 0) m.iou = s.v[5][3] / s.v[6][0];
     m.boundary_px_mean = m.boundary_px_p95 = m.boundary_px_max = std::numeric_limits<double>::quiet_NaN();
-    out.undecided = s.count(2, 2), out.undecided_wrong = s.count(2, 3);
     const auto set = [&](Artefact a, std::size_t pixels) { m.artefacts[std::size_t(a)] = pixels; };
-    set(Artefact::Acne, s.count(1, 0));
-    set(Artefact::EdgeAliasing, s.count(1, 2) + s.count(1, 3));
-    set(Artefact::OutsideMap, s.count(0, 2));
-    set(Artefact::PeterPanning, s.count(4, 1));
-    set(Artefact::LostCaster, s.count(4, 2));
-    set(Artefact::Leak, s.count(4, 3));
-    std::size_t wrong = out.undecided_wrong;
+    set(Artefact::Acne, s.count(1, 1));
+    set(Artefact::OffsetShadow, s.count(1, 2));
+    set(Artefact::Filter, s.count(1, 3));
+    set(Artefact::PeterPanning, s.count(2, 0));
+    set(Artefact::PeterPanningOffset, s.count(2, 1));
+    set(Artefact::LostCaster, s.count(2, 2));
+    set(Artefact::Leak, s.count(2, 3));
+    set(Artefact::EdgeAliasing, s.count(3, 0) + s.count(3, 1));
+    set(Artefact::Undersampled, s.count(3, 2) + s.count(3, 3));
+    set(Artefact::Penumbra, s.count(4, 0) + s.count(4, 1));
+    set(Artefact::OutsideMap, s.count(4, 2) + s.count(4, 3));
+    std::size_t wrong = 0;
     for (std::size_t a = 1; a < kArtefacts; ++a) wrong += m.artefacts[a];
     set(Artefact::None, truth.state.size() - wrong);
     return out;
@@ -181,22 +284,18 @@ std::vector<gl::Define> truth_defines(const FrameState& f) {
         colours += fmt::format("{}vec3({:.6f}, {:.6f}, {:.6f})", colours.empty() ? "" : ", ", style.rgb[0] / 255.0,
                                style.rgb[1] / 255.0, style.rgb[2] / 255.0);
     }
-    const auto& u = kUndecidedRgb;
-    colours += fmt::format(", vec3({:.6f}, {:.6f}, {:.6f})", u[0] / 255.0, u[1] / 255.0, u[2] / 255.0);
-    out.push_back({"ARTEFACT_UNDECIDED", std::to_string(kArtefacts)});
     out.push_back({"ARTEFACT_COLOURS", "vec3[](" + colours + ")"});
-    out.push_back({"EDGE_REACH_TEXELS", fmt::format("{:.1f}", kernel_reach_texels(f.settings) + 1)});
     return out;
 }
 
 void bind_truth(const FrameState& f) {
     glBindTextureUnit(kTruth, f.gl.truth.texture.id());
-    glBindTextureUnit(kEdges, f.gl.edges.texture.id());
+    glBindTextureUnit(kMoreTruth, f.gl.more_truth.texture.id());
     glBindTextureUnit(kJudged, f.gl.judged.texture.id());
 }
 
 void add_truth_passes(FrameState& f, std::vector<Pass>& plan) {
-    std::array<Pass, 3> passes{upload_pass(f), judge_pass(f), sums_pass(f)};
+    std::array<Pass, 4> passes{upload_pass(f), compare_pass(f), causes_pass(f), sums_pass(f)};
     for (Pass& pass : passes) {
         if (!f.truth.met) {
             pass.unneeded = kUntraced;
@@ -205,6 +304,16 @@ void add_truth_passes(FrameState& f, std::vector<Pass>& plan) {
         }
         plan.push_back(std::move(pass));
     }
+    plan.push_back(evidence_pass(f));
+}
+
+void draw_evidence(const FrameState& f, int light, bool truth_known, PassInfo& info) {
+    if (truth_known) bind_truth(f);
+    bind_unfiltered(f);
+    std::vector<gl::Define> extra = trial_defines(f);
+    extra.push_back({"LIGHT_INDEX", std::to_string(light)});
+    extra.push_back({"TRUTH_KNOWN", truth_known ? "1" : "0"});
+    f.draw_from_camera("passes/evidence.frag.glsl", extra, info);
 }
 
 }  // namespace si

@@ -1,31 +1,16 @@
 #include "renderer/reference/fragment_truth.h"
 
-#include "renderer/reference/error_task.h"
+#include <cmath>
 
 namespace si {
 namespace {
 
-/// The scene and receivers are on somebody else's account.
-template <typename T>
-std::shared_ptr<const T> borrowed(const T& value) {
-    return {std::shared_ptr<const T>(), &value};
-}
-
-FloatImage pixel_of(std::vector<float> channels) {
-    return {1, 1, int(channels.size()), std::move(channels)};
-}
-
-/// The probe's pixel as a picture of one pixel.
-ErrorTask task_of(const Probe& probe, const Probe::PerLight& light, const Settings& settings) {
-    ErrorTask task;
-    task.truth.lights = {light.fitted};
-    task.truth.map_resolution = probe.map_resolution;
-    task.measured = pixel_of({float(light.visibility)});
-    const bool reads = light.casts && light.where != "behind";
-    task.map_coordinates = pixel_of({float(light.tap.x), float(light.tap.y), float(light.face), reads ? 1.f : 0.f});
-    task.bias = settings.bias;
-    task.reach_texels = kernel_reach_texels(settings);
-    return task;
+/// Depth from the probed point to a surface so many metres before it along the light's ray; 0 for none.
+float depth_of_gap(const Probe::PerLight& p, double metres) {
+    if (!p.casts || std::isnan(metres)) return 0;
+    const LightView& view = p.fitted.views[std::size_t(p.face)];
+    const double along = metres * glm::dot(p.account.receiver.to_light, view.axes[2]);
+    return float(std::abs(view.curve.depth(p.own_m) - view.curve.depth(p.own_m - along)));
 }
 
 }  // namespace
@@ -34,26 +19,29 @@ FragmentTruth fragment_truth(const TruthScene& scene, const Probe& probe, const 
                              const Settings& settings, std::span<const ObjectTraits> traits) {
     if (!probe.hit) throw Error("the probed pixel shows no surface");
     const Workers here{.threads = 1};
-    const Receivers one{1, 1, {place_receiver(scene.geometry(), probe.camera, probe.id, {probe.x, probe.y}, probe.width,
-                                              probe.height)}};
+    const PixelRaster raster{probe.width, probe.height, 1, probe.around_at};
+    const Receivers around = place_receivers(scene.geometry(), probe.camera, probe.around, raster, here);
     TruthQuery query{emitter_of(light.fitted, settings.lights[std::size_t(light.light)]),
                      {traits.begin(), traits.end()},
                      light.fitted.views,
-                     {.area = true}};
-    const Truth sized = trace_visibility(scene, one, query, here);
-    Truth point = sized;  // artefacts are told apart against a light without size, as its map draws it
-    point.visibility = sized.hard();
-    point.point_visibility = {};
+                     {.nearest = false}};
+    const Truth neighbours = trace_visibility(scene, around, query, here);
+    const ShadowRuns runs = shadow_runs(neighbours, around, probe.camera, raster, query.emitter, query.views, here);
+    const glm::ivec2 at = glm::ivec2(probe.x, probe.y) - probe.around_at;
+    query.options = {.area = true};
+    const Truth own = trace_visibility(scene, {1, 1, {around.at(at.x, at.y)}}, query, here);
+
     FragmentTruth out;
-    out.state = sized.state[0];
-    out.lit = sized.hard().data[0] >= 0.5f;
-    out.share = sized.visibility.data[0];
-    out.noise = sized.noise;
-    out.gap_m = sized.nearest_m.data[0];
-    const MeasuredError judged =
-        compare_with_truth(task_of(probe, light, settings),
-                           {borrowed(scene), borrowed(one), borrowed(point)}, here);
-    out.artefact = judged.artefacts[0];
+    out.state = own.state[0];
+    out.lit = own.hard().data[0] >= 0.5f;
+    out.share = own.visibility.data[0];
+    out.noise = own.noise;
+    out.gap_m = own.nearest_m.data[0], out.blocker_m = own.blocker_m.data[0];
+    out.evidence = light.evidence;
+    out.evidence.gap_drawn = depth_of_gap(light, out.gap_m), out.evidence.gap_all = depth_of_gap(light, out.blocker_m);
+    out.evidence.run_m = runs.run_m.at(at.x, at.y), out.evidence.edge_m = runs.edge_m.at(at.x, at.y);
+    if (out.state == PixelState::Counted)
+        out.cause = cause_of(out.evidence, {.visibility = out.lit ? 1.0 : 0.0, .hard_lit = out.lit}, light.causes);
     return out;
 }
 

@@ -11,36 +11,15 @@
 namespace si {
 namespace {
 
-template <typename T>
-T at(const std::vector<T>& values, std::size_t i, T otherwise) {
-    return values.empty() ? otherwise : values[i];
-}
-
-/// One pixel's two visibilities and what follows from them.
-struct Pixel {
-    double v = 1, r = 1;
-    bool outside = false, near_edge = false;
-    bool false_shadow() const { return r >= 0.5 && v < 0.5; }
-    bool false_light() const { return r < 0.5 && v >= 0.5; }
-};
-
-Artefact artefact_of(const Pixel& p, double nearest_m, double bias_m) {
-    if (p.outside) return Artefact::OutsideMap;
-    if (!p.false_shadow() && !p.false_light()) return Artefact::None;
-    if (p.near_edge) return Artefact::EdgeAliasing;
-    if (p.false_shadow()) return Artefact::Acne;
-    if (std::isnan(nearest_m)) return Artefact::LostCaster;
-    return bias_m >= nearest_m ? Artefact::PeterPanning : Artefact::Leak;
-}
-
 /// Pixels on either side of a step between lit and dark on one surface.
-std::vector<std::uint8_t> contour(const FloatImage& visibility, const Truth& truth, const PixelFacts& facts) {
+template <typename Dark>
+std::vector<std::uint8_t> contour(const Truth& truth, const std::vector<std::uint8_t>& joins, Dark&& dark) {
     const auto w = std::size_t(truth.width), h = std::size_t(truth.height);
     std::vector<std::uint8_t> out(w * h, 0);
     const auto counts = [&](std::size_t i) { return truth.state[i] == PixelState::Counted; };
     const auto step = [&](std::size_t i, std::size_t k, std::uint8_t bit) {
-        if (!counts(i) || !counts(k) || !(at<std::uint8_t>(facts.joins, i, 3) & bit)) return;
-        if ((visibility.data[i] < 0.5f) != (visibility.data[k] < 0.5f)) out[i] = out[k] = 1;
+        if (!counts(i) || !counts(k) || (!joins.empty() && !(joins[i] & bit))) return;
+        if (dark(i) != dark(k)) out[i] = out[k] = 1;
     };
     for (std::size_t y = 0; y < h; ++y)
         for (std::size_t x = 0; x < w; ++x) {
@@ -77,48 +56,94 @@ void contour_distances(ErrorMetrics& m, const std::vector<std::uint8_t>& a, cons
 
 }  // namespace
 
-ErrorMetrics error_metrics(const FloatImage& measured, const Truth& truth, const PixelFacts& facts,
-                           std::vector<Artefact>* artefacts) {
-    if (measured.width != truth.width || measured.height != truth.height || measured.channels != 1)
-        throw Error(fmt::format("visibility of {} x {} pixels cannot be compared with a truth of {} x {}", measured.width,
-                                measured.height, truth.width, truth.height));
+std::uint32_t compared_bits(float v, const TruePixel& truth, bool outside) {
+    using J = JudgedPixel;
+    const bool sides = (v < 0.5f) != (truth.visibility < 0.5), wrong = is_wrong(v, truth);
+    const bool faint = truth.visibility == 1 && v >= 0.5f && v < float(1 - kRightVisibility);
+    std::uint32_t bits = J::kCounts;
+    if (wrong) bits |= v < 0.5f ? J::kFalseShadow : J::kFalseLight;
+    if (sides && !wrong) bits |= J::kWithinNoise;
+    if (faint) bits |= J::kFaint;
+    if (outside) bits |= J::kOutside;
+    return bits;
+}
+
+TruePixel true_pixel(const Truth& truth, std::size_t i) {
+    TruePixel p{.visibility = truth.visibility.data[i], .noise = 0, .hard_lit = truth.hard().data[i] >= 0.5f};
+    if (truth.is_area()) p.noise = truth.standard_error.data[i];
+    // One look at a light tells nothing of how others would turn out: its error is at most that of a tossed coin.
+    if (std::isnan(p.noise)) p.noise = 0.5;
+    return p;
+}
+
+std::vector<JudgedPixel> judged_pixels(const FloatImage& judged) {
+    std::vector<JudgedPixel> out(judged.data.size() / 4);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float* p = &judged.data[4 * i];
+        out[i] = {Artefact(int(p[0])), std::uint32_t(p[2]), p[3]};
+    }
+    return out;
+}
+
+std::vector<std::uint8_t> joins_of(const Receivers& receivers) {
+    std::vector<std::uint8_t> out(receivers.pixels.size());
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = std::uint8_t(receivers.pixels[i].joins_right | receivers.pixels[i].joins_below << 1);
+    return out;
+}
+
+ErrorMetrics error_metrics(const std::vector<JudgedPixel>& judged, const Truth& truth,
+                           const std::vector<std::uint8_t>& joins) {
+    if (judged.size() != truth.state.size())
+        throw Error(fmt::format("{} judged pixels cannot be compared with a truth of {} x {}", judged.size(), truth.width,
+                                truth.height));
+    using J = JudgedPixel;
     ErrorMetrics m;
     m.pixels = truth.pixels;
     m.counted = truth.counted();
-    if (artefacts) artefacts->assign(truth.state.size(), Artefact::None);
     double absolute = 0, squares = 0, sum = 0;
     std::size_t both = 0, either = 0;
     for (std::size_t i = 0; i < truth.state.size(); ++i) {
         if (truth.state[i] != PixelState::Counted) continue;
-        const float edge = at(facts.edge_texels, i, std::numeric_limits<float>::infinity());
-        Pixel p{measured.data[i], truth.visibility.data[i], at<std::uint8_t>(facts.outside_map, i, 0) != 0, false};
-        if (std::isnan(p.v)) p.v = 0;  // no light is drawn from it
-        p.near_edge = std::isfinite(edge) || (p.r > 0 && p.r < 1);
-        const double difference = p.v - p.r;
+        const J& p = judged[i];
+        const double r = truth.visibility.data[i], difference = p.visibility - r;
         absolute += std::abs(difference), squares += difference * difference, sum += difference;
-        both += p.v < 0.5 && p.r < 0.5, either += p.v < 0.5 || p.r < 0.5;
-        const bool fs = p.false_shadow(), fl = p.false_light();
-        m.false_shadow += fs, m.false_light += fl;
-        m.outside_map += p.outside;
-        (p.outside ? m.outside_false_shadow : p.near_edge ? m.boundary_false_shadow : m.acne) += fs;
-        (p.outside ? m.outside_false_light : p.near_edge ? m.boundary_false_light : m.leak) += fl;
-        m.any_acne += p.r == 1 && !p.outside && !p.near_edge && p.v < 1 - kRightVisibility;
-        const Artefact a = artefact_of(p, truth.nearest_m.data[i], at(facts.bias_m, i, 0.f));
-        ++m.artefacts[std::size_t(a)];
-        if (artefacts) (*artefacts)[i] = a;
+        both += p.visibility < 0.5f && r < 0.5, either += p.visibility < 0.5f || r < 0.5;
+        const bool fs = p.has(J::kFalseShadow);
+        m.false_shadow += fs, m.false_light += p.has(J::kFalseLight);
+        m.outside_map += p.has(J::kOutside);
+        m.any_acne += p.has(J::kAnyAcne);
+        m.within_noise += p.has(J::kWithinNoise);
+        ++m.artefacts[std::size_t(p.artefact)];
+        switch (p.artefact) {
+            case Artefact::None: break;
+            case Artefact::Acne: ++m.acne; break;
+            case Artefact::Leak: ++m.leak; break;
+            case Artefact::PeterPanning:
+            case Artefact::PeterPanningOffset: ++m.bias_false_light; break;
+            case Artefact::LostCaster: ++m.lost_false_light; break;
+            case Artefact::OffsetShadow: ++m.offset_false_shadow; break;
+            case Artefact::OutsideMap: ++(fs ? m.outside_false_shadow : m.outside_false_light); break;
+            case Artefact::EdgeAliasing:
+            case Artefact::Filter:
+            case Artefact::Undersampled:
+            case Artefact::Penumbra: ++(fs ? m.boundary_false_shadow : m.boundary_false_light); break;
+        }
     }
     m.artefacts[0] += truth.state.size() - m.counted;
     if (m.counted > 0) {
         const double n = double(m.counted);
-        for (double* fraction : {&m.false_shadow, &m.false_light, &m.acne, &m.leak, &m.boundary_false_shadow,
+        for (double* fraction : {&m.false_shadow, &m.false_light, &m.acne, &m.leak, &m.bias_false_light,
+                                 &m.lost_false_light, &m.offset_false_shadow, &m.boundary_false_shadow,
                                  &m.boundary_false_light, &m.outside_false_shadow, &m.outside_false_light, &m.any_acne,
-                                 &m.outside_map})
+                                 &m.within_noise, &m.outside_map})
             *fraction /= n;
         m.mae = absolute / n, m.rmse = std::sqrt(squares / n), m.signed_mean = sum / n;
     }
     if (either > 0) m.iou = double(both) / double(either);
-    contour_distances(m, contour(measured, truth, facts), contour(truth.visibility, truth, facts), truth.width,
-                      truth.height, truth.step);
+    const auto drawn = contour(truth, joins, [&](std::size_t i) { return judged[i].visibility < 0.5f; });
+    const auto real = contour(truth, joins, [&](std::size_t i) { return truth.visibility.data[i] < 0.5f; });
+    contour_distances(m, drawn, real, truth.width, truth.height, truth.step);
     return m;
 }
 

@@ -77,19 +77,12 @@ glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& r) {
     return glm::vec3(point + r.normal_ws * (32 * 0x1p-23 * largest));
 }
 
-Receiver place_receiver(const TruthGeometry& geometry, const Camera& camera, glm::uvec2 id, glm::ivec2 pixel, int width,
-                        int height) {
-    Prepared triangle;
-    triangle.load(geometry, id.x - 1, id.y);
-    return meet(triangle, camera, std::size_t(pixel.x), std::size_t(pixel.y), width, height);
-}
-
 Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
                           const PixelRaster& raster, const Workers& workers) {
     Receivers out{ids.width, ids.height, {}};
     out.pixels.resize(ids.data.size()), out.starts.resize(ids.data.size());
     const UnitFrame frame = geometry.unit_frame();
-    const auto step = std::size_t(raster.step);
+    const auto step = std::size_t(raster.step), left = std::size_t(raster.first.x), top = std::size_t(raster.first.y);
     const auto width = std::size_t(ids.width);
     for_blocks(std::size_t(ids.height), workers.part(0, 0.8), [&](std::size_t y) {
         Prepared triangle;
@@ -98,7 +91,7 @@ Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, c
             if (id.x == 0) continue;
             triangle.load(geometry, id.x - 1, id.y);
             const Receiver& r = out.pixels[y * width + x] =
-                meet(triangle, camera, x * step, y * step, raster.width, raster.height);
+                meet(triangle, camera, left + x * step, top + y * step, raster.width, raster.height);
             out.starts[y * width + x] = {ray_origin(frame, r), glm::vec3(r.normal_ws), r.object};
         }
     });

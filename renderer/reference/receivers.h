@@ -41,17 +41,18 @@ struct Receivers {
     const Receiver& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
-/// Which pixels of the camera's picture are placed: every `step`-th across and down, from the top left.
+/// Which pixels of the camera's picture are placed: every `step`-th across and down, from `first` on.
 struct PixelRaster {
     int width = 0, height = 0;  ///< of the camera's picture
     int step = 1;
+    glm::ivec2 first{0};        ///< pixel of the picture that is placed first
     int columns() const { return (width + step - 1) / step; }
     int rows() const { return (height + step - 1) / step; }
 };
 
 /// Meets each pixel's ray with the plane of the triangle that the GPU drew there, in double, and keeps the point inside
 /// the triangle (rasterisers snap corners, so the ray may pass by a hair).
-/// @param ids Outputs::surface_ids of a frame of the same scene and camera, columns() x rows() of them
+/// @param ids Outputs::surface_ids of a frame of the same scene and camera, those of the raster
 /// @throws Cancelled; Error when an id names no triangle of the geometry
 Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
                           const PixelRaster& raster, const Workers& workers);
@@ -60,9 +61,5 @@ inline Receivers place_receivers(const TruthGeometry& geometry, const Camera& ca
                                  const Workers& workers) {
     return place_receivers(geometry, camera, ids, {ids.width, ids.height}, workers);
 }
-
-/// The same for one pixel of a picture. @param id as in SurfaceIds; x not 0
-Receiver place_receiver(const TruthGeometry& geometry, const Camera& camera, glm::uvec2 id, glm::ivec2 pixel, int width,
-                        int height);
 
 }  // namespace si

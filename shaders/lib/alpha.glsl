@@ -9,7 +9,9 @@ flat in vec4 surface;  // x: receives shadows, y: alpha cutoff, z: unlit, w: obj
 #endif
 
 vec4 base_colour() {
-#ifdef TEXTURED
+#if defined(TEXTURED) && defined(MASKS_AT_LEVEL_0)
+    return colour * textureLod(base_colour_map, uv, 0.0);
+#elif defined(TEXTURED)
     return colour * texture(base_colour_map, uv);
 #else
     return colour;

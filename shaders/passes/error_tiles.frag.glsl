@@ -1,29 +1,33 @@
 // What is wrong within each tile of TILE x TILE pixels of the truth, counted and summed; the CPU adds the tiles.
 #include "lib/truth.glsl"
-layout(location = 0) out vec4 wrong_out;     // false shadow, false light, outside of the map, any acne
-layout(location = 1) out vec4 inside_out;    // acne, leak, false shadow and false light near edges
-layout(location = 2) out vec4 outside_out;   // false shadow, false light; undecided, of them wrong
-layout(location = 3) out vec4 sums_out;      // |d|, d^2, d; in shadow both by map and truth
-layout(location = 4) out vec4 causes_out;    // in shadow by either; peter-panning, lost caster, other leak
+layout(location = 0) out vec4 wrong_out;      // false shadow, false light, outside of the map, any acne
+layout(location = 1) out vec4 shadow_out;     // within noise; of false shadow: acne, offset, filter
+layout(location = 2) out vec4 light_out;      // of false light: peter-panning by bias, by offset, lost caster, leak
+layout(location = 3) out vec4 sampling_out;   // false shadow, false light: edge aliasing; undersampled
+layout(location = 4) out vec4 elsewhere_out;  // false shadow, false light: penumbra; outside of the map
+layout(location = 5) out vec4 sums_out;       // |d|, d^2, d; in shadow both by map and truth
+layout(location = 6) out vec4 either_out;     // in shadow by either
 
 void main() {
     ivec2 first = ivec2(gl_FragCoord.xy) * TILE, end = min(first + TILE, textureSize(truth_map, 0));
-    wrong_out = inside_out = outside_out = sums_out = causes_out = vec4(0.0);
+    wrong_out = shadow_out = light_out = sampling_out = elsewhere_out = sums_out = either_out = vec4(0.0);
     for (int y = first.y; y < end.y; ++y)
         for (int x = first.x; x < end.x; ++x) {
             vec4 judged = texelFetch(judged_map, ivec2(x * TRUTH_STEP, TRUTH_ROWS - 1 - y * TRUTH_STEP), 0);
             int bits = int(judged.z), artefact = int(judged.x);
             float counts = float(bits / COUNTS & 1), fs = float(bits & FALSE_SHADOW), fl = float(bits / FALSE_LIGHT & 1);
-            float outside = float(bits / OUTSIDE & 1), edge = float(bits / NEAR_EDGE & 1);
-            float undecided = float(bits / UNDECIDED & 1), inside = 1.0 - outside;
-            float interior = inside * (1.0 - edge) * (1.0 - undecided);
             float d = judged.y, v_dark = counts * float(judged.w < 0.5);
             float r_dark = counts * float(true_visibility(texelFetch(truth_map, ivec2(x, y), 0)) < 0.5);
-            wrong_out += vec4(fs, fl, outside, bits / ANY_ACNE & 1);
-            inside_out += vec4(interior * fs, interior * fl, inside * edge * fs, inside * edge * fl);
-            outside_out += vec4(outside * fs, outside * fl, undecided, undecided * (fs + fl));
+            wrong_out += vec4(fs, fl, bits / OUTSIDE & 1, bits / ANY_ACNE & 1);
+            shadow_out += vec4(bits / WITHIN_NOISE & 1, artefact == ARTEFACT_ACNE, artefact == ARTEFACT_OFFSET_SHADOW,
+                               artefact == ARTEFACT_FILTER);
+            light_out += vec4(artefact == ARTEFACT_PETER_PANNING, artefact == ARTEFACT_PETER_PANNING_OFFSET,
+                              artefact == ARTEFACT_LOST_CASTER, artefact == ARTEFACT_LEAK);
+            sampling_out += vec4(fs, fl, 0.0, 0.0) * float(artefact == ARTEFACT_EDGE_ALIASING) +
+                            vec4(0.0, 0.0, fs, fl) * float(artefact == ARTEFACT_UNDERSAMPLED);
+            elsewhere_out += vec4(fs, fl, 0.0, 0.0) * float(artefact == ARTEFACT_PENUMBRA) +
+                             vec4(0.0, 0.0, fs, fl) * float(artefact == ARTEFACT_OUTSIDE_MAP);
             sums_out += vec4(abs(d), d * d, d, v_dark * r_dark);
-            causes_out += vec4(max(v_dark, r_dark), artefact == ARTEFACT_PETER_PANNING, artefact == ARTEFACT_LOST_CASTER,
-                               artefact == ARTEFACT_LEAK);
+            either_out.x += max(v_dark, r_dark);
         }
 }

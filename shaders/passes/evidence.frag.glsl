@@ -3,7 +3,6 @@
 #include "lib/visibility.glsl"
 #include "lib/truth.glsl"
 #include "lib/evidence.glsl"
-uniform bool truth_known;
 
 layout(location = 0) out vec4 out_0;
 layout(location = 1) out vec4 out_1;
@@ -34,8 +33,11 @@ void main() {
     Surface s = make_surface();
     Receiver r = make_receiver(s, LIGHT_INDEX);
     float v = light_visibility(s, LIGHT_INDEX);
-    vec4 truth = truth_known ? truth_here() : vec4(0.0, -1.0, 0.0, 0.0);
-    vec4 more = truth_known ? more_truth_here() : vec4(-1.0, 0.0, 3e38, 3e38);
+#if TRUTH_KNOWN
+    vec4 truth = truth_here(), more = more_truth_here();
+#else
+    vec4 truth = vec4(0.0, -1.0, 0.0, 0.0), more = vec4(-1.0, 0.0, 3e38, 3e38);
+#endif
     Evidence e = gather_evidence(r, v, truth, more);
     out_0 = vec4(float(looks_outside(r)), v, e.beyond_lit, e.beyond_dark);
     out_1 = vec4(e.least, e.least_nearest, e.worth, e.applied);
