@@ -106,7 +106,15 @@ Json dossier_json(const Dossier& d) {
                  {"remedy", nullptr}};
     for (const ArtefactStyle& style : artefact_styles())
         if (style.artefact == d.truth.cause.artefact) json["artefact"] = style.key;
-    if (d.remedy) json["remedy"] = {{"key", d.remedy->key}, {"value", d.remedy->value}, {"text", d.remedy->text}};
+    if (d.remedy) {
+        const auto& [key, value] = d.remedy->settings.front();
+        json["remedy"] = {{"key", key}, {"value", value}, {"text", d.remedy->text}, {"settings", Json::object()}};
+        for (const auto& [k, v] : d.remedy->settings) json["remedy"]["settings"][k] = v;
+    }
+    json["also"] = Json::array();
+    for (const ArtefactStyle& style : artefact_styles())
+        if (d.cause().also >> int(style.artefact) & 1) json["also"].push_back(style.key);
+    if (d.cause().artefact == Artefact::OutsideMap) json["kind"] = d.cause().seam ? "seam" : "outside";
     return json;
 }
 

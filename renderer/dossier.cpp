@@ -143,8 +143,9 @@ private:
                                    truth_.blocker_m, leaves_out());
             case Artefact::Leak:
                 return fmt::format("leak: {:.0f} % of the kernel is lit; the nearest texel alone, with the {} of bias that it "
-                                   "needs, is dark, as in truth",
-                                   100 * p_.visibility, nearest_need());
+                                   "needs, is dark, as in truth{}",
+                                   100 * p_.visibility, nearest_need(),
+                                   d_.window_open() ? "" : "; with this kernel " + no_bias_is_right());
             case Artefact::Filter:
                 return fmt::format("filter: {:.0f} % of the kernel is dark; the nearest texel alone, with the {} of bias that "
                                    "it needs, is lit, as in truth",
@@ -194,8 +195,8 @@ private:
     std::string undersampled() const {
         const CauseEvidence& e = truth_.evidence;
         if (e.gap_all < e.least_nearest && !dark()) return fmt::format("undersampled: {}", no_bias_is_right());
-        return fmt::format("undersampled: the {} that it lies in is {:.3g} m wide, a texel {:.3g} m; {}",
-                           dark() ? "light" : "shadow", e.run_m, p_.texel_m, sampling_text());
+        return fmt::format("undersampled: the true shadow or light here is {:.3g} m wide, a texel {:.3g} m; {}", e.run_m,
+                           p_.texel_m, sampling_text());
     }
     /// Least power of two of map.resolution at which a texel is no wider than the strip of light or shadow.
     double sampling_resolution() const {

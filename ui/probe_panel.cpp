@@ -193,7 +193,8 @@ void judgement(const Probe::PerLight& p, const Dossier* d, bool tracing, Setting
     }
     if (!d || !d->remedy) return;
     const std::string text = d->remedy->text.substr(0, 1) == "s" ? "S" + d->remedy->text.substr(1) : d->remedy->text;
-    if (ImGui::SmallButton(text.c_str())) set_setting(settings, d->remedy->key, d->remedy->value);
+    if (ImGui::SmallButton(text.c_str()))
+        for (const auto& [key, value] : d->remedy->settings) set_setting(settings, key, value);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Puts this pixel right; Ctrl+Z takes it back");
     if (p.where == "inside") ImGui::SameLine();
 }

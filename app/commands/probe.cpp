@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <utility>
 #include <cmath>
 #include <memory>
 
@@ -71,7 +72,12 @@ void print_amount(const char* name, const DepthAmount& a, const char* about = ""
 
 void print_dossier(const Probe::PerLight& p, const Dossier& d) {
     fmt::print("  verdict: {}\n", d.verdict);
-    if (d.remedy) fmt::print("  remedy: {} (--set {}={})\n", d.remedy->text, d.remedy->key, d.remedy->value);
+    if (d.remedy) {
+        fmt::print("  remedy: {} (", d.remedy->text);
+        const char* space = "";
+        for (const auto& [key, value] : d.remedy->settings) fmt::print("{}--set {}={}", std::exchange(space, " "), key, value);
+        fmt::print(")\n");
+    }
     if (!p.casts) return;
     const BiasAccount& a = p.account;
     fmt::print("  bias\n");

@@ -18,11 +18,13 @@ Cause false_light(const CauseEvidence& e, const CauseContext& c) {
     const bool near = e.gap_drawn < e.applied + e.slack, stands = dark(e.far_bare) || e.gap_drawn < e.far;
     const bool by_bias = dark(e.least_kept) && near, by_offset = dark(e.own_bare) && stands;
     const bool by_both = dark(e.least_bare) && (near || stands);
-    if (by_bias && !by_offset) return {Artefact::PeterPanning};
-    if (by_offset && !by_bias) return {Artefact::PeterPanningOffset};
+    // What casts in truth, nearer to the light, would have withstood more.
+    const std::uint32_t lost = e.gap_all > e.gap_drawn ? bit(Artefact::LostCaster) : 0;
+    if (by_bias && !by_offset) return {Artefact::PeterPanning, lost};
+    if (by_offset && !by_bias) return {Artefact::PeterPanningOffset, lost};
     if (by_both || by_bias) {
-        if (e.strip_offset_m > e.strip_bias_m) return {Artefact::PeterPanningOffset, bit(Artefact::PeterPanning)};
-        return {Artefact::PeterPanning, bit(Artefact::PeterPanningOffset)};
+        if (e.strip_offset_m > e.strip_bias_m) return {Artefact::PeterPanningOffset, bit(Artefact::PeterPanning) | lost};
+        return {Artefact::PeterPanning, bit(Artefact::PeterPanningOffset) | lost};
     }
     if (c.unfiltered_differs() && dark(e.unfiltered)) {
         if (c.raster_bias) return {Artefact::PeterPanning, c.mask_levels ? bit(Artefact::LostCaster) : 0};

@@ -40,9 +40,11 @@ public:
             const glm::dvec3 along = axis - to_light * (glm::dot(r.normal_ws, axis) / facing);
             const glm::dvec2 step = screen_step(r.position_ws, along);
             if (!std::isfinite(step.x) || !std::isfinite(step.y) || (step.x == 0 && step.y == 0)) continue;
-            const float before = walk(x, y, -step, axis), behind = walk(x, y, step, axis);
-            found.edge_m = std::min({found.edge_m, before, behind});
-            found.run_m = std::min(found.run_m, before + behind);
+            const Side before = walk(x, y, -step, axis), behind = walk(x, y, step, axis);
+            found.edge_m = std::min({found.edge_m, before.change_m, behind.change_m});
+            found.run_m = std::min({found.run_m, before.change_m + behind.change_m,
+                                    std::max(before.change_m, before.next_run_m),
+                                    std::max(behind.change_m, behind.next_run_m)});
         }
         return found;
     }
@@ -109,25 +111,48 @@ private:
         return (right(left, y) && below(u, top)) || (below(x, top) && right(left, v));
     }
 
-    /// Metres along `axis` to the change of the truth, or infinite.
-    float walk(int x, int y, const glm::dvec2& step, const glm::dvec3& axis) const {
+    struct Side {
+        float change_m = kInfinite;    ///< along the axis to the change of the truth
+        float next_run_m = kInfinite;  ///< from there to the next
+    };
+
+    Side walk(int x, int y, const glm::dvec2& step, const glm::dvec3& axis) const {
         const std::size_t start = index(x, y);
+        const Receiver& from = receivers_.pixels[start];
         const auto metres = [&](std::size_t i) {
-            return std::abs(glm::dot(receivers_.pixels[i].position_ws - receivers_.pixels[start].position_ws, axis));
+            return std::abs(glm::dot(receivers_.pixels[i].position_ws - from.position_ws, axis));
         };
+        // The same surface again behind something that stands before it.
+        const auto same_plane = [&](std::size_t i) {
+            const Receiver& r = receivers_.pixels[i];
+            const glm::dvec3 d = r.position_ws - from.position_ws;
+            return r.object == from.object && std::abs(glm::dot(d, from.normal_ws)) <= 1e-3 * glm::length(d);
+        };
+        Side side;
         int u = x, v = y;
-        for (int gone = 0; gone < kRunReach;) {
-            const int safe = std::max(int(clearance_[index(u, v)]) - 1, 1);
+        bool dark_now = dark(start);
+        for (int gone = 0, safe; gone < kRunReach;) {
+            const int last_u = x + int(std::lround(step.x * gone)), last_v = y + int(std::lround(step.y * gone));
+            safe = std::max(int(clearance_[index(last_u, last_v)]) - 1, 1);
             gone = std::min(gone + safe, kRunReach);
             const int s = x + int(std::lround(step.x * gone)), t = y + int(std::lround(step.y * gone));
-            if (s < 0 || t < 0 || s >= truth_.width || t >= truth_.height) return kInfinite;
+            if (s < 0 || t < 0 || s >= truth_.width || t >= truth_.height) break;
             const std::size_t here = index(s, t), before = index(u, v);
-            if (!counts(here)) return kInfinite;
-            if (safe == 1 && !joined(u, v, s, t)) return kInfinite;
-            if (dark(here) != dark(start)) return float(0.5 * (metres(before) + metres(here)));
+            if (!counts(here)) continue;
+            const bool beside = u == last_u && v == last_v && (safe > 1 || joined(u, v, s, t));
+            if (!beside && !same_plane(here)) continue;
+            if (dark(here) != dark_now) {
+                const float at_m = float(0.5 * (metres(before) + metres(here)));
+                if (!std::isinf(side.change_m)) {
+                    side.next_run_m = at_m - side.change_m;
+                    break;
+                }
+                side.change_m = at_m;
+                dark_now = dark(here);
+            }
             u = s, v = t;
         }
-        return kInfinite;
+        return side;
     }
 };
 

@@ -20,10 +20,13 @@ Cause cause_of_false_light(Evidence e, bool outside) {
     bool by_bias = e.least_kept < 0.5 && near, by_offset = e.own_bare < 0.5 && stands;
     bool by_both = e.least_bare < 0.5 && (near || stands);
     bool offset_larger = e.strip_offset_m > e.strip_bias_m;
-    if (by_bias && !by_offset) return cause(ARTEFACT_PETER_PANNING, 0);
-    if (by_offset && !by_bias) return cause(ARTEFACT_PETER_PANNING_OFFSET, 0);
+    // What casts in truth, nearer to the light, would have withstood more.
+    int lost = e.gap_all > e.gap_drawn ? 1 << ARTEFACT_LOST_CASTER : 0;
+    if (by_bias && !by_offset) return cause(ARTEFACT_PETER_PANNING, lost);
+    if (by_offset && !by_bias) return cause(ARTEFACT_PETER_PANNING_OFFSET, lost);
     if (by_both || by_bias)
-        return offset_larger ? cause(ARTEFACT_PETER_PANNING_OFFSET, bias) : cause(ARTEFACT_PETER_PANNING, offset);
+        return offset_larger ? cause(ARTEFACT_PETER_PANNING_OFFSET, bias | lost)
+                             : cause(ARTEFACT_PETER_PANNING, offset | lost);
 #if UNFILTERED_DIFFERS
     if (e.unfiltered < 0.5)
 #if RASTER_BIAS

@@ -108,7 +108,7 @@ TEST_F(LightRange, ProbeSaysWhyItIsDark) {
 TEST_F(LightRange, WhatLightDoesNotReachIsNotMeasured) {
     Settings s = lit("point", 3);
     TruthCache cache;
-    const MeasuredError error = measure_error(error_task(renderer, scene, s, small(), 0), cache);
+    const MeasuredError error = measure_error(renderer, scene, s, small(), 0, {}, cache);
     const std::size_t beyond = error.metrics.pixels[std::size_t(PixelState::BeyondRange)];
     EXPECT_GT(beyond, 1000u);
     EXPECT_GT(error.metrics.counted, 1000u);
@@ -117,11 +117,11 @@ TEST_F(LightRange, WhatLightDoesNotReachIsNotMeasured) {
     set_setting(s, "light.near", "0.1");
     set_setting(s, "light.far", "1.9");
     set_setting(s, "light.fit", "manual");
-    const MeasuredError cut = measure_error(error_task(renderer, scene, s, small(), 0), cache);
+    const MeasuredError cut = measure_error(renderer, scene, s, small(), 0, {}, cache);
     EXPECT_EQ(cut.metrics.counted, error.metrics.counted);
     EXPECT_GT(cut.metrics.outside_false_shadow, 0) << "the map ends before the light does";
     set_setting(s, "light.range", "0");
-    const MeasuredError endless = measure_error(error_task(renderer, scene, s, small(), 0), cache);
+    const MeasuredError endless = measure_error(renderer, scene, s, small(), 0, {}, cache);
     EXPECT_EQ(endless.metrics.counted, error.metrics.counted + beyond) << "another range is another truth";
 }
 

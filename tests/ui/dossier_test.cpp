@@ -18,7 +18,7 @@ Dossier acne_dossier() {
     d.least = {0.001, 1.8, 0.02}, d.has = {0.0003, 0.6, 0.007};
     d.right = false;
     d.verdict = "acne: needs 1.8 texels of bias here, has 0.6 texels";
-    d.remedy = Remedy{"bias.slope", "4.5", "set bias.slope to 4.5 texels"};
+    d.remedy = Remedy{{{"bias.slope", "4.5"}}, "set bias.slope to 4.5 texels"};
     return d;
 }
 
@@ -117,12 +117,12 @@ TEST(EditorDossierTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
             EXPECT_FALSE(facts.tracing_probe) << "settled";
             if (!facts.probe || !facts.probe->hit) continue;
             ASSERT_EQ(facts.dossiers.size(), facts.probe->lights.size());
-            if (facts.dossiers[0].truth.artefact == Artefact::Acne) dossier = facts.dossiers[0], found = &dossier;
+            if (facts.dossiers[0].cause().artefact == Artefact::Acne) dossier = facts.dossiers[0], found = &dossier;
         }
     ASSERT_TRUE(found);
     EXPECT_EQ(found->verdict.find("acne: needs"), 0u) << found->verdict;
     ASSERT_TRUE(found->remedy);
-    set_setting(state.settings, found->remedy->key, found->remedy->value);
+    for (const auto& [key, value] : found->remedy->settings) set_setting(state.settings, key, value);
     editor.settle();
     const EditorFrame after = editor.model().facts();
     ASSERT_EQ(after.dossiers.size(), 1u);

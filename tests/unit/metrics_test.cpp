@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "renderer/reference/distance_transform.h"
-#include "renderer/reference/light_space.h"
 #include "renderer/reference/metrics.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/support/traced.h"
@@ -30,8 +29,18 @@ Truth truth_of(const std::vector<std::string>& rows) {
     return t;
 }
 
-FloatImage measured_of(const std::vector<std::string>& rows) {
-    return truth_of(rows).visibility;
+/// What a frame shows by the same characters; every wrong pixel has the cause.
+std::vector<JudgedPixel> judged_of(const std::vector<std::string>& rows, const Truth& truth,
+                                   Artefact cause = Artefact::EdgeAliasing) {
+    const Truth drawn = truth_of(rows);
+    std::vector<JudgedPixel> out(drawn.state.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        if (i >= truth.state.size() || truth.state[i] != PixelState::Counted) continue;
+        const float v = drawn.visibility.data[i];
+        out[i] = {Artefact::None, compared_bits(v, true_pixel(truth, i), false), v};
+        if (out[i].has(JudgedPixel::kFalseShadow) || out[i].has(JudgedPixel::kFalseLight)) out[i].artefact = cause;
+    }
+    return out;
 }
 
 TEST(DistanceTransform, IsTheNearestOfAll) {
@@ -52,9 +61,9 @@ TEST(DistanceTransform, IsTheNearestOfAll) {
 }
 
 TEST(Metrics, OfEqualPicturesAreZero) {
-    const std::vector<std::string> rows = {"..##", "..## ", "o..."};
-    const Truth truth = truth_of({"..##", "..##", "o.. "});
-    const ErrorMetrics m = error_metrics(truth.visibility, truth, {});
+    const std::vector<std::string> rows = {"..##", "..##", "o.. "};
+    const Truth truth = truth_of(rows);
+    const ErrorMetrics m = error_metrics(judged_of(rows, truth), truth);
     EXPECT_EQ(m.counted, 10u);
     EXPECT_EQ(m.pixels[std::size_t(PixelState::Background)], 1u);
     EXPECT_EQ(m.pixels[std::size_t(PixelState::FacesAway)], 1u);
@@ -65,151 +74,72 @@ TEST(Metrics, OfEqualPicturesAreZero) {
     EXPECT_EQ(m.artefacts[0], 12u);
 }
 
-TEST(Metrics, CountEachKindOfError) {
-    // Counted: 10. Two false shadows (one near an edge), three false lights (one each of edge, interior, outside).
-    const Truth truth = truth_of({".....#####", "          "});
-    const FloatImage v = measured_of({"#...#...##", "##########"});
-    PixelFacts facts;
-    facts.edge_texels.assign(20, kInf);
-    facts.edge_texels[4] = 0.4f, facts.edge_texels[5] = 0.4f;
-    facts.outside_map.assign(20, 0);
-    facts.outside_map[7] = facts.outside_map[2] = 1;
-    facts.bias_m.assign(20, 0);
-    std::vector<Artefact> artefacts;
-    const ErrorMetrics m = error_metrics(v, truth, facts, &artefacts);
-    EXPECT_EQ(m.counted, 10u);
-    EXPECT_DOUBLE_EQ(m.false_shadow, 0.2);
-    EXPECT_DOUBLE_EQ(m.acne, 0.1);
-    EXPECT_DOUBLE_EQ(m.boundary_false_shadow, 0.1);
-    EXPECT_DOUBLE_EQ(m.false_light, 0.3);
-    EXPECT_DOUBLE_EQ(m.leak, 0.1);
-    EXPECT_DOUBLE_EQ(m.boundary_false_light, 0.1);
-    EXPECT_DOUBLE_EQ(m.outside_false_light, 0.1);
-    EXPECT_DOUBLE_EQ(m.outside_false_shadow, 0);
-    EXPECT_DOUBLE_EQ(m.outside_map, 0.2) << "right and wrong ones";
-    EXPECT_DOUBLE_EQ(m.any_acne, 0.1);
-    EXPECT_DOUBLE_EQ(m.mae, 0.5);
-    EXPECT_DOUBLE_EQ(m.rmse, std::sqrt(0.5));
-    EXPECT_NEAR(m.signed_mean, 0.1, 1e-12);
-    EXPECT_DOUBLE_EQ(m.iou, 2.0 / 7);
-    EXPECT_EQ(artefacts[0], Artefact::Acne);
-    EXPECT_EQ(artefacts[4], Artefact::EdgeAliasing);
-    EXPECT_EQ(artefacts[5], Artefact::EdgeAliasing);
-    EXPECT_EQ(artefacts[6], Artefact::Leak);
-    EXPECT_EQ(artefacts[2], Artefact::OutsideMap);
-    EXPECT_EQ(artefacts[10], Artefact::None);
+TEST(Metrics, AreTheSumsOfTheirCauses) {
+    // One false shadow and one false light of each cause that can be either.
+    const Truth truth = truth_of({"......................######################"});
+    std::vector<JudgedPixel> judged = judged_of({"############..........############.........."}, truth);
+    for (std::size_t a = 1; a < kArtefacts; ++a) judged[a].artefact = Artefact(a), judged[33 + a - 1 + 1].artefact = Artefact(a);
+    judged[0].artefact = Artefact::Acne;
+    const ErrorMetrics m = error_metrics(judged, truth);
+    EXPECT_DOUBLE_EQ(m.false_shadow * 44, 12);
+    EXPECT_DOUBLE_EQ(m.false_light * 44, 10);
+    std::size_t wrong = 0;
+    for (std::size_t a = 1; a < kArtefacts; ++a) wrong += m.artefacts[a];
+    EXPECT_EQ(wrong, 22u);
+    const double all = m.acne + m.leak + m.bias_false_light + m.lost_false_light + m.offset_false_shadow +
+                       m.boundary_false_shadow + m.boundary_false_light + m.outside_false_shadow + m.outside_false_light;
+    EXPECT_NEAR(all, m.false_shadow + m.false_light, 1e-12);
+    EXPECT_DOUBLE_EQ(m.acne * 44, double(m.artefacts[std::size_t(Artefact::Acne)]));
+    EXPECT_DOUBLE_EQ(m.leak * 44, double(m.artefacts[std::size_t(Artefact::Leak)]));
+    EXPECT_DOUBLE_EQ(m.bias_false_light * 44, double(m.artefacts[std::size_t(Artefact::PeterPanning)] +
+                                                     m.artefacts[std::size_t(Artefact::PeterPanningOffset)]));
 }
 
-TEST(Metrics, TellWhyLightIsFalse) {
-    Truth truth = truth_of({"####"});
-    truth.nearest_m.data = {1, 1, kNaN, 1};
-    PixelFacts facts;
-    facts.bias_m = {0.9f, 1.1f, 5, 0};
-    std::vector<Artefact> artefacts;
-    error_metrics(measured_of({"...#"}), truth, facts, &artefacts);
-    EXPECT_EQ(artefacts, (std::vector{Artefact::Leak, Artefact::PeterPanning, Artefact::LostCaster, Artefact::None}));
-}
-
-TEST(Metrics, SeeFaintAcneAndPenumbrae) {
-    const Truth truth = truth_of({"....++"});
-    FloatImage v = measured_of({"......"});
-    v.data = {0.9f, 0.9999f, 1, kNaN, 0.2f, 0.7f};
-    const ErrorMetrics m = error_metrics(v, truth, {});
-    EXPECT_DOUBLE_EQ(m.any_acne, 2.0 / 6) << "0.9 and the NaN, which counts as dark";
-    EXPECT_DOUBLE_EQ(m.acne, 1.0 / 6);
-    EXPECT_DOUBLE_EQ(m.boundary_false_shadow, 1.0 / 6) << "a penumbra is an edge";
-    EXPECT_NEAR(m.mae, (0.1 + 0.0001 + 1 + 0.3 + 0.2) / 6, 1e-6);
+TEST(Metrics, CallNothingWrongThatTheTruthsNoiseExplains) {
+    Truth truth = truth_of({"++++++"});
+    truth.point_visibility = truth.visibility;
+    truth.visibility.data = {0.55f, 0.55f, 0.55f, 0.55f, 0.45f, 1.f};
+    truth.standard_error = truth.visibility;
+    truth.standard_error.data = {0.05f, 0.01f, 0.f, kNaN, 0.05f, 0.f};
+    std::vector<JudgedPixel> judged(6);
+    const float v[] = {0.45f, 0.45f, 0.45f, 0.f, 0.55f, 0.9f};
+    for (std::size_t i = 0; i < 6; ++i) judged[i] = {Artefact::None, compared_bits(v[i], true_pixel(truth, i), false), v[i]};
+    using J = JudgedPixel;
+    EXPECT_EQ(judged[0].bits, J::kCounts | J::kWithinNoise);
+    EXPECT_EQ(judged[1].bits, J::kCounts | J::kFalseShadow) << "0.1 apart, noise 0.01";
+    EXPECT_EQ(judged[2].bits, J::kCounts | J::kFalseShadow);
+    EXPECT_EQ(judged[3].bits, J::kCounts | J::kWithinNoise) << "unknown noise decides nothing";
+    EXPECT_EQ(judged[4].bits, J::kCounts | J::kWithinNoise);
+    EXPECT_EQ(judged[5].bits, J::kCounts | J::kFaint);
+    const ErrorMetrics m = error_metrics(judged, truth);
+    EXPECT_DOUBLE_EQ(m.within_noise, 0.5);
+    EXPECT_DOUBLE_EQ(m.false_shadow, 2.0 / 6);
+    EXPECT_EQ(m.false_light, 0);
+    EXPECT_DOUBLE_EQ(m.signed_mean, m.mae == 0 ? 1 : m.signed_mean);
+    EXPECT_NEAR(m.mae, (0.1 * 3 + 0.55 + 0.1 + 0.1) / 6, 1e-6);
 }
 
 TEST(Metrics, MeasureHowFarContoursAreApart) {
     const std::vector<std::string> rows(8, "....########");
     const std::vector<std::string> moved(8, "......######");
-    const ErrorMetrics m = error_metrics(measured_of(moved), truth_of(rows), {});
+    const ErrorMetrics m = error_metrics(judged_of(moved, truth_of(rows)), truth_of(rows));
     EXPECT_DOUBLE_EQ(m.boundary_px_mean, 1.5) << "one contour pixel of each lies 1 px off, the other 2";
     EXPECT_EQ(m.boundary_px_max, 2);
     EXPECT_EQ(m.boundary_px_p95, 2);
-    const ErrorMetrics none = error_metrics(measured_of(std::vector<std::string>(8, "............")), truth_of(rows), {});
+    const ErrorMetrics none = error_metrics(judged_of(std::vector<std::string>(8, "............"), truth_of(rows)), truth_of(rows));
     EXPECT_TRUE(std::isnan(none.boundary_px_mean));
     // Every fourth pixel of a picture: the same contours are four times as far apart in it.
     Truth coarse = truth_of(rows);
     coarse.step = 4;
-    const ErrorMetrics far = error_metrics(measured_of(moved), coarse, {});
+    const ErrorMetrics far = error_metrics(judged_of(moved, coarse), coarse);
     EXPECT_DOUBLE_EQ(far.boundary_px_mean, 6);
     EXPECT_EQ(far.boundary_px_max, 8);
     EXPECT_EQ(far.boundary_px_p95, 8);
     // Where two surfaces meet in the picture there is no contour.
-    PixelFacts facts;
-    facts.joins.assign(96, 3);
-    for (std::size_t y = 0; y < 8; ++y) facts.joins[y * 12 + 3] = 2;
-    EXPECT_TRUE(std::isnan(error_metrics(measured_of(moved), truth_of(rows), facts).boundary_px_mean));
-    EXPECT_THROW(error_metrics(measured_of({"..."}), truth_of(rows), {}), Error);
-}
-
-/// A floor under a box, seen from straight above through a map of 16 x 16 texels over 8 x 8 m.
-struct Lit {
-    Scene scene;
-    std::shared_ptr<const TruthGeometry> geometry;
-    FittedLight light;
-    static constexpr int kResolution = 16;
-
-    explicit Lit(Mesh caster, const glm::dmat4& place, bool floor_casts = true) {
-        const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
-        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(20, 20), grey));
-        add_object(scene, "caster", -1, add_mesh(scene, "caster", std::move(caster), grey), place);
-        finalise(scene);
-        Settings settings;
-        settings.objects["floor"].cast = floor_casts;
-        geometry = test::geometry_of(scene, settings);
-        light.to_light = {0, 1, 0};
-        light.casts = true;
-        LightView view;
-        view.eye = {0, 10, 0};
-        view.axes = glm::dmat3(glm::dvec3(1, 0, 0), glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0));
-        view.half_width = 4;
-        view.curve = {.perspective = false, .near = 0, .far = 20};
-        light.views = {view};
-    }
-    /// Of a floor point; in texels, x is 2 (x + 4).
-    float edge_distance(double x, double z, double reach) const {
-        Receiver r;
-        r.position_ws = {x, 0, z}, r.normal_ws = {0, 1, 0}, r.edge_m = 20, r.object = 0;
-        return edge_distance(r, reach);
-    }
-    float edge_distance(const Receiver& r, double reach) const {
-        const Receivers receivers = test::row_of({r});
-        const TruthScene casters(geometry);
-        const Truth truth = trace_visibility(casters, receivers, test::query_for(scene, test::sun({0, 1, 0})), {});
-        Footprint f;
-        f.centre = f.own = {2 * (r.position_ws.x + 4), 2 * (4 - r.position_ws.z)};
-        f.view = 0;
-        return edge_distances(casters, receivers, truth, light, kResolution, reach, {f}, {})[0];
-    }
-};
-
-TEST(EdgeDistance, IsInTexelsToWhereTheTruthChanges) {
-    // The box covers x in [-1, 1]: texels 6 to 9, centres 6.5 to 9.5.
-    for (const bool floor_casts : {true, false}) {
-        const Lit lit(make_box({2, 1, 2}), moved(0, 2, 0), floor_casts);
-        EXPECT_EQ(lit.edge_distance(0, 0, 0.5), kInf) << "the nearest lit centre is 2.5 texels off";
-        EXPECT_FLOAT_EQ(lit.edge_distance(0, 0, 2), 2.5f);
-        EXPECT_FLOAT_EQ(lit.edge_distance(-0.9, 0, 0.5), 0.7f) << "texel 5 is lit";
-        EXPECT_FLOAT_EQ(lit.edge_distance(-1.1, 0, 0.5), 0.7f) << "texel 6 is dark";
-        EXPECT_EQ(lit.edge_distance(-2, 0, 0.5), kInf);
-        EXPECT_EQ(lit.edge_distance(3, 3, 2), kInf);
-    }
-}
-
-TEST(EdgeDistance, KnowsNoEdgeInFoldsThatAreLit) {
-    // A gutter over the floor: each side rises above the other's plane, and all of it is lit.
-    const Lit lit(make_polygons("gutter", {{{-2, 4, -2}, {-2, 4, 2}, {0, 3, 2}, {0, 3, -2}},
-                                           {{0, 3, -2}, {0, 3, 2}, {2, 4, 2}, {2, 4, -2}}}),
-                  glm::dmat4(1));
-    const Receiver r = test::receiver_on(*lit.geometry, 1, 1, 0.45, 0.5);
-    ASSERT_LT(r.position_ws.x, 0);
-    ASSERT_GT(r.position_ws.x, -0.3) << "the fold lies in the footprint";
-    ASSERT_GT(r.normal_ws.y, 0);
-    EXPECT_EQ(lit.edge_distance(r, 2), kInf);
-    EXPECT_FLOAT_EQ(lit.edge_distance(1.9, 0, 0.5), 0.7f) << "but the floor's edge beside it counts";
+    std::vector<std::uint8_t> joins(96, 3);
+    for (std::size_t y = 0; y < 8; ++y) joins[y * 12 + 3] = 2;
+    EXPECT_TRUE(std::isnan(error_metrics(judged_of(moved, truth_of(rows)), truth_of(rows), joins).boundary_px_mean));
+    EXPECT_THROW(error_metrics({}, truth_of(rows)), Error);
 }
 
 }  // namespace

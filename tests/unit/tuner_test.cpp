@@ -13,7 +13,7 @@ namespace {
 /// A frame of tilted planes: what each needs, and what a bias is worth to it, in texels.
 struct MadeUpFrame {
     double harder = 1;        ///< the surfaces need this many times what theory says
-    double leak_of_normal = 0;///< leaks that the normal offset causes
+    double lost_by_normal = 0;///< pixels that a texel of normal offset loses
     double kappa = 1;
 
     static double theta(int i) { return (0.02 + 0.95 * i / 99.0) * M_PI / 2; }
@@ -34,7 +34,7 @@ struct MadeUpFrame {
         double gap = 0;
         for (int i = 0; i < 100; ++i) acne += worth(b, i) < harder * need(i), gap = std::max(gap, worth(b, i) * std::sin(theta(i)));
         t.needs.faint_acne = std::size_t(acne);
-        t.error.artefacts[std::size_t(Artefact::Leak)] = std::size_t(b.normal * leak_of_normal);
+        t.error.artefacts[std::size_t(Artefact::PeterPanningOffset)] = std::size_t(b.normal * lost_by_normal);
         t.needs.pixels = 100;
         t.needs.gap_p95_m = gap, t.needs.gap_median_m = gap / 2;
         BiasSettings one;
@@ -93,7 +93,7 @@ TEST(BiasSearch, AQuickSearchIsContentWithTheory) {
 }
 
 TEST(BiasSearch, AvoidsLeaksBeforeGaps) {
-    const BiasSearch search = searched({.leak_of_normal = 200});
+    const BiasSearch search = searched({.lost_by_normal = 200});
     EXPECT_NE(search.best()->family, BiasFamily::Normal);
 }
 

@@ -1,0 +1,275 @@
+// Why pixels are wrong: the GPU's decisions against those in C++ from the same trials, and scenes in which one or two
+// things are wrong against their repaired twins.
+#include <cstring>
+#include <map>
+
+#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/error_task.h"
+#include "renderer/scenes/shapes.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+std::string_view name(Artefact a) {
+    for (const ArtefactStyle& style : artefact_styles())
+        if (style.artefact == a) return style.key;
+    return "none";
+}
+
+class CausesTest : public FrameTest {
+protected:
+    TruthCache cache;
+    FrameRequest request{.width = 320, .height = 240};
+
+    static Settings texels(const char* kernel, int resolution, double constant) {
+        Settings s = test::hard_settings();
+        s.map.resolution = resolution;
+        s.filter.kernel = test::kernel(kernel);
+        s.bias = test::no_bias();
+        s.bias.unit = int(BiasUnit::Texels);
+        s.bias.constant = constant;
+        return s;
+    }
+    /// A wall of 2 m on a plane, the sun 15 degrees high.
+    static Scene wall() {
+        Scene scene;
+        const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(20, 20), grey));
+        add_object(scene, "wall", -1, add_mesh(scene, "wall", make_box({6, 2, 0.3}), grey), moved(0, 1, 0));
+        finalise(scene);
+        return scene;
+    }
+    static Settings low_sun(const char* kernel, int resolution, double constant) {
+        Settings s = texels(kernel, resolution, constant);
+        s.lights[0].azimuth = 0, s.lights[0].elevation = 15;
+        s.camera.distance = 18, s.camera.elevation = 35, s.camera.azimuth = 150;
+        return s;
+    }
+    MeasuredError measure(const Scene& scene, const Settings& s, const TruthOptions& options = {}) {
+        return measure_error(renderer, scene, s, request, 0, options, cache);
+    }
+    static std::size_t count(const MeasuredError& m, Artefact a) { return m.metrics.artefacts[std::size_t(a)]; }
+    static std::string counts(const MeasuredError& m) {
+        std::string text;
+        for (const ArtefactStyle& style : artefact_styles())
+            if (const std::size_t n = count(m, style.artefact)) text += std::string(style.key) + " " + std::to_string(n) + "  ";
+        return text;
+    }
+
+    std::vector<CauseEvidence> read_evidence(const FrameResult& frame, int step) {
+        std::vector<CauseEvidence> out;
+        for (int i = 0; i < kEvidenceImages; ++i) {
+            const FloatImage image = every_nth(renderer.read_float(frame.evidence[std::size_t(i)], 4), step);
+            out.resize(image.data.size() / 4);
+            for (std::size_t p = 0; p < out.size(); ++p)
+                std::memcpy(reinterpret_cast<char*>(&out[p]) + i * 16, &image.data[4 * p], 16);
+        }
+        return out;
+    }
+
+    /// Decides in C++ upon what the GPU's trials gave, and demands the GPU's own decisions. @returns the GPU's
+    MeasuredError agree(const Scene& scene, const Settings& s, const char* what, const TruthOptions& options = {}) {
+        SCOPED_TRACE(what);
+        const MeasuredError gpu = measure(scene, s, options);
+        FrameRequest all = request;
+        all.outputs = {.colour = false, .evidence = true};
+        const FrameResult frame = render_with_truth(renderer, scene, s, all, cache, {}, options);
+        EXPECT_TRUE(frame.truth.met);
+        const std::vector<CauseEvidence> evidence = read_evidence(frame, options.step);
+        const CauseContext context = cause_context(s, frame.mask_levels);
+        const Truth& truth = *gpu.traced.truth;
+        std::size_t differ = 0;
+        for (std::size_t i = 0; i < truth.state.size(); ++i) {
+            if (truth.state[i] != PixelState::Counted) continue;
+            const Cause cause = cause_of(evidence[i], true_pixel(truth, i), context);
+            const JudgedPixel& p = gpu.judged[i];
+            const bool acne = cause.faint || (cause.artefact == Artefact::Acne && truth.visibility.data[i] == 1);
+            const bool same = cause.artefact == p.artefact && cause.also == p.also() &&
+                              cause.seam == p.has(JudgedPixel::kSeam) && acne == p.has(JudgedPixel::kAnyAcne) &&
+                              (p.bits & ~(JudgedPixel::kAnyAcne | JudgedPixel::kSeam)) % (1 << JudgedPixel::kAlsoShift) ==
+                                  compared_bits(p.visibility, true_pixel(truth, i), evidence[i].outside != 0);
+            if (!same && ++differ <= 3)
+                ADD_FAILURE() << "pixel " << i << ": " << name(p.artefact) << " on the GPU, here " << name(cause.artefact)
+                              << ", also " << p.also() << " and " << cause.also << ", bits " << p.bits;
+        }
+        EXPECT_EQ(differ, 0u);
+        return gpu;
+    }
+
+    /// Of the pixels that are wrong, and right in the twin, the share that names one of the causes.
+    double named(const Scene& scene, const Settings& wrong, const Settings& twin, std::vector<Artefact> causes,
+                 std::size_t least = 100) {
+        const MeasuredError a = measure(scene, wrong), b = measure(scene, twin);
+        std::size_t cured = 0, told = 0;
+        std::map<std::string_view, int> others;
+        for (std::size_t i = 0; i < a.judged.size(); ++i) {
+            if (a.judged[i].artefact == Artefact::None || b.judged[i].artefact != Artefact::None) continue;
+            ++cured;
+            bool hit = false;
+            for (const Artefact c : causes)
+                hit |= a.judged[i].artefact == c || (a.judged[i].also() >> int(c) & 1) != 0;
+            told += hit;
+            if (!hit) ++others[name(a.judged[i].artefact)];
+        }
+        EXPECT_GE(cured, least) << "the twin shows what was wrong";
+        std::string text;
+        for (const auto& [key, n] : others) text += std::string(key) + " " + std::to_string(n) + "  ";
+        last_ = std::to_string(cured) + " cured, not told: " + text;
+        return cured ? double(told) / double(cured) : 0;
+    }
+    std::string last_;
+};
+
+TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
+    const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5_nearest", "pcf9"}) {
+        Settings s = texels(kernel, 256, 0.4);
+        EXPECT_GT(count(agree(box, s, kernel), Artefact::Acne), 100u);
+        s.bias.constant = 30, s.bias.normal = 4;
+        EXPECT_GT(count(agree(box, s, "much bias"), Artefact::PeterPanning), 10u);
+        s.bias.constant = 1, s.bias.normal = 20;
+        EXPECT_GT(count(agree(box, s, "much offset"), Artefact::PeterPanningOffset), 100u);
+        s.bias.raster_units = 4000, s.bias.raster_slope = 3, s.bias.normal = 0;
+        agree(box, s, "polygon offset");
+        s.map.blur_texels = 2;
+        agree(box, s, "polygon offset and depth blur");
+    }
+    Settings s = texels("pcf3", 256, 3);
+    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].extent = 1.2;
+    EXPECT_GT(count(agree(box, s, "outside of the map"), Artefact::OutsideMap), 10u);
+    for (const LightType type : {LightType::Spot, LightType::Point})
+        for (const bool reversed : {false, true}) {
+            s = texels("pcf3", 256, 0.5);
+            s.lights[0].type = int(type);
+            s.map.reversed_z = reversed;
+            s.bias.normal = 1;
+            agree(box, s, type == LightType::Spot ? "spot" : "point");
+        }
+    s = texels("pcf5", 256, 2);
+    s.lights[0].size = 6;
+    EXPECT_GT(count(agree(box, s, "a light of size", {.area = true, .samples = 256}), Artefact::Penumbra), 10u);
+    agree(box, s, "a light of size, one look at it", {.area = true, .samples = 1});
+    s.caster.cull = int(Cull::Front);
+    agree(box, s, "front culling", {.step = 2});
+    const Scene stage = load_scene("stage");
+    for (const char* extra : {"bias.constant=40", "caster.cull=front", "map.resolution=256", "bias.normal=30"}) {
+        const std::string text = extra;
+        const auto at = text.find('=');
+        agree(stage, settings_for(stage, {{text.substr(0, at), text.substr(at + 1)}}), extra);
+    }
+}
+
+TEST_F(CausesTest, FalseLightOfAWallUnderLowSunIsPeterPanning) {
+    const Scene scene = wall();
+    const Settings s = low_sun("pcf3", 512, 11);
+    Settings least = s;
+    least.bias.constant = 7.6;
+    const MeasuredError m = measure(scene, s);
+    const double by_bias = m.metrics.bias_false_light / m.metrics.false_light;
+    EXPECT_GT(m.metrics.false_light, 0.002);
+    EXPECT_GT(by_bias, 0.6) << "not an edge's: " << counts(m);
+    EXPECT_GE(named(scene, s, least, {Artefact::PeterPanning}), 0.95) << last_;
+}
+
+TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsTheOffsets) {
+    const Scene scene = wall();
+    Settings s = low_sun("pcf3", 4096, 2);
+    s.lights[0].elevation = 40;
+    s.bias.normal = 100;
+    Settings without = s;
+    without.bias.normal = 0, without.bias.constant = 6;
+    const MeasuredError m = measure(scene, s);
+    EXPECT_GT(count(m, Artefact::PeterPanningOffset), 300u);
+    EXPECT_LT(count(m, Artefact::EdgeAliasing) + count(m, Artefact::PeterPanning), 20u);
+    EXPECT_GE(named(scene, s, without, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}), 0.95) << last_;
+}
+
+TEST_F(CausesTest, AFenceFinerThanATexelIsUndersampled) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
+    const int bar = add_mesh(scene, "bar", make_box({0.03, 1.6, 0.03}), grey);
+    for (int i = 0; i < 24; ++i) add_object(scene, "bar " + std::to_string(i), -1, bar, moved(-3 + 0.25 * i + 0.013 * (i % 5), 0.9, 0));
+    finalise(scene);
+    request = {.width = 800, .height = 600};
+    Settings s = texels("hard", 128, 3);
+    s.camera.distance = 7;
+    const MeasuredError m = measure(scene, s);
+    const std::size_t undersampled = count(m, Artefact::Undersampled);
+    EXPECT_GT(undersampled, 500u);
+    EXPECT_GT(double(undersampled), 0.9 * (m.metrics.false_light + m.metrics.false_shadow) * double(m.metrics.counted))
+        << counts(m) << "bars of 3 cm under texels of "
+                                                         << m.lights[0].views[0].texel_size(1, 128) << " m";
+    s.map.resolution = 4096;
+    EXPECT_LT(count(measure(scene, s), Artefact::Undersampled), undersampled / 20);
+}
+
+TEST_F(CausesTest, EdgesOfABoxOnAPlaneStayEdges) {
+    for (const char* kernel : {"hard", "pcf3"}) {
+        const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0);
+        Settings s = texels(kernel, 4096, kernel[0] == 'h' ? 2.2 : 5.2);
+        request = {.width = 640, .height = 480};
+        s.camera.distance = 5;
+        const MeasuredError m = measure(scene, s);
+        const double n = double(m.metrics.counted);
+        EXPECT_EQ(count(m, Artefact::Acne), 0u) << kernel;
+        EXPECT_GT(count(m, Artefact::EdgeAliasing), 8u) << counts(m);
+        EXPECT_LE(double(count(m, Artefact::LostCaster) + count(m, Artefact::PeterPanningOffset) + count(m, Artefact::OffsetShadow)), 0) << kernel;
+        EXPECT_GE(double(count(m, Artefact::EdgeAliasing) + count(m, Artefact::Filter) + count(m, Artefact::Leak)), 0.9 * n * (m.metrics.false_light + m.metrics.false_shadow)) << counts(m);
+    }
+}
+
+/// A thing that can be wrong: how it gets so, how it is right, what it is called.
+struct Fault {
+    const char* what;
+    void (*wrong)(Settings&);
+    std::vector<Artefact> causes;
+};
+
+const std::vector<Fault>& faults() {
+    static const std::vector<Fault> all = {
+        {"little bias", [](Settings& s) { s.bias.constant = 0.3; }, {Artefact::Acne}},
+        {"much bias", [](Settings& s) { s.bias.constant = 60; }, {Artefact::PeterPanning}},
+        {"much offset", [](Settings& s) { s.bias.normal = 30; }, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}},
+        {"polygon offset", [](Settings& s) { s.bias.raster_slope = 60; }, {Artefact::PeterPanning}},
+        {"front culling", [](Settings& s) { s.caster.cull = int(Cull::Front); }, {Artefact::LostCaster, Artefact::PeterPanning}},
+        // At the bias of a narrow one it shadows itself, which more bias cures as well.
+        {"wide kernel", [](Settings& s) { s.filter.kernel = test::kernel("pcf9"); }, {Artefact::Filter, Artefact::Leak, Artefact::Acne}},
+    };
+    return all;
+}
+
+TEST_F(CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin) {
+    Scene scene = test::floor_and_box(10, {1.5, 0.6, 2}, 0.3);
+    const int grey = add_material(scene, "more grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(1.5, 1.5), grey), moved(2.5, 1.1, 1));
+    finalise(scene);
+    const auto base = [&] {
+        Settings s = texels("hw2x2", 512, 3.2);
+        s.camera.distance = 9;
+        return s;
+    };
+    std::string table;
+    for (std::size_t a = 0; a < faults().size(); ++a)
+        for (std::size_t b = 0; b < faults().size(); ++b) {
+            Settings both = base(), twin = base();
+            if (a != b) faults()[b].wrong(both), faults()[b].wrong(twin);
+            faults()[a].wrong(both);
+            if (both == twin) continue;
+            // Thirty texels of offset are worth more than the plane needs: its constant is not too little then.
+            if (faults()[a].what == std::string("little bias") && faults()[b].what == std::string("much offset")) continue;
+            const double share = named(scene, both, twin, faults()[a].causes, 0);
+            const std::string line = std::string(faults()[a].what) + (a == b ? "" : std::string(" with ") + faults()[b].what) + ": " + std::to_string(share) + " of " + last_;
+            table += line + "\n";
+            if (std::stoul(last_) < 30) continue;  // the other fault hides this one
+            EXPECT_GE(share, 0.95) << line;
+        }
+    RecordProperty("table", table);
+    if (HasFailure()) std::puts(table.c_str());
+}
+
+}  // namespace
+}  // namespace si
