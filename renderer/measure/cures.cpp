@@ -1,0 +1,304 @@
+#include "renderer/measure/cures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "renderer/light_receiver.h"
+#include "renderer/manual_light.h"
+#include "renderer/measure/axes.h"
+#include "renderer/measure/time_sampler.h"
+#include "renderer/param.h"
+#include "renderer/techniques.h"
+
+namespace si {
+namespace {
+
+double power_of_two_above(double v) {
+    return std::exp2(std::ceil(std::log2(std::max(v, 1.0)) - 1e-9));
+}
+
+/// Texels at which nine of ten undersampled pixels are no longer so.
+double sampling_resolution(const MeasuredError& m, const Settings& settings, const DriverInfo& driver) {
+    const FittedLight& light = m.lights[std::size_t(m.light)];
+    std::vector<double> wanted;
+    for (std::size_t i = 0; i < m.judged.size(); ++i) {
+        if (m.judged[i].artefact != Artefact::Undersampled) continue;
+        const Receiver& r = m.traced.receivers->pixels[i];
+        const BiasAccount a = bias_account(light, settings, m.map_resolution,
+                                           {r.position_ws, r.normal_ws, r.normal_ws, m.camera.eye}, driver.subpixel_bits);
+        const float run_m = m.traced.runs->run_m.data[i];
+        double n = a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
+        // Where the window is closed for one nearest tap, finer texels open it.
+        const double gap_m = m.traced.truth->blocker_m.data[i];
+        if (std::isfinite(gap_m)) {
+            const double along = gap_m * glm::dot(a.receiver.to_light, light.views[a.receiver.view].axes[2]);
+            const double kappa = filters()[std::size_t(settings.filter.kernel)].reach_texels;
+            const double fixed = a.least.quantum + a.least.rounding, falls = a.least.kernel * 0.5 / kappa + a.least.snapping;
+            const double room = along * a.depth_per_m - fixed;
+            if (room > 0) n = std::max(n, m.map_resolution * falls / room);
+        }
+        wanted.push_back(n);
+    }
+    if (wanted.empty()) return 0;
+    const auto at = wanted.begin() + std::ptrdiff_t(0.9 * double(wanted.size() - 1) + 0.5);
+    std::nth_element(wanted.begin(), at, wanted.end());
+    return power_of_two_above(*at);
+}
+
+/// Settings that get there from `base`; what cannot be told apart from it is no change.
+std::vector<std::pair<std::string, std::string>> changes(const Settings& base, const Settings& with) {
+    std::vector<std::pair<std::string, std::string>> out;
+    for (const SettingRef& ref : differing_settings(base, with))
+        out.emplace_back(setting_key(ref), value_text(*ref.param, get_value(with, ref)));
+    return out;
+}
+
+double rounded_up(double v) {
+    if (!(v > 0)) return 0;
+    const double unit = std::pow(10.0, std::floor(std::log10(v)) - 2);
+    return std::ceil(v / unit * (1 - 1e-12)) * unit;
+}
+
+BiasSettings least_bias_of(const CureFacts& facts, BiasFamily family) {
+    BiasSettings b = facts.needs.of(family);
+    b.constant = rounded_up(b.constant * 1.001), b.slope = rounded_up(b.slope * 1.001), b.normal = rounded_up(b.normal * 1.001);
+    return b;
+}
+
+void cast_from_both_sides(Settings& s) {
+    s.caster.cull = int(Cull::None);
+    for (auto& [path, object] : s.objects) object.cull = int(ObjectCull::Inherit);
+}
+
+/// The kernels next narrower and next wider by their reach.
+std::pair<int, int> neighbours(int kernel) {
+    const double reach = filters()[std::size_t(kernel)].reach_texels;
+    int down = -1, up = -1;
+    for (int k = 0; k < int(filters().size()); ++k) {
+        const double r = filters()[std::size_t(k)].reach_texels;
+        if (r < reach && (down < 0 || r > filters()[std::size_t(down)].reach_texels)) down = k;
+        if (r > reach && (up < 0 || r < filters()[std::size_t(up)].reach_texels)) up = k;
+    }
+    return {down, up};
+}
+
+/// Differences of the times of passes, of frames drawn to and fro.
+class Stopwatch {
+public:
+    Stopwatch(Renderer& renderer, const Scene& scene, FrameRequest request, int frames)
+        : renderer_(renderer), scene_(scene), request_(std::move(request)), frames_(frames) {
+        request_.timing = request_.force = true;
+        request_.truth.reset();
+        request_.outputs = {};
+    }
+
+    CostChange difference(const Settings& before, const Settings& with, const Workers& workers) {
+        const std::set<std::string> changed = changed_passes(before, with);
+        std::vector<double> a, b;
+        for (int i = -1; i < frames_; ++i) {
+            if (workers.stop.stop_requested()) throw Cancelled();
+            const double first = time(before, changed), second = time(with, changed);
+            if (i < 0) continue;  // warms up
+            a.push_back(first), b.push_back(second);
+        }
+        const Spread x = spread_of(std::move(a)), y = spread_of(std::move(b));
+        const auto noise = [](const Spread& s) { return 0.5 * (s.median_high - s.median_low); };
+        return {y.median - x.median, noise(x) + noise(y)};
+    }
+
+private:
+    Renderer& renderer_;
+    const Scene& scene_;
+    FrameRequest request_;
+    int frames_;
+
+    /// The passes that run anew when one setting takes the other's place.
+    std::set<std::string> changed_passes(const Settings& before, const Settings& with) {
+        FrameRequest quiet = request_;
+        quiet.timing = quiet.force = false;
+        std::set<std::string> out;
+        const auto draw = [&](const Settings& s) {
+            for (const PassInfo& pass : renderer_.render(scene_, s, quiet).passes)
+                if (pass.state == PassState::Ran) out.insert(pass.name);
+        };
+        draw(before);
+        out.clear();  // whatever was drawn last
+        draw(with);
+        draw(before);
+        return out;
+    }
+
+    double time(const Settings& s, const std::set<std::string>& passes) {
+        double ms = 0;
+        for (const PassInfo& pass : renderer_.render(scene_, s, request_).passes)
+            if (passes.contains(pass.name)) ms += pass.gpu_ms;
+        return ms;
+    }
+};
+
+}  // namespace
+
+CureFacts cure_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver) {
+    CureFacts f;
+    f.needs = bias_needs(measured, settings, driver.subpixel_bits);
+    f.lights = measured.lights, f.light = measured.light;
+    f.map_resolution = measured.map_resolution, f.max_resolution = driver.max_texture_size;
+    f.sampling_resolution = sampling_resolution(measured, settings, driver);
+    const FittedLight& light = measured.lights[std::size_t(measured.light)];
+    if (light.views.size() != 1) return f;
+    const LightView& view = light.views[0];
+    glm::dvec2 lo(std::numeric_limits<double>::infinity()), hi(-lo);
+    for (std::size_t i = 0; i < measured.judged.size(); ++i) {
+        if (measured.traced.truth->state[i] != PixelState::Counted) continue;
+        const glm::dvec3 p = glm::transpose(view.axes) * (measured.traced.receivers->pixels[i].position_ws - view.eye);
+        lo = glm::min(lo, glm::dvec2(p)), hi = glm::max(hi, glm::dvec2(p));
+    }
+    if (!(lo.x <= hi.x)) return f;
+    f.receivers_half_m = 0.5 * std::max(hi.x - lo.x, hi.y - lo.y);
+    f.receivers_middle_ws = view.eye + view.axes * glm::dvec3(0.5 * (lo + hi), 0);
+    return f;
+}
+
+std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
+    std::vector<CureIdea> out;
+    const auto idea = [&](std::string name, auto&& change, std::string untried = {}) {
+        Settings s = base;
+        change(s);
+        if (untried.empty() && s == base) return;
+        out.push_back({std::move(name), std::move(s), std::move(untried)});
+    };
+    const bool any = f.needs.pixels > 0;
+    const auto bias = [&](BiasFamily family) { return least_bias_of(f, family); };
+    constexpr std::pair<BiasFamily, const char*> kFamilies[] = {{BiasFamily::Normal, "least bias, normal offset"},
+                                                               {BiasFamily::Slope, "least bias, slope over constant"},
+                                                               {BiasFamily::Constant, "least bias, constant alone"}};
+    for (const auto& [family, name] : kFamilies)
+        if (any) idea(name, [&, fam = family](Settings& s) { s.bias = bias(fam); });
+    idea("no normal offset", [](Settings& s) { s.bias.normal = 0; });
+
+    idea("both sides cast", cast_from_both_sides);
+    Settings sided = base;
+    cast_from_both_sides(sided);
+    if (any && !(sided == base))
+        for (const auto& [family, name] : kFamilies)
+            idea(fmt::format("both sides cast, {}", name), [&, fam = family](Settings& s) {
+                cast_from_both_sides(s);
+                s.bias = bias(fam);
+            });
+
+    const auto [down, up] = neighbours(base.filter.kernel);
+    if (down >= 0) idea("narrower kernel", [&](Settings& s) { s.filter.kernel = down; });
+    if (up >= 0) idea("wider kernel", [&](Settings& s) { s.filter.kernel = up; });
+    idea("no depth blur", [](Settings& s) { s.map.blur_texels = 0; });
+
+    const int limit = f.max_resolution;
+    const auto finer = [&](double n, const char* name) {
+        const std::string title = fmt::format("{} ({:.0f}²)", name, n);
+        const auto change = [&](Settings& s) { s.map.resolution = int(n); };
+        const double most = find_setting("map.resolution")->param->max;
+        if (n > std::min(double(limit), most)) {
+            idea(title, [](Settings&) {}, fmt::format("beyond the limit of {:.0f}²", std::min(double(limit), most)));
+            return;
+        }
+        idea(title, change);
+        if (any)
+            for (const auto& [family, least] : kFamilies)
+                idea(fmt::format("{}, {}", title, least), [&, fam = family](Settings& s) {
+                    change(s);
+                    s.bias = bias(fam);
+                });
+    };
+    finer(2.0 * f.map_resolution, "twice the resolution");
+    if (f.sampling_resolution > 2.0 * f.map_resolution) finer(f.sampling_resolution, "the resolution that is needed");
+
+    const LightSettings& light = base.lights[std::size_t(f.light)];
+    if (light.fit == int(LightFit::Manual))
+        idea("map fitted to the scene", [&](Settings& s) { s.lights[std::size_t(f.light)].fit = int(LightFit::Scene); });
+    const FittedLight& fitted = f.lights[std::size_t(f.light)];
+    const bool parallel = fitted.views.size() == 1 && !fitted.views[0].curve.perspective && fitted.type == LightType::Directional;
+    if (!parallel) {
+        idea("tighter fit", [](Settings&) {}, "only the map of a directional light can be fitted tighter to what is seen");
+    } else if (f.receivers_half_m > 0) {
+        // Parallel rays: what shadows the surfaces seen lies within their own outline in the map.
+        constexpr double kMarginTexels = 8;
+        const double half = f.receivers_half_m * (1 + 2 * kMarginTexels / f.map_resolution);
+        if (half < 0.97 * fitted.views[0].half_width)
+            idea("tighter fit, to the surfaces seen", [&](Settings& s) {
+                LightSettings& l = s.lights[std::size_t(f.light)];
+                l = manual_light(l, fitted);
+                const glm::dvec3 aside = fitted.views[0].axes * glm::dvec3(glm::dvec2(glm::transpose(fitted.views[0].axes) *
+                                                                                  (f.receivers_middle_ws - fitted.views[0].eye)), 0);
+                l.target_x += aside.x, l.target_y += aside.y, l.target_z += aside.z;
+                l.extent = half;
+            });
+    }
+    return out;
+}
+
+CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
+                     const CureOptions& options, TruthCache& cache, const Workers& workers,
+                     const std::function<void(double, const std::string&)>& report) {
+    const Settings base = measured_settings(settings);
+    const FrameRequest request{.width = width, .height = height};
+    const int light = base.view.light;
+    const auto tell = [&](double share, const std::string& what) {
+        if (workers.stop.stop_requested()) throw Cancelled();
+        if (report) report(share, what);
+    };
+    tell(0, "the present settings");
+    const auto measure = [&](const Settings& s) {
+        return measure_error(renderer, scene, s, request, light, options.truth, cache, workers.part(0, 0));
+    };
+    const auto bytes = [&](const Settings& s) {
+        FrameRequest drawn = request;
+        drawn.force = true;
+        return (long long)work_cost(s, renderer.render(scene, s, drawn)).map_bytes;
+    };
+    const MeasuredError before = measure(base);
+    const auto wrong = [](const MeasuredError& m, std::size_t i) { return m.judged[i].artefact != Artefact::None; };
+    CureTable table;
+    for (std::size_t a = 1; a < kArtefacts; ++a) table.wrong += table.wrong_of[a] = before.metrics.artefacts[a];
+    std::optional<std::size_t> pixel;
+    if (options.pixel) {
+        const glm::ivec2 at = *options.pixel / std::max(options.truth.step, 1);
+        pixel = std::size_t(at.y) * std::size_t(before.traced.truth->width) + std::size_t(at.x);
+    }
+    std::vector<CureIdea> ideas = cure_ideas(base, cure_facts(before, base, renderer.driver()));
+    for (const CureIdea& more : options.more) {
+        CureIdea own = more;
+        own.settings = measured_settings(own.settings);
+        const bool known = std::any_of(ideas.begin(), ideas.end(), [&](const CureIdea& i) { return i.settings == own.settings; });
+        if (!known && !(own.settings == base)) ideas.insert(ideas.begin(), std::move(own));
+    }
+    const long long bytes_before = bytes(base);
+    Stopwatch stopwatch(renderer, scene, request, options.frames);
+    for (std::size_t k = 0; k < ideas.size(); ++k) {
+        const CureIdea& idea = ideas[k];
+        Cure row{.name = idea.name, .settings = changes(base, idea.settings), .untried = idea.untried};
+        if (row.untried.empty()) {
+            tell((double(k) + 1) / (double(ideas.size()) + 1), idea.name);
+            const MeasuredError after = measure(idea.settings);
+            if (after.judged.size() != before.judged.size()) continue;  // another picture: the camera depends on the light
+            for (std::size_t i = 0; i < before.judged.size(); ++i) {
+                const bool was = wrong(before, i), is = wrong(after, i);
+                if (was && !is) ++row.cured, ++row.cured_of[std::size_t(before.judged[i].artefact)];
+                if (!was && is) ++row.broken;
+            }
+            if (pixel) row.pixel_right = !wrong(after, *pixel);
+            row.map_bytes = bytes(idea.settings) - bytes_before;
+            if (options.time) row.ms = stopwatch.difference(base, idea.settings, workers);
+        }
+        table.rows.push_back(std::move(row));
+    }
+    std::stable_sort(table.rows.begin(), table.rows.end(), [](const Cure& a, const Cure& b) {
+        if (a.untried.empty() != b.untried.empty()) return a.untried.empty();
+        if (a.pixel_right != b.pixel_right) return a.pixel_right.value_or(false);
+        if (a.gain() != b.gain()) return a.gain() > b.gain();
+        return (a.ms ? a.ms->value : 0) < (b.ms ? b.ms->value : 0);
+    });
+    return table;
+}
+
+}  // namespace si

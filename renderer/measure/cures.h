@@ -1,0 +1,77 @@
+// What would put wrong pixels right: changes of settings, each drawn and judged before it is offered.
+//
+//     CureTable table = find_cures(renderer, scene, settings, 1280, 720, {.pixel = glm::ivec2(640, 360)}, cache);
+//     table.rows.front().cured                       // apply its settings, measure: exactly so many
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/measure/bias_needs.h"
+
+namespace si {
+
+/// A change that may put pixels right.
+struct CureIdea {
+    std::string name;     ///< "least bias, constant alone"
+    Settings settings;    ///< with the change
+    std::string untried;  ///< why it is not drawn; empty: it is
+};
+
+/// What ideas depend on beside the settings.
+struct CureFacts {
+    BiasNeeds needs;
+    std::vector<FittedLight> lights;
+    int light = 0, map_resolution = 0, max_resolution = 0;
+    /// Texels of map.resolution at which nine of ten undersampled pixels have texels no wider than what they show; 0: none is.
+    double sampling_resolution = 0;
+    /// Half the side of the square of the map about `receivers_middle_ws` that all compared surfaces in the picture lie in.
+    double receivers_half_m = 0;
+    glm::dvec3 receivers_middle_ws{0};
+};
+CureFacts cure_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver);
+
+/// All that may help under these settings; changes that change nothing are left out. Pure.
+std::vector<CureIdea> cure_ideas(const Settings& settings, const CureFacts& facts);
+
+struct CostChange {
+    double value = 0, noise = 0;  ///< milliseconds, noise of the difference; below it there is none
+    bool told() const { return std::abs(value) > noise; }
+};
+
+struct Cure {
+    std::string name;
+    std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of what changes, as set_setting() takes them
+    std::string untried;              ///< why nothing of the following is known; empty: it is
+    std::size_t cured = 0, broken = 0;  ///< pixels: wrong before and right with it; right before and wrong with it
+    std::array<std::size_t, kArtefacts> cured_of{};  ///< the cured ones by what was wrong
+    std::optional<bool> pixel_right;  ///< whether the pixel asked for is right with it
+    std::optional<CostChange> ms;     ///< of the passes that it changes; nothing unless timed
+    long long map_bytes = 0;          ///< more of them than before
+    long long gain() const { return (long long)cured - (long long)broken; }
+};
+
+struct CureTable {
+    std::vector<Cure> rows;  ///< by cured - broken, then milliseconds; with a pixel those first that put it right; untried last
+    std::size_t wrong = 0;   ///< pixels before
+    std::array<std::size_t, kArtefacts> wrong_of{};
+};
+
+struct CureOptions {
+    std::optional<glm::ivec2> pixel;  ///< of the picture, from the top left
+    bool time = false;
+    int frames = 7;                   ///< timed, of each side
+    TruthOptions truth;
+    std::vector<CureIdea> more;       ///< tried besides
+};
+
+/// Draws, judges and times every idea. On the renderer's thread. `report` hears of the share done and what is tried.
+/// @throws Cancelled, Error
+CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
+                     const CureOptions& options, TruthCache& cache, const Workers& workers = {},
+                     const std::function<void(double, const std::string&)>& report = {});
+
+}  // namespace si
