@@ -31,6 +31,7 @@ nlohmann::ordered_json saved_error(const ErrorTask& task, const MeasuredError& m
                                    {"height", t.raster.height},                {"map_resolution", t.map_resolution},
                                    {"area", t.query.options.area},             {"step", t.raster.step},
                                    {"truth_noise", truth.noise}};
+    json["truth"] = truth_quality_json(truth);
     json["error"] = error_json(measured.metrics);
     return json;
 }
@@ -181,7 +182,7 @@ TruthFacts EditorTruth::facts(const FrameResult& frame) const {
     if (picture_) {
         const TracedTruth& t = picture_->traced;
         f.build_ms = t.build_ms, f.place_ms = t.place_ms, f.trace_ms = t.trace_ms;
-        f.rays = t.truth->rays, f.noise = t.truth->noise;
+        f.rays = t.truth->rays, f.noise = noise_text(*t.truth);
         f.width = t.truth->width, f.height = t.truth->height;
     }
     return f;

@@ -38,6 +38,14 @@ const char* state_key(PixelState state) {
     return kStates[std::size_t(state)];
 }
 
+Json truth_quality_json(const Truth& t) {
+    Json json = {{"area", t.is_area()}, {"step", t.step}, {"noise", t.noise}, {"noise_unknown_px", t.noise_unknown},
+                 {"samples_used", nullptr}};
+    if (t.is_area())
+        json["samples_used"] = {{"least", t.samples.least}, {"mean", t.samples.mean}, {"most", t.samples.most}};
+    return json;
+}
+
 Json error_json(const ErrorMetrics& m) {
     Json json = {{"false_shadow", m.false_shadow},
                  {"false_light", m.false_light},

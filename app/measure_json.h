@@ -13,6 +13,8 @@ nlohmann::ordered_json spread_json(const Spread& spread);
 nlohmann::ordered_json time_json(const TimeMeasurement& time);
 /// What files call a state of a pixel.
 const char* state_key(PixelState state);
+/// How the truth was found: {area, step, noise, noise_unknown_px, samples_used {least, mean, most}}; null where not known.
+nlohmann::ordered_json truth_quality_json(const Truth& truth);
 /// Numbers that are not finite become null when the text is made.
 nlohmann::ordered_json error_json(const ErrorMetrics& metrics);
 nlohmann::ordered_json cost_json(const WorkCost& cost);

@@ -209,7 +209,7 @@ void MeasuringThread::measure_picture(Bench& bench, const PictureWanted& wanted)
         bench.measurer->set_workers(workers_of(wanted.stop.get_token()));
         const Judgement judged = bench.measurer->judge(*p.scene, p.settings);
         row["error"] = error_json(judged.error);
-        row["error"]["noise"] = judged.noise;
+        row["error"]["noise"] = judged.truth->noise;
         row["cost"] = cost_json(judged.cost);
         publish(row, "", false);
         row["time"] = time_json(bench.measurer->time(*p.scene, p.settings));

@@ -34,6 +34,8 @@ Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, c
     goals.most_resolution = std::min(goals.most_resolution, renderer.driver().max_texture_size);
     Tuner tuner(start, goals);
     TruthCache cache;
+    TruthOptions truth = truth_options(start);
+    truth.area |= job.area;
     Measurer clock(renderer, job.width, job.height);
     while (tuner.ask() != Tuner::Ask::Nothing) {
         report(tuner);
@@ -43,8 +45,7 @@ Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, c
             tuner.timed(clock.time(scene, s).total_ms.median);
             continue;
         }
-        const ErrorTask task =
-            error_task(renderer, scene, s, request, start.view.light, {.area = job.area}, cache.geometry());
+        const ErrorTask task = error_task(renderer, scene, s, request, start.view.light, truth, cache.geometry());
         tuner.judged(judge_bias(task, s, cache, renderer.driver().subpixel_bits, workers));
     }
     return tuner;

@@ -11,7 +11,7 @@ struct TuningJob {
     Settings settings;
     int width = 1280, height = 720;
     TuneGoals goals;
-    bool area = false;  ///< against a light of its size
+    bool area = false;  ///< against a light of its size, whatever truth.area says
 };
 
 /// Searches to the end. The bias is that of view.light. @param report hears of every step, on this thread.

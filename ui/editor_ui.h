@@ -165,7 +165,7 @@ struct TruthFacts {
     std::string problem;           ///< why there is none
     double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time of the last trace; 0 where it was known
     std::uint64_t rays = 0;
-    double noise = 0;              ///< of a light of size: root mean square of the pixels' standard errors
+    std::string noise;             ///< noise_text() of a light of size
     int width = 0, height = 0;     ///< in pixels
 };
 

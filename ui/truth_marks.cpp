@@ -20,7 +20,7 @@ std::string truth_status(const EditorFrame& frame) {
     if (!t.current) return "The truth about this view is not traced yet.";
     std::string text = fmt::format("{} x {} pixels, {:.2f} million rays", t.width, t.height, double(t.rays) * 1e-6);
     if (t.trace_ms > 0) text += fmt::format(", traced in {:.0f} ms", t.build_ms + t.place_ms + t.trace_ms);
-    if (t.noise > 0) text += fmt::format(", noise {:.4f}", t.noise);
+    if (!t.noise.empty()) text += ", " + t.noise;
     return text;
 }
 

@@ -14,8 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void print_error(const ErrorMetrics& m) {
-    fmt::print("{} pixels compared with the ray-traced truth\n", m.counted);
+void print_error(const ErrorMetrics& m, const Truth& truth) {
+    const std::string noise = noise_text(truth);
+    fmt::print("{} pixels compared with the ray-traced truth{}\n", m.counted, noise.empty() ? "" : " (" + noise + ")");
     const auto share = [](const char* name, double v, const char* about) {
         fmt::print("  {:<22} {:>9.4f} %   {}\n", name, 100 * v, about);
     };
@@ -64,13 +65,14 @@ void run_measure(const MeasureOptions& options) {
                      {"map_resolution", judged.map_resolution},
                      {"area", options.truth.area || session.settings.truth.area}};
         json["error"] = error_json(judged.error);
-        json["error"]["noise"] = judged.noise;
+        json["error"]["noise"] = judged.truth->noise;
+        json["truth"] = truth_quality_json(*judged.truth);
         json["time"] = time ? time_json(*time) : Json();
         json["cost"] = cost_json(judged.cost);
         json["driver"] = driver_json(renderer.driver());
         fmt::print("{}", json_text(json));
     } else {
-        print_error(judged.error);
+        print_error(judged.error, *judged.truth);
         print_time_and_cost(time, judged.cost);
     }
     print_notes(session.notes);

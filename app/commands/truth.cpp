@@ -2,6 +2,7 @@
 
 #include "app/commands/commands.h"
 #include "app/headless_context.h"
+#include "app/measure_json.h"
 #include "app/notes.h"
 #include "app/output.h"
 #include "app/report.h"
@@ -40,8 +41,9 @@ nlohmann::ordered_json truth_json(const TracedTruth& traced, const TruthTask& ta
     json["hard_visibility_mean"] = t.counted() ? nlohmann::ordered_json(hard / double(t.counted())) : nullptr;
     if (task.query.options.area) {
         json["partly_lit"] = t.partial;
-        json["noise"] = t.noise;
         json["samples"] = task.query.options.samples;
+        const nlohmann::ordered_json quality = truth_quality_json(t);
+        for (const char* key : {"noise", "noise_unknown_px", "samples_used"}) json[key] = quality[key];
     }
     json["time_ms"] = {{"build", traced.build_ms}, {"place", traced.place_ms}, {"trace", traced.trace_ms}};
     return json;

@@ -31,7 +31,8 @@ CaseFacts RenderedCases::facts(const SweepCase& c) {
     const Settings settings = prepared(c, &facts.notes);
     const Judgement judged = measurer_.judge(session_.scene, settings);
     facts.error = error_json(judged.error);
-    facts.error["noise"] = judged.noise;
+    facts.error["noise"] = judged.truth->noise;
+    if (judged.truth->noise_unknown > 0) facts.notes.push_back("the truth: " + noise_text(*judged.truth));
     facts.cost = cost_json(judged.cost);
     facts.notes.insert(facts.notes.end(), judged.notes.begin(), judged.notes.end());
     facts.picture_jpg = jpg_bytes(shrunk(judged.picture, kThumbnailWidth));

@@ -22,7 +22,7 @@ Judgement Measurer::judge(const Scene& scene, const Settings& settings) {
         error_task(renderer_, scene, measured, request, measured.view.light, truth, truths_.geometry());
     const MeasuredError error = measure_error(task, truths_, workers_);
     judged.error = error.metrics;
-    judged.noise = error.traced.truth->noise;
+    judged.truth = error.traced.truth;
     judged.artefacts = artefact_picture(judged.picture, error.artefacts, truth.step);
     return judged;
 }

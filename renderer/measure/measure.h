@@ -11,7 +11,7 @@ namespace si {
 /// A frame held against the truth about view.light.
 struct Judgement {
     ErrorMetrics error;
-    double noise = 0;  ///< of the truth: standard error of a pixel's visibility, 0 for a hard light
+    std::shared_ptr<const Truth> truth;  ///< that it was held against
     WorkCost cost;
     int map_resolution = 0;          ///< as drawn
     ByteImage picture;               ///< as the frame shows it

@@ -50,8 +50,9 @@ std::vector<std::uint8_t> contour(const FloatImage& visibility, const Truth& tru
     return out;
 }
 
+/// @param step pixels of the picture per pixel of a and b
 void contour_distances(ErrorMetrics& m, const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b, int width,
-                       int height) {
+                       int height, int step) {
     const auto any = [](const std::vector<std::uint8_t>& s) { return std::find(s.begin(), s.end(), 1) != s.end(); };
     const bool has_a = any(a), has_b = any(b);
     if (!has_a && !has_b) return;
@@ -66,7 +67,7 @@ void contour_distances(ErrorMetrics& m, const std::vector<std::uint8_t>& a, cons
         if (b[i]) distances.push_back(to_a[i]);
     }
     double sum = 0;
-    for (const float d : distances) sum += d;
+    for (float& d : distances) sum += d *= float(step);
     m.boundary_px_mean = sum / double(distances.size());
     const auto rank = std::ptrdiff_t(std::ceil(0.95 * double(distances.size()))) - 1;
     std::nth_element(distances.begin(), distances.begin() + rank, distances.end());
@@ -117,7 +118,7 @@ ErrorMetrics error_metrics(const FloatImage& measured, const Truth& truth, const
     }
     if (either > 0) m.iou = double(both) / double(either);
     contour_distances(m, contour(measured, truth, facts), contour(truth.visibility, truth, facts), truth.width,
-                      truth.height);
+                      truth.height, truth.step);
     return m;
 }
 

@@ -49,7 +49,7 @@ struct ErrorMetrics {
     double rmse = 0;          ///< sqrt(sum (V - R)^2 / n)
     double signed_mean = 0;   ///< sum (V - R) / n: above 0 too light
     double iou = 1;           ///< of the shadows: #{both} / #{either}; 1 when neither has any
-    /// Distance between the contours V = 1/2 and R = 1/2 in pixels, from each pixel of either contour to the nearest of
+    /// Distance between the contours V = 1/2 and R = 1/2 in pixels of the picture, from each pixel of either contour to the nearest of
     /// the other: mean, 95th percentile and largest (Hausdorff). NaN when one has a contour and the other none, 0 when
     /// neither has.
     double boundary_px_mean = 0, boundary_px_p95 = 0, boundary_px_max = 0;

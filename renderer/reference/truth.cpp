@@ -47,9 +47,26 @@ struct Batch {
     std::size_t size() const { return plain.size() + grazing.size(); }
 };
 
-/// A share of the light, and the standard error of the estimate.
+/// A share of the light, and the standard error of the estimate; NaN: unknown.
 struct Estimate {
     double visibility = 1, error = 0;
+};
+
+/// How samples of the light vary, by neighbours that should see about the same.
+struct Variance {
+    double sum = 0;         ///< of the lit ones' number
+    std::size_t known = 0;  ///< samples that it was told from
+
+    /// @param lit of the `above` samples of a group that are above the horizon
+    void add(int lit, int above) {
+        if (above < 2) return;  // one sample tells nothing of how others would vary
+        sum += double(lit) * (above - lit) / (above - 1);
+        known += std::size_t(above);
+    }
+    /// Of the share that `samples` in all estimate.
+    double standard_error(std::size_t samples) const {
+        return known == 0 ? kNaN : std::sqrt(sum / (double(known) * double(samples)));
+    }
 };
 
 class Tracer {
@@ -91,6 +108,7 @@ public:
     void trace_area(const Workers& workers) {
         const int most = std::max(1, int(std::sqrt(double(std::max(query_.options.samples, 1)))));
         error_.assign(out_.state.size(), 0);
+        parts_.assign(out_.state.size(), 0);
         std::vector<std::uint8_t> wanted(out_.state.size());
         for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = is_traced(out_.state[i]);
         for (int parts = std::min(kFirstParts, most), level = 0;; parts = std::min(2 * parts, most), ++level) {
@@ -101,15 +119,9 @@ public:
             if (parts == most) break;
             wanted = level == 0 ? near_partial() : wanted;
             for (std::size_t i = 0; i < wanted.size(); ++i)
-                wanted[i] = wanted[i] && (level == 0 || error_[i] > query_.options.noise);
+                wanted[i] = wanted[i] && (level == 0 || !(error_[i] <= query_.options.noise));
         }
-        double squares = 0;
-        for (std::size_t i = 0; i < error_.size(); ++i) {
-            if (out_.state[i] != PixelState::Counted) continue;
-            squares += double(error_[i]) * error_[i];
-            out_.partial += partial(i);
-        }
-        if (out_.counted() > 0) out_.noise = std::sqrt(squares / double(out_.counted()));
+        summarise();
     }
 
 private:
@@ -119,11 +131,31 @@ private:
     Truth& out_;
     std::span<const ObjectTraits> culls_;
     std::mutex lock_;
-    std::vector<float> error_;  ///< estimated, by pixel
+    std::vector<float>& error_ = out_.standard_error.data;
+    std::vector<std::uint16_t> parts_;  ///< across the light, of each pixel's estimate
     glm::vec3 to_light_{0};     ///< of a directional light
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(receivers_.width) + std::size_t(x); }
     bool partial(std::size_t i) const { return out_.visibility.data[i] > 0 && out_.visibility.data[i] < 1; }
+
+    void summarise() {
+        double squares = 0, samples = 0;
+        int least = std::numeric_limits<int>::max(), most = 0;
+        for (std::size_t i = 0; i < error_.size(); ++i) {
+            if (out_.state[i] != PixelState::Counted) continue;
+            const int of_pixel = int(parts_[i]) * int(parts_[i]);
+            samples += of_pixel;
+            least = std::min(least, of_pixel), most = std::max(most, of_pixel);
+            out_.partial += partial(i);
+            if (std::isnan(error_[i]))
+                ++out_.noise_unknown;
+            else
+                squares += double(error_[i]) * error_[i];
+        }
+        if (out_.counted() == 0) return;
+        out_.samples = {least, most, samples / double(out_.counted())};
+        out_.noise = std::sqrt(squares / double(out_.counted() - out_.noise_unknown));  // NaN when none is known
+    }
 
     template <typename Work>
     void for_tiles(const Workers& workers, Work&& work) {
@@ -204,6 +236,7 @@ private:
                     const Estimate e = sampled(i, parts, batch);
                     out_.visibility.data[i] = float(e.visibility);
                     error_[i] = float(e.error);
+                    parts_[i] = std::uint16_t(parts);
                     rays += batch.size();
                 }
             const std::lock_guard guard(lock_);
@@ -233,18 +266,18 @@ private:
         batch.trace(scene_, culls_, [](std::uint32_t k, bool occluded) { seen[k] = occluded ? kDark : kLit; });
         const std::size_t lit = std::size_t(std::count(seen.begin(), seen.end(), kLit));
         const std::size_t above = lit + std::size_t(std::count(seen.begin(), seen.end(), kDark));
-        if (above == 0) return {out_.hard().data[i], 0};
-        // Four neighbouring parts see about the same: k lit of them vary by k (4 - k) / 3 in all.
-        double variance = 0;
+        const double exact = query_.emitter.size > 0 ? kNaN : 0;  // a light without size is no estimate
+        if (above == 0) return {out_.hard().data[i], exact};
+        Variance variance;
         for (int y = 0; y + 1 < parts; y += 2)
             for (int x = 0; x + 1 < parts; x += 2) {
                 const std::uint8_t* top = &seen[std::size_t(y * parts + x)];
-                const std::uint8_t* low = top + parts;
-                const int k = (top[0] == kLit) + (top[1] == kLit) + (low[0] == kLit) + (low[1] == kLit);
-                if (top[0] != kBelow && top[1] != kBelow && low[0] != kBelow && low[1] != kBelow)
-                    variance += k * (4 - k) / 3.0;
+                const std::array group{top[0], top[1], top[parts], top[parts + 1]};
+                const auto of = [&](std::uint8_t what) { return int(std::count(group.begin(), group.end(), what)); };
+                variance.add(of(kLit), of(kLit) + of(kDark));
             }
-        return {double(lit) / double(above), std::sqrt(variance) / double(above)};
+        const double error = std::isnan(exact) ? variance.standard_error(above) : exact;
+        return {double(lit) / double(above), error};
     }
 
     /// Pixels that see a part of the light, and their neighbours.
@@ -281,17 +314,31 @@ TruthQuery truth_query(const Scene& scene, const Settings& settings, const std::
             options};
 }
 
+std::string noise_text(const Truth& truth) {
+    if (!truth.is_area()) return {};
+    const SamplesUsed& used = truth.samples;
+    const std::string samples =
+        used.least == used.most ? fmt::format("{} sample{} a pixel", used.most, used.most == 1 ? "" : "s")
+                                : fmt::format("{} to {} samples a pixel ({:.0f} on average)", used.least, used.most, used.mean);
+    if (std::isnan(truth.noise)) return fmt::format("noise unknown, {}: truth.samples=4 is the least that tells", samples);
+    std::string text = fmt::format("noise {:.4f}, {}", truth.noise, samples);
+    if (truth.noise_unknown > 0) text += fmt::format(", noise of {} pixels unknown", truth.noise_unknown);
+    return text;
+}
+
 Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, const TruthQuery& query,
                        const Workers& workers) {
     if (query.traits.size() != scene.geometry().objects.size())
         throw Error("the traced scene and its settings do not belong together");
     Truth out;
     out.width = receivers.width, out.height = receivers.height;
+    out.step = std::max(query.options.step, 1);
     out.state.resize(receivers.pixels.size());
     out.visibility = image(out.width, out.height, 1);
     if (query.options.nearest) out.nearest_m = image(out.width, out.height, kNaN);
-    Tracer tracer(scene, receivers, query, out);
     const bool area = query.options.area && query.emitter.casts;
+    if (area) out.standard_error = image(out.width, out.height, 0);
+    Tracer tracer(scene, receivers, query, out);
     tracer.trace_hard(workers.part(0, area ? 0.05 : 1));
     if (area) {
         out.point_visibility = out.visibility;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "renderer/frame.h"
@@ -57,26 +58,44 @@ struct TruthQuery {
 TruthQuery truth_query(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights, int light,
                        const TruthOptions& options = {});
 
+/// How many points of the light the estimates of counted pixels rest on, above the surface's horizon or below.
+struct SamplesUsed {
+    int least = 0, most = 0;  ///< of a pixel; 0: no light of size was sampled
+    double mean = 0;
+};
+
 struct Truth {
     int width = 0, height = 0;
+    int step = 1;                   ///< pixels of the picture, across and down, per pixel here (TruthOptions::step)
     std::vector<PixelState> state;  ///< top row first, as all images here
     /// 1 lit to 0 in shadow. Where a pixel does not count: 1 (Background, NotReceiving), 0 (FacesAway), or what is true
     /// of the surface (OutsideCone, BeyondRange), as the shadow mapped visibility has it.
     FloatImage visibility;
     FloatImage point_visibility;  ///< area: the same for a light without size; see hard()
+    /// Area: estimated standard error of `visibility`, 0 where it is no estimate. NaN where it is unknown: no two samples
+    /// that are neighbours on the light. Else empty.
+    FloatImage standard_error;
     /// Metres along the pixel's light ray from its surface to the surface nearest the light, which is what a shadow map
     /// stores: under the culling of casters and beyond the map's near plane. NaN where none stands before the pixel's.
     /// Empty without TruthOptions::nearest.
     FloatImage nearest_m;
     std::array<std::size_t, kPixelStates> pixels{};  ///< per state
     std::uint64_t rays = 0;  ///< to the light
-    double noise = 0;        ///< area: root mean square of the counted pixels' estimated standard errors
-    std::size_t partial = 0; ///< area: counted pixels that see a part of the light
+    /// Area: root mean square of the counted pixels' standard errors that are known; NaN when none is.
+    double noise = 0;
+    std::size_t noise_unknown = 0;  ///< area: counted pixels whose standard error is unknown
+    SamplesUsed samples;
+    std::size_t partial = 0;  ///< area: counted pixels that see a part of the light
 
     /// Visibility of a light without size: 0 or 1.
     const FloatImage& hard() const { return point_visibility.data.empty() ? visibility : point_visibility; }
     std::size_t counted() const { return pixels[std::size_t(PixelState::Counted)]; }
+    /// Whether the light had its size.
+    bool is_area() const { return !standard_error.data.empty(); }
 };
+
+/// How sure the truth is, in words: "noise 0.0031, 64 to 1024 samples a pixel (112 on average)". Empty without a size.
+std::string noise_text(const Truth& truth);
 
 /// Traces every pixel. Equal for any number of threads. @throws Cancelled
 Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, const TruthQuery& query,

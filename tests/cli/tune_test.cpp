@@ -53,6 +53,26 @@ TEST(Tune, WritesTheLeastBiasWithoutAcne) {
     EXPECT_NE(written.dump().find("least bias without acne"), std::string::npos) << "the preset says what it is";
 }
 
+TEST(Tune, TakesTheTruthAsMeasureDoes) {
+    const fs::path preset = fresh_test_folder() / "least.json";
+    const std::vector<std::string> common{"boxes", "--set", "map.resolution=512", "--size", "320x180", "--json"};
+    const auto tuned = [&](const std::vector<std::string>& sets) {
+        std::vector<std::string> args{"tune", "-o", preset.string()}, same{"measure", "--no-time"};
+        for (auto* a : {&args, &same}) {
+            a->insert(a->end(), common.begin(), common.end());
+            for (const std::string& set : sets) a->insert(a->end(), {"--set", set});
+        }
+        const auto r = run_program(args), m = run_program(same);
+        EXPECT_EQ(r.code, 0) << r.err;
+        const Json before = Json::parse(r.out)["before"]["error"], error = Json::parse(m.out)["error"];
+        for (const char* key : {"pixels", "mae", "false_shadow", "boundary_px_mean"}) EXPECT_EQ(before[key], error[key]) << key;
+        return before;
+    };
+    const int all = tuned({})["pixels"]["counted"], some = tuned({"truth.step=4"})["pixels"]["counted"];
+    EXPECT_NEAR(double(some) / all, 1.0 / 16, 0.01);
+    tuned({"truth.area=true", "light.size=3", "truth.samples=16", "truth.noise=0.1", "truth.step=3"});
+}
+
 TEST(Tune, KeepsToTheErrorThatIsAsked) {
     const fs::path preset = fresh_test_folder() / "accurate.json";
     const auto r = run_program({"tune", "boxes", "--max-error", "0.02", "--size", "160x90", "-o", preset.string(), "--json"});

@@ -130,6 +130,13 @@ TEST(Metrics, MeasureHowFarContoursAreApart) {
     EXPECT_EQ(m.boundary_px_p95, 2);
     const ErrorMetrics none = error_metrics(measured_of(std::vector<std::string>(8, "............")), truth_of(rows), {});
     EXPECT_TRUE(std::isnan(none.boundary_px_mean));
+    // Every fourth pixel of a picture: the same contours are four times as far apart in it.
+    Truth coarse = truth_of(rows);
+    coarse.step = 4;
+    const ErrorMetrics far = error_metrics(measured_of(moved), coarse, {});
+    EXPECT_DOUBLE_EQ(far.boundary_px_mean, 6);
+    EXPECT_EQ(far.boundary_px_max, 8);
+    EXPECT_EQ(far.boundary_px_p95, 8);
     // Where two surfaces meet in the picture there is no contour.
     PixelFacts facts;
     facts.joins.assign(96, 3);

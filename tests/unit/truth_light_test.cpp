@@ -1,6 +1,7 @@
 // Lights with a size: penumbrae against closed forms, the noise of samples, and what progressive refinement spends.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -154,10 +155,62 @@ TEST(AreaLight, RefinesOnlyWherePartsAreSeen) {
     EXPECT_NEAR(double(target.truth.partial), double(target.partial), 0.1 * double(target.partial));
 }
 
+TEST(AreaLight, SaysHowManySamplesAndHowSureItIs) {
+    const double tangent = std::tan(0.5 * kPi / 180);
+    const auto at = [&](int samples, double noise = 0) {
+        return penumbra(sun({0, 1, 0}, 0.5), 10 * kHeight * tangent, {.area = true, .samples = samples, .noise = noise},
+                        [&](double x) { return disk_share(-x / (kHeight * tangent)); })
+            .truth;
+    };
+    for (const int few : {1, 2, 3}) {
+        const Truth one = at(few);
+        EXPECT_TRUE(std::isnan(one.noise)) << "a single sample varies from nothing";
+        EXPECT_EQ(one.noise_unknown, one.counted());
+        EXPECT_TRUE(std::all_of(one.standard_error.data.begin(), one.standard_error.data.end(),
+                                [](float e) { return std::isnan(e); }));
+        EXPECT_EQ(one.samples.most, 1) << few << " parts do not fill a square of two by two";
+        EXPECT_NE(noise_text(one).find("noise unknown, 1 sample a pixel"), std::string::npos) << noise_text(one);
+    }
+    const Truth fine = at(1000);
+    EXPECT_EQ(fine.noise_unknown, 0u);
+    EXPECT_EQ(fine.samples.least, 64) << "what sees all of the light or none";
+    EXPECT_EQ(fine.samples.most, 31 * 31) << "the largest square within what was allowed";
+    // A tenth of the pixels lies in the penumbra. What is below no horizon sends one ray a sample in each round.
+    EXPECT_NEAR(fine.samples.mean, 64 * 0.9 + 0.1 * 961, 12);
+    EXPECT_EQ(at(1024, 1).samples.most, 256);
+    EXPECT_EQ(fine.standard_error.data[0], 0) << "wholly lit";
+    EXPECT_EQ(fine.standard_error.data[399], 0) << "wholly dark";
+    EXPECT_GT(fine.standard_error.data[200], 0) << "half";
+    const Truth hard = penumbra(sun({0, 1, 0}), 1, {}, [](double x) { return x < 0 ? 1.0 : 0.0; }).truth;
+    EXPECT_TRUE(hard.standard_error.data.empty());
+    EXPECT_EQ(hard.noise, 0);
+    EXPECT_EQ(noise_text(hard), "");
+}
+
+TEST(AreaLight, KnowsTheErrorOfEachPixelHoweverTheSamplesDivide) {
+    const double tangent = std::tan(2 * kPi / 180);
+    const auto share = [&](double x) { return disk_share(-x / (kHeight * tangent)); };
+    // Five by five and seven by seven parts leave a row and a column outside of the squares of two by two.
+    for (const int samples : {16, 25, 49, 64}) {
+        const Penumbra p = penumbra(sun({0, 1, 0}, 2), 2 * kHeight * tangent,
+                                    {.area = true, .samples = samples, .noise = 0}, share);
+        double ratio = 0;
+        for (std::size_t i = 0; i < p.truth.state.size(); ++i) {
+            const double x = 2 * kHeight * tangent * (2 * (double(i % 400) + 0.5) / 400 - 1);
+            const double expected = share(x), error = p.truth.visibility.data[i] - expected;
+            if (expected > 0 && expected < 1) ratio += error * error - std::pow(p.truth.standard_error.data[i], 2);
+        }
+        // In the mean the square of the estimate is that of the error, or errs on the safe side.
+        EXPECT_LT(ratio / double(p.partial), 0.3 * p.rms * p.rms) << samples;
+        EXPECT_GT(ratio / double(p.partial), -8 * p.rms * p.rms) << samples;
+    }
+}
+
 TEST(AreaLight, OfSizeZeroIsHard) {
     const Penumbra p = penumbra(sun({0.3, 1, 0}, 0), 2, {.area = true, .samples = 64},
                                 [](double x) { return x + 0.3 * kHeight < 0 ? 1.0 : 0.0; });
     EXPECT_EQ(p.truth.visibility.data, p.truth.hard().data);
+    EXPECT_EQ(p.truth.noise, 0) << "nothing is estimated";
     EXPECT_LT(p.largest, 1e-6);
 }
 
