@@ -38,7 +38,7 @@ struct Options {
     EditorOptions editor;
     MeasureCliOptions sweeps;
     int file_scene = -1;
-    bool json = false, check = false, no_state = false;
+    bool json = false, check = false, no_state = false, area = false;
 };
 
 void add_session_options(CLI::App& command, SessionOptions& session, bool scene_required) {
@@ -139,13 +139,15 @@ void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* c = app.add_subcommand("measure",
                                  "Compare a light's shadows with the ray-traced truth, and say what they cost, in numbers");
     add_session_options(*c, o.session, true);
-    c->add_flag("--area", o.measure.truth.area, "Against a light of its size (light.size), not a point or direction");
+    c->add_flag("--area", o.area,
+                "Against a light of its size (light.size), not a point or direction. As --set truth.area=true");
     c->add_flag("!--no-time", o.measure.time, "Take no times");
     add_size(*c, o, "1280x720");
     c->add_flag("--json", o.json, "All numbers as JSON");
     c->callback([&o, &run] {
         run = [&o] {
             o.measure.session = o.session;
+            if (o.area) o.measure.session.sets.push_back("truth.area=true");
             o.measure.size = size_of(o);
             o.measure.json = o.json;
             run_measure(o.measure);

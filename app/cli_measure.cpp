@@ -3,6 +3,10 @@
 namespace si {
 namespace {
 
+constexpr const char* kAreaHelp =
+    "Against a light of its size (light.size), not a point or direction. As --set truth.area=true";
+constexpr const char* kAreaSet = "truth.area=true";
+
 void add_sweep(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, const AddSessionOptions& add_session) {
     auto* c =
         app.add_subcommand("sweep", "Measure error and time over combinations of settings, and report the frontier");
@@ -24,7 +28,7 @@ void add_sweep(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, 
         ->check(CLI::Range(1, 10'000));
     c->add_option("--frames", o.sweep.timing.frames, "Timed frames of a case in a round (default 3)")
         ->check(CLI::Range(1, 1'000));
-    c->add_flag("--area", o.sweep.area, "Against a light of its size (light.size), not a point or direction");
+    c->add_flag("--area", o.area, kAreaHelp);
     c->add_flag("--no-time", o.no_time, "Measure errors and costs only");
     c->add_option("--shard", o.sweep.shard, "Measure only part I of N, without times (`merge` puts parts together)")
         ->type_name("I/N");
@@ -34,6 +38,7 @@ void add_sweep(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, 
         run = [&o] {
             if (!o.size.empty()) o.sweep.size = parse_size(o.size);
             o.sweep.timing.on = !o.no_time;
+            if (o.area) o.sweep.session.sets.push_back(kAreaSet);
             run_sweep(o.sweep);
         };
     });
@@ -67,12 +72,13 @@ void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
                   "What --max-error bounds: mae (default), rmse, false_shadow, false_light, leak or boundary_px_mean, as "
                   "`measure --json` names them")
         ->type_name("NAME");
-    c->add_flag("--area", o.tune.area, "Against a light of its size (light.size), not a point or direction");
+    c->add_flag("--area", o.area, kAreaHelp);
     c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");
     c->add_flag("--json", o.tune.json, "What was tried and found as JSON");
     c->callback([&o, &run] {
         run = [&o] {
             if (!o.size.empty()) o.tune.size = parse_size(o.size);
+            if (o.area) o.tune.session.sets.push_back(kAreaSet);
             run_tune(o.tune);
         };
     });

@@ -14,7 +14,7 @@ struct MeasureCliOptions {
     MergeOptions merge;
     TuneOptions tune;
     std::string size;
-    bool no_time = false;
+    bool no_time = false, area = false;
 };
 
 /// Adds SCENE, --preset and --set to a command.

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <string_view>
 
-#include "app/session.h"
 #include "renderer/param.h"
 
 namespace si {
@@ -31,16 +30,20 @@ Settings base_settings(const Scene& scene) {
     return s;
 }
 
+SessionPlan session_plan(const std::string& scene_name, const Scene& scene, const Settings& settings) {
+    SessionPlan plan{.scene_name = scene_name, .preset = {}, .preset_path = {}, .sets = {}, .settings = {}};
+    for (const SettingRef& ref : differing_settings(base_settings(scene), settings)) {
+        plan.sets.push_back(setting_key(ref) + "=" + value_text(*ref.param, get_value(settings, ref)));
+        apply_set(plan.settings, plan.sets.back());
+    }
+    return plan;
+}
+
 std::string command_line(const std::string& scene_name, const Scene& scene, const Settings& settings, int width,
                          int height) {
-    const Settings base = base_settings(scene);
     std::string text =
         fmt::format("shadow-inspector render {} -o out.png --size {}x{}", shell_word(scene_name), width, height);
-    for (const SettingRef& ref : all_settings(settings)) {
-        const Value value = get_value(settings, ref);
-        if (value != get_value(base, ref))
-            text += " --set " + shell_word(setting_key(ref) + "=" + value_text(*ref.param, value));
-    }
+    for (const std::string& set : session_plan(scene_name, scene, settings).sets) text += " --set " + shell_word(set);
     return text;
 }
 

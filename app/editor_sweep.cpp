@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/command_line.h"
 #include "app/measuring_thread.h"
 #include "app/sweep/files.h"
 #include "app/sweep/measured_cases.h"
@@ -87,15 +88,14 @@ void EditorSweep::start(const Scene& scene, const std::string& scene_name, const
     std::vector<SweepAxis> axes;
     for (const std::string& axis : wish.axes) axes.push_back(parse_axis(axis));
     if (axes.empty()) throw UsageError("a sweep varies at least one setting");
-    RunningSweep::Of of;
-    of.session.scene_name = scene_name;
-    of.session.settings = settings;
-    of.spec = sweep_spec(scene_name, scene, settings, std::move(axes), wish.width, wish.height);
-    of.spec.area = wish.area;
+    Settings measured = settings;
+    measured.truth.area = wish.area;
+    RunningSweep::Of of{.sessions = CaseSessions(session_plan(scene_name, scene, measured))};
+    of.spec = sweep_spec(scene_name, scene, measured, std::move(axes), wish.width, wish.height);
     of.plan = plan_sweep(of.spec.base, of.spec.axes);
     of.folder = folder_for(parent_, of.spec, of.plan);
     show(of.spec, of.plan, of.folder);
-    thread().sweep(std::move(of), copy_of(scene));
+    thread().sweep(std::move(of), copy_of(scene), settings.scene);
 }
 
 void EditorSweep::show(const SweepSpec& spec, const SweepPlan& plan, const fs::path& folder) {
@@ -113,14 +113,14 @@ void EditorSweep::cancel() {
 
 void EditorSweep::follow(const Scene& scene, const std::string& scene_name, const Settings& settings,
                          const SweepPanel& panel) {
-    const Settings wanted = measured_settings(settings);
-    // Dots of one plot are of pictures of one size.
+    Settings wanted = measured_settings(settings);
+    // Dots of one plot are of pictures of one size, held against one truth.
     const int width = shown_ ? shown_->spec.width : panel.width, height = shown_ ? shown_->spec.height : panel.height;
-    const bool area = shown_ ? shown_->spec.area : panel.area;
+    wanted.truth.area = shown_ ? shown_->spec.area : panel.area;
     const bool same = followed_ && followed_->scene->id == scene.id && followed_->settings == wanted &&
-                      followed_->width == width && followed_->height == height && followed_->area == area;
+                      followed_->width == width && followed_->height == height;
     if (same) return;
-    followed_ = MeasuringThread::Picture{copy_of(scene), scene_name, wanted, width, height, area};
+    followed_ = MeasuringThread::Picture{copy_of(scene), scene_name, wanted, width, height};
     thread().measure(*followed_);
 }
 
@@ -200,7 +200,9 @@ void EditorSweep::compare_settings(const EditorState& state) {
     facts_.other_scene = shown_ && shown_->spec.scene != state.scene_name;
     facts_.other_settings.clear();
     if (!shown_) return;
-    const Settings swept = comparable(shown_->spec.base), now = comparable(state.settings);
+    Settings present = state.settings;
+    present.truth.area = shown_->spec.area;  // follow() holds the present ones against the sweep's truth
+    const Settings swept = comparable(shown_->spec.base), now = comparable(present);
     for (const SettingRef& ref : differing_settings(swept, now)) {
         const std::string key = setting_key(ref);
         const auto& axes = shown_->spec.axes;

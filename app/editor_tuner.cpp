@@ -34,7 +34,8 @@ EditorTuner::Outcome search(const std::shared_ptr<const Scene>& scene, const Tun
 void EditorTuner::start(const Scene& scene, const Settings& settings, int width, int height, const TuneWish& wish) {
     cancel();
     if (thread_.joinable()) thread_.join();
-    TuningJob job{.settings = settings, .width = width, .height = height, .area = wish.area};
+    TuningJob job{.settings = settings, .width = width, .height = height};
+    job.settings.truth.area = wish.area;
     job.goals.most_error = wish.most_error, job.goals.most_ms = wish.most_ms;
     shared_ = std::make_shared<Shared>();
     thread_ = std::jthread([job, copy = std::make_shared<const Scene>(scene), shared = shared_](std::stop_token stop) {

@@ -21,6 +21,7 @@ Json time_json(const TimeMeasurement& time) {
                  {"shadow_maps_ms", spread_json(time.maps_ms)},
                  {"picture_ms", spread_json(time.picture_ms)},
                  {"frames", time.total_ms.samples},
+                 {"bursts", time.total_ms.bursts},
                  {"spread", time.total_ms.relative()},
                  {"settled", time.settled},
                  {"clock", time.clock},

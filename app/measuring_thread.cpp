@@ -32,7 +32,6 @@ struct MeasuringThread::Bench {
     Clock::time_point report_due;
     std::unique_ptr<Measurer> measurer;  ///< of pictures; keeps the truth from one to the next
     int width = 0, height = 0;
-    bool area = false;
 };
 
 MeasuringThread::MeasuringThread() : thread_([this](const std::stop_token& end) { run(end); }) {}
@@ -52,11 +51,11 @@ void MeasuringThread::tell(const Change& change) {
     changed_.notify_all();
 }
 
-void MeasuringThread::sweep(RunningSweep::Of of, std::shared_ptr<const Scene> scene) {
+void MeasuringThread::sweep(RunningSweep::Of of, std::shared_ptr<const Scene> scene, const SceneSettings& as) {
     tell([&] {
         sweep_stop_.request_stop();
         sweep_stop_ = {};
-        next_sweep_ = SweepWanted{std::move(of), std::move(scene), sweep_stop_};
+        next_sweep_ = SweepWanted{std::move(of), std::move(scene), as, sweep_stop_};
         news_.sweeping = true, news_.progress = {}, news_.results = {}, news_.sweep_problem.clear();
         ++news_.sweep;
     });
@@ -155,7 +154,7 @@ void MeasuringThread::take_sweep(Bench& bench) {
     if (!wanted) return;
     bench.sweep.reset();  // leaves its journal
     try {
-        wanted->of.session.scene = *wanted->scene;
+        wanted->of.sessions.keep(*wanted->scene, wanted->as);
         bench.sweep_stop = wanted->stop.get_token();
         bench.sweep =
             std::make_unique<RunningSweep>(std::move(wanted->of), bench.renderer, workers_of(bench.sweep_stop));
@@ -203,9 +202,9 @@ void MeasuringThread::measure_picture(Bench& bench, const PictureWanted& wanted)
     };
     Json row;
     try {
-        if (!bench.measurer || bench.width != p.width || bench.height != p.height || bench.area != p.area)
-            bench.measurer = std::make_unique<Measurer>(bench.renderer, p.width, p.height, TruthOptions{.area = p.area});
-        bench.width = p.width, bench.height = p.height, bench.area = p.area;
+        if (!bench.measurer || bench.width != p.width || bench.height != p.height)
+            bench.measurer = std::make_unique<Measurer>(bench.renderer, p.width, p.height);
+        bench.width = p.width, bench.height = p.height;
         bench.measurer->set_workers(workers_of(wanted.stop.get_token()));
         const Judgement judged = bench.measurer->judge(*p.scene, p.settings);
         row["error"] = error_json(judged.error);

@@ -29,10 +29,9 @@ public:
         std::string scene_name;
         Settings settings;
         int width = 0, height = 0;
-        bool area = false;
     };
-    /// In place of the sweep under way. @param of its session lacks the scene, which is copied from `scene`
-    void sweep(RunningSweep::Of of, std::shared_ptr<const Scene> scene);
+    /// In place of the sweep under way. @param scene that its cases begin with, standing as `as` says; copied
+    void sweep(RunningSweep::Of of, std::shared_ptr<const Scene> scene, const SceneSettings& as);
     void cancel_sweep();
     /// In place of the picture under way.
     void measure(Picture picture);
@@ -62,6 +61,7 @@ private:
     struct SweepWanted {
         RunningSweep::Of of;
         std::shared_ptr<const Scene> scene;
+        SceneSettings as;
         std::stop_source stop;
     };
     struct PictureWanted {

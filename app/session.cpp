@@ -35,13 +35,13 @@ void check_camera(const Scene& scene, CameraSettings& camera, std::vector<std::s
     camera.index = 0;
 }
 
-GltfOptions options_of(const SessionPlan& plan) {
+}  // namespace
+
+GltfOptions scene_options(const SessionPlan& plan) {
     GltfOptions options;
     options.scene = plan.settings.scene.index;
     return options;
 }
-
-}  // namespace
 
 void check_objects(const Scene& scene, Settings& settings, const std::string& preset,
                    std::vector<std::string>* left_out) {
@@ -117,42 +117,47 @@ SessionPlan plan_session(const SessionOptions& options) {
     return plan;
 }
 
+ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, const SceneSettings& moment,
+                                  std::vector<std::string>* left_out) {
+    ComposedSettings out;
+    if (plan.preset) {
+        out.settings = plan.preset->settings;
+        check_objects(scene, out.settings, plan.preset_path, left_out);
+    } else {
+        apply_suggested(scene, out.settings);
+    }
+    for (const std::string& assignment : plan.sets) apply_set(out.settings, assignment);
+    out.settings.scene = moment;
+    check_objects(scene, out.settings, {}, left_out);
+    check_camera(scene, out.settings.camera, left_out);
+    out.notes = sanitise(out.settings);
+    if (moment.index >= 0 && scene.file_scenes.empty())
+        out.notes.push_back(fmt::format("{} is no glTF file: scene.index has no effect", scene.name));
+    return out;
+}
+
 Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::string>* left_out) {
-    Session session{.scene_name = plan.scene_name, .scene = std::move(scene), .settings = {}, .notes = {}};
     // First of all, since what the scene suggests depends on where things are.
     SceneSettings moment = plan.settings.scene;
     std::string remark;
     try {
-        remark = pose_scene(session.scene, moment);
+        remark = pose_scene(scene, moment);
     } catch (const UsageError& e) {
         if (!left_out) throw;
         left_out->push_back(e.what());
         moment = {.index = moment.index};
-        pose_scene(session.scene, moment);
+        pose_scene(scene, moment);
     }
-    if (plan.preset) {
-        session.settings = plan.preset->settings;
-        check_objects(session.scene, session.settings, plan.preset_path, left_out);
-    } else {
-        apply_suggested(session.scene, session.settings);
-    }
-    for (const std::string& assignment : plan.sets) apply_set(session.settings, assignment);
-    session.settings.scene = moment;
-    check_objects(session.scene, session.settings, {}, left_out);
-    check_camera(session.scene, session.settings.camera, left_out);
-    session.notes = sanitise(session.settings);
-    if (moment.index >= 0 && session.scene.file_scenes.empty())
-        session.notes.push_back(fmt::format("{} is no glTF file: scene.index has no effect", session.scene.name));
-    if (!remark.empty()) session.notes.push_back(remark);
-    for (const std::string& warning : session.scene.warnings) {
-        session.notes.push_back(fmt::format("{}: {}", session.scene_name, warning));
-    }
-    return session;
+    ComposedSettings composed = compose_settings(plan, scene, moment, left_out);
+    if (!remark.empty()) composed.notes.push_back(remark);
+    for (const std::string& warning : scene.warnings)
+        composed.notes.push_back(fmt::format("{}: {}", plan.scene_name, warning));
+    return {plan.scene_name, std::move(scene), std::move(composed.settings), std::move(composed.notes)};
 }
 
 Session open_session(const SessionOptions& options) {
     const SessionPlan plan = plan_session(options);
-    return compose_session(plan, load_scene(plan.scene_name, options_of(plan)));
+    return compose_session(plan, load_scene(plan.scene_name, scene_options(plan)));
 }
 
 }  // namespace si

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/presets.h"
+#include "renderer/gltf_loader.h"
 #include "renderer/scene.h"
 #include "renderer/settings.h"
 
@@ -35,6 +36,18 @@ struct SessionPlan {
 
 /// Finds what is wrong with the options themselves. @throws UsageError, Error (a preset that cannot be read)
 SessionPlan plan_session(const SessionOptions& options);
+
+/// Which scene of a file the plan is for.
+GltfOptions scene_options(const SessionPlan& plan);
+
+struct ComposedSettings {
+    Settings settings;
+    std::vector<std::string> notes;  ///< repairs and remarks
+};
+
+/// compose_session() for a scene that stands as `moment` says.
+ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, const SceneSettings& moment,
+                                  std::vector<std::string>* left_out = nullptr);
 
 /// Poses the scene and composes the settings: program defaults, then the scene's suggestions or the preset (which holds
 /// them already), then the sets. @param left_out gets one line for each thing chosen that the scene lacks, which is

@@ -34,15 +34,14 @@ Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, c
     goals.most_resolution = std::min(goals.most_resolution, renderer.driver().max_texture_size);
     Tuner tuner(start, goals);
     TruthCache cache;
-    TruthOptions truth = truth_options(start);
-    truth.area |= job.area;
+    const TruthOptions truth = truth_options(start);
     Measurer clock(renderer, job.width, job.height);
     while (tuner.ask() != Tuner::Ask::Nothing) {
         report(tuner);
         if (workers.stop.stop_requested()) throw Cancelled();
         const Settings s = tuner.settings();
         if (tuner.ask() == Tuner::Ask::Time) {
-            tuner.timed(clock.time(scene, s).total_ms.median);
+            tuner.timed(clock.time(scene, s, {.bursts = kLeastBursts, .over_s = 0.3}).total_ms.median);
             continue;
         }
         const MeasuredError measured =

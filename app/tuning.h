@@ -8,10 +8,9 @@
 namespace si {
 
 struct TuningJob {
-    Settings settings;
+    Settings settings;  ///< truth.* say what it is held against
     int width = 1280, height = 720;
     TuneGoals goals;
-    bool area = false;  ///< against a light of its size, whatever truth.area says
 };
 
 /// Searches to the end. The bias is that of view.light. @param report hears of every step, on this thread.

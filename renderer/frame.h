@@ -53,6 +53,7 @@ struct PassInfo {
     std::string reason;
     double gpu_ms = 0, cpu_ms = 0;  ///< 0 unless timing was asked for
     std::uint64_t draws = 0, triangles = 0;
+    bool of_maps = false;  ///< draws or changes shadow maps; else it is a part of the picture
 };
 
 /// A texture of the frame: a GL name that the UI shows and the renderer can read back.

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "renderer/fit_bounds.h"
+#include "renderer/map_limits.h"
 #include "renderer/projection.h"
 
 namespace si {
@@ -336,7 +337,10 @@ std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings
         else if (!shape.receivers)
             light.reason = "no object receives shadows";
         light.casts = light.reason.empty();
-        if (light.casts) light.clipped_casters = count_clipped(shape, light.views);
+        if (!light.casts) continue;
+        light.clipped_casters = count_clipped(shape, light.views);
+        light.limits = map_limits(shape, light.views, MapFormat(settings.map.format), resolution);
+        for (std::string& text : map_limit_notes(light.limits, i)) note(light, std::move(text));
     }
     normalise_punctual(lights, settings, shape);
     return lights;

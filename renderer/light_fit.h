@@ -50,6 +50,15 @@ struct LightView {
     }
 };
 
+/// What no bias and no kernel can mend; see map_limits().
+struct MapLimits {
+    bool one_depth_step = false;  ///< all depth lies in one step of the map's format
+    bool one_texel = false;       ///< a texel is larger than the scene
+    double step_m = 0, depth_m = 0;    ///< along the light's axis: that step at its coarsest, and what the map holds
+    double texel_m = 0, across_m = 0;  ///< width of a texel at the scene's centre, and of what the map holds
+    bool any() const { return one_depth_step || one_texel; }
+};
+
 struct FittedLight {
     LightType type = LightType::Directional;
     glm::dvec3 position{0};      ///< world; directional: as the settings place it, before a fit centres the map
@@ -62,7 +71,8 @@ struct FittedLight {
     std::string reason;          ///< why it casts nothing
     std::vector<LightView> views;///< 1, or 6 faces (+x -x +y -y +z -z)
     int clipped_casters = 0;     ///< objects reaching in front of the near plane
-    std::vector<std::string> notes;  ///< values clamped on the way
+    MapLimits limits;                ///< of lights that cast
+    std::vector<std::string> notes;  ///< values clamped on the way, and what the map cannot do
 };
 
 /// Whether a light of this range (0: unlimited) shines so far.

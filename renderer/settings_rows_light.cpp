@@ -34,8 +34,13 @@ bool is_orthographic(const Settings& s, int i) {
            (projection == at(LightProjection::Automatic) && has_type(s, i, LightType::Directional));
 }
 
+/// Nobody sees what the light's map covers: none is drawn, and the camera does not look through the light.
+bool has_no_use_for_map(const Settings& s, int i) {
+    return !of(s, i).cast && !(s.camera.source == at(CameraSource::Light) && s.view.light == i);
+}
+
 std::string_view planes_idle(const Settings& s, int i) {
-    if (!of(s, i).cast) return "without effect: the light casts no shadow";
+    if (has_no_use_for_map(s, i)) return "without effect: the light casts no shadow";
     return of(s, i).fit != at(LightFit::Manual) ? "without effect: set light.fit to manual to choose it by hand" : "";
 }
 
@@ -46,7 +51,7 @@ std::string_view extent_idle(const Settings& s, int i) {
 }
 
 std::string_view projection_idle(const Settings& s, int i) {
-    if (!of(s, i).cast) return "without effect: the light casts no shadow";
+    if (has_no_use_for_map(s, i)) return "without effect: the light casts no shadow";
     return has_type(s, i, LightType::Point) ? "without effect: a point light has six perspective faces" : "";
 }
 
@@ -84,7 +89,7 @@ constexpr auto kLight = with_scope(
         {SI_LIGHT_FIELD(target_z), .label = "Target z", .unit = "m", .min = -1e8, .max = 1e8, .idle = place_idle,
          .help = "What the light looks at, along z from the centre of the scene's bounds."},
         {SI_LIGHT_FIELD(size), .label = "Size", .unit = "deg or m", .min = 0, .max = 100, .logarithmic = true,
-         SI_IDLE(true, "without effect: the present kernels treat lights as points"),
+         SI_IDLE(!s.truth.area, "without effect: kernels treat lights as points, and truth.area is off"),
          .help = "How large the light is: angular radius in degrees for directional lights (the sun: 0.27), radius in "
                  "metres for spot and point lights. Larger lights make wider penumbrae."},
         {SI_LIGHT_FIELD(range), .label = "Range", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
@@ -109,7 +114,7 @@ constexpr auto kLight = with_scope(
         {SI_LIGHT_FIELD(cast), .label = "Casts shadows", .unit = "",
          .help = "Whether the light has a shadow map. Off: everything it reaches is lit, and no map is drawn for it."},
         {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", SI_CHOICES(kFits),
-         SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
+         SI_IDLE(has_no_use_for_map(s, i), "without effect: the light casts no shadow"),
          .help = "Who chooses what the shadow map covers."},
         {SI_LIGHT_FIELD(projection), .label = "Projection", .unit = "", SI_CHOICES(kProjections),
          .idle = projection_idle, .help = "The projection of the shadow map."},

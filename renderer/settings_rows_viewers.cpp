@@ -103,7 +103,7 @@ constexpr auto kView = std::to_array<Param>({
      SI_IDLE(!is_bands(s), "without effect: view.map is not bands"),
      .help = "Depths above this are blue in the band view. Counted from the near plane, under reversed depth too."},
     {SI_FIELD(view.light), .label = "Light shown", .unit = "", .min = 0, .max = kMaxLights - 1,
-     SI_IDLE(s.light_count < 2, "without effect: there is one light"),
+     SI_IDLE(s.light_count < 2 && s.view.light == 0, "without effect: there is one light"),
      .help = "Whose shadow map, visibility, overlays and slabs are shown; 0 is the first light."},
     {SI_FIELD(view.face), .label = "Face shown", .unit = "", .min = 0, .max = 5, .idle = face_idle,
      .help = "Which of a point light's six map faces is shown: 0 +x, 1 -x, 2 +y, 3 -y, 4 +z, 5 -z."},

@@ -140,7 +140,7 @@ void space(const Probe::PerLight& p) {
     row("map coordinates and depth", vec(p.uvd, 5), "From clip range to [0,1]");
     row("place in the map", p.where);
     row("texel", fmt::format("{}, {}   {} wide", p.texel.x, p.texel.y, metres_text(p.texel_m)));
-    row("NÂ·L", fmt::format("{:.5f}   {:.1f}Â°", p.n_dot_l, p.account.theta_rad * 180 / M_PI),
+    row("N·L", fmt::format("{:.5f}   {:.1f}°", p.n_dot_l, p.account.theta_rad * 180 / M_PI),
         "Of the triangle's normal; the angle between it and the light");
     row("bias", fmt::format("{:.3g} of depth   {:.3g} texels   {}", p.bias_depth, p.bias_texels, metres_text(p.bias_m)));
     row("normal offset", metres_text(p.normal_offset_m));

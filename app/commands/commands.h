@@ -46,7 +46,6 @@ void run_truth(const TruthCommandOptions& options);
 struct MeasureOptions {
     SessionOptions session;
     PictureSize size;
-    TruthOptions truth;
     bool time = true, json = false;
 };
 /// How far the shadows of view.light are from the truth, and what they cost, in numbers.
@@ -57,7 +56,7 @@ struct TuneOptions {
     std::string output, error;  ///< error: key of error_kinds()
     std::optional<double> most_error, most_ms;
     PictureSize size;
-    bool area = false, json = false;
+    bool json = false;
 };
 /// Writes a preset with the least bias that leaves no acne; with limits, with the kernel and resolution that suit them.
 void run_tune(const TuneOptions& options);
@@ -119,7 +118,6 @@ struct SweepOptions {
     PictureSize size{640, 360};
     SweepTiming timing;
     bool fresh = false, retry = false;
-    bool area = false;  ///< judged by a light that has its size
 };
 /// Error, cost and time of every combination, and a report of them.
 void run_sweep(const SweepOptions& options);

@@ -51,8 +51,10 @@ void print_error(const ErrorMetrics& m, const Truth& truth) {
 void print_time_and_cost(const std::optional<TimeMeasurement>& time, const WorkCost& cost) {
     if (time) {
         const Spread& t = time->total_ms;
-        fmt::print("{:.3g} ms a frame (median of {} frames, 95 % below {:.3g}, {}; {})\n", t.median, t.samples, t.p95,
-                   time->settled ? "settled" : "not settled", time->clock);
+        fmt::print("{:.3g} ms a frame within this run ({:.3g} to {:.3g}: 95 % interval of the median of {} frames in {} "
+                   "bursts over {:.1f} s, {}; 95 % of frames below {:.3g}; {})\n",
+                   t.median, t.median_low, t.median_high, t.samples, t.bursts, time->seconds,
+                   time->settled ? "settled" : "not settled", t.p95, time->clock);
         for (const PassTime& pass : time->passes)
             fmt::print("  {:<32} {:>9.3g} ms   95 % below {:.3g}\n", pass.name, pass.gpu_ms.median, pass.gpu_ms.p95);
     }
@@ -66,7 +68,7 @@ void run_measure(const MeasureOptions& options) {
     const Session session = open_session(options.session);
     const HeadlessContext context;
     Renderer renderer;
-    Measurer measurer(renderer, options.size.width, options.size.height, options.truth);
+    Measurer measurer(renderer, options.size.width, options.size.height);
     const Judgement judged = measurer.judge(session.scene, session.settings);
     std::optional<TimeMeasurement> time;
     if (options.time) time = measurer.time(session.scene, session.settings);
@@ -77,11 +79,12 @@ void run_measure(const MeasureOptions& options) {
                      {"width", options.size.width},
                      {"height", options.size.height},
                      {"map_resolution", judged.map_resolution},
-                     {"area", options.truth.area || session.settings.truth.area}};
+                     {"area", session.settings.truth.area}};
         json["error"] = error_json(judged.error);
         json["error"]["noise"] = judged.truth->noise;
         json["truth"] = truth_quality_json(*judged.truth);
         json["time"] = time ? time_json(*time) : Json();
+        if (time) json["time"]["seconds"] = time->seconds, json["time"]["within"] = "this run";
         json["cost"] = cost_json(judged.cost);
         json["driver"] = driver_json(renderer.driver());
         fmt::print("{}", json_text(json));

@@ -11,6 +11,7 @@
 #include "app/sweep/progress_line.h"
 #include "app/sweep/running_sweep.h"
 #include "renderer/error.h"
+#include "renderer/scenes/builtin.h"
 
 namespace si {
 namespace {
@@ -57,14 +58,17 @@ void run_sweep(const SweepOptions& options) {
     const Shard shard = options.shard.empty() ? Shard{} : parse_shard(options.shard);
     const fs::path folder = options.folder;
     if (!options.fresh) require_sweep_folder(folder);
-    Session session = open_session(options.session);
+    SessionPlan opened = plan_session(options.session);
+    Session session = compose_session(opened, load_scene(opened.scene_name, scene_options(opened)));
     SweepSpec spec = sweep_spec(session.scene_name, session.scene, session.settings, std::move(axes), options.size.width, options.size.height);
-    spec.area = options.area || session.settings.truth.area, spec.shard = shard;
+    spec.shard = shard;
     SweepPlan plan = plan_sweep(spec.base, spec.axes);
-    Settings first = plan.cases.front().settings;  // all cases override the same objects
-    check_objects(session.scene, first, "", nullptr);
+    CaseSessions sessions(std::move(opened));
+    sessions.keep(std::move(session.scene), session.settings.scene);
+    sessions.check(spec.axes);
     if (options.fresh) forget_sweep(folder);
-    const std::vector<std::string> notes = session.notes;
+    std::vector<std::string> notes = session.notes;
+    notes.insert(notes.end(), plan.notes.begin(), plan.notes.end());
 
     SweepTiming timing = options.timing;
     // Shards run beside each other, on machines that differ.
@@ -72,7 +76,7 @@ void run_sweep(const SweepOptions& options) {
     const HeadlessContext context;
     Renderer renderer;
     InterruptGuard interrupt;
-    RunningSweep sweep({std::move(session), std::move(spec), std::move(plan), timing, options.retry, folder}, renderer);
+    RunningSweep sweep({std::move(sessions), std::move(spec), std::move(plan), timing, options.retry, folder}, renderer);
     run_steps(sweep, interrupt);
     const Json results = write_sweep_files(folder, sweep.state(), sweep.of().plan);
     if (interrupt.asked()) {

@@ -106,7 +106,7 @@ void run_tune(const TuneOptions& options) {
     Session session = open_session(options.session);
     const HeadlessContext context;
     Renderer renderer;
-    const TuningJob job{session.settings, options.size.width, options.size.height, goals, options.area};
+    const TuningJob job{session.settings, options.size.width, options.size.height, goals};
     const auto began = std::chrono::steady_clock::now();
     InterruptGuard interrupt;
     std::stop_source stop;

@@ -3,7 +3,6 @@
 #include "app/measure_json.h"
 #include "app/output.h"
 #include "app/sweep/pictures.h"
-#include "renderer/param.h"
 
 namespace si {
 
@@ -14,22 +13,11 @@ RunInfo RenderedCases::run() {
     return run;
 }
 
-Settings RenderedCases::prepared(const SweepCase& c, std::vector<std::string>* notes) {
-    Settings settings = c.settings;
-    std::vector<std::string> repairs = sanitise(settings);
-    if (!(settings.scene == posed_)) {
-        const std::string remark = pose_scene(session_.scene, settings.scene);
-        posed_ = settings.scene;
-        if (!remark.empty()) repairs.push_back(remark);
-    }
-    if (notes) *notes = std::move(repairs);
-    return settings;
-}
-
 CaseFacts RenderedCases::facts(const SweepCase& c) {
     CaseFacts facts;
-    const Settings settings = prepared(c, &facts.notes);
-    const Judgement judged = measurer_.judge(session_.scene, settings);
+    CaseSessions::Prepared prepared = sessions_.prepare(c.values);
+    const Judgement judged = measurer_.judge(prepared.scene, prepared.settings);
+    facts.notes = std::move(prepared.notes);
     facts.error = error_json(judged.error);
     facts.error["noise"] = judged.truth->noise;
     if (judged.truth->noise_unknown > 0) facts.notes.push_back("the truth: " + noise_text(*judged.truth));
@@ -41,8 +29,8 @@ CaseFacts RenderedCases::facts(const SweepCase& c) {
 }
 
 TimeSamples RenderedCases::time(const SweepCase& c, int frames) {
-    const Settings settings = prepared(c);
-    return measurer_.time(session_.scene, settings, frames);
+    const CaseSessions::Prepared prepared = sessions_.prepare(c.values);
+    return measurer_.time(prepared.scene, prepared.settings, frames);
 }
 
 }  // namespace si

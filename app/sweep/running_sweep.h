@@ -10,7 +10,7 @@ namespace si {
 class RunningSweep {
 public:
     struct Of {
-        Session session;
+        CaseSessions sessions;
         SweepSpec spec;
         SweepPlan plan;
         SweepTiming timing;

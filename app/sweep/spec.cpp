@@ -81,6 +81,7 @@ SweepSpec sweep_spec(const std::string& scene_name, const Scene& scene, const Se
     spec.base = measured_settings(settings);
     spec.axes = std::move(axes);
     spec.width = width, spec.height = height;
+    spec.area = settings.truth.area;
     return spec;
 }
 

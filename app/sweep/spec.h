@@ -28,7 +28,7 @@ struct SweepSpec {
     Settings base;  ///< measured_settings()
     std::vector<SweepAxis> axes;
     int width = 640, height = 360;  ///< of the picture
-    bool area = false;              ///< the truth is of a light that has its size
+    bool area = false;              ///< truth.area of what all cases share
     Shard shard;
 };
 

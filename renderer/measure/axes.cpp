@@ -61,6 +61,20 @@ std::string short_number(double value, const Value& like) {
     return fmt::format("{:.9g}", value);
 }
 
+/// Says that all but the `kept` values of an axis are the same as one of those.
+std::string note_on_merged(const Settings& base, const SweepAxis& axis, const std::set<std::string>& kept) {
+    const SettingRef ref = *find_setting(axis.key);
+    std::string why;
+    for (const std::string& value : axis.values) {
+        Settings s = base;
+        set_value(s, ref, parse_value(ref, value));
+        if (why.empty() && !kept.contains(value)) why = idle_reason(s, ref);
+    }
+    if (axis.key.starts_with("view.") && axis.key != "view.light") why = "without effect on what is measured";
+    return fmt::format("{}: {} of {} values are no cases of their own{}{}", axis.key, axis.values.size() - kept.size(),
+                       axis.values.size(), why.empty() ? "" : "; ", why);
+}
+
 /// Equal for equal settings only.
 std::string fingerprint(const Settings& settings) {
     std::string text;
@@ -133,7 +147,10 @@ SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes) {
             throw UsageError(fmt::format("the sweep has more than {} cases; vary fewer settings or take larger steps",
                                          kMaxSweepCases));
     }
+    const bool scene_varies =
+        std::any_of(axes.begin(), axes.end(), [](const SweepAxis& a) { return a.key.starts_with("scene."); });
     std::set<std::string> seen;
+    std::vector<std::set<std::string>> kept(axes.size());
     for (std::size_t index = 0; index < plan.product; ++index) {
         SweepCase c;
         c.settings = base;
@@ -146,9 +163,13 @@ SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes) {
             c.values.emplace_back(axis.key, value);
             c.id += (c.id.empty() ? "" : " ") + axis.key + "=" + value;
         }
-        if (!seen.insert(fingerprint(without_idle(c.settings))).second) continue;
+        const Settings measured = measured_settings(c.settings);
+        if (!seen.insert(fingerprint(scene_varies ? measured : without_idle(measured))).second) continue;
+        for (std::size_t a = 0; a < axes.size(); ++a) kept[a].insert(c.values[a].second);
         plan.cases.push_back(std::move(c));
     }
+    for (std::size_t a = 0; a < axes.size(); ++a)
+        if (kept[a].size() < axes[a].values.size()) plan.notes.push_back(note_on_merged(base, axes[a], kept[a]));
     return plan;
 }
 

@@ -15,6 +15,24 @@ double quantile(const std::vector<double>& sorted, double q) {
     return sorted[below] + (at - double(below)) * (sorted[above] - sorted[below]);
 }
 
+double median_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return quantile(values, 0.5);
+}
+
+/// Half the 95 % confidence interval of the mean of values that scatter normally, by Student's t.
+double half_interval(const std::vector<double>& values) {
+    static constexpr double kT[] = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
+    const std::size_t n = values.size();
+    if (n < 2) return 0;
+    double mean = 0, squares = 0;
+    for (const double v : values) mean += v / double(n);
+    for (const double v : values) squares += (v - mean) * (v - mean);
+    const std::size_t freedom = n - 1;
+    const double t = freedom <= std::size(kT) ? kT[freedom - 1] : 1.96 + 2.7 / double(freedom);
+    return t * std::sqrt(squares / double(freedom) / double(n));
+}
+
 bool finite(const Dot& d) {
     return std::isfinite(d.cost) && std::isfinite(d.error);
 }
@@ -26,17 +44,25 @@ double Spread::relative() const {
     return 0.5 * (median_high - median_low) / median;
 }
 
-Spread spread_of(std::vector<double> samples) {
+Spread spread_of(std::vector<double> samples, std::span<const std::size_t> bursts) {
     Spread s;
     s.samples = int(samples.size());
     if (samples.empty()) return s;
+    std::vector<double> medians;
+    for (std::size_t b = 0; b < bursts.size(); ++b) {
+        const std::size_t end = b + 1 < bursts.size() ? bursts[b + 1] : samples.size();
+        medians.push_back(median_of({samples.begin() + std::ptrdiff_t(bursts[b]), samples.begin() + std::ptrdiff_t(end)}));
+    }
+    s.bursts = std::max(1, int(medians.size()));
     std::sort(samples.begin(), samples.end());
     s.low = samples.front(), s.high = samples.back();
     s.median = quantile(samples, 0.5);
     s.p95 = quantile(samples, 0.95);
     const double below = std::floor(0.5 * s.samples - 0.98 * std::sqrt(double(s.samples)));
     const auto rank = std::size_t(std::max(below, 0.0));
-    s.median_low = samples[rank], s.median_high = samples[samples.size() - 1 - rank];
+    const double between = half_interval(medians);
+    s.median_low = std::max(std::min(samples[rank], s.median - between), 0.0);
+    s.median_high = std::max(samples[samples.size() - 1 - rank], s.median + between);
     return s;
 }
 

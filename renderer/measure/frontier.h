@@ -10,15 +10,19 @@ namespace si {
 /// Of a set of samples, such as the milliseconds of several frames.
 struct Spread {
     double median = 0, p95 = 0, low = 0, high = 0;  ///< low and high: the extremes
-    double median_low = 0, median_high = 0;  ///< 95 % confidence interval of the median
+    double median_low = 0, median_high = 0;  ///< 95 % confidence interval of the median, within one run of the program
     int samples = 0;
+    int bursts = 0;  ///< that the samples were taken in
     /// Half the width of that interval as a share of the median; 1 when that says nothing.
     double relative() const;
 };
 
 /// The interval is the distribution-free one by ranks n/2 -+ 0.98 sqrt(n) (Conover, Practical Nonparametric Statistics,
-/// 3.2), so that times that jump between two values do not pass for settled.
-Spread spread_of(std::vector<double> samples);
+/// 3.2), so that times that jump between two values do not pass for settled. Frames that follow each other are alike, so
+/// that ranks alone take a machine's mood for certainty: with several bursts the interval is at least that of their
+/// medians' mean by Student's t.
+/// @param bursts index of the first sample of each; empty: one burst
+Spread spread_of(std::vector<double> samples, std::span<const std::size_t> bursts = {});
 
 /// A case on the plot. Smaller is better on both axes.
 struct Dot {

@@ -15,9 +15,7 @@ Judgement Measurer::judge(const Scene& scene, const Settings& settings) {
     judged.picture = renderer_.read_colour(frame.colour);
     judged.notes = frame.notes;
     request.force = false;
-    TruthOptions truth = truth_options(measured);
-    truth.area |= truth_options_.area;
-    truth.as_rasterised |= truth_options_.as_rasterised;
+    const TruthOptions truth = truth_options(measured);
     const MeasuredError error =
         measure_error(renderer_, scene, measured, request, measured.view.light, truth, truths_, workers_);
     judged.error = error.metrics;
@@ -32,19 +30,18 @@ FrameRequest Measurer::timed_request() const {
 
 TimeSamples Measurer::time(const Scene& scene, const Settings& settings, int frames) {
     const Settings measured = measured_settings(settings);
-    TimeSampler sampler;
-    for (int i = 0; i <= frames; ++i) sampler.add(renderer_.render(scene, measured, timed_request()));
-    return sampler.samples();
+    TimeSamples samples;
+    renderer_.render(scene, measured, timed_request());
+    for (int i = 0; i < frames; ++i) samples.add(renderer_.render(scene, measured, timed_request()));
+    return samples;
 }
 
 TimeMeasurement Measurer::time(const Scene& scene, const Settings& settings, const TimeSampler::Limits& limits) {
     const Settings measured = measured_settings(settings);
-    TimeSampler sampler(limits);
-    while (!sampler.done()) {
+    return sample_times(limits, [&] {
         if (workers_.stop.stop_requested()) throw Cancelled();
-        sampler.add(renderer_.render(scene, measured, timed_request()));
-    }
-    return sampler.result();
+        return renderer_.render(scene, measured, timed_request());
+    });
 }
 
 }  // namespace si

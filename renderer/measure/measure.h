@@ -22,8 +22,8 @@ struct Judgement {
 class Measurer {
 public:
     /// @param width, height of the picture in pixels
-    Measurer(Renderer& renderer, int width, int height, const TruthOptions& truth = {}, Workers workers = {})
-        : renderer_(renderer), width_(width), height_(height), truth_options_(truth), workers_(std::move(workers)) {}
+    Measurer(Renderer& renderer, int width, int height, Workers workers = {})
+        : renderer_(renderer), width_(width), height_(height), workers_(std::move(workers)) {}
 
     /// Who traces from now on, and may stop it.
     void set_workers(Workers workers) { workers_ = std::move(workers); }
@@ -40,7 +40,6 @@ private:
 
     Renderer& renderer_;
     int width_, height_;
-    TruthOptions truth_options_;
     Workers workers_;
     TruthCache truths_;
 };

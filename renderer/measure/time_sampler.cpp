@@ -1,7 +1,9 @@
 #include "renderer/measure/time_sampler.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "renderer/techniques.h"
 
@@ -28,14 +30,20 @@ void TimeSamples::add(const FrameResult& frame) {
         pass.gpu_ms.push_back(info.gpu_ms);
         pass.cpu_ms.push_back(info.cpu_ms);
         total += info.gpu_ms;
-        if (info.name.starts_with("shadow map")) maps += info.gpu_ms;
+        if (info.of_maps) maps += info.gpu_ms;
     }
+    if (burst_ended) bursts.push_back(total_ms.size());
+    burst_ended = false;
     total_ms.push_back(total);
     maps_ms.push_back(maps);
 }
 
 void TimeSamples::add(const TimeSamples& more) {
     clock = more.clock;
+    const std::size_t before = total_ms.size();
+    if (more.bursts.empty() && !more.total_ms.empty()) bursts.push_back(before);
+    for (const std::size_t first : more.bursts) bursts.push_back(before + first);
+    burst_ended = true;
     append(total_ms, more.total_ms);
     append(maps_ms, more.maps_ms);
     for (const Pass& from : more.passes) {
@@ -47,31 +55,67 @@ void TimeSamples::add(const TimeSamples& more) {
 
 TimeMeasurement summary(const TimeSamples& samples, double settled_below) {
     TimeMeasurement m;
-    m.total_ms = spread_of(samples.total_ms);
-    m.maps_ms = spread_of(samples.maps_ms);
+    const auto spread = [&](std::vector<double> times) {
+        // Of a pass that did not run in every frame it is not known which burst a time is of.
+        const bool every = times.size() == samples.total_ms.size();
+        return spread_of(std::move(times), every ? std::span<const std::size_t>(samples.bursts) : std::span<const std::size_t>());
+    };
+    m.total_ms = spread(samples.total_ms);
+    m.maps_ms = spread(samples.maps_ms);
     std::vector<double> rest = samples.total_ms;
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= samples.maps_ms[i];
-    m.picture_ms = spread_of(std::move(rest));
+    m.picture_ms = spread(std::move(rest));
     for (const auto& pass : samples.passes)
-        m.passes.push_back({pass.name, spread_of(pass.gpu_ms), spread_of(pass.cpu_ms)});
-    m.settled = m.total_ms.relative() < settled_below;
+        m.passes.push_back({pass.name, spread(pass.gpu_ms), spread(pass.cpu_ms)});
+    m.settled = m.total_ms.bursts >= kLeastBursts && m.total_ms.relative() < settled_below;
     m.clock = samples.clock;
     return m;
 }
 
-void TimeSampler::add(const FrameResult& frame) {
-    if (warm_) samples_.add(frame);
-    warm_ = true;
+void TimeSampler::add(const FrameResult& frame, double now_s) {
+    pause_s_ = 0;
+    if (!warm_) {
+        if (!begun_) start_s_ = now_s;
+        begun_ = warm_ = true;
+        burst_s_ = last_s_ = now_s;
+        return;
+    }
+    samples_.add(frame);
+    last_s_ = now_s;
+    const double slot_s = limits_.over_s / std::max(limits_.bursts, 1);
+    if (++in_burst_ < kBurstFrames && now_s - burst_s_ < slot_s) return;
+    samples_.burst_ended = true;
+    in_burst_ = 0, burst_s_ = now_s;
+    pause_s_ = std::max(0.0, start_s_ + ++ended_ * slot_s - now_s);
+    warm_ = pause_s_ == 0;
 }
 
 bool TimeSampler::settled() const {
-    return frames() >= limits_.least && spread_of(samples_.total_ms).relative() < limits_.spread;
+    return frames() >= limits_.least && ended_ >= limits_.bursts && summary(samples_, limits_.spread).settled;
 }
 
 TimeMeasurement TimeSampler::result() const {
     TimeMeasurement m = summary(samples_, limits_.spread);
     m.settled = settled();
+    m.seconds = last_s_ - start_s_;
     return m;
+}
+
+BurstClock BurstClock::steady() {
+    using Clock = std::chrono::steady_clock;
+    return {[] { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); },
+            [](double s) { std::this_thread::sleep_for(std::chrono::duration<double>(s)); }};
+}
+
+TimeMeasurement sample_times(const TimeSampler::Limits& limits, const std::function<FrameResult()>& draw,
+                             const BurstClock& clock) {
+    TimeSampler sampler(limits);
+    while (!sampler.done()) {
+        if (sampler.pause_s() > 0) clock.wait_s(sampler.pause_s());
+        const FrameResult frame = draw();
+        sampler.add(frame, clock.now_s());
+    }
+    return sampler.result();
 }
 
 WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
@@ -91,9 +135,12 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
     const std::uint64_t bytes = settings.map.format == int(MapFormat::D16)      ? 2
                                 : settings.map.format == int(MapFormat::Colour) ? 8
                                                                                 : 4;
-    cost.map_bytes = cost.map_texels * bytes;
-    const std::uint64_t pixels = std::uint64_t(frame.colour.width) * std::uint64_t(frame.colour.height);
     const std::uint64_t fetched = settings.map.format == int(MapFormat::Colour) ? 4 : bytes;
+    cost.map_bytes = cost.map_texels * bytes;
+    // The blurred copy, which has no depth buffer beside it, and one map blurred along x alone as 32-bit floats.
+    if (settings.map.blur_texels > 0 && casting > 0)
+        cost.map_bytes += cost.map_texels * fetched + 4 * texels;
+    const std::uint64_t pixels = std::uint64_t(frame.colour.width) * std::uint64_t(frame.colour.height);
     cost.bytes_touched =
         cost.map_bytes + casting * pixels * std::uint64_t(std::llround(cost.taps_per_pixel)) * fetched;
     for (const PassInfo& pass : frame.passes) {

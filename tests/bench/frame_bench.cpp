@@ -11,11 +11,13 @@
 #include <memory>
 
 #include "app/headless_context.h"
+#include "app/session.h"
 #include "renderer/param.h"
 #include "renderer/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/bench/bare.h"
 #include "tests/bench/load_bench.h"
+#include "tests/support/agreed_scene.h"
 
 namespace si {
 namespace {
@@ -23,20 +25,29 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kWidth = 1280, kHeight = 720;
 
-Scene bench_scene(const char* file) {
-    const auto shared = std::filesystem::path(SI_SOURCE_DIR) / "../shared/perf" / file;
-    return std::filesystem::exists(shared) ? load_scene(shared.string()) : load_scene("stage");
+/// Nothing stands in for a scene that is missing.
+std::string missing_file(const std::string& name) {
+    const auto path = std::filesystem::path(SI_SOURCE_DIR) / "../shared" / name;
+    return !name.ends_with(".glb") || std::filesystem::exists(path) ? "" : "../shared/" + name + " is missing";
+}
+
+/// "100k" or "1M": the agreed scenes; a file of ../shared; a built-in scene.
+Scene bench_scene(const std::string& name) {
+    if (name == "100k") return test::agreed_scene(test::AgreedSize::Triangles100k);
+    if (name == "1M") return test::agreed_scene(test::AgreedSize::Triangles1M);
+    if (name.ends_with(".glb")) return load_scene((std::filesystem::path(SI_SOURCE_DIR) / "../shared" / name).string());
+    return load_scene(name);
 }
 
 struct Machine {
     HeadlessContext context;
     Renderer renderer;
     Scene scene;
-    explicit Machine(const char* file) : scene(bench_scene(file)) {}
-    static Machine& get(const char* file) {
+    explicit Machine(const std::string& name) : scene(bench_scene(name)) {}
+    static Machine& get(const std::string& name) {
         static std::map<std::string, std::unique_ptr<Machine>> machines;
-        auto& m = machines[file];
-        if (!m) m = std::make_unique<Machine>(file);
+        auto& m = machines[name];
+        if (!m) m = std::make_unique<Machine>(name);
         m->context.make_current();
         return *m;
     }
@@ -56,15 +67,16 @@ double median(std::vector<double> v) {
     return v[v.size() / 2];
 }
 
-/// Alternates two ways of drawing; the benchmark's own time is the second's.
-template <typename A, typename B>
-void pair(benchmark::State& state, A&& bare, B&& ours) {
+/// Alternates two ways of drawing, with `between` after both; the benchmark's own time is the second's.
+template <typename A, typename B, typename C>
+void pair(benchmark::State& state, A&& bare, B&& ours, C&& between) {
     for (int i = 0; i < 3; ++i) bare(), ours();  // first use compiles
     std::vector<double> bare_ms, ours_ms;
     for (auto _ : state) {
         bare_ms.push_back(finished_ms(bare));
         ours_ms.push_back(finished_ms(ours));
         state.SetIterationTime(ours_ms.back() / 1000);
+        between();
     }
     std::vector<double> ratios;
     for (std::size_t i = 0; i < bare_ms.size(); ++i) ratios.push_back(ours_ms[i] / bare_ms[i]);
@@ -75,6 +87,18 @@ void pair(benchmark::State& state, A&& bare, B&& ours) {
     state.counters["ratio_p25"] = ratios[ratios.size() / 4];
     state.counters["ratio_p75"] = ratios[ratios.size() * 3 / 4];
 }
+
+template <typename A, typename B>
+void pair(benchmark::State& state, A&& bare, B&& ours) {
+    pair(state, bare, ours, [] {});
+}
+
+/// A kernel of the renderer, and what BareForward calls it.
+struct Row {
+    const char* kernel;
+    int size;
+};
+constexpr Row kRows[] = {{"none", 0}, {"hard", -1}, {"hw2x2", 1}, {"pcf3", 3}, {"pcf5", 5}, {"pcf7", 7}};
 
 void whole_frame(benchmark::State& state, const char* file, const char* kernel, int size, int resolution,
                  bool separate) {
@@ -92,6 +116,46 @@ void whole_frame(benchmark::State& state, const char* file, const char* kernel, 
     const FittedLight light = fit_lights(m.scene, casting)[0];
     BareForward bare(m.scene, size, resolution, kWidth, kHeight);
     pair(state, [&] { bare.draw(facts.camera, light); }, [&] { m.renderer.render(m.scene, s, request); });
+}
+
+/// A scene with textures and masks against the bare program that draws them (bare_ms, ratio) and the one that draws
+/// neither (plain_ms, plain_ratio), in turn; the depth pass by itself likewise (depth_ratio).
+void textured_frame(benchmark::State& state, const std::string& name, const Row& row, int resolution) {
+    if (const std::string why = missing_file(name); !why.empty()) return state.SkipWithError(why.c_str());
+    Machine& m = Machine::get(name);
+    Settings s;
+    apply_suggested(m.scene, s);
+    set_setting(s, "filter.kernel", row.size == 0 ? "hard" : row.kernel);
+    set_setting(s, "map.resolution", std::to_string(resolution));
+    s.lights[0].cast = row.size != 0;
+    FrameRequest request{.width = kWidth, .height = kHeight};
+    request.force = true;
+    const FrameResult facts = m.renderer.render(m.scene, s, request);
+    Settings casting = s;
+    casting.lights[0].cast = true;
+    const FittedLight light = fit_lights(m.scene, casting)[0];
+    BareForward bare(m.scene, row.size, resolution, kWidth, kHeight, BareMaterials::Textures);
+    BareForward plain(m.scene, row.size, resolution, kWidth, kHeight);
+    const auto draw_plain = [&] { plain.draw(facts.camera, light); };
+    for (int i = 0; i < 3; ++i) draw_plain();
+    std::vector<double> plain_ms, depth_ms, own_depth_ms;
+    FrameRequest map = request;
+    map.outputs = {.colour = false, .shadow_map = true};
+    map.timing = true;
+    m.renderer.render(m.scene, s, map);
+    pair(state, [&] { bare.draw(facts.camera, light); },
+         [&] { m.renderer.render(m.scene, s, request); },
+         [&] {
+             plain_ms.push_back(finished_ms(draw_plain));
+             if (row.size == 0) return;
+             depth_ms.push_back(finished_ms([&] { bare.draw(facts.camera, light, true, false); }));
+             own_depth_ms.push_back(m.renderer.render(m.scene, s, map).passes[0].gpu_ms);
+         });
+    state.counters["plain_ms"] = median(plain_ms);
+    state.counters["plain_ratio"] = state.counters["ours_ms"] / median(plain_ms);
+    if (row.size == 0) return;
+    state.counters["depth_bare_ms"] = median(depth_ms);
+    state.counters["depth_ratio"] = median(own_depth_ms) / median(depth_ms);
 }
 
 void depth_pass(benchmark::State& state, const char* file) {
@@ -116,7 +180,7 @@ void depth_pass(benchmark::State& state, const char* file) {
 
 /// The shadow sampler (bare_ms) against gathers with own comparison (ours_ms), the same kernel and picture.
 void gather_against_sampler(benchmark::State& state, const char* kernel) {
-    Machine& m = Machine::get("scene100k.glb");
+    Machine& m = Machine::get("100k");
     Settings sampler, gather;
     set_setting(sampler, "filter.kernel", kernel);
     gather = sampler;
@@ -129,7 +193,7 @@ void gather_against_sampler(benchmark::State& state, const char* kernel) {
 }
 
 void unchanged_frame(benchmark::State& state) {
-    Machine& m = Machine::get("scene100k.glb");
+    Machine& m = Machine::get("100k");
     const Settings s;
     FrameRequest forced{.width = kWidth, .height = kHeight}, cached = forced;
     forced.force = true;
@@ -152,12 +216,6 @@ int rounds() {
     return text ? std::clamp(std::atoi(text), 1, 10000) : 30;
 }
 
-struct Row {
-    const char* kernel;
-    int size;
-};
-constexpr Row kRows[] = {{"none", 0}, {"hard", -1}, {"hw2x2", 1}, {"pcf3", 3}, {"pcf5", 5}, {"pcf7", 7}};
-
 void register_all() {
     const auto add = [](std::string name, auto function) {
         benchmark::RegisterBenchmark(name.c_str(), function)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(rounds());
@@ -165,14 +223,19 @@ void register_all() {
     for (const Row& row : kRows) {
         for (const int resolution : {1024, 2048, 4096})
             add(fmt::format("fused/{}/{}", row.kernel, resolution), [row, resolution](benchmark::State& s) {
-                whole_frame(s, "scene100k.glb", row.kernel, row.size, resolution, false);
+                whole_frame(s, "100k", row.kernel, row.size, resolution, false);
             });
         add(fmt::format("fused_1M/{}/2048", row.kernel),
-            [row](benchmark::State& s) { whole_frame(s, "scene1m.glb", row.kernel, row.size, 2048, false); });
+            [row](benchmark::State& s) { whole_frame(s, "1M", row.kernel, row.size, 2048, false); });
     }
-    add("separate/pcf3/2048", [](benchmark::State& s) { whole_frame(s, "scene100k.glb", "pcf3", 3, 2048, true); });
-    add("depth_pass/100k", [](benchmark::State& s) { depth_pass(s, "scene100k.glb"); });
-    add("depth_pass/1M", [](benchmark::State& s) { depth_pass(s, "scene1m.glb"); });
+    // The stage is always there; the forest is 10,000 trees of masked leaves.
+    for (const auto& [scene, file] : {std::pair{"stage", "stage"}, {"forest", "models/gen_forest_10k/forest_10k.glb"}})
+        for (const Row& row : {kRows[0], kRows[1], kRows[3]})
+            add(fmt::format("textured/{}/{}/2048", scene, row.kernel),
+                [row, file](benchmark::State& s) { textured_frame(s, file, row, 2048); });
+    add("separate/pcf3/2048", [](benchmark::State& s) { whole_frame(s, "100k", "pcf3", 3, 2048, true); });
+    add("depth_pass/100k", [](benchmark::State& s) { depth_pass(s, "100k"); });
+    add("depth_pass/1M", [](benchmark::State& s) { depth_pass(s, "1M"); });
     for (const char* kernel : {"hw2x2", "pcf3", "pcf5", "pcf7"})
         add(fmt::format("gather_against_sampler/{}", kernel),
             [kernel](benchmark::State& s) { gather_against_sampler(s, kernel); });

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
@@ -14,7 +13,7 @@
 #include "renderer/reference/embree.h"
 #include "renderer/reference/truth_task.h"
 #include "renderer/renderer.h"
-#include "renderer/scenes/builtin.h"
+#include "tests/support/agreed_scene.h"
 
 namespace si {
 namespace {
@@ -41,11 +40,10 @@ struct Bench {
     embree::Scene scene{rtcNewScene(device.get())};
     std::vector<RTCRay> rays;
 
-    explicit Bench(const char* file) {
+    explicit Bench(test::AgreedSize size) {
         const HeadlessContext context;
         Renderer renderer;
-        const auto path = std::filesystem::path(SI_SOURCE_DIR) / "../shared/perf" / file;
-        const Scene loaded = load_scene(std::filesystem::exists(path) ? path.string() : "landscape");
+        const Scene loaded = test::agreed_scene(size);
         Settings settings;
         settings.lights[0].elevation = 45;
         task = truth_task(renderer, loaded, settings, {.width = 1280, .height = 720}, 0, {.nearest = false});
@@ -92,10 +90,10 @@ struct Bench {
     }
 };
 
-void truth_against_bare(benchmark::State& state, const char* file) {
-    static std::map<std::string, std::unique_ptr<Bench>> benches;
-    auto& bench = benches[file];
-    if (!bench) bench = std::make_unique<Bench>(file);
+void truth_against_bare(benchmark::State& state, test::AgreedSize size) {
+    static std::map<test::AgreedSize, std::unique_ptr<Bench>> benches;
+    auto& bench = benches[size];
+    if (!bench) bench = std::make_unique<Bench>(size);
     const Workers workers{.threads = int(state.range(0))};
     struct Way {
         std::size_t at_once;
@@ -127,8 +125,8 @@ void truth_against_bare(benchmark::State& state, const char* file) {
     state.counters["rate_share"] = fastest / median(ours);
 }
 
-BENCHMARK_CAPTURE(truth_against_bare, 100k, "scene100k.glb")->Arg(1)->Arg(2)->UseManualTime()->Iterations(9);
-BENCHMARK_CAPTURE(truth_against_bare, 1m, "scene1m.glb")->Arg(1)->Arg(2)->UseManualTime()->Iterations(9);
+BENCHMARK_CAPTURE(truth_against_bare, 100k, test::AgreedSize::Triangles100k)->Arg(1)->Arg(2)->UseManualTime()->Iterations(9);
+BENCHMARK_CAPTURE(truth_against_bare, 1m, test::AgreedSize::Triangles1M)->Arg(1)->Arg(2)->UseManualTime()->Iterations(9);
 
 }  // namespace
 }  // namespace si

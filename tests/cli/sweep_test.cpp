@@ -87,6 +87,65 @@ TEST(SweepCommand, WritesResultsAndReport) {
     EXPECT_EQ(file_bytes(folder / "out" / kJournalFile), journal);
 }
 
+TEST(SweepCommand, ASweepOverTheLightsSizeMeasuresEachSize) {
+    const fs::path folder = fresh_test_folder();
+    const Words words = {"sweep", "boxes", "--vary", "light.size=0.1,2,8", "--size", "96x64", "--no-time", "-o", "area"};
+    Words area = words;
+    area.push_back("--area");
+    ASSERT_EQ(run_program(area, folder).code, 0);
+    const Json rows = results_of(folder / "area")["rows"];
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_LT(number_at(rows[0], "error.mae"), number_at(rows[1], "error.mae"));
+    EXPECT_LT(number_at(rows[1], "error.mae"), number_at(rows[2], "error.mae"));
+    for (const Json& row : rows) {
+        const ProcessResult m = run_program({"measure", "boxes", "--area", "--no-time", "--json", "--size", "96x64", "--set",
+                                             "light.size=" + row["settings"]["light.size"].get<std::string>()});
+        EXPECT_EQ(Json::parse(m.out)["error"]["mae"], row["error"]["mae"]);
+    }
+    Words hard = words;
+    hard.back() = "hard";
+    const ProcessResult r = run_program(hard, folder);
+    EXPECT_EQ(results_of(folder / "hard")["rows"].size(), 1u) << "a point has no size";
+    EXPECT_NE(r.err.find("light.size: 2 of 3 values are no cases of their own"), std::string::npos) << r.err;
+}
+
+TEST(SweepCommand, EachSceneOfAFileIsMeasured) {
+    const fs::path folder = fresh_test_folder();
+    test::GltfFile f;
+    const auto at = [&](double height) {
+        return f.append("nodes", {{"mesh", 0}, {"translation", {0, height, 0}}, {"rotation", {-0.7071068, 0, 0, 0.7071068}},
+                                  {"scale", {4, 4, 4}}});
+    };
+    f.add_triangle();
+    f.json["scenes"].push_back({{"nodes", {at(0), at(1), at(2)}}});
+    std::ofstream(folder / "two.glb", std::ios::binary) << f.glb();
+    const auto sweep = [&](const std::string& axis) {
+        return run_program({"sweep", "two.glb", "--vary", axis, "--size", "96x64", "--no-time", "-o", "out", "--fresh"}, folder);
+    };
+    ASSERT_EQ(sweep("scene.index=0,1,-1").code, 0);
+    const Json rows = results_of(folder / "out")["rows"];
+    ASSERT_EQ(rows.size(), 3u);
+    for (const Json& row : rows) {
+        const std::string set = "scene.index=" + row["settings"]["scene.index"].get<std::string>();
+        const Json m = Json::parse(
+            run_program({"measure", "two.glb", "--no-time", "--json", "--size", "96x64", "--set", set}, folder).out);
+        EXPECT_EQ(m["error"]["pixels"], row["error"]["pixels"]) << set;
+        EXPECT_EQ(m["cost"]["triangles"], row["cost"]["triangles"]) << set;
+    }
+    EXPECT_NE(rows[0]["error"]["pixels"], rows[1]["error"]["pixels"]);
+    // What --set refuses, an axis refuses with the same words, before anything is measured.
+    const std::string before = file_bytes(folder / "out" / kJournalFile);
+    for (const char* wrong : {"camera.index=0,9999", "scene.index=0,2", "scene.index=1,0", "object.Nowhere.cast=true,false"}) {
+        const ProcessResult r = sweep(wrong);
+        const std::string key(wrong, std::string_view(wrong).find('=')), value(std::string_view(wrong).substr(std::string_view(wrong).find(',') + 1));
+        const ProcessResult set = run_program({"measure", "two.glb", "--no-time", "--size", "96x64", "--set", key + "=" + value}, folder);
+        EXPECT_EQ(r.code, set.code) << wrong;
+        if (set.code == 0) continue;
+        EXPECT_EQ(r.err, set.err) << wrong;
+        EXPECT_EQ(file_bytes(folder / "out" / kJournalFile), before) << wrong;
+    }
+}
+
 TEST(SweepCommand, OtherArgumentsAreRefusedUnlessFresh) {
     const fs::path folder = fresh_test_folder();
     ASSERT_EQ(run_program(sweep_of("out", {"--no-time"}), folder).code, 0);

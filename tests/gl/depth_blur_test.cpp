@@ -91,7 +91,10 @@ TEST_F(DepthBlur, RunsOnlyWhenAskedForAndIsReused) {
     EXPECT_NE(off.pass("depth blur")->reason.find("map.blur_texels is 0"), std::string::npos);
     const ByteImage sharp = renderer.read_colour(off.colour);
     s.map.blur_texels = 3;
-    EXPECT_EQ(renderer.render(scene, s, small()).pass("depth blur")->state, PassState::Ran);
+    const FrameResult on = renderer.render(scene, s, small());
+    EXPECT_EQ(on.pass("depth blur")->state, PassState::Ran);
+    for (const PassInfo& pass : on.passes)
+        EXPECT_EQ(pass.of_maps, pass.name == "depth blur" || pass.name.starts_with("shadow map")) << pass.name;
     const FrameResult again = renderer.render(scene, s, small());
     EXPECT_EQ(again.pass("depth blur")->state, PassState::Reused);
     const ByteImage blurred = renderer.read_colour(again.colour);

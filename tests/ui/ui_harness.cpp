@@ -1,5 +1,6 @@
 #include "tests/ui/ui_harness.h"
 
+#include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -71,6 +72,7 @@ UiHarness::UiHarness(int width, int height, float scale) : width_(width), height
     unsigned char* pixels = nullptr;
     int w = 0, h = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &w, &h);
+    drawn_.emplace();
     scene = load_scene(builtin_scenes().front().key);
     state.scene_name = builtin_scenes().front().key;
     state.history.reset(state.settings);
@@ -115,6 +117,7 @@ EditorActions UiHarness::frame() {
     ImGui::NewFrame();
     EditorActions actions = draw_editor(state, facts);
     ImGui::Render();
+    EXPECT_EQ(drawn_->fault(), "");
     if (actions.tune || actions.cancel_tune) last_wish = actions;
     io.MouseWheel = 0;
     return actions;

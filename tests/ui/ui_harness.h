@@ -10,6 +10,7 @@
 #include "renderer/frame.h"
 #include "renderer/dossier.h"
 #include "renderer/reference/live_error.h"
+#include "tests/ui/drawn_text.h"
 #include "ui/editor_ui.h"
 
 namespace si::test {
@@ -48,7 +49,7 @@ public:
     double frame_seconds = 1.0 / 60;
     std::string probed_object = "Root/Box";  ///< what probes find
 
-    /// One frame, `frame_seconds` after the one before.
+    /// One frame, `frame_seconds` after the one before. What it prints must be text that its font has.
     EditorActions frame();
     EditorActions frames(int count);
     void move(glm::vec2 to);
@@ -65,6 +66,9 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
 
+    /// What the last frame printed.
+    std::u32string printed() const { return drawn_->read(); }
+
     EditorActions last_wish;  ///< of the last frame that asked for a search or its end
 
 private:
@@ -72,6 +76,7 @@ private:
     FrameResult result_;
     Probe probe_;
     DriverInfo driver_;
+    std::optional<DrawnText> drawn_;
 };
 
 }  // namespace si::test

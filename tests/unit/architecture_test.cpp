@@ -4,9 +4,12 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/support/text.h"
 
 namespace {
 
@@ -44,6 +47,24 @@ TEST(Architecture, DependenciesPointOneWay) {
 TEST(Architecture, PanelsCallNoGl) {
     const std::regex call("\\bgl[A-Z][A-Za-z0-9]+\\s*\\(");
     for (const fs::path& path : sources("ui")) EXPECT_FALSE(std::regex_search(text_of(path), call)) << path;
+}
+
+// What people read is written here, tooltips that no test hovers too.
+TEST(Architecture, TextIsEncodedOnce) {
+    std::size_t read = 0;
+    const auto check = [&](const fs::path& path) {
+        static const std::set<std::string> kText = {".h", ".cpp", ".glsl", ".json", ".js", ".css", ".html", ".md", ".sh", ".txt"};
+        if (!kText.contains(path.extension().string())) return;
+        EXPECT_EQ(si::test::text_fault(text_of(path)), "") << path;
+        ++read;
+    };
+    for (const char* folder : {"app", "renderer", "ui", "shaders", "assets", "docs", "scripts", "tests"})
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(SI_SOURCE_DIR) / folder)) check(entry.path());
+    check(fs::path(SI_SOURCE_DIR) / "README.md");
+    EXPECT_GT(read, 400u);
+    EXPECT_NE(si::test::text_fault("N\xc3\x82\xc2\xb7L"), "") << "a dot encoded twice";
+    EXPECT_NE(si::test::text_fault("a \xe2\x80"), "");
+    EXPECT_EQ(si::test::text_fault("\xc3\x97 \xc2\xb2 \xe2\x80\x9c caf\xc3\xa9 \xe2\x80\x9d"), "");
 }
 
 }  // namespace

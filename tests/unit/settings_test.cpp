@@ -237,5 +237,49 @@ TEST(SettingsIdle, SaysWhy) {
     EXPECT_TRUE(idle("camera.fov").empty());
 }
 
+/// A few values that a setting may have.
+std::vector<Value> some_values(const SettingRef& ref) {
+    const Param& p = *ref.param;
+    const Value like = default_value(ref);
+    if (std::holds_alternative<bool>(like)) return {false, true};
+    std::vector<Value> values;
+    if (p.choices) {
+        for (std::size_t i = 0; i < p.choices().size(); ++i) values.emplace_back(int(i));
+        return values;
+    }
+    for (const double v : {p.min, p.min + 2, 0.5 * (p.min + p.max), p.max}) {
+        if (std::holds_alternative<int>(like))
+            values.emplace_back(int(v));
+        else
+            values.emplace_back(v);
+    }
+    return values;
+}
+
+TEST(SettingsIdle, EveryReasonEndsSomewhere) {
+    std::vector<std::pair<SettingRef, Value>> changes;
+    for (const SettingRef& ref : all_settings(Settings{}))
+        if (ref.light == 0)
+            for (const Value& v : some_values(ref)) changes.emplace_back(ref, v);
+    const auto ends = [&](const SettingRef& ref) {
+        Settings once;
+        for (const auto& [a, value] : changes) {
+            once = {};
+            set_value(once, a, value);
+            if (idle_reason(once, ref).empty()) return true;
+        }
+        for (const auto& [a, first] : changes)
+            for (const auto& [b, second] : changes) {
+                once = {};
+                set_value(once, a, first), set_value(once, b, second);
+                if (idle_reason(once, ref).empty()) return true;
+            }
+        return false;
+    };
+    for (const SettingRef& ref : all_settings(Settings{}))
+        if (ref.light == 0 && !idle_reason(Settings{}, ref).empty())
+            EXPECT_TRUE(ends(ref)) << setting_key(ref) << " is always " << idle_reason(Settings{}, ref);
+}
+
 }  // namespace
 }  // namespace si

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "renderer/techniques.h"
 
 namespace si {
@@ -10,18 +12,28 @@ namespace {
 FrameResult frame_of(double shadow_ms, double shade_ms, bool reused = false) {
     FrameResult f;
     f.clock = "a clock";
-    f.passes = {{"shadow map 0", reused ? PassState::Reused : PassState::Ran, "", shadow_ms, 0.1, 3, 100},
+    f.passes = {{"a map", reused ? PassState::Reused : PassState::Ran, "", shadow_ms, 0.1, 3, 100, true},
                 {"shading", PassState::Ran, "", shade_ms, 0.2, 5, 200},
                 {"overlay", PassState::Skipped, "", 99, 99, 9, 900}};
     return f;
 }
 
+/// Time that passes as frames and pauses say.
+struct FakeTime {
+    double now = 1000;
+    std::vector<double> pauses;
+    BurstClock clock() {
+        return {[this] { return now; }, [this](double s) { now += s, pauses.push_back(s); }};
+    }
+};
+
 TEST(TimeSampler, TheFirstFrameWarmsUpAndSkippedPassesDoNotCount) {
     TimeSampler sampler;
-    sampler.add(frame_of(1000, 1000));
-    for (int i = 0; i < 5; ++i) sampler.add(frame_of(2, 3));
+    double now = 7;
+    sampler.add(frame_of(1000, 1000), now);
+    for (int i = 0; i < 2; ++i) sampler.add(frame_of(2, 3), now += 0.005);
     const TimeMeasurement m = sampler.result();
-    EXPECT_EQ(m.total_ms.samples, 5);
+    EXPECT_EQ(m.total_ms.samples, 2);
     EXPECT_DOUBLE_EQ(m.total_ms.median, 5);
     ASSERT_EQ(m.passes.size(), 2u);
     EXPECT_EQ(m.passes[1].name, "shading");
@@ -29,6 +41,7 @@ TEST(TimeSampler, TheFirstFrameWarmsUpAndSkippedPassesDoNotCount) {
     EXPECT_EQ(m.clock, "a clock");
     EXPECT_DOUBLE_EQ(m.maps_ms.median, 2);
     EXPECT_DOUBLE_EQ(m.picture_ms.median, 3);
+    EXPECT_NEAR(m.seconds, 0.01, 1e-9);
 }
 
 TEST(TimeSampler, SamplesOfSeveralTurnsAreOne) {
@@ -48,17 +61,64 @@ TEST(TimeSampler, SamplesOfSeveralTurnsAreOne) {
 }
 
 TEST(TimeSampler, GoesOnUntilTheFigureStandsStill) {
-    TimeSampler calm, wild({.least = 5, .most = 20, .spread = 0.03});
-    calm.add(frame_of(0, 0)), wild.add(frame_of(0, 0));
-    for (int i = 0; i < 4; ++i) calm.add(frame_of(2, 3));
-    EXPECT_FALSE(calm.done()) << "fewer than the least number of frames";
-    calm.add(frame_of(2, 3));
-    EXPECT_TRUE(calm.done());
-    EXPECT_TRUE(calm.result().settled);
-    int frames = 0;
-    while (!wild.done()) wild.add(frame_of(frames++ % 2 ? 10 : 1, 0));
-    EXPECT_EQ(wild.frames(), 20);
-    EXPECT_FALSE(wild.result().settled);
+    FakeTime time;
+    const auto draws = [&](double ms) { return time.now += ms / 1000, frame_of(ms, 0); };
+    int calm = 0;
+    EXPECT_TRUE(sample_times({}, [&] { return ++calm, draws(5); }, time.clock()).settled);
+    EXPECT_EQ(calm, 5 * 4) << "bursts of three and one that warms up";
+    int wild = 0;
+    const TimeMeasurement m = sample_times({}, [&] { return draws(wild++ / 4 % 2 ? 10 : 1); }, time.clock());
+    EXPECT_EQ(m.total_ms.samples, 60);
+    EXPECT_FALSE(m.settled);
+}
+
+TEST(TimeSampler, BurstsAreSpreadOverASecond) {
+    FakeTime time;
+    const double start = time.now;
+    const TimeMeasurement quick = sample_times({}, [&] { return time.now += 0.004, frame_of(1, 3); }, time.clock());
+    EXPECT_EQ(quick.total_ms.bursts, 5);
+    // The last burst begins after four fifths of the second that follows the first frame, warms up, and has three frames.
+    EXPECT_NEAR(quick.seconds, 0.8 + 4 * 0.004, 1e-9);
+    EXPECT_NEAR(time.now - start, 1 + 0.004, 0.2);
+    EXPECT_EQ(time.pauses.size(), 4u);
+    // Slow frames need no pauses, nor bursts of several.
+    time.pauses.clear();
+    const TimeMeasurement slow = sample_times({}, [&] { return time.now += 0.5, frame_of(100, 400); }, time.clock());
+    EXPECT_TRUE(time.pauses.empty());
+    EXPECT_EQ(slow.total_ms.samples, 5);
+    EXPECT_EQ(slow.total_ms.bursts, 5);
+    EXPECT_GE(slow.seconds, 1);
+}
+
+TEST(TimeSampler, ItsNoiseIsThatBetweenBursts) {
+    // A machine that stays in one mood for a burst: each burst by itself stands still.
+    FakeTime time;
+    const std::vector<double> moods = {29, 31, 33, 35, 40};
+    std::size_t burst = 0;
+    BurstClock clock = time.clock();
+    clock.wait_s = [&](double s) { time.now += s, burst = std::min(burst + 1, moods.size() - 1); };
+    const TimeMeasurement m = sample_times(
+        {.most = 15}, [&] { return time.now += moods[burst] / 1000, frame_of(moods[burst], 0); }, clock);
+    EXPECT_EQ(m.total_ms.samples, 15);
+    EXPECT_EQ(m.total_ms.bursts, 5);
+    EXPECT_DOUBLE_EQ(m.total_ms.median, 33);
+    // Student's t of four degrees of freedom; the standard deviation of the moods is 4.219.
+    EXPECT_NEAR(0.5 * (m.total_ms.median_high - m.total_ms.median_low), 2.776 * 4.2190 / std::sqrt(5), 1e-3);
+    EXPECT_FALSE(m.settled) << "by the ranks of fifteen frames alone it would be";
+    EXPECT_NEAR(0.5 * (m.maps_ms.median_high - m.maps_ms.median_low), 5.238, 1e-3) << "of its parts likewise";
+    TimeSamples two;
+    two.add(frame_of(1, 0)), two.burst_ended = true, two.add(frame_of(1, 0));
+    EXPECT_FALSE(summary(two).settled) << "two bursts tell nothing";
+}
+
+TEST(TimeSampler, DepthBlurIsAPartOfTheMaps) {
+    FrameResult f = frame_of(2, 3);
+    f.passes.push_back({"another change of the maps", PassState::Ran, "", 7, 0, 0, 0, true});
+    TimeSamples samples;
+    samples.add(f);
+    const TimeMeasurement m = summary(samples);
+    EXPECT_DOUBLE_EQ(m.maps_ms.median, 9);
+    EXPECT_DOUBLE_EQ(m.picture_ms.median, 3);
 }
 
 TEST(WorkCost, CountsTexelsTapsAndDraws) {
@@ -82,6 +142,13 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
     s.map.format = int(MapFormat::D16);
     EXPECT_EQ(work_cost(s, f).taps_per_pixel, kernel.sampler_taps);
     EXPECT_EQ(work_cost(s, f).map_bytes, 2 * cost.map_texels);
+    // Blurred depths are a second set of maps, and one map blurred along x alone as floats.
+    s.map.blur_texels = 3;
+    EXPECT_EQ(work_cost(s, f).map_bytes, 2 * 2 * cost.map_texels + 4 * 512 * 512);
+    s.map.format = int(MapFormat::Colour);
+    EXPECT_EQ(work_cost(s, f).map_bytes, (8 + 4) * cost.map_texels + 4 * 512 * 512) << "without a depth buffer";
+    f.lights[0].casts = false;
+    EXPECT_EQ(work_cost(s, f).map_bytes, 0u);
 }
 
 }  // namespace

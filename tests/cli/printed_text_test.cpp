@@ -1,0 +1,50 @@
+// What the commands print is text: UTF-8, encoded once.
+#include <gtest/gtest.h>
+
+#include "app/commands/commands.h"
+#include "tests/support/process.h"
+#include "tests/support/text.h"
+
+namespace si {
+namespace {
+
+TEST(PrintedText, OfEveryCommandIsEncodedOnce) {
+    const auto folder = fresh_test_folder();
+    std::vector<std::vector<std::string>> commands = {
+        {"--help"},
+        {"info"},
+        {"probe", "boxes", "--pixel", "160,120", "--size", "320x180"},
+        {"probe", "boxes", "--pixel", "160,120", "--size", "320x180", "--json"},
+        {"probe", "stage", "--pixel", "100,150", "--size", "320x180", "--set", "bias.normal=0"},
+        {"measure", "boxes", "--area", "--size", "96x64"},
+        {"measure", "boxes", "--json", "--size", "96x64"},
+        {"truth", "boxes", "-o", "t.png", "--size", "64x64", "--report", "/dev/stdout"},
+        {"render", "boxes", "-o", "r.png", "--size", "64x64", "--report", "r.json"},
+        {"tune", "boxes", "-o", "p.json", "--size", "96x64", "--set", "map.resolution=256"},
+        {"sweep", "boxes", "--vary", "map.resolution=64,128", "--size", "64x48", "-o", "s", "--no-time"},
+        {"scene", "boxes"},
+        {"preset", "diff", "acne", "default"},
+        {"preset", "show", "acne"},
+        {"docs", "settings"},
+        {"docs", "presets"},
+        {"no-such-command"},
+        {"render", "boxes", "-o", "x.png", "--set", "map.resolutoin=1"},
+        {"render", "boxes", "-o", "x.png", "--size", "64x64", "--set", "map.resolution=1"},
+    };
+    for (const std::string& kind : list_kinds()) commands.push_back({"list", kind});
+    for (const char* command : {"render", "truth", "measure", "sweep", "merge", "tune", "probe", "list", "preset", "edit", "scene"})
+        commands.push_back({command, "--help"});
+    std::size_t printed = 0;
+    for (const auto& command : commands) {
+        const ProcessResult r = run_program(command, folder);
+        EXPECT_EQ(test::text_fault(r.out), "") << command[0];
+        EXPECT_EQ(test::text_fault(r.err), "") << command[0];
+        printed += r.out.size() + r.err.size();
+    }
+    EXPECT_GT(printed, 50'000u);
+    for (const char* file : {"r.json", "p.json", "s/report.html", "s/results.json", "s/results.csv"})
+        EXPECT_EQ(test::text_fault(file_bytes(folder / file)), "") << file;
+}
+
+}  // namespace
+}  // namespace si

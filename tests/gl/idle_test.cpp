@@ -1,0 +1,119 @@
+// What is said to be without effect changes no pixel: pictures of many states, with each such setting at other values.
+#include <fmt/format.h>
+
+#include "tests/gl/frame_fixture.h"
+
+namespace si {
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+const std::vector<Sets>& states() {
+    static const std::vector<Sets> list = {
+        {},
+        {{"light.type", "spot"}},
+        {{"light.type", "spot"}, {"light.cone", "175"}},
+        {{"light.type", "point"}, {"view.face", "3"}},
+        {{"light.fit", "manual"}},
+        {{"light.fit", "manual"}, {"light.projection", "perspective"}},
+        {{"light.cast", "false"}},
+        {{"light.cast", "false"}, {"camera.source", "light"}},
+        {{"light.cast", "false"}, {"camera.source", "light"}, {"light.type", "point"}},
+        {{"camera.source", "light"}},
+        {{"camera.source", "manual"}, {"camera.orthographic", "true"}},
+        {{"camera.source", "manual"}},
+        {{"light.count", "2"}, {"light.1.type", "spot"}, {"light.1.cast", "false"}, {"view.light", "1"}, {"camera.source", "light"}},
+        {{"light.count", "0"}},
+        {{"map.format", "colour"}},
+        {{"map.wrap", "repeat"}, {"map.far_guard", "false"}},
+        {{"map.wrap", "clamp"}, {"map.far_guard", "false"}},
+        {{"bias.constant", "5"}, {"bias.slope", "2"}, {"bias.normal", "0"}},
+        {{"shading.specular", "0"}},
+        {{"view.map", "bands"}},
+        {{"view.map_fit", "true"}},
+        {{"view.panes", "two"}, {"view.overlay_2", "visibility"}},
+        {{"view.panes", "four"}, {"view.overlay_4", "normals"}},
+        {{"view.overlay", "normals"}, {"bias.constant", "5"}, {"bias.normal", "0"}},
+        {{"view.overlay", "depth-difference"}, {"view.overlay_range", "manual"}},
+        {{"view.slabs", "both"}},
+        {{"view.slabs", "both"}, {"light.cast", "false"}},
+    };
+    return list;
+}
+
+std::vector<Value> others(const SettingRef& ref, const Value& present) {
+    const Param& p = *ref.param;
+    std::vector<Value> values = {default_value(ref)};
+    if (std::holds_alternative<bool>(present)) {
+        values.emplace_back(!std::get<bool>(present));
+    } else if (p.choices) {
+        for (std::size_t i = 0; i < p.choices().size() && i < 4; ++i) values.emplace_back(int(i));
+    } else if (std::holds_alternative<int>(present)) {
+        values.emplace_back(int(std::min(p.min + 2, p.max)));
+    } else {
+        values.emplace_back(std::min(p.max, std::max(p.min, 0.37)));
+        values.emplace_back(std::min(p.max, 7.0));
+    }
+    std::erase(values, present);
+    return values;
+}
+
+/// Pictures of a frame one after the other.
+using Bytes = std::vector<std::uint8_t>;
+
+/// A directional light's map stands elsewhere along its axis, so that depths round elsewhere: a step of the scale is no effect.
+std::string difference(const Bytes& a, const Bytes& b) {
+    if (a.size() != b.size()) return "other pictures";
+    std::size_t differ = 0;
+    int most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const int d = std::abs(int(a[i]) - int(b[i]));
+        differ += d > 1, most = std::max(most, d);
+    }
+    return differ == 0 ? "" : fmt::format("{} of {} bytes differ, by {} at most", differ, a.size(), most);
+}
+
+class IdleTest : public FrameTest {
+protected:
+    Bytes pictures(const Scene& scene, const Settings& s) {
+        FrameRequest request{.width = 64, .height = 48};
+        request.outputs.shadow_map = true;
+        const FrameResult frame = renderer.render(scene, s, request);
+        Bytes out;
+        for (const Pane& pane : frame.panes) {
+            const ByteImage p = renderer.read_colour(pane.picture);
+            out.insert(out.end(), p.data.begin(), p.data.end());
+        }
+        if (frame.map_view.texture) {
+            const ByteImage map = renderer.read_colour(frame.map_view);
+            out.insert(out.end(), map.data.begin(), map.data.end());
+        }
+        return out;
+    }
+};
+
+TEST_F(IdleTest, WhatIsWithoutEffectChangesNoPixel) {
+    const Scene scene = load_scene("boxes");
+    std::size_t compared = 0;
+    for (const Sets& sets : states()) {
+        Settings s = settings_for(scene, {{"map.resolution", "64"}, {"filter.kernel", "hard"}});
+        std::string what;
+        for (const auto& [key, value] : sets) set_setting(s, key, value), what += key + "=" + value + " ";
+        const Bytes before = pictures(scene, s);
+        for (const SettingRef& ref : all_settings(s)) {
+            if (ref.light > 1 || idle_reason(s, ref).empty()) continue;
+            for (const Value& value : others(ref, get_value(s, ref))) {
+                Settings other = s;
+                set_value(other, ref, value);
+                if (idle_reason(other, ref).empty() || !sanitise(other).empty()) continue;
+                EXPECT_EQ(difference(pictures(scene, other), before), "")
+                    << what << "\n" << setting_key(ref) << "=" << value_text(*ref.param, value) << ": " << idle_reason(s, ref);
+                ++compared;
+            }
+        }
+    }
+    EXPECT_GT(compared, 500u);
+}
+
+}  // namespace
+}  // namespace si
