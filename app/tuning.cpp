@@ -45,7 +45,7 @@ Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, c
         }
         const ErrorTask task =
             error_task(renderer, scene, s, request, start.view.light, {.area = job.area}, cache.geometry());
-        tuner.judged(judge_bias(task, s, cache, renderer.driver().subpixel_bits, workers));
+        tuner.judged(judge_bias(task, s, cache, renderer.driver(), workers));
     }
     return tuner;
 }

@@ -92,6 +92,7 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
 
 const DriverInfo& Renderer::driver() const {
     impl_->pass_clock();
+    for (int format = 0; format < int(kMapFormats); ++format) impl_->calibrate_offset(format);
     return impl_->driver;
 }
 

@@ -79,7 +79,8 @@ BiasSettings scaled(const BiasSettings& bias, double factor) {
     return out;
 }
 
-BiasNeeds bias_needs(const ErrorTask& task, const MeasuredError& measured, const Settings& settings, int subpixel_bits) {
+BiasNeeds bias_needs(const ErrorTask& task, const MeasuredError& measured, const Settings& settings,
+                     const RasterTraits& driver) {
     BiasNeeds out;
     const FittedLight& light = task.truth.lights[std::size_t(task.light)];
     if (!light.casts) return out;
@@ -95,7 +96,7 @@ BiasNeeds bias_needs(const ErrorTask& task, const MeasuredError& measured, const
         if (truth.state[i] != PixelState::Counted || hard.data[i] < 0.5f || measured.facts.outside_map[i]) continue;
         const Receiver& r = measured.traced.receivers->pixels[i];
         const BiasAccount a = bias_account(light, settings, task.truth.map_resolution,
-                                           {r.position_ws, r.normal_ws, r.normal_ws, task.truth.camera.eye}, subpixel_bits);
+                                           {r.position_ws, r.normal_ws, r.normal_ws, task.truth.camera.eye}, driver);
         const double step = a.amount(a.least.quantum + a.least.rounding).texels;
         const double total = a.amount(a.least.total()).texels;
         const LightView& view = light.views[a.receiver.view];

@@ -15,10 +15,10 @@ std::size_t BiasTrial::leaks() const {
     return error.artefacts[std::size_t(Artefact::PeterPanning)] + error.artefacts[std::size_t(Artefact::Leak)];
 }
 
-BiasTrial judge_bias(const ErrorTask& task, const Settings& settings, TruthCache& cache, int subpixel_bits,
+BiasTrial judge_bias(const ErrorTask& task, const Settings& settings, TruthCache& cache, const RasterTraits& driver,
                      const Workers& workers) {
     const MeasuredError measured = measure_error(task, cache, workers);
-    return {measured.metrics, bias_needs(task, measured, settings, subpixel_bits)};
+    return {measured.metrics, bias_needs(task, measured, settings, driver)};
 }
 
 BiasSearch::BiasSearch(const Settings& start, const Options& options) : start_(start), options_(options) {

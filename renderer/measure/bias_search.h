@@ -4,7 +4,7 @@
 //     BiasSearch search(settings);
 //     while (!search.done()) {
 //         const ErrorTask task = error_task(renderer, scene, search.next(), request, light);   // renderer's thread
-//         search.report(judge_bias(task, search.next(), cache, driver.subpixel_bits));         // any one thread
+//         search.report(judge_bias(task, search.next(), cache, renderer.driver()));        // any one thread
 //     }
 //     search.best()->bias
 #pragma once
@@ -29,7 +29,7 @@ struct BiasTrial {
 };
 
 /// Compares a frame with the truth. @param settings that the task was made with. @throws Cancelled, Error
-BiasTrial judge_bias(const ErrorTask& task, const Settings& settings, TruthCache& cache, int subpixel_bits,
+BiasTrial judge_bias(const ErrorTask& task, const Settings& settings, TruthCache& cache, const RasterTraits& driver,
                      const Workers& workers = {});
 
 struct BiasFound {

@@ -6,6 +6,7 @@
 #include "app/headless_context.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/techniques.h"
+#include "tests/support/named_driver.h"
 
 namespace si::test {
 namespace {
@@ -53,6 +54,7 @@ Renderer& hard_renderer() {
     static HeadlessContext* context = new HeadlessContext();
     static Renderer* renderer = new Renderer();
     context->make_current();
+    expect_named_driver();
     return *renderer;
 }
 
