@@ -52,6 +52,7 @@ std::vector<std::string> wanted_results(const FrameState& f) {
 Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
 Renderer::~Renderer() {
     glUseProgram(0);  // so that nobody restores a program that is gone
+    glFinish();       // drivers with threads of their own crash when the process ends with work under way
 }
 
 FrameResult Renderer::render(const Scene& scene, const Settings& settings, const FrameRequest& request) {
