@@ -1,25 +1,62 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs the tests: all but the long ones in Release, then the unit tests and the
-# drawing tests under AddressSanitizer and UndefinedBehaviorSanitizer. The long ones: ctest --test-dir build/release -L long
+# Installs what is missing, builds, and runs the tests: all in Release on the driver at hand; what draws once more on a
+# second driver (zink over lavapipe); the unit and drawing tests under AddressSanitizer and UndefinedBehaviorSanitizer.
+# Says at the end how long what took. Left out are the long ones: ctest --test-dir build/release -L long
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$root/scripts/packages.sh"
 require_packages "${build_packages[@]}" "${test_packages[@]}"
 jobs=$(nproc)
-failed=()
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+failed=() times=()
 
-say "== Release"
-cmake -S "$root" --preset release -DSI_BUILD_TESTS=ON -DSI_BUILD_BENCH=ON
-cmake --build "$root/build/release" --parallel "$jobs"
-ctest --test-dir "$root/build/release" -LE long --output-on-failure --no-tests=error -j "$jobs" || failed+=(release)
+minutes() { printf '%4d:%02d min' $(($1 / 60)) $(($1 % 60)); }
 
-say "== AddressSanitizer and UndefinedBehaviorSanitizer"
-cmake -S "$root" --preset asan
-cmake --build "$root/build/asan" --parallel "$jobs" --target test_unit test_gl
-ctest --test-dir "$root/build/asan" -L '^(unit|gl)$' -LE long --output-on-failure --no-tests=error -j "$jobs" ||
-  failed+=(asan)
+# stage NAME COMMAND...: runs a command, and keeps how long it took and whether it failed.
+stage() {
+  local name=$1 start=$SECONDS
+  shift
+  say "== $name"
+  "$@" || failed+=("$name")
+  times+=("$(minutes $((SECONDS - start)))  $name")
+}
 
+# tests BUILD LABELS [LAUNCHER]: runs the tests that have one of the labels, and keeps how long each label took.
+tests() {
+  local passed=0 seconds what
+  ${3:+"$3"} ctest --test-dir "$root/build/$1" -L "$2" -LE long --output-on-failure --no-tests=error -j "$jobs" |
+    tee "$log" || passed=1
+  while read -r seconds what; do
+    times+=("$(minutes "$seconds")      on one core: $what")
+  done < <(sed -nE 's/^([a-z]+) += +([0-9]+)[.0-9]* sec\*proc +(\(.*\))/\2 \1 \3/p' "$log")
+  return $passed
+}
+
+build_release() {
+  cmake -S "$root" --preset release -DSI_BUILD_TESTS=ON -DSI_BUILD_BENCH=ON &&
+    cmake --build "$root/build/release" --parallel "$jobs"
+}
+
+build_asan() {
+  cmake -S "$root" --preset asan && cmake --build "$root/build/asan" --parallel "$jobs" --target test_unit test_gl
+}
+
+# All that draws, and the command line's pictures; texts and windows are the same on every driver.
+tests_on_zink() {
+  local zink=$root/scripts/on_zink.sh
+  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|pictures)$' "$zink"
+}
+
+stage "build in Release" build_release
+stage "tests" tests release .
+stage "drawing tests on zink over lavapipe" tests_on_zink
+stage "build under AddressSanitizer and UndefinedBehaviorSanitizer" build_asan
+stage "tests under AddressSanitizer and UndefinedBehaviorSanitizer" tests asan '^(unit|gl)$'
+
+say "== Times"
+printf '%s\n' "${times[@]}" >&2
 if [ ${#failed[@]} -gt 0 ]; then
-  say "Failed: ${failed[*]}"
+  printf 'Failed: %s\n' "${failed[@]}" >&2
   exit 1
 fi

@@ -98,6 +98,15 @@ Json vector_json(const glm::dvec3& v) {
 }
 
 Json driver_json(const DriverInfo& d) {
+    Json offsets = Json::object();
+    const auto formats = find_setting("map.format")->param->choices();
+    for (std::size_t i = 0; i < formats.size(); ++i) {
+        const PolygonOffset& o = d.offset[i];
+        offsets[std::string(formats[i].key)] = {{"unit_depth", o.unit_depth},
+                                                {"unit_steps", o.unit_steps},
+                                                {"slope", o.slope_is_length ? "length" : "larger"},
+                                                {"slope_gain", o.slope_gain}};
+    }
     return {{"vendor", d.vendor},
             {"renderer", d.renderer},
             {"version", d.version},
@@ -107,6 +116,7 @@ Json driver_json(const DriverInfo& d) {
             {"subpixel_bits", d.subpixel_bits},
             {"max_samples", d.max_samples},
             {"polygon_offset_clamp", d.polygon_offset_clamp},
+            {"polygon_offset", offsets},
             {"anisotropy", d.anisotropy},
             {"clock", d.clock},
             {"query_share", d.query_share}};

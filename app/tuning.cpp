@@ -46,7 +46,7 @@ Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, c
         }
         const MeasuredError measured =
             measure_error(renderer, scene, s, request, start.view.light, truth, cache, workers);
-        tuner.judged(judge_bias(measured, s, renderer.driver().subpixel_bits));
+        tuner.judged(judge_bias(measured, s, renderer.driver()));
     }
     return tuner;
 }

@@ -15,9 +15,8 @@ double extent_m(const LightView& view, const LightReceiver& r, int resolution, c
     return std::max({half_map, from_eye.x, from_eye.y, from_eye.z});
 }
 
-double raster_offset(const BiasSettings& bias, const glm::dvec2& gradient, int resolution, double quantum) {
-    const double steepest = std::max(std::abs(gradient.x), std::abs(gradient.y)) / resolution;
-    const double offset = bias.raster_slope * steepest + bias.raster_units * quantum;
+double raster_offset(const BiasSettings& bias, const PolygonOffset& driver, const glm::dvec2& per_texel, double quantum) {
+    const double offset = bias.raster_slope * driver.slope(per_texel) + bias.raster_units * driver.unit(quantum);
     return bias.raster_clamp > 0 ? std::min(offset, bias.raster_clamp) : offset;
 }
 
@@ -28,7 +27,7 @@ double BiasAccount::contact_gap_m() const {
 }
 
 BiasAccount bias_account(const FittedLight& light, const Settings& settings, int resolution, const SurfacePoint& p,
-                         int subpixel_bits) {
+                         const RasterTraits& driver) {
     const BiasSettings& bias = settings.bias;
     BiasAccount a;
     a.receiver = light_receiver(light, bias, resolution, p.position_ws, p.geometric, p.bias_normal);
@@ -39,13 +38,13 @@ BiasAccount bias_account(const FittedLight& light, const Settings& settings, int
     a.depth_per_m = view.curve.slope(r.own_m);
     const double quantum = depth_quantum(MapFormat(settings.map.format), r.uvd.z);
     const double kappa = filters()[std::size_t(settings.filter.kernel)].reach_texels;
-    a.least = least_bias(a.plane.gradient, kappa, resolution, quantum, subpixel_bits,
+    a.least = least_bias(a.plane.gradient, kappa, resolution, quantum, driver.subpixel_bits,
                          rounding_bias(view, p.position_ws, extent_m(view, r, resolution, p)));
     const double slope = bias.slope * (1 - std::clamp(glm::dot(p.bias_normal, r.to_light), 0.0, 1.0));
     (slope > bias.constant ? a.slope : a.constant) = r.bias_depth;
     const double away = view.curve.convention.reversed ? -1 : 1;
     if (bias.normal != 0) a.normal = away * (a.plane.at(glm::dvec2(r.tap)) - r.tap.z);
-    a.raster = raster_offset(bias, a.plane.gradient, resolution, quantum);
+    a.raster = raster_offset(bias, driver.offset[std::size_t(settings.map.format)], a.plane.gradient / double(resolution), quantum);
     a.lifts = away * (r.uvd.z - r.compared) + a.raster;
     return a;
 }

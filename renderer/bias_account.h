@@ -5,6 +5,7 @@
 
 #include "renderer/bias_theory.h"
 #include "renderer/light_receiver.h"
+#include "renderer/polygon_offset.h"
 
 namespace si {
 
@@ -34,8 +35,7 @@ struct BiasAccount {
     // What each setting is worth against acne: how far it brings the compared depth before the receiver's own plane.
     double constant = 0, slope = 0;  ///< only the larger one acts; the other is 0
     double normal = 0;               ///< of the normal offset: h / |n . ray|, as the look-up moves along the plane
-    /// Of bias.raster_*, on this plane: factor x the depth slope per texel (the smaller of what OpenGL allows: the larger
-    /// axis), plus units x one step of the format, which is the least that a driver may make of a unit.
+    /// Of bias.raster_*, on this plane, by what the driver makes of them (PolygonOffset).
     double raster = 0;
 
     /// All of them: the surface does not shadow itself when this is at least least.total().
@@ -53,8 +53,8 @@ struct BiasAccount {
 };
 
 /// @param resolution of the map
-/// @param subpixel_bits GL_SUBPIXEL_BITS
+/// @param driver Renderer::driver(); its polygon offset matters where bias.raster_* are not 0
 BiasAccount bias_account(const FittedLight& light, const Settings& settings, int resolution, const SurfacePoint& point,
-                         int subpixel_bits);
+                         const RasterTraits& driver);
 
 }  // namespace si

@@ -212,7 +212,7 @@ private:
 
     /// What the pixel gets under other settings, the map's place unchanged.
     BiasAccount under(const Settings& s) const {
-        return bias_account(p_.fitted, s, s.map.resolution, p_.point, driver_.subpixel_bits);
+        return bias_account(p_.fitted, s, s.map.resolution, p_.point, driver_);
     }
     bool fixes(const Settings& s) const {
         const BiasAccount a = under(s);

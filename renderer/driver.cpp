@@ -40,4 +40,14 @@ DriverInfo query_driver() {
     return d;
 }
 
+GLenum map_internal_format(MapFormat format) {
+    switch (format) {
+        case MapFormat::D16: return GL_DEPTH_COMPONENT16;
+        case MapFormat::D24: return GL_DEPTH_COMPONENT24;
+        case MapFormat::D32F: return GL_DEPTH_COMPONENT32F;
+        case MapFormat::Colour: return GL_R32F;
+    }
+    return GL_DEPTH_COMPONENT32F;
+}
+
 }  // namespace si

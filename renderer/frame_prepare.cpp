@@ -215,10 +215,16 @@ gl::PassClock& Renderer::Impl::pass_clock() {
     return *clock;
 }
 
+void Renderer::Impl::calibrate_offset(int map_format) {
+    PolygonOffset& offset = driver.offset[std::size_t(map_format)];
+    if (!offset.measured) offset = measure_polygon_offset(map_format);
+}
+
 FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     FrameState f{.scene = scene, .settings = settings, .request = request, .gl = resources, .driver = driver};
     f.notes = sanitise(f.settings);
     fit_within_limits(f);
+    if (f.settings.bias.raster_slope != 0 || f.settings.bias.raster_units != 0) calibrate_offset(f.settings.map.format);
     if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)
         f.notes.push_back("bias.raster_clamp needs GL_EXT_polygon_offset_clamp, which this driver lacks; it is ignored");
 
@@ -245,6 +251,8 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
     block.clip_from_relative = glm::mat4(f.camera.clip_from_relative(f.origin));
     block.eye = glm::vec4(glm::vec3(f.camera.eye - f.origin), f.camera.orthographic ? 1.f : 0.f);
     block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), float(f.request.height / std::max(f.camera.focus, 1e-30)));
+    const PolygonOffset& offset = driver.offset[std::size_t(f.settings.map.format)];
+    block.offset = glm::vec4(offset.unit_depth, offset.unit_steps, offset.slope_gain, offset.slope_is_length ? 1 : 0);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         block.lights[i] = light_block(f, i);
         const FittedLight& light = f.gl.fitted[i];

@@ -134,7 +134,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                                   : source == int(NormalSource::Shading) ? vertex
                                                                          : out.normal_ws;
         pixel.point.eye_ws = f.camera.eye;
-        out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver.subpixel_bits));
+        out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
         out.lights.back().evidence = draw_trials(f, x, y_bottom, int(i));
         out.lights.back().causes = cause_context(f.settings, f.mask_levels);
     }

@@ -55,6 +55,7 @@ std::vector<std::string> wanted_results(const FrameState& f) {
 Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
 Renderer::~Renderer() {
     glUseProgram(0);  // so that nobody restores a program that is gone
+    glFinish();       // drivers with threads of their own crash when the process ends with work under way
 }
 
 FrameResult Renderer::render(const Scene& scene, const Settings& settings, const FrameRequest& request) {
@@ -96,6 +97,7 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
 
 const DriverInfo& Renderer::driver() const {
     impl_->pass_clock();
+    for (int format = 0; format < int(kMapFormats); ++format) impl_->calibrate_offset(format);
     return impl_->driver;
 }
 

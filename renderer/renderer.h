@@ -6,15 +6,16 @@
 #include <string>
 
 #include "renderer/frame.h"
+#include "renderer/polygon_offset.h"
 
 namespace si {
 
 struct Probe;
 
 /// What this driver can do, and what was measured on it.
-struct DriverInfo {
+struct DriverInfo : RasterTraits {
     std::string vendor, renderer, version, glsl;
-    int max_texture_size = 0, subpixel_bits = 0, max_samples = 0;
+    int max_texture_size = 0, max_samples = 0;
     bool polygon_offset_clamp = false, anisotropy = false;
     bool software = false;      ///< a CPU rasteriser
     std::string clock;          ///< "GPU timer queries" or "finished wall time (CPU rasteriser)"
@@ -42,6 +43,7 @@ public:
     /// Evaluates the shadow test at a pixel of the last frame (row 0 at the top).
     Probe probe(const Scene& scene, const Settings& settings, const FrameRequest& request, int x, int y);
 
+    /// Measures on the first call what only drawing tells: the clock, and polygon offsets of every map format.
     const DriverInfo& driver() const;
     /// Errors and high-severity messages of the driver since the last call; tests demand none.
     std::vector<std::string> take_gl_messages();

@@ -18,6 +18,8 @@ struct Renderer::Impl {
     FrameState prepare(const Scene& scene, const Settings& settings, const FrameRequest& request);
     void upload_blocks(const FrameState& f);
     gl::PassClock& pass_clock();
+    /// Measures the polygon offset of a map format (MapFormat), once.
+    void calibrate_offset(int map_format);
 };
 
 /// Fills in what the frame drew and found out; `result` has the passes already.

@@ -84,7 +84,7 @@ KernelTap::Meets met(const BiasAccount& account, const DepthConvention& conventi
     if (stored == convention.far_depth()) return KernelTap::Meets::Nothing;
     const double behind = (convention.reversed ? -1 : 1) * (stored - plane);
     const double slack = account.least.quantum + account.least.snapping + account.least.rounding;
-    // Drivers may make up to twice the least of the offset while the map is drawn.
+    // In float formats a unit goes by the farthest depth of a triangle, which is more than at its nearer points.
     if (behind < -slack + std::min(2 * account.raster, 0.0)) return KernelTap::Meets::Nearer;
     if (behind > slack + std::max(2 * account.raster, 0.0)) return KernelTap::Meets::Farther;
     return KernelTap::Meets::Own;
@@ -93,7 +93,7 @@ KernelTap::Meets met(const BiasAccount& account, const DepthConvention& conventi
 }  // namespace
 
 Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, const Settings& settings, int n,
-                           const FloatImage& map, int subpixel_bits) {
+                           const FloatImage& map, const RasterTraits& driver) {
     Probe::PerLight p;
     p.light = pixel.light;
     p.fitted = light;
@@ -107,7 +107,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
         p.verdict = dark.empty() ? "lit: " + light.reason : dark;
         return p;
     }
-    p.account = bias_account(light, settings, n, p.point, subpixel_bits);
+    p.account = bias_account(light, settings, n, p.point, driver);
     const LightReceiver& r = p.account.receiver;
     const LightView& view = light.views[r.view];
     const auto linear = [&](double metres) { return (metres - view.curve.near) / (view.curve.far - view.curve.near); };

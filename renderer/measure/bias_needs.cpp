@@ -79,7 +79,7 @@ BiasSettings scaled(const BiasSettings& bias, double factor) {
     return out;
 }
 
-BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, int subpixel_bits) {
+BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver) {
     BiasNeeds out;
     const FittedLight& light = measured.lights[std::size_t(measured.light)];
     if (!light.casts) return out;
@@ -93,7 +93,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, in
             continue;
         const Receiver& r = measured.traced.receivers->pixels[i];
         const BiasAccount a = bias_account(light, settings, measured.map_resolution,
-                                           {r.position_ws, r.normal_ws, r.normal_ws, measured.camera.eye}, subpixel_bits);
+                                           {r.position_ws, r.normal_ws, r.normal_ws, measured.camera.eye}, driver);
         const double step = a.amount(a.least.quantum + a.least.rounding).texels;
         const double total = a.amount(a.least.total()).texels;
         const LightView& view = light.views[a.receiver.view];

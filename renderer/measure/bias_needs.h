@@ -30,7 +30,7 @@ struct BiasNeeds {
 
 /// Over the pixels that count, are lit in truth and lie in the map: only these can show acne.
 /// @param settings that were measured
-BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, int subpixel_bits);
+BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
 /// Every amount times `factor`, within what the settings allow.
 BiasSettings scaled(const BiasSettings& bias, double factor);

@@ -21,8 +21,8 @@ std::size_t BiasTrial::wrong() const {
     return std::accumulate(error.artefacts.begin() + 1, error.artefacts.end(), std::size_t(0));
 }
 
-BiasTrial judge_bias(const MeasuredError& measured, const Settings& settings, int subpixel_bits) {
-    return {measured.metrics, bias_needs(measured, settings, subpixel_bits)};
+BiasTrial judge_bias(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver) {
+    return {measured.metrics, bias_needs(measured, settings, driver)};
 }
 
 BiasSearch::BiasSearch(const Settings& start, const Options& options) : start_(start), options_(options) {

@@ -4,7 +4,7 @@
 //     BiasSearch search(settings);
 //     while (!search.done()) {
 //         const MeasuredError measured = measure_error(renderer, scene, search.next(), request, light, {}, cache);
-//         search.report(judge_bias(measured, search.next(), driver.subpixel_bits));
+//         search.report(judge_bias(measured, search.next(), driver));
 //     }
 //     search.best()->bias
 #pragma once
@@ -31,7 +31,7 @@ struct BiasTrial {
 };
 
 /// What was measured, as a search takes it. @param settings that were measured
-BiasTrial judge_bias(const MeasuredError& measured, const Settings& settings, int subpixel_bits);
+BiasTrial judge_bias(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
 struct BiasFound {
     BiasFamily family = BiasFamily::Constant;

@@ -27,7 +27,7 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
         if (m.judged[i].artefact != Artefact::Undersampled) continue;
         const Receiver& r = m.traced.receivers->pixels[i];
         const BiasAccount a = bias_account(light, settings, m.map_resolution,
-                                           {r.position_ws, r.normal_ws, r.normal_ws, m.camera.eye}, driver.subpixel_bits);
+                                           {r.position_ws, r.normal_ws, r.normal_ws, m.camera.eye}, driver);
         const float run_m = m.traced.runs->run_m.data[i];
         double n = a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
         // Where the window is closed for one nearest tap, finer texels open it.
@@ -142,7 +142,7 @@ private:
 
 CureFacts cure_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver) {
     CureFacts f;
-    f.needs = bias_needs(measured, settings, driver.subpixel_bits);
+    f.needs = bias_needs(measured, settings, driver);
     f.lights = measured.lights, f.light = measured.light;
     f.map_resolution = measured.map_resolution, f.max_resolution = driver.max_texture_size;
     f.sampling_resolution = sampling_resolution(measured, settings, driver);

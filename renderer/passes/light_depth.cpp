@@ -6,20 +6,11 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
+#include "renderer/driver.h"
 #include "renderer/frame_state.h"
 
 namespace si {
 namespace {
-
-GLenum map_format(int format) {
-    switch (MapFormat(format)) {
-        case MapFormat::D16: return GL_DEPTH_COMPONENT16;
-        case MapFormat::D24: return GL_DEPTH_COMPONENT24;
-        case MapFormat::D32F: return GL_DEPTH_COMPONENT32F;
-        case MapFormat::Colour: return GL_R32F;
-    }
-    return GL_DEPTH_COMPONENT32F;
-}
 
 std::string_view type_name(LightType type) {
     return type == LightType::Directional ? "directional" : type == LightType::Spot ? "spot" : "point";
@@ -28,7 +19,7 @@ std::string_view type_name(LightType type) {
 void ensure_maps(FrameState& f) {
     const int n = f.map_resolution;
     const bool colour = f.settings.map.format == int(MapFormat::Colour);
-    const bool anew = f.gl.map.ensure("shadow maps", map_format(f.settings.map.format), n, n, f.view_count > 1 ? f.view_count : 0);
+    const bool anew = f.gl.map.ensure("shadow maps", map_internal_format(MapFormat(f.settings.map.format)), n, n, f.view_count > 1 ? f.view_count : 0);
     if (colour)
         f.gl.map_depth.ensure("depth beside the colour map", GL_DEPTH_COMPONENT32F, n, n);
     else

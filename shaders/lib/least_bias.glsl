@@ -48,8 +48,9 @@ float least_bias(Receiver r, vec2 gradient) { return least_bias(r, gradient, KER
 /// How far all bias brings the compared depth before the receiver's own plane.
 float bias_worth(Receiver r, vec2 gradient) {
     float plane = r.uvd.z + dot(gradient, r.uvd_offset.xy - r.uvd.xy);
-    float steepest = max(abs(gradient.x), abs(gradient.y)) / float(map_resolution);
-    float raster = bias_raster_slope * steepest + bias_raster_units * depth_quantum(r);
+    vec2 per_texel = abs(gradient) / float(map_resolution);
+    float slope = frame.offset.z * (frame.offset.w != 0.0 ? length(per_texel) : max(per_texel.x, per_texel.y));
+    float raster = bias_raster_slope * slope + bias_raster_units * (frame.offset.x + frame.offset.y * depth_quantum(r));
     if (bias_raster_clamp > 0.0) raster = min(raster, bias_raster_clamp);
     return away(plane - r.reference) + raster;
 }

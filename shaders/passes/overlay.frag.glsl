@@ -2,7 +2,7 @@
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
 
-const float NOTHING = uintBitsToFloat(0x7fc00000u);  // drawn as no value
+#define NOTHING uintBitsToFloat(0x7fc00000u)  // drawn as no value; compilers differ on whether it is a constant
 
 #ifdef SEPARATE_VISIBILITY
 layout(binding = 3) uniform sampler2DArray visibility_map;

@@ -229,6 +229,12 @@ TEST(Info, NamesTheDriver) {
     EXPECT_FALSE(info["driver"]["renderer"].get<std::string>().empty());
     EXPECT_FALSE(info["driver"]["clock"].get<std::string>().empty());
     EXPECT_GE(info["driver"]["max_texture_size"], 1024);
+    for (const char* format : {"d16", "d24", "d32f", "colour"}) {
+        const Json& offset = info["driver"]["polygon_offset"][format];
+        EXPECT_NE(offset["unit_depth"] > 0, offset["unit_steps"] > 0) << format;
+        EXPECT_TRUE(offset["slope"] == "larger" || offset["slope"] == "length") << format;
+        EXPECT_NEAR(offset["slope_gain"], 1, 0.02) << format;
+    }
 }
 
 TEST(List, PresetsStandInColumns) {

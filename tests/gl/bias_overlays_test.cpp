@@ -85,14 +85,14 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                 s.bias.raster_slope = reversed ? 1.5 : 0, s.bias.raster_units = reversed ? 2 : 0;
                 const auto compare = [&](const char* overlay, auto&& expected_depth) {
                     const Pixels p = draw(scene, s, overlay);
-                    const int bits = renderer.driver().subpixel_bits;
+                    const RasterTraits& driver = renderer.driver();
                     double worst = 0;
                     const int count = each_inner(scene, p, [&](const test::Hit& hit, double value) {
                         const BiasAccount a =
                             bias_account(p.frame.lights[0], s, p.frame.map_resolution,
                                          {.position_ws = hit.position, .geometric = hit.normal, .bias_normal = hit.normal,
                                           .eye_ws = p.frame.camera.eye},
-                                         bits);
+                                         driver);
                         if (a.receiver.n_dot_l < 0.02) return;  // edge-on nothing of single precision is left
                         const double scale = a.amount(a.least.total()).texels;
                         worst = std::max(worst, std::abs(value - a.amount(expected_depth(a)).texels) / (1 + scale));

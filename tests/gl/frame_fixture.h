@@ -8,6 +8,7 @@
 #include "renderer/probe.h"
 #include "renderer/renderer.h"
 #include "renderer/scenes/builtin.h"
+#include "tests/support/named_driver.h"
 
 namespace si {
 
@@ -16,6 +17,7 @@ protected:
     HeadlessContext context;
     Renderer renderer;
 
+    void SetUp() override { test::expect_named_driver(); }
     void TearDown() override {
         for (const std::string& message : renderer.take_gl_messages()) ADD_FAILURE() << "driver: " << message;
     }

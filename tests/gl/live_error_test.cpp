@@ -211,7 +211,7 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
                 const Receiver& r = request.truth->traced.receivers->pixels[i];
                 const BiasAccount account = bias_account(light, s, frame.map_resolution,
                                                          {r.position_ws, r.normal_ws, r.normal_ws, frame.camera.eye},
-                                                         renderer.driver().subpixel_bits);
+                                                         renderer.driver());
                 const LightView& view = light.views[account.receiver.view];
                 const double z = account.receiver.own_m;
                 const double before = z - nearest * glm::dot(account.receiver.to_light, view.axes[2]);

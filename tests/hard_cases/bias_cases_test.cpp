@@ -1,7 +1,7 @@
 // Hard cases 1 to 3: the least bias of planes, from the theory, on the renderer's own maps.
 #include <cmath>
 
-#include "renderer/bias_theory.h"
+#include "renderer/bias_account.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/techniques.h"
 #include "tests/support/hard_case.h"
@@ -97,6 +97,41 @@ INSTANTIATE_TEST_SUITE_P(All, HardCase1,
                                          GrazingCase{MapFormat::D32F, "pcf3_nearest"},
                                          GrazingCase{MapFormat::D32F, "pcf5"}),
                          [](const auto& named) { return format_name(named.param.format) + "_" + named.param.filter; });
+
+class OffsetAlone : public testing::TestWithParam<MapFormat> {};
+
+// What glPolygonOffset is worth was measured on this driver: no acne with as much of it as the plane needs, acne with less.
+TEST_P(OffsetAlone, ClearsAPlaneByItsWorthAndNotByATenthLess) {
+    const Scene scene = plane_scene();
+    const RasterTraits& driver = hard_renderer().driver();
+    for (double theta : {45.0, 75.0})
+        for (double BiasSettings::*offset : {&BiasSettings::raster_units, &BiasSettings::raster_slope}) {
+            SCOPED_TRACE(testing::Message() << theta << (offset == &BiasSettings::raster_units ? " units" : " slope"));
+            Settings s = plane_settings(GetParam(), "hard");
+            s.lights[0].elevation = 90 - theta;  // along neither axis of the map
+            const Shot bare = shoot(scene, s);
+            s.bias.*offset = 1;
+            double needed = 0;
+            for (double x : {-5.0, 0.0, 5.0})
+                for (double z : {-5.0, 0.0, 5.0}) {
+                    const BiasAccount a = bias_account(bare.light(), s, bare.frame.map_resolution,
+                                                       {{x, 0, z}, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.eye}, driver);
+                    EXPECT_GT(a.raster, 0);
+                    EXPECT_EQ(a.clears(), a.raster);
+                    needed = std::max(needed, a.least.total() / a.raster);
+                }
+            EXPECT_GT(acne_share(bare), 0.4);
+            s.bias.*offset = needed;
+            EXPECT_EQ(acne_share(shoot(scene, s)), 0) << needed;
+            // The unit of a float format goes by the farthest depth of the whole triangle.
+            if (driver.offset[std::size_t(GetParam())].unit_steps > 0 && offset == &BiasSettings::raster_units) continue;
+            s.bias.*offset = 0.9 * needed;
+            EXPECT_GT(acne_share(shoot(scene, s)), 0) << needed;
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OffsetAlone, testing::ValuesIn(kFormats),
+                         [](const auto& named) { return format_name(named.param); });
 
 // The share of acne without bias is one half for the nearest kernel, as a texel's plane lies behind its centre's depth
 // on one side of it and before it on the other.

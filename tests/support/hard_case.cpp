@@ -1,11 +1,12 @@
 #include "tests/support/hard_case.h"
 
 #include <cmath>
-#include <memory>
+#include <optional>
 
 #include "app/headless_context.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/techniques.h"
+#include "tests/support/named_driver.h"
 
 namespace si::test {
 namespace {
@@ -49,11 +50,21 @@ void expect_finite(const FrameResult& frame) {
 }  // namespace
 
 Renderer& hard_renderer() {
-    // Never destroyed: the driver may be gone before static objects are.
-    static HeadlessContext* context = new HeadlessContext();
-    static Renderer* renderer = new Renderer();
-    context->make_current();
-    return *renderer;
+    // Neither static objects nor exit handlers: parts of the driver may be gone before those, while its threads still draw.
+    struct Shared : testing::EmptyTestEventListener {
+        std::optional<HeadlessContext> context{std::in_place};
+        std::optional<Renderer> renderer{std::in_place};
+        void OnTestProgramEnd(const testing::UnitTest&) override {
+            context->make_current();
+            renderer.reset();
+            context.reset();
+        }
+    };
+    static Shared* shared = nullptr;
+    if (!shared) testing::UnitTest::GetInstance()->listeners().Append(shared = new Shared);  // which owns it
+    shared->context->make_current();
+    expect_named_driver();
+    return *shared->renderer;
 }
 
 Shot shoot(const Scene& scene, const Settings& settings, int width, int height) {

@@ -96,7 +96,7 @@ TEST_F(WindowFiles, APresetIsSavedUnderANameLoadedAndIdentical) {
     keys("ctrl+a");
     type("mine");
     keys("Return");
-    ASSERT_TRUE(wait_until([&] { return fs::exists(folder_ / "mine.json"); }, 30)) << log();
+    ASSERT_TRUE(wait_until([&] { return fs::exists(folder_ / "mine.json"); })) << log();
     const nlohmann::json mine = json_of(folder_ / "mine.json");
     EXPECT_EQ(mine.value("settings", nlohmann::json()), changed);
     EXPECT_EQ(mine.value("scene", ""), "boxes");
@@ -140,7 +140,7 @@ TEST_F(WindowFiles, ADragWhoseSourceIsGoneEndsNothing) {
     ASSERT_NO_FATAL_FAILURE(start());
     const unsigned long window = std::strtoul(ask("search --name 'Shadow Inspector'").c_str(), nullptr, 10);
     for (int i = 0; i < 5; ++i) begin_drag_and_vanish(window, 300, 300);
-    EXPECT_TRUE(wait_until([&] { return log().find("BadWindow") != std::string::npos; }, 30)) << log();
+    EXPECT_TRUE(wait_until([&] { return log().find("BadWindow") != std::string::npos; })) << log();
     EXPECT_TRUE(program_->running()) << log();
     EXPECT_FALSE(saved().contains("bias.constant"));
     quit();
@@ -152,7 +152,7 @@ TEST_F(WindowFiles, AKilledEditorOffersItsSettingsAgain) {
     change_bias();
     const nlohmann::json changed = saved();
     ASSERT_TRUE(changed.contains("bias.constant")) << changed;
-    ASSERT_TRUE(wait_until([&] { return kept() == changed; }, 30)) << kept();
+    ASSERT_TRUE(wait_until([&] { return kept() == changed; })) << kept();
     program_->kill_at_once();
 
     ASSERT_NO_FATAL_FAILURE(start());
@@ -188,7 +188,7 @@ glm::ivec2 splitter(int width, int height) {
 TEST_F(WindowFiles, LayoutAndSizeStayAcrossRunsAndNothingElseIsWritten) {
     ASSERT_NO_FATAL_FAILURE(start({}));
     ASSERT_TRUE(xdotool("search --name 'Shadow Inspector' windowsize 1100 640"));
-    std::this_thread::sleep_for(std::chrono::seconds(2));
+    breathe();
     const auto share = [&] {
         const auto json = json_of(state_folder() / "workspace.json");
         return json.is_object() ? json.value("/layout/map_share"_json_pointer, -1.0) : -1.0;
@@ -196,7 +196,7 @@ TEST_F(WindowFiles, LayoutAndSizeStayAcrossRunsAndNothingElseIsWritten) {
     const glm::ivec2 at = splitter(1100, 640);
     ASSERT_GT(at.x, 0);
     drag(at.x, at.y, -90, 0);
-    ASSERT_TRUE(wait_until([&] { return share() > 0; }, 30)) << "not kept while the editor runs";
+    ASSERT_TRUE(wait_until([&] { return share() > 0; })) << "not kept while the editor runs";
     quit();
     const double kept_share = share();
     EXPECT_GT(kept_share, double(EditorLayout{}.map_share) + 0.05);

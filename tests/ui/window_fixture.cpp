@@ -1,6 +1,7 @@
 #include "tests/ui/window_fixture.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -19,6 +20,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 namespace fs = std::filesystem;
+
+/// Against a hang; no machine is so slow.
+constexpr auto kHung = std::chrono::minutes(10);
 
 std::string text_of(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -66,6 +70,7 @@ bool Process::running() {
 
 double Process::cpu_seconds() const {
     const std::string text = text_of("/proc/" + std::to_string(pid_) + "/stat");
+    if (text.empty()) return 0;
     std::istringstream fields(text.substr(text.rfind(')') + 2));
     std::string skipped;
     long user = 0, system = 0;
@@ -82,15 +87,6 @@ bool Process::sleeps() const {
         if (name_end != std::string::npos && text.compare(name_end + 2, 1, "S") != 0) return false;
     }
     return true;
-}
-
-bool wait_until(const std::function<bool()>& done, double seconds) {
-    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-    while (Clock::now() < end) {
-        if (done()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(150));
-    }
-    return done();
 }
 
 // X11/XWDFile.h: a header of big-endian 32-bit words, the colour map, rows of 32-bit pixels.
@@ -126,11 +122,11 @@ void Window::SetUp() {
     ASSERT_EQ(std::system("command -v xdotool > /dev/null"), 0) << "the package xdotool is missing";
     // Several servers starting at once may choose the same number: the loser ends, and another try finds a free one.
     bool up = false;
-    for (int attempt = 0; attempt < 8 && !up; ++attempt) {
-        if (attempt > 0) std::this_thread::sleep_for(std::chrono::milliseconds(700 * attempt));
+    for (int attempt = 0; attempt < 20 && !up; ++attempt) {
+        if (attempt > 0) std::this_thread::sleep_for(std::chrono::milliseconds(100 * attempt));
         up = start_server();
     }
-    ASSERT_TRUE(up) << "Xvfb did not start; is the package xvfb installed?";
+    ASSERT_TRUE(up) << "Xvfb did not start; is the package xvfb installed?\n" << text_of(folder_ / "xvfb.log");
 }
 
 bool Window::start_server() {
@@ -142,13 +138,29 @@ bool Window::start_server() {
                                  "-fbdir", folder_.string(), "-nolisten", "tcp", "-noreset"},
         folder_, "xvfb.log", pipe_ends[1]);
     close(pipe_ends[1]);
-    char number[16] = {};
-    const bool told = read(pipe_ends[0], number, sizeof number - 1) > 0;
+    // The server writes its number and a line feed once it takes clients; when it ends, so does the pipe.
+    std::string number;
+    pollfd end{pipe_ends[0], POLLIN, 0};
+    while (!number.ends_with('\n') && poll(&end, 1, int(std::chrono::milliseconds(kHung).count())) > 0) {
+        char c = 0;
+        if (read(pipe_ends[0], &c, 1) != 1) break;
+        number += c;
+    }
     close(pipe_ends[0]);
-    setenv("DISPLAY", (":" + std::to_string(std::atoi(number))).c_str(), 1);
-    // A server that lost the race for its number ends.
-    wait_until([&] { return !server_->running() || xdotool("getdisplaygeometry"); }, 60);
-    return told && server_->running();
+    if (!number.ends_with('\n')) return false;
+    number.pop_back();
+    setenv("DISPLAY", (":" + number).c_str(), 1);
+    return xdotool("getdisplaygeometry") && server_->running();
+}
+
+bool Window::wait_until(const std::function<bool()>& done) const {
+    const auto end = Clock::now() + kHung;
+    while (!done()) {
+        const bool alive = server_->running() && (!program_ || program_->running());
+        if (!alive || Clock::now() > end) return done();
+        std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    }
+    return true;
 }
 
 void Window::start(const std::vector<std::string>& more, const std::string& scene) {
@@ -157,15 +169,13 @@ void Window::start(const std::vector<std::string>& more, const std::string& scen
     program_.reset();
     program_ = std::make_unique<Process>(line, folder_, "program.log");
     // The title names the scene once the first frame is drawn.
-    wait_until([&] { return !program_->running() || xdotool("search --name '" + scene + " - Shadow Inspector'"); },
-               120);
-    ASSERT_TRUE(program_->running() && shows(scene)) << log();
+    ASSERT_TRUE(shows(scene)) << log();
     breathe();
 }
 
 void Window::quit() {
     keys("ctrl+q");
-    EXPECT_TRUE(wait_until([&] { return !program_->running(); }, 30));
+    EXPECT_TRUE(wait_until([&] { return !program_->running(); }));
     EXPECT_EQ(program_->code(), 0) << log();
 }
 
@@ -180,7 +190,7 @@ std::string Window::ask(const std::string& command) const {
 }
 
 bool Window::shows(const std::string& scene) const {
-    return wait_until([&] { return xdotool("search --name '" + scene + " - Shadow Inspector'"); }, 60);
+    return wait_until([&] { return xdotool("search --name '" + scene + " - Shadow Inspector'"); });
 }
 
 void Window::type(const std::string& text) const {
@@ -198,9 +208,9 @@ void Window::breathe() const {
     if (!program_) return;
     // Twelve looks in a row: between two frames, or waiting for the driver, it would be found awake in one of them.
     int asleep = 0;
-    const auto end = Clock::now() + std::chrono::seconds(20);
-    while (asleep < 12 && Clock::now() < end) {
-        asleep = program_->sleeps() ? asleep + 1 : 0;
+    const auto end = Clock::now() + kHung;
+    while (asleep < 12 && program_->running() && Clock::now() < end) {
+        asleep = server_->sleeps() && program_->sleeps() ? asleep + 1 : 0;
         std::this_thread::sleep_for(std::chrono::milliseconds(15));
     }
 }
@@ -228,7 +238,7 @@ nlohmann::json Window::saved(const std::string& name) const {
     const fs::path file = folder_ / name;
     fs::remove(file);
     keys("ctrl+s");  // once: a second save could come after the next change
-    wait_until([&] { return fs::exists(file); }, 60);
+    wait_until([&] { return fs::exists(file); });
     const auto preset = json_of(file);
     if (!preset.is_object()) {
         ADD_FAILURE() << "ctrl+s saved no preset";

@@ -31,7 +31,7 @@ public:
     void kill_at_once();
     /// Valid when no longer running.
     int code() const { return code_.value_or(-1); }
-    /// Processor time used so far.
+    /// Processor time used so far; 0 when it is gone.
     double cpu_seconds() const;
     /// No thread wants the processor.
     bool sleeps() const;
@@ -40,8 +40,6 @@ private:
     pid_t pid_ = -1;
     std::optional<int> code_;
 };
-
-bool wait_until(const std::function<bool()>& done, double seconds);
 
 /// The virtual screen's pixels, from the XWD file that Xvfb keeps its framebuffer in.
 ByteImage read_screen(const std::filesystem::path& file);
@@ -62,8 +60,9 @@ protected:
     bool keys(const std::string& combination) const { return xdotool("key " + combination); }
     void type(const std::string& text) const;
     void mouse(int x, int y) const;
-    /// Until the editor has drawn what the last event calls for and sleeps again, however slow the machine is; at most
-    /// twenty seconds.
+    /// Until it is so, however slow the machine is, or the program or its server has ended. @returns whether it is so.
+    bool wait_until(const std::function<bool()>& done) const;
+    /// Until the editor has drawn what the last event calls for and sleeps again, however slow the machine is.
     void breathe() const;
     void drag(int x, int y, int dx, int dy) const;
     void click(int x, int y) const { drag(x, y, 0, 0); }

@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr long kVersion = 5;
-constexpr auto kPatience = std::chrono::seconds(30);  // with a program that draws slowly
+constexpr auto kPatience = std::chrono::minutes(10);  // against a hang; a program may draw slowly
 
 /// "file:///a%20b": what is no plain letter is written as its code.
 std::string uri(const std::filesystem::path& path) {

@@ -1,0 +1,199 @@
+// What is measured of the driver at hand: the worth of glPolygonOffset, and which clock tells the truth.
+#include <chrono>
+#include <cmath>
+
+#include "renderer/gl/timer.h"
+#include "tests/gl/frame_fixture.h"
+
+namespace si {
+namespace {
+
+/// Another function behind an OpenGL name (epoxy's pointer) while it lives.
+template <typename Function>
+class Instead {
+public:
+    Instead(Function& name, Function other) : name_(name), real_(name) { name = other; }
+    ~Instead() { name_ = real_; }
+    Instead(const Instead&) = delete;
+    Instead& operator=(const Instead&) = delete;
+
+private:
+    Function& name_;
+    Function real_;
+};
+
+class DriverTest : public FrameTest {
+protected:
+    const Scene scene = load_scene("boxes");
+    FrameResult draw(const Settings& s, bool timing = false) {
+        FrameRequest request = small();
+        request.force = true, request.timing = timing;
+        return renderer.render(scene, s, request);
+    }
+};
+
+TEST_F(DriverTest, IsTheOneThatTheRunNames) {
+    const DriverInfo& d = renderer.driver();
+    EXPECT_NE(d.renderer.find(test::named_driver()), std::string::npos) << d.renderer;
+    RecordProperty("driver", d.renderer + ", " + d.version);
+    std::printf("drawn by %s, %s\n", d.renderer.c_str(), d.version.c_str());
+}
+
+int offsets_set = 0;
+decltype(epoxy_glPolygonOffset) real_offset = nullptr;
+
+TEST_F(DriverTest, OffsetsAreMeasuredOnceAndOnlyWhereTheyAct) {
+    Settings s = settings_for(scene);
+    glPolygonOffset(0, 0);  // epoxy looks a function up when it is first called
+    real_offset = epoxy_glPolygonOffset;
+    const Instead counted(epoxy_glPolygonOffset, +[](GLfloat factor, GLfloat units) {
+        ++offsets_set;
+        real_offset(factor, units);
+    });
+    const auto set_by = [&](auto&& action) {
+        offsets_set = 0;
+        action();
+        return offsets_set;
+    };
+    EXPECT_EQ(set_by([&] { draw(s); }), 0) << "nothing asks for an offset";
+    s.bias.raster_units = 1;
+    EXPECT_GT(set_by([&] { draw(s); }), 1) << "the first frame with an offset measures what it is worth";
+    EXPECT_EQ(set_by([&] { draw(s); }), 1) << "and the next only draws its map";
+    set_setting(s, "map.format", s.map.format == int(MapFormat::D16) ? "d24" : "d16");
+    EXPECT_GT(set_by([&] { draw(s); }), 1) << "another format is another measure";
+    renderer.driver();
+    EXPECT_EQ(set_by([&] { renderer.driver(); }), 0);
+    for (const PolygonOffset& offset : renderer.driver().offset) EXPECT_TRUE(offset.measured);
+}
+
+// OpenGL 4.5, 14.6.5: m lies between the larger component and the length; r is at least what can be told apart.
+TEST_F(DriverTest, OffsetsAreWithinWhatOpenGLAllows) {
+    for (std::size_t i = 0; i < kMapFormats; ++i) {
+        const PolygonOffset& offset = renderer.driver().offset[i];
+        SCOPED_TRACE(i);
+        EXPECT_NE(offset.unit_depth > 0, offset.unit_steps > 0);
+        const double step = i == 0 ? 1.0 / 65535 : 0x1p-24;  // at depths from 1/2 on
+        EXPECT_GE(offset.unit(step), 0.99 * step);
+        EXPECT_LE(offset.unit(step), 8 * step);
+        EXPECT_NEAR(offset.slope_gain, 1, 0.011);
+        EXPECT_NEAR(offset.slope({3, -4}), offset.slope_is_length ? 5 : 4, 0.06);
+    }
+}
+
+std::vector<double> state() {
+    std::vector<double> out;
+    const auto add = [&](GLenum name, int count) {
+        double values[4] = {};
+        glGetDoublev(name, values);
+        out.insert(out.end(), values, values + count);
+    };
+    for (const GLenum name : {GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING, GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING,
+                              GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_CLIP_ORIGIN, GL_CLIP_DEPTH_MODE, GL_POLYGON_OFFSET_FACTOR,
+                              GL_POLYGON_OFFSET_UNITS, GL_PACK_ALIGNMENT, GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND, GL_STENCIL_TEST,
+                              GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL, GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD})
+        add(name, 1);
+    add(GL_DEPTH_RANGE, 2);
+    add(GL_VIEWPORT, 4);
+    add(GL_COLOR_WRITEMASK, 4);
+    return out;
+}
+
+TEST_F(DriverTest, MeasuringAnOffsetLeavesTheStateAsItWas) {
+    const DriverInfo usual = renderer.driver();
+    draw(settings_for(scene));  // a program, a framebuffer and vertices are bound
+    glDepthFunc(GL_NOTEQUAL);
+    glDepthMask(GL_FALSE);
+    glDepthRange(0.25, 0.75);
+    glViewport(3, 5, 7, 11);
+    glColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
+    glClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glPolygonOffset(3, 5);
+    glPixelStorei(GL_PACK_ALIGNMENT, 2);
+    for (const GLenum on : {GL_CULL_FACE, GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD})
+        glEnable(on);
+    const std::vector<double> before = state();
+    for (int format = 0; format < int(kMapFormats); ++format) {
+        const PolygonOffset offset = measure_polygon_offset(format);
+        EXPECT_EQ(state(), before) << format;
+        // And the state does not get into the measure.
+        const PolygonOffset& as_usual = usual.offset[std::size_t(format)];
+        EXPECT_EQ(offset.unit(0x1p-24), as_usual.unit(0x1p-24));
+        EXPECT_EQ(offset.slope({1, 1}), as_usual.slope({1, 1}));
+    }
+}
+
+int stamps = 0;
+decltype(epoxy_glQueryCounter) real_stamp = nullptr;
+
+TEST_F(DriverTest, PassTimesAreByTheClockThatTellsTheTruthAndSumUpToTheFrame) {
+    const DriverInfo& d = renderer.driver();
+    const bool honest = d.query_share > 0.5 && d.query_share < 2;
+    EXPECT_EQ(d.clock, honest ? "GPU timer queries" : "finished wall time (CPU rasteriser)") << d.query_share;
+    if (test::named_driver() == "zink") {
+        EXPECT_TRUE(honest) << "queries show " << 100 * d.query_share << " % of the wall time";
+    }
+    GLuint query = 0;
+    glCreateQueries(GL_TIMESTAMP, 1, &query);
+    glQueryCounter(query, GL_TIMESTAMP);  // epoxy looks a function up when it is first called
+    glDeleteQueries(1, &query);
+    real_stamp = epoxy_glQueryCounter;
+    const Instead counted(epoxy_glQueryCounter, +[](GLuint id, GLenum target) {
+        ++stamps;
+        real_stamp(id, target);
+    });
+    const Settings s = settings_for(scene, {{"filter.kernel", "pcf9"}, {"map.resolution", "4096"}});
+    FrameRequest request{.width = 1280, .height = 720};
+    request.force = request.timing = true;
+    renderer.render(scene, s, request);
+    double best = 0;
+    for (int i = 0; i < 5; ++i) {
+        stamps = 0;
+        glFinish();
+        const auto start = std::chrono::steady_clock::now();
+        const FrameResult frame = renderer.render(scene, s, request);
+        glFinish();
+        const double wall = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        EXPECT_EQ(frame.clock, d.clock);
+        double sum = 0;
+        int ran = 0;
+        for (const PassInfo& pass : frame.passes) {
+            if (pass.state != PassState::Ran) continue;
+            ++ran;
+            EXPECT_GT(pass.gpu_ms, 0) << pass.name;
+            sum += pass.gpu_ms;
+        }
+        EXPECT_EQ(stamps, honest ? 2 * ran : 0);
+        EXPECT_LE(sum, 1.05 * wall) << "passes follow one another within the frame";
+        best = std::max(best, sum / wall);
+    }
+    EXPECT_GT(best, 0.5) << "of the wall time of a frame that draws four megatexels";
+}
+
+std::chrono::steady_clock::time_point query_began;
+decltype(epoxy_glBeginQuery) real_begin = nullptr;
+
+TEST_F(DriverTest, TheClockFollowsWhatQueriesShowAndSaysSo) {
+    { const gl::PassClock first; }  // epoxy looks functions up when they are first called
+    {
+        const Instead lying(epoxy_glGetQueryObjectui64v, +[](GLuint, GLenum, GLuint64* ns) { *ns = 1000; });
+        const gl::PassClock clock;
+        EXPECT_FALSE(clock.uses_queries());
+        EXPECT_LT(clock.query_share(), 0.5);
+        EXPECT_EQ(clock.name(), "finished wall time (CPU rasteriser)");
+    }
+    real_begin = epoxy_glBeginQuery;
+    const Instead begin(epoxy_glBeginQuery, +[](GLenum target, GLuint id) {
+        query_began = std::chrono::steady_clock::now();
+        real_begin(target, id);
+    });
+    const Instead honest(epoxy_glGetQueryObjectui64v, +[](GLuint, GLenum, GLuint64* ns) {
+        *ns = GLuint64(std::chrono::nanoseconds(std::chrono::steady_clock::now() - query_began).count());
+    });
+    const gl::PassClock clock;
+    EXPECT_TRUE(clock.uses_queries());
+    EXPECT_NEAR(clock.query_share(), 1, 0.4);
+    EXPECT_EQ(clock.name(), "GPU timer queries");
+}
+
+}  // namespace
+}  // namespace si

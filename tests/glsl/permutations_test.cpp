@@ -1,0 +1,323 @@
+// Every shader text that the program can make is GLSL 4.50 by the reference compiler, not only by the driver at hand.
+//
+// Frames are drawn without drawing: what they hand to glShaderSource is kept, the driver gets an empty shader instead,
+// and draw calls do nothing. Texts differ by defines, so frames go through
+//   - every choice of every setting (and of light, overlay, ...) with every kind of material,
+//   - every choice with every other choice,
+//   - for each shader file, all combinations of the settings that it mentions.
+// Each text is checked once.
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <set>
+#include <sstream>
+#include <thread>
+#include <unordered_set>
+
+#include "renderer/gl/shader_source.h"
+#include "renderer/key.h"
+#include "renderer/reference/truth_picture.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/techniques.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ShaderText {
+    bool vertex = false;
+    std::string text;
+};
+
+/// What glslangValidator says of these texts; empty: nothing. Files with errors stay in the folder.
+std::string validate(const fs::path& folder, const std::vector<ShaderText>& texts) {
+    fs::create_directories(folder);
+    std::string command = "cd '" + folder.string() + "' && glslangValidator";
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const std::string name = std::to_string(i) + (texts[i].vertex ? ".vert" : ".frag");
+        std::ofstream(folder / name) << texts[i].text;
+        command += " " + name;
+    }
+    const bool valid = std::system((command + " > log.txt 2>&1").c_str()) == 0;
+    if (valid) {
+        fs::remove_all(folder);
+        return {};
+    }
+    std::istringstream log(file_bytes(folder / "log.txt"));
+    std::string out, file;
+    std::set<std::string> told;
+    for (std::string line; std::getline(log, line);) {
+        if (line.ends_with(".frag") || line.ends_with(".vert"))
+            file = line;
+        else if (line.starts_with("ERROR: ") && !line.ends_with("No code generated.") && told.insert(line).second)
+            out += fmt::format("{}: {}\n", (folder / file).string(), line);
+    }
+    return out.empty() ? file_bytes(folder / "log.txt") : out;
+}
+
+/// Takes the place of the functions through which shaders and draws reach the driver, while it lives.
+class Recorder {
+public:
+    explicit Recorder(fs::path folder) : folder_(std::move(folder)) {
+        current = this;
+        source_ = epoxy_glShaderSource, arrays_ = epoxy_glDrawArrays, instanced_ = epoxy_glDrawArraysInstanced;
+        elements_ = epoxy_glDrawElementsInstancedBaseVertexBaseInstance;
+        epoxy_glShaderSource = [](GLuint shader, GLsizei count, const GLchar* const* parts, const GLint* lengths) {
+            GLint stage = 0;
+            glGetShaderiv(shader, GL_SHADER_TYPE, &stage);
+            std::string text;
+            for (GLsizei i = 0; i < count; ++i)
+                text += lengths && lengths[i] >= 0 ? std::string(parts[i], std::size_t(lengths[i])) : parts[i];
+            current->add({stage == GL_VERTEX_SHADER, std::move(text)});
+            const char* empty = stage == GL_VERTEX_SHADER ? "#version 450 core\nvoid main() { gl_Position = vec4(2.0); }"
+                                                          : "#version 450 core\nvoid main() {}";
+            current->source_(shader, 1, &empty, nullptr);
+        };
+        epoxy_glDrawArrays = [](GLenum, GLint, GLsizei) {};
+        epoxy_glDrawArraysInstanced = [](GLenum, GLint, GLsizei, GLsizei) {};
+        epoxy_glDrawElementsInstancedBaseVertexBaseInstance = [](GLenum, GLsizei, GLenum, const void*, GLsizei, GLint,
+                                                                 GLuint) {};
+    }
+    ~Recorder() {
+        epoxy_glShaderSource = source_, epoxy_glDrawArrays = arrays_, epoxy_glDrawArraysInstanced = instanced_;
+        epoxy_glDrawElementsInstancedBaseVertexBaseInstance = elements_;
+        current = nullptr;
+    }
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    std::size_t texts() const { return seen_.size(); }
+    /// Checks what is left. @returns the errors of all.
+    std::string finish() {
+        check();
+        while (!running_.empty()) collect();
+        return errors_;
+    }
+    /// Whether some text contains this line of a shader file.
+    bool saw(const std::string& line) const { return lines_.contains(Key().add(line).value()); }
+
+private:
+    void add(ShaderText text) {
+        if (!seen_.insert(Key().add(text.vertex).add(text.text).value()).second) return;
+        std::istringstream in(text.text);
+        for (std::string line; std::getline(in, line);) lines_.insert(Key().add(line).value());
+        batch_.push_back(std::move(text));
+        if (batch_.size() == 250) check();
+    }
+    void check() {
+        if (batch_.empty()) return;
+        if (running_.size() >= std::max(std::thread::hardware_concurrency(), 1u)) collect();
+        running_.push_back(std::async(std::launch::async, validate, folder_ / std::to_string(batches_++), std::move(batch_)));
+        batch_.clear();
+    }
+    void collect() {
+        const std::string errors = running_.front().get();
+        if (errors_.size() < 4000) errors_ += errors;  // more of the same
+        running_.erase(running_.begin());
+    }
+
+    static inline Recorder* current = nullptr;
+    fs::path folder_;
+    int batches_ = 0;
+    std::unordered_set<std::uint64_t> seen_, lines_;
+    std::vector<ShaderText> batch_;
+    std::vector<std::future<std::string>> running_;
+    std::string errors_;
+    decltype(epoxy_glShaderSource) source_;
+    decltype(epoxy_glDrawArrays) arrays_;
+    decltype(epoxy_glDrawArraysInstanced) instanced_;
+    decltype(epoxy_glDrawElementsInstancedBaseVertexBaseInstance) elements_;
+};
+
+/// Settings that make one choice.
+using Change = std::vector<std::pair<std::string, std::string>>;
+
+struct Axis {
+    std::set<std::string> names;  ///< that shaders know it by
+    std::vector<Change> choices;
+};
+
+std::string identifier(std::string_view key) {
+    std::string out(key);
+    std::replace(out.begin(), out.end(), '.', '_');
+    return out;
+}
+
+std::vector<Axis> axes() {
+    std::vector<Axis> out;
+    for (const Param& p : params()) {
+        if (!p.shader || p.scope != Scope::Scene || (p.cost != Cost::Program && !p.choices)) continue;
+        Axis axis{{identifier(p.key)}, {}};
+        const std::string key(p.key);
+        if (p.choices)
+            for (const auto& choice : p.choices()) axis.choices.push_back({{key, std::string(choice.key)}});
+        else
+            axis.choices = {{{key, "false"}}, {{key, "true"}}};
+        if (p.key == "filter.method") axis.names.insert("FILTER_SAMPLER");
+        if (p.key == "filter.kernel") axis.names.insert({"KERNEL_SIZE", "KERNEL_REACH", "FILTER_FILE"});
+        out.push_back(std::move(axis));
+    }
+    EXPECT_GE(out.size(), 10u);
+    out.push_back({{"BIAS_NORMAL_OFFSET"}, {{{"bias.normal", "0"}}, {{"bias.normal", "3"}}}});
+    out.push_back({{"SURFACE_FLAGS"}, {{}, {{"object.plain.receive", "false"}}}});
+    out.push_back({{"SEPARATE_VISIBILITY"}, {{}, {{"shading.separate_visibility", "true"}}}});
+    out.push_back({{"BLUR_COLUMNS"}, {{}, {{"map.blur_texels", "3"}}}});
+    out.push_back({{"FROM_CAMERA"}, {{}, {{"view.map_source", "camera"}}}});
+    out.push_back({{}, {{}, {{"caster.blend", "mask"}}}});
+    out.push_back({{}, {{}, {{"view.slabs", "both"}}}});
+    out.push_back({{}, {{}, {{"view.map_fit", "true"}}}});
+    out.push_back({{"MAP_LAYERS", "LIGHT_TYPE", "LIGHT_PERSPECTIVE"},
+                   {{},
+                    {{"light.type", "spot"}},
+                    {{"light.type", "point"}},
+                    {{"light.projection", "perspective"}},
+                    {{"light.type", "spot"}, {"light.projection", "orthographic"}, {"light.range", "9"}},
+                    {{"light.cast", "false"}},
+                    {{"light.count", "2"}, {"light.1.type", "point"}, {"view.light", "1"}}}});
+    Axis overlay{{"OVERLAY_FILE"}, {{}}};
+    for (const Overlay& row : overlays()) overlay.choices.push_back({{"view.overlay", std::string(row.key)}});
+    out.push_back(std::move(overlay));
+    return out;
+}
+
+/// One small quad for each kind of material that shaders tell apart, or a plain one and one that is everything.
+Scene scene_of(bool every_kind) {
+    Scene scene;
+    scene.textures.push_back({.name = "white", .width = 1, .height = 1, .rgba = {255, 255, 255, 255}});
+    scene.textures.push_back({.name = "flat", .width = 1, .height = 1, .rgba = {128, 128, 255, 255}, .srgb = false});
+    const auto add = [&](AlphaMode alpha, bool textured, bool mapped, bool tangents) {
+        const std::string name = scene.nodes.empty() ? "plain" : std::to_string(scene.nodes.size());
+        Material material{.name = name, .base_colour_texture = textured ? 0 : -1, .normal_texture = mapped ? 1 : -1, .alpha = alpha};
+        scene.materials.push_back(material);
+        Mesh mesh = make_quad(1, 1);
+        mesh.material = int(scene.materials.size()) - 1;
+        if (tangents) mesh.tangents.assign(mesh.positions.size(), glm::vec4(1, 0, 0, 1));
+        scene.meshes.push_back(mesh);
+        scene.nodes.push_back({.name = name, .local = moved(0, 0, -double(scene.nodes.size()))});
+        scene.objects.push_back({.node = int(scene.nodes.size()) - 1, .mesh = int(scene.meshes.size()) - 1});
+    };
+    add(AlphaMode::Opaque, false, false, false);
+    if (every_kind) {
+        for (const AlphaMode alpha : {AlphaMode::Opaque, AlphaMode::Mask, AlphaMode::Blend})
+            for (const bool textured : {false, true})
+                for (const auto& [mapped, tangents] : {std::pair{false, false}, {true, false}, {true, true}})
+                    add(alpha, textured, mapped, tangents);
+    } else {
+        add(AlphaMode::Mask, true, true, true);
+        add(AlphaMode::Blend, true, true, true);
+    }
+    finalise(scene);
+    return scene;
+}
+
+class Permutations : public testing::Test {
+protected:
+    /// Makes the texts of everything that these choices draw.
+    void draw(const Scene& scene, const std::vector<const Change*>& chosen) {
+        if (++frames_ % 400 == 0) {  // thousands of programs are not needed at once
+            renderer_.reset();
+            renderer_ = std::make_unique<Renderer>();
+        }
+        Settings s;
+        const Change always = {{"map.resolution", "16"}, {"filter.kernel", "hard"}, {"truth.samples", "1"}};
+        try {
+            for (const auto& [key, value] : always) set_setting(s, key, value);
+            for (const Change* choice : chosen)
+                for (const auto& [key, value] : *choice) set_setting(s, key, value);
+            FrameRequest request{.width = 8, .height = 8};
+            request.outputs = {.colour = true, .shadow_map = true, .visibility = true, .overlay = true};
+            request.outputs.map_coordinates = request.outputs.error = request.outputs.true_colour = true;
+            render_with_truth(*renderer_, scene, s, request, truths_);
+            renderer_->probe(scene, s, request, 4, 4);
+        } catch (const std::exception& e) {
+            ADD_FAILURE() << e.what();
+        }
+    }
+
+    const HeadlessContext context_;
+    std::unique_ptr<Renderer> renderer_ = std::make_unique<Renderer>();
+    TruthCache truths_;
+    int frames_ = 0;
+};
+
+TEST_F(Permutations, AreValidByTheReferenceCompiler) {
+    ASSERT_EQ(std::system("command -v glslangValidator > /dev/null"), 0) << "install the package glslang-tools";
+    const auto start = std::chrono::steady_clock::now();
+    const fs::path folder = fresh_test_folder();
+    const Scene every_kind = scene_of(true), few_kinds = scene_of(false);
+    glDrawArrays(GL_POINTS, 0, 0);  // epoxy looks functions up when they are first called
+    {
+        FrameRequest request{.width = 8, .height = 8};
+        Settings s;
+        set_setting(s, "view.slabs", "both");
+        renderer_->render(every_kind, s, request);
+        renderer_ = std::make_unique<Renderer>();
+        glDrawArraysInstanced(GL_POINTS, 0, 0, 0);
+        while (glGetError() != GL_NO_ERROR) {}
+    }
+    Recorder recorder(folder);
+    renderer_->driver();  // the calibrations' shaders
+    const std::vector<Axis> all = axes();
+    for (const Axis& axis : all)
+        for (const Change& choice : axis.choices) draw(every_kind, {&choice});
+    for (std::size_t a = 0; a < all.size(); ++a)
+        for (std::size_t b = a + 1; b < all.size(); ++b)
+            for (const Change& i : all[a].choices)
+                for (const Change& j : all[b].choices) draw(few_kinds, {&i, &j});
+    // For each file all that it mentions at once.
+    int files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(SI_SOURCE_DIR "/shaders")) {
+        if (!entry.is_regular_file()) continue;
+        ++files;
+        const std::string text = file_bytes(entry.path());
+        std::vector<const Axis*> mentioned;
+        for (const Axis& axis : all)
+            if (std::any_of(axis.names.begin(), axis.names.end(), [&](const auto& name) { return gl::mentions(text, name); }))
+                mentioned.push_back(&axis);
+        if (mentioned.size() < 3) continue;  // done above
+        std::vector<std::size_t> at(mentioned.size(), 0);
+        for (bool more = true; more;) {
+            std::vector<const Change*> chosen;
+            for (std::size_t i = 0; i < at.size(); ++i) chosen.push_back(&mentioned[i]->choices[at[i]]);
+            draw(few_kinds, chosen);
+            more = false;
+            for (std::size_t i = 0; i < at.size() && !more; ++i) {
+                more = ++at[i] < mentioned[i]->choices.size();
+                if (!more) at[i] = 0;
+            }
+        }
+    }
+    const double drawn_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    EXPECT_EQ(recorder.finish(), "");
+    for (const auto& entry : fs::recursive_directory_iterator(SI_SOURCE_DIR "/shaders")) {
+        if (!entry.is_regular_file() || entry.path().extension() != ".glsl") continue;
+        std::istringstream in(file_bytes(entry.path()));
+        std::string last;
+        for (std::string line; std::getline(in, line);)
+            if (line.size() > last.size() && !line.starts_with("#")) last = line;  // the longest says which file it is
+        EXPECT_TRUE(recorder.saw(last)) << entry.path() << " is in no program: " << last;
+    }
+    EXPECT_GT(recorder.texts(), 1000u);
+    std::printf("%zu texts of %d files from %d frames, drawn in %.0f s, checked in %.0f s\n", recorder.texts(), files, frames_, drawn_s,
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
+// What is wrong is found, and named.
+TEST(ReferenceCompiler, FindsWhatIsWrong) {
+    const std::string head = "#version 450 core\nlayout(location = 0) out vec4 c;\n";
+    const std::vector<ShaderText> texts = {{false, head + "void main() { c = vec4(1.0); }\n"}, {false, head + "void main() { c = 1; }\n"}};
+    const std::string errors = validate(fresh_test_folder(), texts);
+    EXPECT_NE(errors.find("1.frag: ERROR: 0:3"), std::string::npos) << errors;
+    EXPECT_EQ(errors.find("0.frag"), std::string::npos) << errors;
+}
+
+}  // namespace
+}  // namespace si
