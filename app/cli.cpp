@@ -142,6 +142,8 @@ void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_flag("--area", o.area,
                 "Against a light of its size (light.size), not a point or direction. As --set truth.area=true");
     c->add_flag("!--no-time", o.measure.time, "Take no times");
+    c->add_flag("--cures", o.measure.cures,
+                "Draw and judge what may put wrong pixels right: pixels cured and broken, time and bytes of each change");
     add_size(*c, o, "1280x720");
     c->add_flag("--json", o.json, "All numbers as JSON");
     c->callback([&o, &run] {

@@ -80,6 +80,8 @@ EditorFrame EditorModel::facts() const {
     f.result = drawn_ ? &result_ : nullptr;
     readings_.fill(f);
     f.tuning = tuner_.facts();
+    if (tuned_scene_ == scene_.id) f.tuned = tuned_;
+    f.cures = cures_.facts(scene_, state.settings);
     if (drawn_) {
         f.truth = truth_.facts(result_);
         f.error = result_.error.get();
@@ -362,6 +364,7 @@ void EditorModel::start_tuning(const TuneWish& wish) {
 bool EditorModel::poll_tuning() {
     const auto outcome = tuner_.end();
     if (!outcome) return false;
+    if (!outcome->families.empty()) tuned_ = outcome->families, tuned_scene_ = outcome->scene;
     if (!outcome->found) {
         if (outcome->failed)
             report(outcome->text);
@@ -382,9 +385,30 @@ bool EditorModel::poll_tuning() {
     return true;
 }
 
+void EditorModel::start_cures(const CureWish& wish) {
+    require_scene();
+    std::vector<CureIdea> own;
+    const auto light = std::size_t(std::max(state.settings.view.light, 0));
+    const EditorFrame f = facts();
+    if (wish.pixel && light < f.dossiers.size() && f.dossiers[light].remedy) {
+        CureIdea idea{.name = f.dossiers[light].remedy->text, .settings = state.settings, .untried = {}};
+        for (const auto& [key, value] : f.dossiers[light].remedy->settings) set_setting(idea.settings, key, value);
+        own.push_back(std::move(idea));
+    }
+    cures_.start(scene_, state.settings, request_.width, request_.height, wish.pixel, std::move(own));
+}
+
+bool EditorModel::poll_cures() {
+    std::string problem;
+    if (!cures_.poll(problem)) return false;
+    if (!problem.empty()) state.log.add(LogKind::Warning, problem);
+    return true;
+}
+
 bool EditorModel::fulfil(const EditorActions& actions) {
     bool changed = poll_loading();
     changed |= poll_tuning();
+    changed |= poll_cures();
     const auto attempt = [&](const auto& wish) {
         try {
             wish();
@@ -406,6 +430,8 @@ bool EditorModel::fulfil(const EditorActions& actions) {
     if (state.between_steps && !arrival_.step) attempt([&] { follow_step(); });
     if (actions.tune) attempt([&] { start_tuning(*actions.tune); });
     if (actions.cancel_tune) tuner_.cancel();
+    if (actions.find_cures) attempt([&] { start_cures(*actions.find_cures); });
+    if (actions.cancel_cures) cures_.cancel();
     if (actions.save_map) attempt([&] { save_map(*actions.save_map); });
     if (actions.start_sweep)
         attempt([&] { require_scene(), sweep_.start(scene_, state.scene_name, state.settings, *actions.start_sweep); });

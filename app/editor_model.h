@@ -13,6 +13,7 @@
 #include "app/editor_memory.h"
 #include "app/editor_readings.h"
 #include "app/editor_sweep.h"
+#include "app/editor_cures.h"
 #include "app/editor_tuner.h"
 #include "app/editor_truth.h"
 #include "app/preset_desk.h"
@@ -47,11 +48,11 @@ public:
     /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
     bool loading_moved() const;
     /// Something is being measured in the background.
-    bool measuring() const { return sweep_.busy() || readings_.tracing() || tuner_.running(); }
+    bool measuring() const { return sweep_.busy() || readings_.tracing() || tuner_.running() || cures_.running(); }
     /// Whether the next fulfil() has news of it.
-    bool measuring_moved() const { return sweep_.moved() || readings_.has_news() || tuner_.moved(); }
+    bool measuring_moved() const { return sweep_.moved() || readings_.has_news() || tuner_.moved() || cures_.moved(); }
     /// Waits until nothing is being measured.
-    void finish_measuring() { sweep_.wait(), readings_.finish_tracing(), tuner_.wait(); }
+    void finish_measuring() { sweep_.wait(), readings_.finish_tracing(), tuner_.wait(), cures_.wait(); }
     /// Rays are being traced, or something is made of them.
     bool tracing() const { return truth_.busy(); }
     /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
@@ -116,6 +117,8 @@ private:
     bool follow_truth(const EditorActions& actions, bool drawn);
     void save_map(const std::string& path);
     void start_tuning(const TuneWish& wish);
+    void start_cures(const CureWish& wish);
+    bool poll_cures();
     /// Takes over what a search found. Returns whether it ended.
     bool poll_tuning();
     void report(const std::string& error);
@@ -149,6 +152,9 @@ private:
     EditorReadings readings_;
     EditorSweep sweep_;
     EditorTuner tuner_;
+    std::vector<TunedFamily> tuned_;
+    std::uint64_t tuned_scene_ = 0;
+    EditorCures cures_;
     EditorTruth truth_;
     EditorAgainst against_;
 };

@@ -111,7 +111,7 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& ac
     if (!ImGui::BeginTabBar("bottom")) return;
     const auto asked = state.open_tab;
     tab(state, BottomTab::Passes, "Passes", [&] { draw_passes(frame); });
-    tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame); });
+    tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, actions); });
     tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, actions); });
     tab(state, BottomTab::Objects, "Objects", [&] { draw_objects(state, frame); });
     tab(state, BottomTab::Compare, "Compare", [&] { draw_compare(state, frame, actions); });

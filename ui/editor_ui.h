@@ -12,6 +12,7 @@
 #include "renderer/depth_histogram.h"
 #include "renderer/frame.h"
 #include "renderer/lost_casters.h"
+#include "renderer/measure/cures.h"
 #include "renderer/renderer.h"
 #include "renderer/texel_usage.h"
 #include "ui/file_dialog.h"
@@ -202,6 +203,27 @@ struct TuneWish {
     bool area = false;                          ///< against a light of its size
 };
 
+/// What a search for the least bias found of one way to spend it.
+struct TunedFamily {
+    std::string name, bias_text;
+    BiasSettings bias;
+    std::size_t acne = 0, wrong = 0, lost = 0;  ///< pixels; lost: wrong by the price of bias
+    double gap_p95_m = 0, shift_p95_m = 0;      ///< lit strip at contacts; how far edges are moved
+    bool chosen = false;
+};
+
+/// What is to be cured: a pixel, or nothing for the whole picture.
+struct CureWish {
+    std::optional<glm::ivec2> pixel;
+};
+/// A search for what puts wrong pixels right.
+struct CureSearch {
+    std::optional<TuneFacts> running;
+    const CureTable* table = nullptr;  ///< that was found last
+    std::optional<glm::ivec2> pixel;   ///< that it is about; none: the picture
+    bool current = false;              ///< it is about the present settings
+};
+
 /// What the last frame found out. Pointers may be null: the editor draws without them.
 struct EditorFrame {
     const FrameResult* result = nullptr;
@@ -211,6 +233,8 @@ struct EditorFrame {
     std::span<const Dossier> dossiers;       ///< one for each light of the probe, once the truth is there
     bool tracing_probe = false;              ///< dossiers will follow
     std::optional<TuneFacts> tuning;
+    std::span<const TunedFamily> tuned;      ///< all that the last search for the least bias tried, for this scene
+    CureSearch cures;
     const FloatImage* map_values = nullptr;  ///< the map viewer's depth image as stored, row 0 at the top
     const MapFacts* map_facts = nullptr;
     const FloatImage* map_coordinates = nullptr;  ///< FrameResult::map_coordinates read back
@@ -258,6 +282,8 @@ struct EditorActions {
     bool want_present = false;     ///< the present settings are to be measured
     std::optional<TuneWish> tune;
     bool cancel_tune = false;
+    std::optional<CureWish> find_cures;
+    bool cancel_cures = false;
     bool copy_command_line = false;
     bool quit = false;
     bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies

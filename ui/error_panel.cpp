@@ -8,6 +8,7 @@
 
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/reference/live_error.h"
+#include "ui/cures_table.h"
 #include "ui/panels.h"
 #include "ui/setting_widgets.h"
 #include "ui/theme.h"
@@ -192,6 +193,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     if (columns > 2) ImGui::TableNextColumn();
     causes_table(error);
     ImGui::EndTable();
+    draw_cures(state, frame, actions, {}, error.metrics.false_shadow + error.metrics.false_light > 0);
 }
 
 }  // namespace si

@@ -13,7 +13,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
 void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_passes(const EditorFrame& frame);
-void draw_probe(EditorState& state, const EditorFrame& frame);
+void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 /// What is wrong with the shadows of the shown light, in numbers.
 void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_objects(EditorState& state, const EditorFrame& frame);

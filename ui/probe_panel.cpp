@@ -8,6 +8,7 @@
 #include "renderer/dossier.h"
 #include "renderer/param.h"
 #include "ui/kernel_marks.h"
+#include "ui/cures_table.h"
 #include "ui/panels.h"
 #include "ui/theme.h"
 
@@ -244,7 +245,7 @@ void draw_light(const Probe::PerLight& p, const Dossier* d, bool tracing, Settin
 
 }  // namespace
 
-void draw_probe(EditorState& state, const EditorFrame& frame) {
+void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     if (!state.probe_pixel) {
         ImGui::TextDisabled("Click a surface in the scene to see its shadow test written out.");
         return;
@@ -268,6 +269,9 @@ void draw_probe(EditorState& state, const EditorFrame& frame) {
         for (const Dossier& d : frame.dossiers)
             if (d.light == light.light) dossier = &d;
         draw_light(light, dossier, frame.tracing_probe, state.settings, frame.result ? frame.result->map_resolution : 0);
+        // Cures are those of the light whose shadows are judged.
+        if (dossier && light.light == state.settings.view.light && light.casts)
+            draw_cures(state, frame, actions, state.probe_pixel, dossier->cause().artefact != Artefact::None);
         ImGui::PopID();
     }
 }

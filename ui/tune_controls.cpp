@@ -43,6 +43,42 @@ void limits_popup(TunePanel& panel, EditorActions& actions) {
     ImGui::EndPopup();
 }
 
+std::string length_text(double m) {
+    return m == 0 ? "0" : m < 1e-3 ? fmt::format("{:.3g} µm", m * 1e6) : m < 1 ? fmt::format("{:.3g} mm", m * 1e3) : fmt::format("{:.3g} m", m);
+}
+
+/// All ways that were tried, side by side.
+void families_table(std::span<const TunedFamily> families, Settings& settings) {
+    if (families.empty()) return;
+    if (!ImGui::BeginTable("tuned", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;
+    ImGui::TableSetupColumn("tried", ImGuiTableColumnFlags_WidthStretch, 2);
+    ImGui::TableSetupColumn("wrong px");
+    ImGui::TableSetupColumn("strip");
+    ImGui::TableSetupColumn("shift");
+    ImGui::TableHeadersRow();
+    for (const TunedFamily& f : families) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        const bool taken = settings.bias == f.bias;
+        if (ImGui::Selectable(f.name.c_str(), taken, ImGuiSelectableFlags_SpanAllColumns)) settings.bias = f.bias;
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s%s\n%zu pixels wrong, %zu of them by the price of bias; %zu px of acne\nlit strip at contacts %s, "
+                              "edges moved by %s (95 %% of the lit surface)\nA click takes it; Ctrl+Z takes it back.",
+                              f.bias_text.c_str(), f.chosen ? ": chosen, as it loses the fewest pixels" : "", f.wrong, f.lost, f.acne,
+                              length_text(f.gap_p95_m).c_str(), length_text(f.shift_p95_m).c_str());
+        ImGui::TableNextColumn();
+        if (f.acne > 0)
+            ImGui::TextDisabled("acne");
+        else
+            ImGui::Text("%zu", f.wrong);
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(length_text(f.gap_p95_m).c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(length_text(f.shift_p95_m).c_str());
+    }
+    ImGui::EndTable();
+}
+
 }  // namespace
 
 void draw_tune_controls(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
@@ -62,13 +98,14 @@ void draw_tune_controls(EditorState& state, const EditorFrame& frame, EditorActi
     if (ImGui::Button("Least bias without acne", {std::max(room - width_of("Tune...") - gap, 20.f), 0})) actions.tune = TuneWish{};
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Measures this picture against the ray-traced truth and sets the least constant bias, slope bias or\n"
-                          "normal offset under which nothing in it shadows itself: the one that costs the smallest gap.\n"
+                          "normal offset under which nothing in it shadows itself: the one that makes the fewest pixels wrong.\n"
                           "One step of undo; the log says what it costs.");
     ImGui::SameLine();
     if (ImGui::Button("Tune...")) ImGui::OpenPopup("tune limits");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Search kernel and resolution, too, within limits of error and time");
     ImGui::EndDisabled();
     limits_popup(state.tune, actions);
+    families_table(frame.tuned, state.settings);
 }
 
 }  // namespace si

@@ -47,6 +47,7 @@ struct MeasureOptions {
     SessionOptions session;
     PictureSize size;
     bool time = true, json = false;
+    bool cures = false;  ///< and what would put wrong pixels right
 };
 /// How far the shadows of view.light are from the truth, and what they cost, in numbers.
 void run_measure(const MeasureOptions& options);

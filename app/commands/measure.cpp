@@ -4,10 +4,12 @@
 #include <utility>
 
 #include "app/commands/commands.h"
+#include "app/cures_json.h"
 #include "app/headless_context.h"
 #include "app/measure_json.h"
 #include "app/notes.h"
 #include "app/report.h"
+#include "app/sweep/progress_line.h"
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/measure/measure.h"
 
@@ -72,6 +74,16 @@ void run_measure(const MeasureOptions& options) {
     const Judgement judged = measurer.judge(session.scene, session.settings);
     std::optional<TimeMeasurement> time;
     if (options.time) time = measurer.time(session.scene, session.settings);
+    std::optional<CureTable> cures;
+    if (options.cures) {
+        TruthCache cache;
+        ProgressLine line;
+        cures = find_cures(renderer, session.scene, session.settings, options.size.width, options.size.height,
+                           {.time = options.time, .truth = truth_options(session.settings)}, cache, {},
+                           [&](double share, const std::string& what) {
+                               line.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
+                           });
+    }
     if (options.json) {
         Json json = {{"format", "shadow-inspector-measurement"},
                      {"version", 1},
@@ -86,11 +98,13 @@ void run_measure(const MeasureOptions& options) {
         json["time"] = time ? time_json(*time) : Json();
         if (time) json["time"]["seconds"] = time->seconds, json["time"]["within"] = "this run";
         json["cost"] = cost_json(judged.cost);
+        json["cures"] = cures ? cures_json(*cures) : Json();
         json["driver"] = driver_json(renderer.driver());
         fmt::print("{}", json_text(json));
     } else {
         print_error(judged.error, *judged.truth);
         print_time_and_cost(time, judged.cost);
+        if (cures) print_cures(*cures, cures->rows.size());
     }
     print_notes(session.notes);
     print_notes(judged.notes);

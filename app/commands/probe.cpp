@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/cures_json.h"
 #include "app/headless_context.h"
 #include "app/notes.h"
 #include "app/probe_json.h"
@@ -119,14 +120,29 @@ std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size
 
 namespace {
 
-std::vector<Dossier> dossiers(const Probe& probe, const Scene& scene, const Settings& settings, const DriverInfo& driver) {
+std::vector<Dossier> dossiers(const Probe& probe, const Scene& scene, const Settings& settings, const DriverInfo& driver,
+                              const TruthScene& casters) {
     std::vector<Dossier> out;
-    if (!probe.hit) return out;
-    const TruthScene casters(std::make_shared<TruthGeometry>(scene, settings));
     const auto traits = object_traits(scene, settings);
     for (const Probe::PerLight& light : probe.lights)
         out.push_back(explain(probe, light, fragment_truth(casters, probe, light, settings, traits), settings, driver));
     return out;
+}
+
+/// What puts the pixel right under view.light, when it is wrong.
+std::optional<CureTable> cures(Renderer& renderer, const Session& session, const Probe& probe,
+                               const std::vector<Dossier>& found, const std::shared_ptr<const TruthScene>& casters) {
+    const auto light = std::size_t(std::max(session.settings.view.light, 0));
+    if (light >= found.size() || found[light].cause().artefact == Artefact::None) return {};
+    CureOptions options{.pixel = glm::ivec2(probe.x, probe.y), .time = true, .frames = 5};
+    if (const auto& remedy = found[light].remedy) {
+        CureIdea own{.name = remedy->text, .settings = session.settings, .untried = {}};
+        for (const auto& [key, value] : remedy->settings) set_setting(own.settings, key, value);
+        options.more.push_back(std::move(own));
+    }
+    TruthCache cache;
+    cache.adopt(casters);
+    return find_cures(renderer, session.scene, session.settings, probe.width, probe.height, options, cache);
 }
 
 }  // namespace
@@ -142,11 +158,18 @@ void run_probe(const ProbeOptions& options) {
     if (!place) throw UsageError(fmt::format("--pixel {},{}: lies between two panes (view.panes)", x, y));
     request.width = grid.width, request.height = grid.height;
     Probe probe = renderer.probe(session.scene, session.settings, request, place->pixel.x, place->pixel.y);
-    const std::vector<Dossier> found =
-        options.truth ? dossiers(probe, session.scene, session.settings, renderer.driver()) : std::vector<Dossier>();
+    std::vector<Dossier> found;
+    std::optional<CureTable> table;
+    if (options.truth && probe.hit) {
+        const auto casters = std::make_shared<const TruthScene>(std::make_shared<TruthGeometry>(session.scene, session.settings));
+        found = dossiers(probe, session.scene, session.settings, renderer.driver(), *casters);
+        table = cures(renderer, session, probe, found, casters);
+    }
     probe.x = x, probe.y = y;  // of the picture asked for, of which this pane is a part
     if (options.json) {
-        fmt::print("{}", json_text(probe_json(probe, found)));
+        nlohmann::ordered_json json = probe_json(probe, found);
+        if (probe.hit) json["cures"] = table ? cures_json(*table) : nlohmann::ordered_json::array();
+        fmt::print("{}", json_text(json));
     } else if (!probe.hit) {
         fmt::print("pixel {},{}: nothing there\n", x, y);
     } else {
@@ -157,6 +180,7 @@ void run_probe(const ProbeOptions& options) {
             print_light(probe.lights[i], session.settings);
             if (i < found.size()) print_dossier(probe.lights[i], found[i]);
         }
+        if (table) print_cures(*table, 8);
     }
     print_notes(session.notes);
 }

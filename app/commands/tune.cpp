@@ -43,6 +43,7 @@ Json trial_json(const BiasTrial& t) {
             {"wrong_px", t.wrong()},
             {"gap_median_m", t.needs.gap_median_m},
             {"gap_p95_m", t.needs.gap_p95_m},
+            {"shift_p95_m", t.needs.shift_p95_m},
             {"error", error_json(t.error)}};
 }
 
@@ -59,8 +60,9 @@ Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& afte
                  {"families", Json::array()},
                  {"candidates", Json::array()},
                  {"settings", Json::object()}};
-    for (const BiasFound& f : search.found()) {
-        Json row = {{"family", family_word(f.family)}, {"chosen", &f == search.best()}, {"of_theory", f.factor}};
+    for (const BiasFound& f : search.tried()) {
+        Json row = {{"family", family_word(f.family)}, {"chosen", search.best() && search.best()->bias == f.bias},
+                    {"no_acne", f.trial.acne() == 0}, {"of_theory", f.factor}};
         row["bias"] = bias_json(f.bias);
         row.update(trial_json(f.trial));
         json["families"].push_back(std::move(row));
@@ -83,9 +85,13 @@ Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& afte
 }
 
 void print_tuned(const Tuner& tuner) {
-    for (const BiasFound& f : tuner.bias().found())
-        fmt::print("  {:<14} {}: gap {:.3g} m at the median, {:.3g} m for 95 %, {} px lost to bias, {} px wrong\n", family_word(f.family),
-                   bias_text(f.bias), f.trial.needs.gap_median_m, f.trial.needs.gap_p95_m, f.trial.lost(), f.trial.wrong());
+    const BiasSearch& search = tuner.bias();
+    if (!search.tried().empty())
+        fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>11} {:>11}\n", "tried", "wrong px", "lost px", "acne px", "strip", "edge shift");
+    for (const BiasFound& f : search.tried())
+        fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>9.3g} m {:>9.3g} m  {}{}\n", family_word(f.family), f.trial.wrong(),
+                   f.trial.lost(), f.trial.acne(), f.trial.needs.gap_p95_m, f.trial.needs.shift_p95_m, bias_text(f.bias),
+                   search.best() && search.best()->bias == f.bias ? "  chosen" : "");
     for (const TuneCandidate& c : tuner.candidates()) {
         const std::string error = c.trial ? fmt::format("{:.5f}", c.error) : "-";
         const std::string ms = c.ms ? fmt::format("{:.3g} ms", *c.ms) : "-";

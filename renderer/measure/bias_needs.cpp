@@ -86,7 +86,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
     const Truth& truth = *measured.traced.truth;
     const FloatImage& hard = truth.hard();
     std::vector<Need> needs;
-    std::vector<double> gaps;
+    std::vector<double> gaps, shifts;
     for (std::size_t i = 0; i < truth.state.size(); ++i) {
         if (truth.state[i] != PixelState::Counted || hard.data[i] < 0.5f ||
             measured.judged[i].has(JudgedPixel::kOutside))
@@ -103,6 +103,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
         needs.push_back({total, step, 1 - std::clamp(a.receiver.n_dot_l, 0.0, 1.0), total * a.receiver.texel_m / offset_m,
                          std::sin(a.theta_rad), a.receiver.texel_m});
         gaps.push_back(a.contact_gap_m());
+        shifts.push_back(a.receiver.normal_offset_m * std::tan(std::min(a.theta_rad, 1.57)));
         if (!measured.judged[i].has(JudgedPixel::kAnyAcne)) continue;
         if (a.clears() >= a.least.total())
             ++out.folds;
@@ -112,6 +113,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
     out.pixels = needs.size();
     if (needs.empty()) return out;
     out.gap_median_m = share_of(gaps, 0.5), out.gap_p95_m = share_of(std::move(gaps), 0.95);
+    out.shift_p95_m = share_of(std::move(shifts), 0.95);
     const double largest = worst(needs, [](const Need& n) { return n.total; });
     const double step = worst(needs, [](const Need& n) { return n.step; });
     out.least[std::size_t(BiasFamily::Constant)] = in_texels(largest, 0, 0);

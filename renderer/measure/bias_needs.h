@@ -25,6 +25,8 @@ struct BiasNeeds {
     std::array<BiasSettings, kBiasFamilies> least{};
     /// What the present bias costs: metres of lit ground beside a caster that touches its receiver, over these pixels.
     double gap_median_m = 0, gap_p95_m = 0;
+    /// How far the normal offset moves a shadow's edges along the surface, h tan(theta), for 95 % of these pixels.
+    double shift_p95_m = 0;
     const BiasSettings& of(BiasFamily family) const { return least[std::size_t(family)]; }
 };
 

@@ -64,6 +64,8 @@ double BiasSearch::progress() const {
 }
 
 void BiasSearch::start_family(std::size_t index) {
+    if (nearest_of_family_) tried_.push_back(*nearest_of_family_);
+    nearest_of_family_.reset();
     at_ = index;
     factor_ = 1, lo_ = hi_ = 0;
     trials_of_family_ = 0;
@@ -83,6 +85,8 @@ void BiasSearch::report(const BiasTrial& trial) {
     const BiasFound here{families_[at_], factor_, next().bias, trial};
     if (trial.acne() == 0) clear_ = here;
     if (!nearest_ || trial.acne() < nearest_->trial.acne()) nearest_ = here;
+    // Of trials without acne the last has the least bias.
+    if (!nearest_of_family_ || trial.acne() == 0 || trial.acne() < nearest_of_family_->trial.acne()) nearest_of_family_ = here;
     narrow(trial.acne() == 0);
 }
 
@@ -93,6 +97,7 @@ void BiasSearch::narrow(bool clear) {
     const bool known = hi_ > 0 && (options_.quick || hi_ - lo_ <= options_.tolerance * hi_ || hi_ < 1e-3);
     if (known) {
         found_.push_back(*clear_);
+        nearest_of_family_ = clear_;
         start_family(at_ + 1);
         return;
     }

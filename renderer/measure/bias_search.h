@@ -63,6 +63,8 @@ public:
     const BiasTrial& before() const { return before_; }
     /// The least of each family that leaves no acne; families that never do are missing.
     const std::vector<BiasFound>& found() const { return found_; }
+    /// One of each family that was tried: the least that leaves no acne, or else what came nearest to that.
+    const std::vector<BiasFound>& tried() const { return tried_; }
     /// The one that loses the fewest pixels, and of equal ones that with the smallest gap for 95 %; nothing when no bias
     /// leaves no acne.
     const BiasFound* best() const;
@@ -83,8 +85,8 @@ private:
     std::size_t at_ = 0;
     double factor_ = 1, lo_ = 0, hi_ = 0;  ///< acne at lo, none at hi; 0: not known
     int trials_ = 0, trials_of_family_ = 0;
-    std::vector<BiasFound> found_;
-    std::optional<BiasFound> clear_, nearest_;
+    std::vector<BiasFound> found_, tried_;
+    std::optional<BiasFound> clear_, nearest_, nearest_of_family_;
 };
 
 /// How it compares with theory: "0.97 of what theory says".

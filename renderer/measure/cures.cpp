@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "renderer/light_receiver.h"
+#include "renderer/bias_account.h"
 #include "renderer/manual_light.h"
 #include "renderer/measure/axes.h"
 #include "renderer/measure/time_sampler.h"

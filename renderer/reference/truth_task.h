@@ -53,6 +53,8 @@ class TruthCache {
 public:
     /// @throws Cancelled, Error; what was complete by then is kept
     TracedTruth trace(const TruthTask& task, const Workers& workers = {});
+    /// Keeps a hierarchy that is there already, in place of building one of the same triangles.
+    void adopt(std::shared_ptr<const TruthScene> scene) { scene_ = std::move(scene); }
     /// The triangles of the last trace, for truth_task().
     std::shared_ptr<const TruthGeometry> geometry() const { return scene_ ? scene_->shared_geometry() : nullptr; }
     void clear() { *this = {}; }

@@ -1,0 +1,24 @@
+// The cure table as JSON and as text (docs/cli.md).
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "renderer/measure/cures.h"
+
+namespace si {
+
+/// One object a row, in the table's order.
+nlohmann::ordered_json cures_json(const CureTable& table);
+
+/// "+1.2 ms", "< noise" or "-" where nothing was timed.
+std::string cost_text(const std::optional<CostChange>& ms);
+/// "+12 MB", "same".
+std::string bytes_text(long long bytes);
+/// "--set bias.normal=0 --set bias.constant=2.1"
+std::string settings_text(const Cure& cure);
+
+/// @param rows at most so many; what was not tried is left out
+void print_cures(const CureTable& table, std::size_t rows);
+
+}  // namespace si
