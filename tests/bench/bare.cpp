@@ -249,4 +249,10 @@ void BareForward::draw(const Camera& camera, const FittedLight& light, bool dept
     }
 }
 
+std::vector<std::uint8_t> BareForward::picture() const {
+    std::vector<std::uint8_t> rgba(std::size_t(width_) * std::size_t(height_) * 4);
+    glGetTextureImage(colour_.texture.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(rgba.size()), rgba.data());
+    return rgba;
+}
+
 }  // namespace si

@@ -2,6 +2,7 @@
 // one buffer, two draws a frame (with textures two for each texture and mask), no settings, no overlays.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "renderer/frame.h"
@@ -25,6 +26,9 @@ public:
                 BareMaterials materials = BareMaterials::Colours);
     /// Draws a frame with the camera and light that the renderer found; `depth_pass` off leaves the map as it is.
     void draw(const Camera& camera, const FittedLight& light, bool depth_pass = true, bool shade_pass = true);
+
+    /// What was drawn last, bottom row first, as RGBA.
+    std::vector<std::uint8_t> picture() const;
 
 private:
     /// Triangles of one look, one draw.

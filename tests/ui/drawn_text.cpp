@@ -1,22 +1,29 @@
 #include "tests/ui/drawn_text.h"
 
+#include "renderer/key.h"
 #include "tests/support/text.h"
 
 namespace si::test {
+
+/// Of a glyph's lower and upper corner together.
+std::uint64_t DrawnText::place(const ImVec2& lo, const ImVec2& hi) {
+    Key key;
+    return key.add(lo.x).add(lo.y).add(hi.x).add(hi.y).value();
+}
 
 DrawnText::DrawnText() {
     ImVector<ImFont*>& fonts = ImGui::GetIO().Fonts->Fonts;
     missing_.reserve(std::size_t(fonts.Size));
     for (ImFont* font : fonts) {
         for (const ImFontGlyph& g : font->Glyphs)
-            if (g.Visible) letters_.emplace(std::tuple(g.U0, g.V0, g.U1, g.V1), char32_t(g.Codepoint));
+            if (g.Visible) letters_.emplace(place({g.U0, g.V0}, {g.U1, g.V1}), char32_t(g.Codepoint));
         ImFontGlyph missing = *font->FallbackGlyph;
         missing.Visible = 1;
         missing.U0 = missing.V0 = 2, missing.U1 = missing.V1 = 3;  // no place in the atlas
         missing_.push_back(missing);
         font->FallbackGlyph = &missing_.back();
     }
-    letters_.emplace(std::tuple(2.f, 2.f, 3.f, 3.f), U'\ufffd');
+    letters_.emplace(place({2, 2}, {3, 3}), U'\ufffd');
 }
 
 std::u32string DrawnText::read() const {
@@ -26,7 +33,7 @@ std::u32string DrawnText::read() const {
         const ImVector<ImDrawVert>& v = data->CmdLists[list]->VtxBuffer;
         for (int i = 0; i + 3 < v.Size;) {
             const ImVec2 lo = v[i].uv, hi = v[i + 2].uv;
-            const auto found = lo.x < hi.x ? letters_.find({lo.x, lo.y, hi.x, hi.y}) : letters_.end();
+            const auto found = lo.x < hi.x ? letters_.find(place(lo, hi)) : letters_.end();
             if (found != letters_.end()) text += found->second;
             i += found != letters_.end() ? 4 : 1;
         }

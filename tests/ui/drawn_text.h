@@ -3,9 +3,9 @@
 
 #include <imgui.h>
 
-#include <map>
+#include <cstdint>
 #include <string>
-#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 namespace si::test {
@@ -24,8 +24,9 @@ public:
     std::string fault() const;
 
 private:
-    std::map<std::tuple<float, float, float, float>, char32_t> letters_;  ///< by the corners of the glyph in the atlas
-    std::vector<ImFontGlyph> missing_;                                    ///< for each font
+    static std::uint64_t place(const ImVec2& lo, const ImVec2& hi);
+    std::unordered_map<std::uint64_t, char32_t> letters_;  ///< by two opposite corners of the glyph in the atlas
+    std::vector<ImFontGlyph> missing_;                     ///< for each font
 };
 
 }  // namespace si::test
