@@ -10,6 +10,7 @@
 // clang-format on
 
 #include <algorithm>
+#include <chrono>
 #include <vector>
 
 #include "app/editor_model.h"
@@ -25,6 +26,7 @@ namespace {
 constexpr double kPollSeconds = 0.4;  ///< between looks at shader files and blinks of a text cursor
 constexpr double kLoadingPollSeconds = 0.05;  ///< between looks at what is being read, measured or traced
 constexpr int kSettleFrames = 3;      ///< frames that ImGui takes to settle after input
+constexpr float kDoubleClickSeconds = 0.3f;  ///< between its presses, where frames are fast
 
 /// ImGui's hold on the window's callbacks.
 struct WindowInput {
@@ -89,6 +91,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         }
         --due;
 
+        const auto began = std::chrono::steady_clock::now();
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         const PressedKeys keys(window);
@@ -101,6 +104,9 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         window.swap();
         window.hold_cursor(actions.hold_cursor);
         if (model.fulfil(actions)) due = std::max(due, 2);
+        // Each press and each release waits for a frame of its own: slow frames must not tear a double click apart.
+        const std::chrono::duration<float> frame = std::chrono::steady_clock::now() - began;
+        ImGui::GetIO().MouseDoubleClickTime = std::max(kDoubleClickSeconds, 4 * frame.count());
         if (actions.redraw) due = std::max(due, 1);
         if (actions.quit) break;
         if (titled != model.state.scene_name) {

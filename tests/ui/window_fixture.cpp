@@ -189,8 +189,12 @@ std::string Window::ask(const std::string& command) const {
                                                                                                   : "";
 }
 
+bool Window::titled(const std::string& scene) const {
+    return xdotool("search --name '" + scene + " - Shadow Inspector'");
+}
+
 bool Window::shows(const std::string& scene) const {
-    return wait_until([&] { return xdotool("search --name '" + scene + " - Shadow Inspector'"); });
+    return wait_until([&] { return titled(scene); });
 }
 
 void Window::type(const std::string& text) const {
@@ -224,10 +228,13 @@ void Window::drag(int x, int y, int dx, int dy) const {
     breathe();
 }
 
-void Window::double_click(int x, int y) const {
-    mouse(x, y);
-    xdotool("click --repeat 2 --delay 120 1");
-    breathe();
+void Window::double_click(int x, int y, const std::function<bool()>& done) const {
+    EXPECT_TRUE(wait_until([&] {
+        mouse(x, y);
+        xdotool("click --repeat 2 --delay 120 1");
+        breathe();
+        return done();
+    }));
 }
 
 nlohmann::json Window::json_of(const fs::path& file) {

@@ -55,7 +55,9 @@ protected:
     bool xdotool(const std::string& command) const;
     /// What a command of xdotool says.
     std::string ask(const std::string& command) const;
-    /// Waits for a title that names the scene.
+    /// Whether the window's title names the scene.
+    bool titled(const std::string& scene) const;
+    /// Waits for such a title.
     bool shows(const std::string& scene) const;
     bool keys(const std::string& combination) const { return xdotool("key " + combination); }
     void type(const std::string& text) const;
@@ -66,7 +68,8 @@ protected:
     void breathe() const;
     void drag(int x, int y, int dx, int dy) const;
     void click(int x, int y) const { drag(x, y, 0, 0); }
-    void double_click(int x, int y) const;
+    /// Until it has had its effect: where two presses take too long to arrive they are two clicks.
+    void double_click(int x, int y, const std::function<bool()>& done) const;
 
     std::filesystem::path home() const { return folder_ / "home"; }
     std::filesystem::path state_folder() const { return folder_ / "state/shadow-inspector"; }

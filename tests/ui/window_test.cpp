@@ -25,6 +25,19 @@ TEST_F(Window, ASliderIsDraggedUndoneRedoneAndSaved) {
     quit();
 }
 
+TEST_F(Window, WaitingEndsWithTheProgramAndWithTheServer) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    int looks = 0;
+    const auto never = [&] { return ++looks, false; };
+    program_->kill_at_once();
+    EXPECT_FALSE(wait_until(never));
+    EXPECT_EQ(looks, 2) << "the last look is after its end";
+    program_.reset();
+    server_->kill_at_once();
+    EXPECT_FALSE(wait_until(never));
+    EXPECT_EQ(looks, 4);
+}
+
 TEST_F(Window, ADotOfAFrontierIsClicked) {
     const std::string command = std::string("cd '") + folder_.string() + "' && '" SI_PROGRAM
         "' sweep boxes --vary filter.kernel=pcf3,pcf9 --vary map.resolution=64,4096 --size 64x48 --rounds 1 -o swept "
