@@ -105,6 +105,7 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"SUBPIXEL_BITS", std::to_string(f.driver.subpixel_bits)});
     f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
     f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
+    if (f.gl.scene->coloured()) f.defines.push_back({"VERTEX_COLOURS", "1"});
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
     f.preamble = settings_block_text() + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
