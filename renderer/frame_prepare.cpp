@@ -95,9 +95,8 @@ bool needs_surface_flags(const FrameState& f) {
 
 void choose_kernel(FrameState& f) {
     const Filter& filter = filters()[std::size_t(f.settings.filter.kernel)];
-    const bool colour = f.settings.map.format == int(MapFormat::Colour);
-    f.filter_sampler = f.settings.filter.method == int(FilterMethod::Sampler) && !colour;
-    if (f.settings.filter.method == int(FilterMethod::Sampler) && colour)
+    f.filter_sampler = uses_sampler(f.settings);
+    if (f.settings.filter.method == int(FilterMethod::Sampler) && !f.filter_sampler)
         f.notes.push_back("filter.method sampler cannot compare a colour map; gather is used");
     f.defines = settings_defines(f.settings);
     f.defines.push_back({"KERNEL_SIZE", std::to_string(filter.size)});

@@ -79,6 +79,10 @@ std::vector<Choice> choices_of(const Row (&rows)[N]) {
 
 }  // namespace
 
+bool uses_sampler(const Settings& settings) {
+    return settings.filter.method == int(FilterMethod::Sampler) && settings.map.format != int(MapFormat::Colour);
+}
+
 std::span<const Filter> filters() { return kFilters; }
 std::span<const Overlay> overlays() { return kOverlays; }
 
