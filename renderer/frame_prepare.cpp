@@ -228,7 +228,6 @@ FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings,
     if (f.settings.camera.source == int(CameraSource::Light) && resources.fitted.empty())
         f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
     f.origin = f.camera.origin();
-    f.light_origin = scene.bounds.centre();
     if (!resources.scene || resources.scene->scene_id() != scene.id)
         resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
     resources.scene->arrange(scene, f.settings);
@@ -246,7 +245,8 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
     shared::FrameBlock block{};
     block.clip_from_relative = glm::mat4(f.camera.clip_from_relative(f.origin));
     block.eye = glm::vec4(glm::vec3(f.camera.eye - f.origin), f.camera.orthographic ? 1.f : 0.f);
-    block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), float(f.request.height / std::max(f.camera.focus, 1e-30)));
+    block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), 0.f);
+    block.map_origin = glm::vec4(glm::vec3(f.scene.bounds.centre() - f.origin), 0.f);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         block.lights[i] = light_block(f, i);
         const FittedLight& light = f.gl.fitted[i];

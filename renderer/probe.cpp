@@ -96,7 +96,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
         pixel.point.bias_normal = source == int(NormalSource::Mapped)    ? mapped
                                   : source == int(NormalSource::Shading) ? vertex
                                                                          : out.normal_ws;
-        pixel.point.eye_ws = f.camera.eye;
+        pixel.point.origin_ws = f.origin;
         out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver.subpixel_bits));
     }
     return out;

@@ -14,8 +14,8 @@ struct Need {
     double total = 0, step = 0;  ///< the least bias, and its part that does not grow with the slope
     double falls = 0;            ///< 1 - n.l
     double per_normal = 0;       ///< bias that one texel of normal offset is worth: 1 / |n . ray|
-    double sine = 0, texel_m = 0;
-    double gap(double bias_texels) const { return bias_texels * texel_m * sine; }
+    double gap_per_texel = 0;    ///< metres of contact gap that a texel of bias costs
+    double gap(double bias_texels) const { return bias_texels * gap_per_texel; }
 };
 
 double worst(const std::vector<Need>& needs, auto&& amount) {
@@ -95,7 +95,7 @@ BiasNeeds bias_needs(const ErrorTask& task, const MeasuredError& measured, const
         if (truth.state[i] != PixelState::Counted || hard.data[i] < 0.5f || measured.facts.outside_map[i]) continue;
         const Receiver& r = measured.traced.receivers->pixels[i];
         const BiasAccount a = bias_account(light, settings, task.truth.map_resolution,
-                                           {r.position_ws, r.normal_ws, r.normal_ws, task.truth.camera.eye}, subpixel_bits);
+                                           {r.position_ws, r.normal_ws, r.normal_ws, task.truth.camera.origin()}, subpixel_bits);
         const double step = a.amount(a.least.quantum + a.least.rounding).texels;
         const double total = a.amount(a.least.total()).texels;
         const LightView& view = light.views[a.receiver.view];
@@ -103,7 +103,7 @@ BiasNeeds bias_needs(const ErrorTask& task, const MeasuredError& measured, const
         const double offset_m = least_normal_offset(view, r.position_ws, r.normal_ws, b);
         if (!std::isfinite(total) || !(offset_m > 0)) continue;  // edge-on
         needs.push_back({total, step, 1 - std::clamp(a.receiver.n_dot_l, 0.0, 1.0), total * a.receiver.texel_m / offset_m,
-                         std::sin(a.theta_rad), a.receiver.texel_m});
+                         contact_gap(a.receiver.texel_m / a.receiver.axis_per_ray, a.theta_rad)});
         gaps.push_back(a.contact_gap_m());
         if (!darkened(i)) continue;
         if (a.clears() >= a.least.total())

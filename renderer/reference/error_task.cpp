@@ -34,8 +34,7 @@ std::vector<Footprint> differing_footprints(const FloatImage& measured, const Fl
                 light_receiver(light, bias, map_resolution, r.position_ws, r.normal_ws, r.normal_ws);
             if (facts) {
                 facts->outside_map[i] = !at.in_map();
-                const double slant = glm::dot(at.to_light, light.views[at.view].axes[2]);
-                facts->bias_m[i] = float(at.bias_m / std::max(slant, 1e-6) + at.normal_offset_m * at.n_dot_l);
+                facts->bias_m[i] = float(at.bias_m / at.axis_per_ray + at.normal_offset_m * at.n_dot_l);
             }
             if (!at.in_map() || !differs) continue;
             const float* kernel = &map_coordinates.data[4 * i];

@@ -22,7 +22,8 @@ struct LightBlock {
 struct FrameBlock {
     mat4 clip_from_relative;
     vec4 eye;       // xyz relative; w: 1 orthographic
-    vec4 forward;   // unit viewing direction; w: 1 / (metres that a pixel spans at the focus)
+    vec4 forward;   // unit viewing direction
+    vec4 map_origin;  // xyz relative: what the shaders that draw the maps count positions from
     LightBlock lights[SI_MAX_LIGHTS];
     mat4 uvd_from_relative[SI_MAX_VIEWS];  // homogeneous map coordinates and depth, all in [0,w]
 };
@@ -30,7 +31,7 @@ struct FrameBlock {
 #ifdef __cplusplus
 }  // namespace si::shared
 static_assert(sizeof(si::shared::LightBlock) == 64);
-static_assert(offsetof(si::shared::FrameBlock, lights) == 96);
-static_assert(offsetof(si::shared::FrameBlock, uvd_from_relative) == 96 + 64 * SI_MAX_LIGHTS);
+static_assert(offsetof(si::shared::FrameBlock, lights) == 112);
+static_assert(offsetof(si::shared::FrameBlock, uvd_from_relative) == 112 + 64 * SI_MAX_LIGHTS);
 #endif
 #endif
