@@ -69,6 +69,7 @@ Json per_light_json(const Probe::PerLight& p) {
                  {"stored", p.stored},
                  {"stored_linear", p.stored_linear},
                  {"stored_m", p.stored_m},
+                 {"gap_m", p.gap_m},
                  {"own", p.own},
                  {"own_linear", p.own_linear},
                  {"own_m", p.own_m},

@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "shaders/shared/facing.h"
 
 namespace si {
 namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// (u, v, d, w), all in [0,w], from positions relative to `origin`.
 glm::dmat4 uvd_from_relative(const LightView& view, const glm::dvec3& origin) {
@@ -23,7 +28,14 @@ ReceiverPlane receiver_plane(const LightView& view, const glm::dvec3& point_ws, 
     ReceiverPlane r;
     r.w = t[3][3];
     r.uvd = glm::dvec3(t[3]) / r.w;
-    r.gradient = glm::dvec2(-plane.x / plane.z, -plane.y / plane.z);
+    const glm::dvec3 to_light = view.curve.perspective ? view.eye - point_ws : view.axes[2];
+    const double cosine = glm::dot(normal_ws, to_light) / (glm::length(normal_ws) * glm::length(to_light));
+    const bool edge_on = !(std::abs(cosine) > shared::FACES_AWAY_COSINE);
+    const auto component = [&](double across) {
+        return !edge_on ? -across / plane.z : across == 0 ? 0 : std::copysign(kInfinite, -across / plane.z);
+    };
+    r.gradient = {component(plane.x), component(plane.y)};
+    if (edge_on && r.gradient == glm::dvec2(0)) r.gradient = glm::dvec2(kInfinite);  // the normal is none
     return r;
 }
 
@@ -57,11 +69,7 @@ double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, co
     const double z = -glm::dot(relative, view.axes[2]);
     // The ray to the point, one metre long along the axis.
     const glm::dvec3 ray = view.curve.perspective ? relative / z : -view.axes[2];
-    return b_min / view.curve.slope(z) * std::abs(glm::dot(glm::normalize(normal_ws), ray));
-}
-
-double depth_in_metres(const DepthCurve& curve, double z, double depth_difference) {
-    return depth_difference / curve.slope(z);
+    return view.curve.metres_nearer(z, b_min) * std::abs(glm::dot(glm::normalize(normal_ws), ray));
 }
 
 double contact_gap(double bias_m, double theta_rad) {

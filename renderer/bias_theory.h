@@ -1,6 +1,7 @@
 // How much bias a planar receiver needs, in closed form. Pure CPU, double precision.
 #pragma once
 
+#include <cmath>
 #include <glm/glm.hpp>
 
 #include "renderer/light_fit.h"
@@ -11,10 +12,15 @@ namespace si {
 /// A receiver's plane as the shadow map sees it: its depth is affine in the map coordinates (u, v), for orthographic
 /// and perspective lights alike, as a projective map sends planes to planes: d(u,v) = d0 + g.x u + g.y v.
 struct ReceiverPlane {
-    glm::dvec2 gradient{0};  ///< depth-buffer units per map width; infinite edge-on to the light
+    glm::dvec2 gradient{0};  ///< depth-buffer units per map width; infinite edge-on to the light, never NaN
     glm::dvec3 uvd{0};       ///< map coordinates and depth of the point that it was made from
     double w = 1;            ///< clip-space w there: metres along the axis (perspective) or 1
-    double at(const glm::dvec2& uv) const { return uvd.z + glm::dot(gradient, uv - glm::dvec2(uvd.x, uvd.y)); }
+    /// The light sees it as a line: it has no depth as a function of (u, v).
+    bool edge_on() const { return !std::isfinite(gradient.x) || !std::isfinite(gradient.y); }
+    /// Its depth at map coordinates; that of the point everywhere when edge-on.
+    double at(const glm::dvec2& uv) const {
+        return edge_on() ? uvd.z : uvd.z + glm::dot(gradient, uv - glm::dvec2(uvd.x, uvd.y));
+    }
 };
 
 /// The plane through `point_ws` with normal `normal_ws` (world; any length), without screen derivatives: with T the
@@ -49,14 +55,11 @@ LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolu
 double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m);
 
 /// The least offset along the normal (metres) that does the work of a depth bias `b_min`: moving a plane by h along n
-/// moves it by h / |n . r| along the light's ray r, so h = b_min / (d depth / d z) |n . r|. For an orthographic light
+/// moves it by h / |n . r| along the light's ray r, so h is |n . r| times the metres that b_min is worth. For an orthographic light
 /// and texel s this is kappa s sin(theta) (|cos phi| + |sin phi|) + delta_z cos(theta), never more than sqrt(2) kappa s
 /// plus the step. Holbert, Saying Goodbye to Shadow Acne, GDC 2011.
 double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws,
                            double b_min);
-
-/// Metres along the light's axis of a difference of depths at distance z.
-double depth_in_metres(const DepthCurve& curve, double z, double depth_difference);
 
 /// Length of the lit gap on the receiver beside an occluder that touches it, for a bias of `bias_m` metres along the
 /// light's ray that meets the receiver at `theta_rad` from its normal: b sin(theta).

@@ -5,6 +5,7 @@
 #include <glm/gtc/constants.hpp>
 #include <numbers>
 
+#include "renderer/angles.h"
 #include "renderer/camera_settings.h"
 #include "renderer/projection.h"
 
@@ -25,11 +26,11 @@ double positive_or(double value, double fallback) {
 /// Right, up and back of a view from an azimuth and elevation. `right` comes from the azimuth alone, so that looking
 /// straight up or down is nothing special.
 glm::dmat3 orbit_axes(double azimuth_deg, double elevation_deg, double roll_deg) {
-    const double az = azimuth_deg * kDegree, roll = roll_deg * kDegree;
+    const SineCosine az = sine_cosine(azimuth_deg), roll = sine_cosine(roll_deg);
     const glm::dvec3 back = direction_from_angles(azimuth_deg, elevation_deg);
-    const glm::dvec3 right(std::cos(az), 0, -std::sin(az));
+    const glm::dvec3 right(az.cosine, 0, -az.sine);
     const glm::dvec3 up = glm::cross(back, right);
-    return {std::cos(roll) * right + std::sin(roll) * up, std::cos(roll) * up - std::sin(roll) * right, back};
+    return {roll.cosine * right + roll.sine * up, roll.cosine * up - roll.sine * right, back};
 }
 
 glm::dvec3 corner(const Bounds& b, int i) {

@@ -1,9 +1,16 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "renderer/light_fit.h"
 #include "renderer/projection.h"
 
 namespace si {
+namespace {
+
+constexpr double kNearestShare = 1e-3;  // of the near plane, as in shaders/lib/receiver.glsl
+
+}  // namespace
 
 // A depth buffer holds the same values under both clip ranges ([-w,w] is halved and shifted by the viewport), so that
 // zero_to_one enters the matrix only. Each formula is written so that it is exact at both ends of the range.
@@ -26,6 +33,19 @@ double DepthCurve::distance(double d) const {
 double DepthCurve::slope(double z) const {
     if (!perspective) return 1 / (far - near);
     return near / z * (far / z) / (far - near);
+}
+
+double DepthCurve::depth_nearer(double z, double metres) const {
+    if (!perspective) return metres / (far - near);
+    const double moved = std::min(metres, z - kNearestShare * near);
+    return near / z * (far / (z - moved)) * (moved / (far - near));
+}
+
+double DepthCurve::metres_nearer(double z, double depth) const {
+    if (!perspective) return depth * (far - near);
+    if (std::isinf(depth)) return depth;
+    const double by_slope = depth / slope(z);
+    return by_slope > -z ? 1 / (1 / by_slope + 1 / z) : -std::numeric_limits<double>::infinity();
 }
 
 glm::dmat4 projection_matrix(const DepthCurve& curve, double half_x, double half_y) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 std::string texels(const DepthAmount& a) {
-    return fmt::format("{:.3g} texels", a.texels);
+    return std::isfinite(a.texels) ? fmt::format("{:.3g} texels", a.texels) : "infinitely many texels";
 }
 
 /// Rounded up to three digits, so that what was just enough stays so.
@@ -55,8 +55,7 @@ private:
     /// The gap to the surface nearest the light, as a difference of depth.
     double occluder_depth() const {
         if (!std::isfinite(truth_.gap_m)) return kInfinite;
-        const double along_axis = truth_.gap_m * glm::dot(p_.account.receiver.to_light, view().axes[2]);
-        return std::abs(view().curve.depth(p_.own_m) - view().curve.depth(p_.own_m - along_axis));
+        return view().curve.depth_nearer(p_.own_m, truth_.gap_m * p_.account.receiver.axis_per_ray);
     }
 
     void weigh() {
@@ -92,7 +91,7 @@ private:
         switch (truth_.state) {
             case PixelState::Background: return "nothing there";
             case PixelState::NotReceiving: return "not compared: this object receives no shadows";
-            case PixelState::FacesAway: return "not compared: the surface faces away from the light and is dark without a map";
+            case PixelState::FacesAway: return "not compared: the surface faces away from the light, or edge-on to it, and is dark without a map";
             case PixelState::OutsideCone: return "not compared: outside of the light's cone";
             case PixelState::BeyondRange: return "not compared: beyond the light's range";
             case PixelState::Counted: break;

@@ -95,9 +95,8 @@ bool needs_surface_flags(const FrameState& f) {
 
 void choose_kernel(FrameState& f) {
     const Filter& filter = filters()[std::size_t(f.settings.filter.kernel)];
-    const bool colour = f.settings.map.format == int(MapFormat::Colour);
-    f.filter_sampler = f.settings.filter.method == int(FilterMethod::Sampler) && !colour;
-    if (f.settings.filter.method == int(FilterMethod::Sampler) && colour)
+    f.filter_sampler = uses_sampler(f.settings);
+    if (f.settings.filter.method == int(FilterMethod::Sampler) && !f.filter_sampler)
         f.notes.push_back("filter.method sampler cannot compare a colour map; gather is used");
     f.defines = settings_defines(f.settings);
     f.defines.push_back({"KERNEL_SIZE", std::to_string(filter.size)});
@@ -105,6 +104,7 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"SUBPIXEL_BITS", std::to_string(f.driver.subpixel_bits)});
     f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
     f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
+    if (f.gl.scene->coloured()) f.defines.push_back({"VERTEX_COLOURS", "1"});
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
     f.preamble = settings_block_text() + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
@@ -232,7 +232,6 @@ FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings,
     if (f.settings.camera.source == int(CameraSource::Light) && resources.fitted.empty())
         f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
     f.origin = f.camera.origin();
-    f.light_origin = scene.bounds.centre();
     if (!resources.scene || resources.scene->scene_id() != scene.id)
         resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
     resources.scene->arrange(scene, f.settings);
@@ -250,7 +249,8 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
     shared::FrameBlock block{};
     block.clip_from_relative = glm::mat4(f.camera.clip_from_relative(f.origin));
     block.eye = glm::vec4(glm::vec3(f.camera.eye - f.origin), f.camera.orthographic ? 1.f : 0.f);
-    block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), float(f.request.height / std::max(f.camera.focus, 1e-30)));
+    block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), 0.f);
+    block.map_origin = glm::vec4(glm::vec3(f.scene.bounds.centre() - f.origin), 0.f);
     const PolygonOffset& offset = driver.offset[std::size_t(f.settings.map.format)];
     block.offset = glm::vec4(offset.unit_depth, offset.unit_steps, offset.slope_gain, offset.slope_is_length ? 1 : 0);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {

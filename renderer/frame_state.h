@@ -92,7 +92,6 @@ struct FrameState {
 
     Camera camera;
     glm::dvec3 origin{0};        ///< of camera-relative positions
-    glm::dvec3 light_origin{0};  ///< of the light passes
     std::vector<int> first_view; ///< per light: its first layer
     int view_count = 0;
     int map_resolution = 0;

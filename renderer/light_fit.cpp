@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "renderer/angles.h"
 #include "renderer/fit_bounds.h"
 #include "renderer/map_limits.h"
 #include "renderer/projection.h"
@@ -293,8 +294,8 @@ glm::dmat3 orthonormal_basis(const glm::dvec3& n) {
 }
 
 glm::dvec3 direction_from_angles(double azimuth_deg, double elevation_deg) {
-    const double az = azimuth_deg * kDegree, el = elevation_deg * kDegree;
-    return {std::cos(el) * std::sin(az), std::sin(el), std::cos(el) * std::cos(az)};
+    const SineCosine az = sine_cosine(azimuth_deg), el = sine_cosine(elevation_deg);
+    return glm::dvec3(el.cosine * az.sine, el.sine, el.cosine * az.cosine) + 0.0;  // no zero has a sign
 }
 
 std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, int max_resolution) {
@@ -312,6 +313,7 @@ std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings
         const glm::dvec3 target =
             shape.centre + glm::dvec3(finite_or(s.target_x, 0), finite_or(s.target_y, 0), finite_or(s.target_z, 0));
         light.target = target;
+        light.map_origin = shape.centre;
         light.range_m = range_of(s);
         const FitContext context{shape, s, {true, settings.map.reversed_z}, resolution,
                                  light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity()};

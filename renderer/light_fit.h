@@ -31,6 +31,12 @@ struct DepthCurve {
     double distance(double d) const;
     /// |d depth / d z| at distance z, per metre.
     double slope(double z) const;
+    /// By how much the depth of a point at distance z changes when it comes that many metres along the axis nearer to
+    /// the light (below 0: farther), in depth-buffer units. It comes no nearer than a thousandth of `near`.
+    double depth_nearer(double z, double metres) const;
+    /// Metres along the axis that a point at distance z comes nearer when its depth changes so much towards the light:
+    /// the inverse of depth_nearer(). Not more than z in perspective; infinite where the depth is.
+    double metres_nearer(double z, double depth) const;
 };
 
 /// One square shadow map image: a view and projection.
@@ -69,6 +75,7 @@ struct FittedLight {
     glm::dvec3 radiance{1};      ///< colour × intensity, normalised to the scene's centre (see fit_lights)
     bool casts = false;          ///< has views and anything to draw into them
     std::string reason;          ///< why it casts nothing
+    glm::dvec3 map_origin{0};    ///< world; what the shaders that draw its maps count positions from
     std::vector<LightView> views;///< 1, or 6 faces (+x -x +y -y +z -z)
     int clipped_casters = 0;     ///< objects reaching in front of the near plane
     MapLimits limits;                ///< of lights that cast
@@ -89,7 +96,8 @@ std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings
 /// Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017.
 glm::dmat3 orthonormal_basis(const glm::dvec3& n);
 
-/// Unit vector of an azimuth (degrees about +y, 0 = +z, 90 = +x) and elevation (degrees above the horizon).
+/// Unit vector of an azimuth (degrees about +y, 0 = +z, 90 = +x) and elevation (degrees above the horizon); exact at
+/// multiples of 90.
 glm::dvec3 direction_from_angles(double azimuth_deg, double elevation_deg);
 
 }  // namespace si

@@ -24,17 +24,21 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     r.uvd = to_unit(r.ndc);
     r.texel_m = view.texel_size(view.curve.perspective ? w : 1.0, resolution);
     r.own_m = view.curve.distance(r.uvd.z);
-    const double per_m = view.curve.slope(r.own_m);
-    const double slope = bias.slope * (1 - std::clamp(glm::dot(bias_normal, r.to_light), 0.0, 1.0));
-    const double amount = std::max(slope, bias.constant);
-    r.bias_depth = bias.unit == int(BiasUnit::Texels)   ? amount * r.texel_m * per_m
-                   : bias.unit == int(BiasUnit::Metres) ? amount * per_m
-                                                        : amount;
-    r.bias_m = r.bias_depth / per_m;
+    r.axis_per_ray = std::max(glm::dot(r.to_light, view.axes[2]), 1e-6);
     r.normal_offset_m = bias.normal * r.texel_m;
     const glm::dvec4 moved =
         view.clip_from_relative(position_ws + bias_normal * r.normal_offset_m) * glm::dvec4(0, 0, 0, 1);
     r.tap = to_unit(glm::dvec3(moved) / moved.w);
+    const double slope = bias.slope * (1 - std::clamp(glm::dot(bias_normal, r.to_light), 0.0, 1.0));
+    const double amount = std::max(slope, bias.constant);
+    if (bias.unit == int(BiasUnit::Depth)) {
+        r.bias_depth = amount;
+        r.bias_m = view.curve.metres_nearer(r.own_m, amount);
+    } else {
+        r.bias_m = bias.unit == int(BiasUnit::Texels) ? amount * r.texel_m : amount;
+        // From where the normal offset has moved the point to, so that the compared depth moves by just these metres.
+        r.bias_depth = view.curve.depth_nearer(std::max(moved.w, 1e-3 * view.curve.near), r.bias_m);
+    }
     const bool reversed = view.curve.convention.reversed;
     r.compared = r.tap.z - (reversed ? -r.bias_depth : r.bias_depth);
     const bool beyond = reversed ? r.uvd.z < 0 : r.uvd.z > 1;

@@ -5,8 +5,14 @@
 
 #include "renderer/light_fit.h"
 #include "renderer/settings.h"
+#include "shaders/shared/facing.h"
 
 namespace si {
+
+/// Whether a surface faces the light. @param n_dot_l of its triangle's normal
+inline bool faces_light(double n_dot_l) {
+    return n_dot_l > double(shared::FACES_AWAY_COSINE);
+}
 
 enum class MapPlace { Inside, BeforeNear, Sides, BeyondFar, Behind };
 
@@ -19,6 +25,7 @@ struct LightReceiver {
     double n_dot_l = 0;        ///< of the geometric normal
     double texel_m = 0;        ///< world size of a texel here
     double own_m = 0;          ///< metres along the view's axis
+    double axis_per_ray = 1;   ///< cosine between the ray to the light and the view's axis, at least 1e-6
     double bias_depth = 0;     ///< depth-buffer units, >= 0 brings the point nearer to the light
     double bias_m = 0;         ///< the same in metres along the axis
     double normal_offset_m = 0;

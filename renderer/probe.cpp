@@ -133,7 +133,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
         pixel.point.bias_normal = source == int(NormalSource::Mapped)    ? mapped
                                   : source == int(NormalSource::Shading) ? vertex
                                                                          : out.normal_ws;
-        pixel.point.eye_ws = f.camera.eye;
+        pixel.point.origin_ws = f.origin;
         out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
         out.lights.back().evidence = draw_trials(f, x, y_bottom, int(i));
         out.lights.back().causes = cause_context(f.settings, f.mask_levels);

@@ -50,14 +50,15 @@ struct Probe {
         glm::dvec3 tap{0};       ///< the same after the normal offset: where the kernel is centred
         glm::ivec2 texel{0};     ///< that the kernel is centred in
         double n_dot_l = 0;
-        double stored = 0, stored_m = 0;     ///< nearest texel, raw and metres
+        double stored = 0, stored_m = 0;     ///< nearest texel, raw and metres along the light's axis
         double own = 0, own_m = 0;           ///< the fragment's own depth before bias
+        double gap_m = 0;                    ///< how much nearer to the light the texel's surface is, metres along the light's ray
         double stored_linear = 0, own_linear = 0;  ///< 0 at the near plane, 1 at the far plane
         double bias_depth = 0, bias_texels = 0, bias_m = 0;
         double normal_offset_m = 0;
         glm::dvec3 offset_position_ws{0};  ///< after the normal offset
         double texel_m = 0;
-        double compared = 0;     ///< depth after bias
+        double compared = 0;     ///< depth after bias; of 16 and 24-bit maps within [0,1]
         int taps_across = 1;
         std::vector<KernelTap> taps;  ///< row by row from the lowest
         double visibility = 1;   ///< what the renderer's filter computed

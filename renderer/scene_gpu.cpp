@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "renderer/face_normals.h"
+
 namespace si {
 namespace {
 
@@ -70,38 +72,56 @@ SceneGpu::SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu
 void SceneGpu::upload_geometry(const Scene& scene) {
     std::size_t vertex_count = 0, index_count = 0;
     bool coloured = false;
-    for (const Mesh& m : scene.meshes) {
-        vertex_count += m.positions.size();
+    std::vector<FacedMesh> faced(scene.meshes.size());
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+        const Mesh& m = scene.meshes[i];
+        faced[i] = face_normals(m.positions, m.indices);
+        vertex_count += faced[i].normals.size();
         index_count += m.indices.size();
         coloured |= !m.colours.empty();
     }
     positions_ = gl::Buffer::create("positions");
     attributes_ = gl::Buffer::create("normals and uv");
+    faces_ = gl::Buffer::create("normals of triangles");
     indices_ = gl::Buffer::create("indices");
+    faced_indices_ = gl::Buffer::create("indices that end with the triangle's normal");
     const auto allocate = [](gl::Buffer& b, std::size_t bytes) {
         glNamedBufferStorage(b.id(), GLsizeiptr(std::max<std::size_t>(bytes, 16)), nullptr, GL_DYNAMIC_STORAGE_BIT);
     };
     allocate(positions_, vertex_count * sizeof(glm::vec3));
     allocate(attributes_, vertex_count * sizeof(Attributes));
+    allocate(faces_, vertex_count * sizeof(glm::vec3));
     allocate(indices_, index_count * sizeof(std::uint32_t));
+    allocate(faced_indices_, index_count * sizeof(std::uint32_t));
     std::vector<glm::u8vec4> colours(coloured ? vertex_count : 0, glm::u8vec4(255));
     std::size_t vertex = 0, index = 0;
+    std::vector<glm::vec3> positions;
     std::vector<Attributes> attributes;
-    for (const Mesh& m : scene.meshes) {
-        const std::size_t n = m.positions.size();
-        ranges_.push_back({index, GLsizei(m.indices.size()), GLint(vertex)});
+    for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+        const Mesh& m = scene.meshes[mesh];
+        const FacedMesh& f = faced[mesh];
+        const std::size_t n = f.normals.size();
+        ranges_.push_back({index, GLsizei(m.indices.size()), GLint(vertex), f.copies});
         if (n == 0 || m.indices.empty()) continue;
-        attributes.resize(n);
-        for (std::size_t i = 0; i < n; ++i)
-            attributes[i] = {m.normals.empty() ? glm::vec3(0, 1, 0) : m.normals[i],
-                             m.uv.empty() ? glm::vec2(0) : m.uv[i]};
-        for (std::size_t i = 0; i < m.colours.size(); ++i)
-            colours[vertex + i] = glm::u8vec4(glm::round(glm::clamp(m.colours[i], 0.f, 1.f) * 255.f));
-        glNamedBufferSubData(positions_.id(), GLintptr(vertex * sizeof(glm::vec3)), GLsizeiptr(n * sizeof(glm::vec3)),
-                             m.positions.data());
-        glNamedBufferSubData(attributes_.id(), GLintptr(vertex * sizeof(Attributes)),
-                             GLsizeiptr(n * sizeof(Attributes)), attributes.data());
-        glNamedBufferSubData(indices_.id(), GLintptr(index * 4), GLsizeiptr(m.indices.size() * 4), m.indices.data());
+        attributes.resize(n), positions.resize(n);
+        const auto source = [&](std::size_t i) { return ranges_.back().source(m.positions.size(), i); };
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t from = source(i);
+            positions[i] = m.positions[from];
+            attributes[i] = {m.normals.empty() ? glm::vec3(0, 1, 0) : m.normals[from],
+                             m.uv.empty() ? glm::vec2(0) : m.uv[from]};
+            if (!m.colours.empty())
+                colours[vertex + i] = glm::u8vec4(glm::round(glm::clamp(m.colours[from], 0.f, 1.f) * 255.f));
+        }
+        const auto put = [](const gl::Buffer& buffer, std::size_t first, const auto& data) {
+            glNamedBufferSubData(buffer.id(), GLintptr(first * sizeof data[0]), GLsizeiptr(data.size() * sizeof data[0]),
+                                 data.data());
+        };
+        put(positions_, vertex, positions);
+        put(attributes_, vertex, attributes);
+        put(faces_, vertex, f.normals);
+        put(indices_, index, m.indices);
+        put(faced_indices_, index, f.indices);
         vertex += n;
         index += m.indices.size();
     }
@@ -115,6 +135,7 @@ void SceneGpu::upload_geometry(const Scene& scene) {
     attribute(0, 0, 3, 0);
     attribute(1, 1, 3, 0);
     attribute(2, 1, 2, offsetof(Attributes, uv));
+    attribute(14, 5, 3, 0);
     for (GLuint row = 0; row < 3; ++row) attribute(4 + row, 3, 4, row * 16);
     attribute(7, 3, 4, offsetof(InstanceData, base_colour));
     attribute(8, 3, 4, offsetof(InstanceData, surface));
@@ -122,7 +143,7 @@ void SceneGpu::upload_geometry(const Scene& scene) {
     glVertexArrayBindingDivisor(vao, 3, 1);
     glVertexArrayVertexBuffer(vao, 0, positions_.id(), 0, sizeof(glm::vec3));
     glVertexArrayVertexBuffer(vao, 1, attributes_.id(), 0, sizeof(Attributes));
-    glVertexArrayElementBuffer(vao, indices_.id());
+    glVertexArrayVertexBuffer(vao, 5, faces_.id(), 0, sizeof(glm::vec3));
     if (coloured) {
         colours_ = gl::Buffer::create("vertex colours");
         store(colours_, colours);
@@ -142,10 +163,13 @@ void SceneGpu::upload_normal_map_attributes(const Scene& scene, std::size_t vert
         const Mesh& m = scene.meshes[mesh];
         if (!mapped(m)) continue;
         const std::vector<glm::vec2>& uv = m.uv_normal.empty() ? m.uv : m.uv_normal;
-        NormalMapAttributes* out = data.data() + ranges_[mesh].base_vertex;
-        for (std::size_t i = 0; i < m.positions.size(); ++i)
-            out[i] = {uv.empty() ? glm::vec2(0) : uv[i], material_of(scene, m).normal_scale,
-                      m.tangents.empty() ? glm::vec4(0) : m.tangents[i]};
+        const MeshRange& range = ranges_[mesh];
+        NormalMapAttributes* out = data.data() + range.base_vertex;
+        for (std::size_t i = 0; i < m.positions.size() + range.copies.size(); ++i) {
+            const std::size_t from = range.source(m.positions.size(), i);
+            out[i] = {uv.empty() ? glm::vec2(0) : uv[from], material_of(scene, m).normal_scale,
+                      m.tangents.empty() ? glm::vec4(0) : m.tangents[from]};
+        }
     }
     normal_map_ = gl::Buffer::create("normal map coordinates");
     store(normal_map_, data);
@@ -275,8 +299,8 @@ void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dve
         slot.key = key.value();
     }
     glBindVertexArray(vao_.id());
+    glVertexArrayElementBuffer(vao_.id(), slot_index == 0 ? faced_indices_.id() : indices_.id());
     glVertexArrayVertexBuffer(vao_.id(), 3, slot.buffer.id(), 0, sizeof(InstanceData));
-    if (!colours_) glVertexAttrib4f(3, 1, 1, 1, 1);
 }
 
 void SceneGpu::draw(const Batch& b) const {

@@ -38,10 +38,13 @@ public:
     /// Sorts the objects into batches under the object settings; cheap when nothing changed.
     void arrange(const Scene& scene, const Settings& settings);
     const std::vector<Batch>& batches() const { return batches_; }
+    /// Whether vertices bring colours (define VERTEX_COLOURS); else each object has one.
+    bool coloured() const { return bool(colours_); }
     /// Key of the arrangement: scene, casts, culls, receives.
     const Key& key() const { return arrangement_; }
 
-    /// Binds the vertex array with instance transforms relative to `origin`. Slot 0 is the camera's, 1 the lights'.
+    /// Binds the vertex array with instance transforms relative to `origin`. Slot 0 is the camera's, whose triangles
+    /// bring their normals, 1 the lights'.
     void bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, int slot);
     void draw(const Batch& batch) const;
 
@@ -49,12 +52,16 @@ private:
     std::uint64_t scene_id_ = 0;
     std::shared_ptr<const Rig> rig_;  ///< what poses of one scene have in common; null: the scene has no other pose
     gl::VertexArray vao_;
-    gl::Buffer positions_, attributes_, colours_, normal_map_, indices_;
+    gl::Buffer positions_, attributes_, faces_, colours_, normal_map_;
+    gl::Buffer indices_, faced_indices_;  ///< as the lights draw, and as the camera does: see face_normals.h
     std::vector<gl::Texture> textures_;
     struct MeshRange {
         std::size_t first_index = 0;
         GLsizei index_count = 0;
         GLint base_vertex = 0;
+        std::vector<std::uint32_t> copies;  ///< of vertices, after the mesh's own: see face_normals.h
+        /// The mesh's vertex that vertex i of the range is or repeats. @param own how many the mesh has
+        std::size_t source(std::size_t own, std::size_t i) const { return i < own ? i : copies[i - own]; }
     };
     std::vector<MeshRange> ranges_;
     std::vector<std::uint32_t> order_;  // objects in instance order

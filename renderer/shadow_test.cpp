@@ -34,13 +34,15 @@ std::string unreached(const FittedLight& light, const glm::dvec3& position_ws) {
 
 std::string verdict(const Settings& settings, const Probe::PerLight& p) {
     if (!p.receives) return "lit: this object receives no shadows";
-    if (p.n_dot_l <= 0) return "in shadow: the surface faces away from the light";
+    if (!faces_light(p.n_dot_l)) return "in shadow: the surface faces away from the light";
     if (p.where == "behind") return "outside the map: behind the light";
     if (p.where == "beyond far" && settings.map.far_guard)
         return fmt::format("{}: beyond the light's far plane, the far guard decides", p.visibility > 0.5 ? "lit" : "unlit");
-    const double gap = p.own_m - p.stored_m;
+    const double gap = p.gap_m;
     const DepthAmount all = p.account.amount(p.account.clears());
-    const std::string bias = fmt::format("bias and normal offset are worth {:.4g} m ({:.3g} texels)", all.metres, all.texels);
+    const std::string bias = std::isfinite(all.texels)
+                                 ? fmt::format("bias and normal offset are worth {:.4g} m ({:.3g} texels)", all.metres, all.texels)
+                                 : "bias and normal offset lift it past everything, as the map sees it edge-on";
     const std::string texel = gap > 0 ? fmt::format("its texel stores a surface {:.4g} m nearer to the light", gap)
                                       : fmt::format("its texel stores nothing nearer (own depth is {:.4g} m before it)", -gap);
     if (p.visibility >= 1) return fmt::format("lit: {}, {}", texel, bias);
@@ -73,6 +75,12 @@ private:
     double border_ = 1;
 };
 
+/// A depth as it is compared: with formats that hold nothing else, within [0,1] as samplers do.
+double as_compared(const Settings& s, double depth) {
+    const bool fixed = s.map.format == int(MapFormat::D16) || s.map.format == int(MapFormat::D24);
+    return fixed ? std::clamp(depth, 0.0, 1.0) : depth;
+}
+
 bool passes(const Settings& s, double own, double stored) {
     // In single precision, as shaders compare; the map's depths are such numbers.
     const float a = float(own), b = float(stored);
@@ -82,6 +90,7 @@ bool passes(const Settings& s, double own, double stored) {
 
 KernelTap::Meets met(const BiasAccount& account, const DepthConvention& convention, double stored, double plane) {
     if (stored == convention.far_depth()) return KernelTap::Meets::Nothing;
+    if (account.plane.edge_on()) return KernelTap::Meets::Own;
     const double behind = (convention.reversed ? -1 : 1) * (stored - plane);
     const double slack = account.least.quantum + account.least.snapping + account.least.rounding;
     // In float formats a unit goes by the farthest depth of a triangle, which is more than at its nearer points.
@@ -119,7 +128,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     p.bias_depth = r.bias_depth, p.bias_m = r.bias_m, p.bias_texels = r.bias_m / r.texel_m;
     p.normal_offset_m = r.normal_offset_m;
     p.offset_position_ws = p.point.position_ws + p.point.bias_normal * p.normal_offset_m;
-    p.compared = r.compared;
+    p.compared = as_compared(settings, r.compared);
     const glm::dvec2 centre = glm::dvec2(r.tap) * double(n);
     p.texel = glm::ivec2(glm::clamp(glm::floor(centre), glm::dvec2(-1e9), glm::dvec2(1e9)));
     p.where = place_name(r.place);
@@ -127,6 +136,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     const bool guarded = settings.map.wrap == int(MapWrap::Range) && !depths.inside(p.texel);
     p.stored = guarded ? depths.border() : depths.at(p.texel);
     p.stored_m = view.curve.distance(p.stored), p.stored_linear = linear(p.stored_m);
+    p.gap_m = (p.own_m - p.stored_m) / r.axis_per_ray;
     const Filter& filter = filters()[std::size_t(settings.filter.kernel)];
     if (r.place != MapPlace::Behind) {
         p.taps_across = footprint_width(filter);

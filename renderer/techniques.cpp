@@ -32,7 +32,7 @@ constexpr Overlay kOverlays[] = {
      .file = "overlays/stored_depth.glsl"},
     {.key = "own-depth", .label = "Own depth", .unit = "depth", .help = "Each fragment's own depth seen from the light, before any bias.",
      .file = "overlays/own_depth.glsl"},
-    {.key = "depth-difference", .label = "Depth difference", .unit = "m", .help = "Own minus stored distance from the light: above zero an occluder lies before the fragment, around zero acne lives.",
+    {.key = "depth-difference", .label = "Depth difference", .unit = "m", .help = "Own minus stored distance along the light's ray: above zero an occluder lies before the fragment, around zero acne lives.",
      .file = "overlays/depth_difference.glsl", .min = -0.5, .max = 0.5, .diverging = true},
     {.key = "bias-applied", .label = "Bias applied", .unit = "texels", .help = "All bias that each fragment receives, in shadow texels at its place.",
      .file = "overlays/bias_applied.glsl", .min = 0, .max = 5},
@@ -78,6 +78,10 @@ std::vector<Choice> choices_of(const Row (&rows)[N]) {
 }
 
 }  // namespace
+
+bool uses_sampler(const Settings& settings) {
+    return settings.filter.method == int(FilterMethod::Sampler) && settings.map.format != int(MapFormat::Colour);
+}
 
 std::span<const Filter> filters() { return kFilters; }
 std::span<const Overlay> overlays() { return kOverlays; }

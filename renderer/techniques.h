@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "renderer/param.h"
+#include "renderer/settings.h"
 
 namespace si {
 
@@ -17,7 +18,14 @@ struct Filter {
     double reach_texels = 0.5; ///< kappa: how far a tap's texel centre may lie from the receiver, per axis
     int gathers = 0;           ///< textureGather calls per light with method gather; 0: cannot
     int sampler_taps = 1;      ///< texture calls per light with method sampler
+    /// Texels that are fetched per light, either way: a bilinear call of a shadow sampler compares 2x2, as a gather fetches.
+    int texels(bool sampler) const {
+        return !sampler && gathers > 0 ? 4 * gathers : (bilinear ? 4 : 1) * sampler_taps;
+    }
 };
+/// Whether a kernel compares in a shadow sampler: where filter.method asks for it and the map's format can.
+bool uses_sampler(const Settings& settings);
+
 
 /// How an overlay's values come about: per visible fragment, along the edges of all triangles, or as a count of
 /// every fragment whatever its depth.

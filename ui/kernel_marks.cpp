@@ -98,7 +98,7 @@ void draw_tap_key() {
 }
 
 void draw_kernel_on_surface(const PicturePainter& painter, const Probe::PerLight& p) {
-    if (p.taps.empty() || std::size_t(p.face) >= p.fitted.views.size() || !(p.n_dot_l > 0)) return;
+    if (p.taps.empty() || std::size_t(p.face) >= p.fitted.views.size() || !faces_light(p.n_dot_l)) return;
     const LightView& view = p.fitted.views[std::size_t(p.face)];
     // One texel across is texel_m wide; the map's resolution follows from it.
     const double n = 2 * view.half_width * (view.curve.perspective ? p.clip.w : 1.0) / p.texel_m;

@@ -78,13 +78,13 @@ void right_cell(const std::string& text) {
     ImGui::TextUnformatted(text.c_str());
 }
 
-/// An amount of depth in its three currencies, as one row.
-void amount_row(const char* name, const DepthAmount& a, const char* about) {
+/// An amount of depth in its three currencies, as one row. @param endless what an infinite one is called
+void amount_row(const char* name, const DepthAmount& a, const char* about, const char* endless = "infinite") {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", name);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
-    if (!std::isfinite(a.depth)) return right_cell("none");
+    if (!std::isfinite(a.depth)) return right_cell(endless);
     right_cell(fmt::format("{:.3g}", a.texels));
     right_cell(metres_text(a.metres));
     right_cell(fmt::format("{:.3g}", a.depth));
@@ -128,7 +128,7 @@ void depths(const Probe::PerLight& p) {
     row("stored depth", depth(p.stored, p.stored_linear, p.stored_m), "Nearest texel: as stored, from 0 at the near to 1 at the far plane, metres along the light's axis");
     row("own depth", depth(p.own, p.own_linear, p.own_m), "Before any bias");
     row("compared depth", fmt::format("{:.7f}", p.compared), "Own depth after bias and normal offset");
-    row("own - stored", metres_text(p.own_m - p.stored_m));
+    row("nearer by", metres_text(p.gap_m), "How much nearer to the light the stored surface is, along the light's ray");
     row("visibility", fmt::format("{:.4f}", p.visibility), "What the renderer's filter computed: 1 lit, 0 in shadow");
     ImGui::EndTable();
 }
@@ -174,7 +174,7 @@ void truth_column(const Dossier& d) {
         amount_row("least bias", d.least, "The window of biases that are right begins here");
         amount_row("bias", d.has, "What all bias is worth against acne");
         amount_row("moved", d.lifted, "How far bias moves the compared depth towards the light");
-        amount_row("occluder", d.occluder, "To the surface nearest the light, traced: as much bias loses it");
+        amount_row("occluder", d.occluder, "To the surface nearest the light, traced: as much bias loses it", "none");
         ImGui::EndTable();
     }
     std::string truth = d.truth.lit ? "truth: lit" : "truth: dark";
@@ -238,7 +238,7 @@ void draw_light(const Probe::PerLight& p, const Dossier* d, bool tracing, Settin
         draw_tap_key();
     });
     if (d && d->truth.state == PixelState::Counted) flow.block(em * 20, [&] { truth_column(*d); });
-    if (p.n_dot_l > 0) flow.block(em * 20, [&] { bias_terms(p.account); });
+    if (faces_light(p.n_dot_l)) flow.block(em * 20, [&] { bias_terms(p.account); });
     flow.block(em * 33, [&] { depths(p); });
     flow.block(em * 36, [&] { space(p); });
 }

@@ -64,11 +64,12 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
     fmt::print("  {}\n", p.verdict);
 }
 
-void print_amount(const char* name, const DepthAmount& a, const char* about = "") {
+/// @param endless what an infinite amount is called
+void print_amount(const char* name, const DepthAmount& a, const char* about = "", const char* endless = "infinite") {
     if (std::isfinite(a.depth))
         fmt::print("    {:<18} {:>10.4g} texels {:>11.4g} m {:>12.5g} of depth   {}\n", name, a.texels, a.metres, a.depth, about);
     else
-        fmt::print("    {:<18} {:>10}                                       {}\n", name, "none", about);
+        fmt::print("    {:<18} {:>10}                                       {}\n", name, endless, about);
 }
 
 void print_dossier(const Probe::PerLight& p, const Dossier& d) {
@@ -93,11 +94,16 @@ void print_dossier(const Probe::PerLight& p, const Dossier& d) {
     print_amount("  sub-pixel grid", a.amount(a.least.snapping));
     print_amount("  rounding", a.amount(a.least.rounding));
     print_amount("moved to the light", d.lifted, "a surface nearer than this is lost");
-    print_amount("nearest the light", d.occluder, "the surface that shadows this one");
+    print_amount("nearest the light", d.occluder, "the surface that shadows this one", "none");
     fmt::print("  truth: {}", d.truth.lit ? "lit" : "dark");
     if (d.truth.share > 0 && d.truth.share < 1) fmt::print(", {:.1f} % of the light seen (light.size)", 100 * d.truth.share);
-    fmt::print("; bias window [{:.4g}, {:.4g}) texels{}\n", d.least.texels, d.occluder.texels,
-               d.window_open() ? "" : ": empty");
+    if (!std::isfinite(d.least.depth))
+        fmt::print("; no bias window: the light sees the surface edge-on\n");
+    else if (!std::isfinite(d.occluder.depth))
+        fmt::print("; bias window [{:.4g}, no end) texels\n", d.least.texels);
+    else
+        fmt::print("; bias window [{:.4g}, {:.4g}) texels{}\n", d.least.texels, d.occluder.texels,
+                   d.window_open() ? "" : ": empty");
 }
 
 }  // namespace

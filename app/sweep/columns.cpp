@@ -42,7 +42,7 @@ constexpr auto kColumns = std::to_array<Column>({
      Plotted::No},
     {"time.frames", "Frames", "", "Timed frames.", Plotted::No},
     {"cost.bytes_touched", "Bytes touched", "B", "Of the maps, and what the kernel fetches for each pixel and light."},
-    {"cost.taps_per_pixel", "Taps a pixel", "", "Texels or comparisons that the kernel fetches per light."},
+    {"cost.taps_per_pixel", "Taps a pixel", "", "Texels that the kernel fetches per light."},
     {"cost.map_texels", "Map texels", "", "Of all shadow maps."},
     {"cost.map_bytes", "Map bytes", "B", "Of all shadow maps."},
     {"cost.draws", "Draws", "", "Draw calls of all passes."},

@@ -14,8 +14,8 @@ struct Need {
     double total = 0, step = 0;  ///< the least bias, and its part that does not grow with the slope
     double falls = 0;            ///< 1 - n.l
     double per_normal = 0;       ///< bias that one texel of normal offset is worth: 1 / |n . ray|
-    double sine = 0, texel_m = 0;
-    double gap(double bias_texels) const { return bias_texels * texel_m * sine; }
+    double gap_per_texel = 0;    ///< metres of contact gap that a texel of bias costs
+    double gap(double bias_texels) const { return bias_texels * gap_per_texel; }
 };
 
 double worst(const std::vector<Need>& needs, auto&& amount) {
@@ -93,7 +93,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
             continue;
         const Receiver& r = measured.traced.receivers->pixels[i];
         const BiasAccount a = bias_account(light, settings, measured.map_resolution,
-                                           {r.position_ws, r.normal_ws, r.normal_ws, measured.camera.eye}, driver);
+                                           {r.position_ws, r.normal_ws, r.normal_ws, measured.camera.origin()}, driver);
         const double step = a.amount(a.least.quantum + a.least.rounding).texels;
         const double total = a.amount(a.least.total()).texels;
         const LightView& view = light.views[a.receiver.view];
@@ -101,7 +101,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
         const double offset_m = least_normal_offset(view, r.position_ws, r.normal_ws, b);
         if (!std::isfinite(total) || !(offset_m > 0)) continue;  // edge-on
         needs.push_back({total, step, 1 - std::clamp(a.receiver.n_dot_l, 0.0, 1.0), total * a.receiver.texel_m / offset_m,
-                         std::sin(a.theta_rad), a.receiver.texel_m});
+                         contact_gap(a.receiver.texel_m / a.receiver.axis_per_ray, a.theta_rad)});
         gaps.push_back(a.contact_gap_m());
         shifts.push_back(a.receiver.normal_offset_m * std::tan(std::min(a.theta_rad, 1.57)));
         if (!measured.judged[i].has(JudgedPixel::kAnyAcne)) continue;

@@ -27,7 +27,7 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
         if (m.judged[i].artefact != Artefact::Undersampled) continue;
         const Receiver& r = m.traced.receivers->pixels[i];
         const BiasAccount a = bias_account(light, settings, m.map_resolution,
-                                           {r.position_ws, r.normal_ws, r.normal_ws, m.camera.eye}, driver);
+                                           {r.position_ws, r.normal_ws, r.normal_ws, m.camera.origin()}, driver);
         const float run_m = m.traced.runs->run_m.data[i];
         double n = a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
         // Where the window is closed for one nearest tap, finer texels open it.
@@ -36,7 +36,7 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
             const double along = gap_m * glm::dot(a.receiver.to_light, light.views[a.receiver.view].axes[2]);
             const double kappa = filters()[std::size_t(settings.filter.kernel)].reach_texels;
             const double fixed = a.least.quantum + a.least.rounding, falls = a.least.kernel * 0.5 / kappa + a.least.snapping;
-            const double room = along * a.depth_per_m - fixed;
+            const double room = along * a.curve.slope(a.receiver.own_m) - fixed;
             if (room > 0) n = std::max(n, m.map_resolution * falls / room);
         }
         wanted.push_back(n);

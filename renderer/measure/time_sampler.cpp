@@ -122,8 +122,7 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
     WorkCost cost;
     const auto kernels = filters();
     const Filter& kernel = kernels[std::size_t(std::clamp(settings.filter.kernel, 0, int(kernels.size()) - 1))];
-    const bool gathers = kernel.gathers > 0 && settings.filter.method != int(FilterMethod::Sampler);
-    cost.taps_per_pixel = gathers ? 4.0 * kernel.gathers : kernel.sampler_taps;
+    cost.taps_per_pixel = kernel.texels(uses_sampler(settings));
     const std::uint64_t texels = std::uint64_t(frame.map_resolution) * std::uint64_t(frame.map_resolution);
     std::uint64_t casting = 0;
     for (const FittedLight& light : frame.lights) {

@@ -103,7 +103,7 @@ TimeMeasurement sample_times(const TimeSampler::Limits& limits, const std::funct
 
 /// What a frame costs whatever machine draws it.
 struct WorkCost {
-    double taps_per_pixel = 0;          ///< texels or comparisons fetched per light and lit pixel by the kernel
+    double taps_per_pixel = 0;          ///< texels fetched per light and lit pixel by the kernel, by gathers or a sampler
     std::uint64_t map_texels = 0;       ///< of all shadow maps
     std::uint64_t map_bytes = 0;        ///< that they take, copies of map.blur_texels included
     /// map_bytes, and what the kernel fetches were each pixel lit by each casting light.

@@ -56,7 +56,8 @@ void set_raster_bias(const FrameState& f, bool reversed) {
 }
 
 /// @param unfiltered without polygon offset, masks at their finest level
-void draw_view(FrameState& f, const gl::Target& map, bool unfiltered, const LightView& view, int layer, PassInfo& info) {
+void draw_view(FrameState& f, const gl::Target& map, bool unfiltered, const FittedLight& light, const LightView& view,
+               int layer, PassInfo& info) {
     if (map.layers == 0) layer = -1;  // a plain texture
     const bool colour = f.settings.map.format == int(MapFormat::Colour);
     f.gl.map_framebuffer = colour ? gl::make_framebuffer("shadow map", &map, &f.gl.map_depth, layer)
@@ -81,8 +82,8 @@ void draw_view(FrameState& f, const gl::Target& map, bool unfiltered, const Ligh
     else
         set_raster_bias(f, convention.reversed);
     const std::vector<gl::Define> extra = unfiltered ? std::vector<gl::Define>{{"MASKS_AT_LEVEL_0", "1"}} : std::vector<gl::Define>();
-    const glm::mat4 matrix(view.clip_from_relative(f.light_origin));
-    f.gl.scene->bind(f.scene, f.settings, f.light_origin, 1);
+    const glm::mat4 matrix(view.clip_from_relative(light.map_origin));
+    f.gl.scene->bind(f.scene, f.settings, light.map_origin, 1);
     GLuint current = 0, texture = 0;
     std::optional<Batch> previous;
     const bool blend_casts = f.settings.caster.blend == int(BlendCasters::Mask);
@@ -130,16 +131,16 @@ void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan) {
         key.add(f.map_resolution).add(f.settings.map.format).add(f.settings.caster.cull);
         key.add(f.settings.bias.raster_slope).add(f.settings.bias.raster_units).add(f.settings.bias.raster_clamp);
         for (const LightView& v : light.views)
-            key.add(v.clip_from_relative(f.light_origin)).add(v.curve.convention.zero_to_one)
+            key.add(v.clip_from_relative(light.map_origin)).add(v.curve.convention.zero_to_one)
                 .add(v.curve.convention.reversed);
-        key.add(f.light_origin).add(f.first_view[i]).add(f.gl.programs.source().generation());
+        key.add(light.map_origin).add(f.first_view[i]).add(f.gl.programs.source().generation());
         f.maps_key.add(key);
         pass.key = key.value();
         pass.cached = &f.gl.map_keys[i];
         pass.run = [&f, i](PassInfo& info) {
             const FittedLight& l = f.gl.fitted[i];
             for (std::size_t v = 0; v < l.views.size(); ++v)
-                draw_view(f, f.gl.map, false, l.views[v], f.first_view[i] + int(v), info);
+                draw_view(f, f.gl.map, false, l, l.views[v], f.first_view[i] + int(v), info);
             const auto& batches = f.gl.scene->batches();
             const bool masks = std::any_of(batches.begin(), batches.end(),
                                            [](const Batch& b) { return b.cast && b.masked && !b.blend; });
@@ -172,7 +173,7 @@ void add_unfiltered_map_pass(FrameState& f, std::vector<Pass>& plan) {
             for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
                 const FittedLight& l = f.gl.fitted[i];
                 for (std::size_t v = 0; l.casts && v < l.views.size(); ++v)
-                    draw_view(f, f.gl.map_unfiltered, true, l.views[v], f.first_view[i] + int(v), info);
+                    draw_view(f, f.gl.map_unfiltered, true, l, l.views[v], f.first_view[i] + int(v), info);
             }
         };
     }

@@ -190,7 +190,7 @@ private:
         double distance = 0;
         const glm::dvec3 direction = query_.emitter.direction_from(r.position_ws, distance);
         const double cosine = glm::dot(r.normal_ws, direction);
-        if (!(cosine > 0)) {
+        if (!faces_light(cosine)) {
             out_.visibility.data[i] = 0;
             return state = PixelState::FacesAway;
         }

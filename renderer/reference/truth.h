@@ -23,7 +23,7 @@ namespace si {
 enum class PixelState : std::uint8_t {
     Counted,       ///< faces the light and lies in its cone and range
     Background,    ///< shows no surface
-    FacesAway,     ///< N_g.L <= 0: no light whatever stands between
+    FacesAway,     ///< not faces_light(N_g.L): no light whatever stands between
     OutsideCone,   ///< of a spot light
     NotReceiving,  ///< object.PATH.receive is off
     BeyondRange,   ///< of a spot or point light, in its cone

@@ -3,7 +3,11 @@ layout(binding = 2) uniform sampler2D base_colour_map;
 #ifdef TEXTURED
 in vec2 uv;
 #endif
+#ifdef VERTEX_COLOURS
 in vec4 colour;
+#else
+flat in vec4 colour;
+#endif
 #ifdef SURFACE_FLAGS
 flat in vec4 surface;  // x: receives shadows, y: alpha cutoff, z: unlit, w: object number
 #endif

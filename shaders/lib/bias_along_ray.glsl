@@ -1,12 +1,12 @@
 // How far the bias moves a receiver towards the light, along its light ray.
 
-/// Cosine between the ray to the light and the view's axis: metres along the axis per metre along the ray.
+/// Cosine between the ray to the light and the view's axis, at least 1e-6: metres along the axis per metre along the ray.
 float axis_per_ray(Receiver r) {
     // The axis towards the light: perspective depth is the distance along it (w), other depth grows against it.
     mat4 m = frame.uvd_from_relative[r.layer];
     vec3 axis = LIGHT_PERSPECTIVE[r.light] != 0 ? -vec3(m[0][3], m[1][3], m[2][3])
                                                : -away(1.0) * vec3(m[0][2], m[1][2], m[2][2]);
-    return dot(r.to_light, axis) * inversesqrt(max(dot(axis, axis), 1e-37));
+    return max(dot(r.to_light, axis) * inversesqrt(max(dot(axis, axis), 1e-37)), 1e-6);
 }
 
 /// Metres, of the geometric normal's slope: constant and slope bias along the view's axis, and the normal offset's share.
@@ -17,7 +17,7 @@ float bias_along_ray_m(Receiver r) {
 #elif bias_unit == bias_unit_metres
     float along_axis_m = amount;
 #else
-    float along_axis_m = amount / r.depth_per_m;
+    float along_axis_m = metres_nearer(r, amount);
 #endif
-    return along_axis_m / max(axis_per_ray(r), 1e-6) + bias_normal * r.texel_m * r.geometric_n_dot_l;
+    return along_axis_m / axis_per_ray(r) + bias_normal * r.texel_m * r.geometric_n_dot_l;
 }

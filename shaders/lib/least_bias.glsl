@@ -1,8 +1,5 @@
 // How much bias a triangle's plane needs, and how much it gets: renderer/bias_theory.h and bias_account.h in single
-// precision. Depths are in depth-buffer units; divide by texel_depth() for texels.
-
-/// The depth that one texel's width along the light's axis is worth.
-float texel_depth(Receiver r) { return r.depth_per_m * r.texel_m; }
+// precision. Depths are in depth-buffer units; texels_nearer() makes texels of them.
 
 /// The plane's depth gradient over the map, per map width. From two directions within the plane and their steps in the
 /// map by the quotient rule; that of depth is known in closed form, where a quotient would cancel.
@@ -35,8 +32,8 @@ float depth_quantum(Receiver r) {
 /// @param reach_texels how far the centre of a texel that is compared may lie, per axis
 float least_bias(Receiver r, vec2 gradient, float reach_texels) {
     float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
-    vec3 from_eye = abs(r.surface.position - frame.eye.xyz);
-    float extent = max(max(0.5 * r.texel_m * float(map_resolution), from_eye.x), max(from_eye.y, from_eye.z));
+    vec3 farthest = max(abs(r.surface.position), abs(r.surface.position - frame.map_origin.xyz));
+    float extent = max(max(0.5 * r.texel_m * float(map_resolution), farthest.x), max(farthest.y, farthest.z));
     float snapping = SUBPIXEL_BITS > 0 ? exp2(-float(SUBPIXEL_BITS + 1)) : 0.0;
     return (reach_texels + snapping) * per_texel + depth_quantum(r) +
            exp2(-21.0) * max(extent * r.depth_per_m, r.uvd.z);

@@ -2,6 +2,7 @@
 #include "lib/frame.glsl"
 #include "lib/depth.glsl"
 #include "lib/shadow_map.glsl"
+#include "shared/facing.h"
 
 const int INSIDE = 0, OUTSIDE_SIDES = 1, OUTSIDE_FAR = 2, BEHIND = 3, NO_MAP = 4;
 
@@ -27,6 +28,7 @@ struct Receiver {
     vec3 uvd_offset;    // the same after the normal offset
     float w;
     float texel_m;      // world size of a texel here
+    float z;            // metres along the axis from a perspective light, kept above 0; else 1
     float depth_per_m;  // |d depth / d metres along the axis| here
     float bias_depth;   // applied, in depth-buffer units, >= 0 brings the fragment nearer to the light
     float reference;    // the depth that is compared
@@ -61,6 +63,30 @@ vec3 direction_to(int index, vec3 position, out float distance_m) {
     return distance_m > 0.0 ? d / distance_m : light.to_light.xyz;
 }
 
+bool faces_light(Receiver r) { return r.geometric_n_dot_l > FACES_AWAY_COSINE; }
+
+const float NEAREST_SHARE = 1e-3;  // of the near plane: nothing is taken to be nearer to a perspective light
+
+/// By how much the depth of a point at z changes when it comes that many metres along the axis nearer to the light:
+/// DepthCurve::depth_nearer(), exact where the slope at z is not, as depth rises faster towards a perspective light.
+float depth_nearer(int light, float z, float metres) {
+    float near = frame.lights[light].curve.x, far = frame.lights[light].curve.y;
+    if (LIGHT_PERSPECTIVE[light] == 0) return metres * (1.0 / (far - near));
+    float moved = min(metres, z - NEAREST_SHARE * near);
+    return near / z * (far / (z - moved)) * (moved / (far - near));
+}
+
+/// The inverse at r: metres along the axis; see DepthCurve::metres_nearer().
+float metres_nearer(Receiver r, float depth) {
+    float by_slope = depth / r.depth_per_m;
+    if (LIGHT_PERSPECTIVE[r.light] == 0) return by_slope;
+    float left = 1.0 + by_slope / r.z;
+    return left > 0.0 ? by_slope / left : -uintBitsToFloat(0x7f800000u);
+}
+
+/// The same in texels, as bias.unit counts them.
+float texels_nearer(Receiver r, float depth) { return metres_nearer(r, depth) / r.texel_m; }
+
 Receiver make_receiver(Surface s, int index) {
     Receiver r;
     LightBlock light = frame.lights[index];
@@ -84,25 +110,28 @@ Receiver make_receiver(Surface s, int index) {
     r.w = h.w;
     float near = light.curve.x, far = light.curve.y;
     bool perspective = LIGHT_PERSPECTIVE[index] != 0;
-    float z = perspective ? max(h.w, near * 1e-3) : 1.0;
-    r.texel_m = 2.0 * light.curve.z * z * light.curve.w;
-    r.depth_per_m = perspective ? near * far / ((far - near) * z * z) : 1.0 / (far - near);
+    r.z = perspective ? max(h.w, NEAREST_SHARE * near) : 1.0;
+    r.texel_m = 2.0 * light.curve.z * r.z * light.curve.w;
+    r.depth_per_m = perspective ? near * far / ((far - near) * r.z * r.z) : 1.0 / (far - near);
+
+    vec4 o = h;
+    float offset_z = r.z;
+#if BIAS_NORMAL_OFFSET
+    o += frame.uvd_from_relative[r.layer] * vec4(bias_normal_ws * (bias_normal * r.texel_m), 0.0);
+    if (!perspective) o.w = 1.0;
+    offset_z = perspective ? max(o.w, NEAREST_SHARE * near) : 1.0;
+#endif
 
     float slope_term = bias_slope * (1.0 - clamp(r.n_dot_l, 0.0, 1.0));
     float amount = max(slope_term, bias_constant);
 #if bias_unit == bias_unit_texels
-    r.bias_depth = amount * r.texel_m * r.depth_per_m;
+    r.bias_depth = depth_nearer(index, offset_z, amount * r.texel_m);
 #elif bias_unit == bias_unit_metres
-    r.bias_depth = amount * r.depth_per_m;
+    r.bias_depth = depth_nearer(index, offset_z, amount);
 #else
     r.bias_depth = amount;
 #endif
 
-    vec4 o = h;
-#if BIAS_NORMAL_OFFSET
-    o += frame.uvd_from_relative[r.layer] * vec4(bias_normal_ws * (bias_normal * r.texel_m), 0.0);
-    if (!perspective) o.w = 1.0;
-#endif
     r.uvd = h.xyz / h.w;
     r.uvd_offset = o.xyz / o.w;
     r.reference = r.uvd_offset.z - away(r.bias_depth);

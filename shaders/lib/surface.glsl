@@ -4,6 +4,7 @@
 
 in vec3 position_rel;
 in vec3 normal_ws;
+flat in vec3 face_normal;
 #ifdef NORMAL_MAPPED
 #include "lib/normal_map.glsl"
 #endif
@@ -17,11 +18,9 @@ Surface make_surface() {
     s.receives = true;
 #endif
     s.to_eye = frame.eye.w > 0.5 ? -frame.forward.xyz : normalize(frame.eye.xyz - position_rel);
-    // Derivatives within a triangle give its plane exactly; the side seen is the one towards the camera.
-    // Scaled to the picture, so that their product neither under- nor overflows at any size of scene.
-    vec3 n = cross(dFdx(position_rel) * frame.forward.w, dFdy(position_rel) * frame.forward.w);
-    float n2 = dot(n, n);
-    s.geometric = n2 > 0.0 ? n * inversesqrt(n2) : s.to_eye;
+    // The triangle's own normal, not that of screen derivatives: of those, single precision leaves a tenth of a degree.
+    float n2 = dot(face_normal, face_normal);
+    s.geometric = n2 > 0.0 ? face_normal * inversesqrt(n2) : s.to_eye;  // the side seen is the one towards the camera
     if (dot(s.geometric, s.to_eye) < 0.0) s.geometric = -s.geometric;
     float length2 = dot(normal_ws, normal_ws);
     s.vertex = length2 > 0.0 ? normal_ws * inversesqrt(length2) : s.geometric;

@@ -20,6 +20,9 @@ float map_visibility(Receiver r) {
     if (any(lessThan(r.uvd_offset.xy, vec2(0.0))) || any(greaterThan(r.uvd_offset.xy, vec2(1.0))))
         return outside_visibility();
 #endif
+#if !FILTER_SAMPLER && (map_format == map_format_d16 || map_format == map_format_d24)
+    r.reference = clamp(r.reference, 0.0, 1.0);  // as shadow samplers do with formats that hold nothing else
+#endif
     return filter_visibility(r);
 }
 
@@ -27,7 +30,7 @@ float light_visibility(Surface s, int light) {
     if (LIGHT_CASTS[light] == 0 || !s.receives) return 1.0;
     Receiver r = make_receiver(s, light);
     // A surface turned away from the light shadows itself; no tap can say it better.
-    if (r.geometric_n_dot_l <= 0.0) return 0.0;
+    if (!faces_light(r)) return 0.0;
     return map_visibility(r);
 }
 

@@ -2,6 +2,6 @@
 #include "lib/least_bias.glsl"
 
 vec4 overlay(Receiver r) {
-    if (r.where != INSIDE || r.geometric_n_dot_l <= 0.0) return vec4(NOTHING);
-    return vec4(least_bias(r, plane_gradient(r)) / texel_depth(r));
+    if (r.where != INSIDE || !faces_light(r)) return vec4(NOTHING);
+    return vec4(texels_nearer(r, least_bias(r, plane_gradient(r))));
 }

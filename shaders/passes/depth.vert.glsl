@@ -2,13 +2,17 @@
 layout(location = 0) in vec3 position_os;
 #ifdef MASKED
 layout(location = 2) in vec2 uv_in;
+#ifdef VERTEX_COLOURS
 layout(location = 3) in vec4 colour_in;
+out vec4 colour;
+#else
+flat out vec4 colour;
+#endif
 layout(location = 7) in vec4 base_colour_in;
 layout(location = 8) in vec4 surface_in;
 #ifdef TEXTURED
 out vec2 uv;
 #endif
-out vec4 colour;
 flat out vec4 surface;
 #endif
 layout(location = 4) in vec4 row0;
@@ -24,7 +28,11 @@ void main() {
 #ifdef TEXTURED
     uv = uv_in;
 #endif
+#ifdef VERTEX_COLOURS
     colour = colour_in * base_colour_in;
+#else
+    colour = base_colour_in;
+#endif
     surface = surface_in;
 #endif
 }

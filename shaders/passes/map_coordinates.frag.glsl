@@ -3,7 +3,7 @@
 layout(location = 0) out vec4 coordinates_out;  // u, v, layer among the light's views, 1: reads
 
 bool reads_map(Receiver r) {
-    if (!r.surface.receives || r.geometric_n_dot_l <= 0.0 || r.where >= BEHIND) return false;
+    if (!r.surface.receives || !faces_light(r) || r.where >= BEHIND) return false;
 #if map_far_guard
     if (r.where == OUTSIDE_FAR) return false;
 #endif

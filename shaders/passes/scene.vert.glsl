@@ -4,7 +4,12 @@
 layout(location = 0) in vec3 position_os;
 layout(location = 1) in vec3 normal_os;
 layout(location = 2) in vec2 uv_in;
+#ifdef VERTEX_COLOURS
 layout(location = 3) in vec4 colour_in;
+out vec4 colour;
+#else
+flat out vec4 colour;
+#endif
 layout(location = 4) in vec4 row0;
 layout(location = 5) in vec4 row1;
 layout(location = 6) in vec4 row2;
@@ -22,13 +27,14 @@ out vec3 bitangent_ws;
 #endif
 out vec3 uv_scale;
 #endif
+layout(location = 14) in vec3 face_os;  // of the triangle that this vertex is the last corner of
 
 out vec3 position_rel;
+flat out vec3 face_normal;  // of any length, 0 for a triangle without area
 out vec3 normal_ws;
 #ifdef TEXTURED
 out vec2 uv;
 #endif
-out vec4 colour;
 #ifdef SURFACE_FLAGS
 flat out vec4 surface;
 #endif
@@ -38,10 +44,15 @@ void main() {
     vec4 p = vec4(position_os, 1.0);
     position_rel = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
     normal_ws = vec3(dot(normal_row0, normal_os), dot(normal_row1, normal_os), dot(normal_row2, normal_os));
+    face_normal = vec3(dot(normal_row0, face_os), dot(normal_row1, face_os), dot(normal_row2, face_os));
 #ifdef TEXTURED
     uv = uv_in;
 #endif
+#ifdef VERTEX_COLOURS
     colour = colour_in * base_colour_in;
+#else
+    colour = base_colour_in;
+#endif
 #ifdef SURFACE_FLAGS
     surface = surface_in;
 #endif

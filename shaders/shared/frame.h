@@ -22,7 +22,8 @@ struct LightBlock {
 struct FrameBlock {
     mat4 clip_from_relative;
     vec4 eye;       // xyz relative; w: 1 orthographic
-    vec4 forward;   // unit viewing direction; w: 1 / (metres that a pixel spans at the focus)
+    vec4 forward;   // unit viewing direction
+    vec4 map_origin;  // xyz relative: what the shaders that draw the maps count positions from
     vec4 offset;    // PolygonOffset of the map format: unit_depth, unit_steps, slope_gain; w: 1 slope_is_length
     LightBlock lights[SI_MAX_LIGHTS];
     mat4 uvd_from_relative[SI_MAX_VIEWS];  // homogeneous map coordinates and depth, all in [0,w]

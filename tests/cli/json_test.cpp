@@ -162,6 +162,27 @@ TEST(Report, MatricesAreRowsAndAgreeWithTheProbe) {
     }
 }
 
+// The light sees the tower's side edge-on: amounts without end are null in JSON and have a word in text.
+TEST(Probe, SaysInWordsWhatHasNoNumber) {
+    const std::vector<std::string> probe = {"probe", "boxes", "--pixel", "32,24", "--size", "64x48",
+                                            "--set", "light.elevation=90", "--set", "light.azimuth=90",
+                                            "--set", "camera.source=manual", "--set", "camera.azimuth=-12",
+                                            "--set", "camera.elevation=5", "--set", "camera.distance=3",
+                                            "--set", "camera.target_x=2", "--set", "camera.target_y=1.2",
+                                            "--set", "camera.target_z=-1.6"};
+    std::vector<std::string> as_json = probe;
+    as_json.push_back("--json");
+    const Json light = json_of(as_json)["lights"][0];
+    EXPECT_NEAR(light["n_dot_l"], 0, 1e-6);
+    EXPECT_EQ(light["dossier"]["truth"]["state"], "faces_away");
+    EXPECT_TRUE(light["bias"]["least"]["texels"].is_null());
+    const ProcessResult text = run_program(probe);
+    EXPECT_EQ(text.code, 0) << text.err;
+    EXPECT_NE(text.out.find("least needed         infinite"), std::string::npos) << text.out;
+    EXPECT_EQ(text.out.find("nan"), std::string::npos) << text.out;
+    EXPECT_EQ(text.out.find("inf "), std::string::npos) << text.out;
+}
+
 TEST(Probe, WritesTheTestOut) {
     const Json probe = json_of({"probe", "boxes", "--pixel", "32,40", "--size", "64x48", "--json"});
     ASSERT_TRUE(probe["hit"]);
@@ -170,7 +191,7 @@ TEST(Probe, WritesTheTestOut) {
     for (const char* key :
          {"light",   "face",     "casts",      "clip",  "ndc",        "uvd",         "texel",  "n_dot_l",
           "stored",  "stored_m", "own",        "own_m", "bias_depth", "bias_texels", "bias_m", "normal_offset_m",
-          "texel_m", "compared", "visibility", "where", "verdict"}) {
+          "texel_m", "compared", "visibility", "where", "verdict", "gap_m"}) {
         EXPECT_TRUE(light.contains(key)) << key;
     }
     const double w = light["clip"][3], x = light["clip"][0], ndc = light["ndc"][0], u = light["uvd"][0];

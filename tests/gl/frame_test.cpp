@@ -64,6 +64,38 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
     }
 }
 
+// Beyond the far plane and before the near plane: a fixed-point format's sampler clamps what it compares, a float's does not.
+TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange) {
+    const Scene scene = load_scene("boxes");
+    FrameRequest request = small();
+    request.outputs = {.colour = false, .visibility = true};
+    for (const char* format : {"d16", "d24", "d32f"})
+        for (const char* reversed : {"false", "true"})
+            for (const char* compare : {"less", "lequal"})
+                for (const char* kernel : {"hard", "pcf3"}) {
+                    SCOPED_TRACE(testing::Message() << format << " reversed " << reversed << " " << compare << " " << kernel);
+                    Settings s = settings_for(scene, {{"filter.kernel", kernel}, {"map.format", format},
+                                                      {"map.reversed_z", reversed}, {"map.compare", compare},
+                                                      {"map.far_guard", "false"}, {"map.wrap", "clamp"}, {"map.resolution", "256"}});
+                    std::vector<float> pictures[2][2];  // gather, sampler; far plane through the scene, near plane behind it
+                    for (const bool sampler : {false, true})
+                        for (const bool behind : {false, true}) {
+                            set_setting(s, "filter.method", sampler ? "sampler" : "gather");
+                            s.lights[0].fit = int(LightFit::Manual);
+                            s.lights[0].distance = 20;
+                            s.lights[0].near = behind ? 24 : 1, s.lights[0].far = behind ? 60 : 20;
+                            pictures[sampler][behind] =
+                                renderer.read_float(renderer.render(scene, s, request).visibility, 1).data;
+                        }
+                    for (const bool behind : {false, true}) {
+                        const auto &gather = pictures[0][behind], &sampled = pictures[1][behind];
+                        std::size_t differing = 0;
+                        for (std::size_t i = 0; i < gather.size(); ++i) differing += std::abs(gather[i] - sampled[i]) > 1e-3f;
+                        EXPECT_LE(differing, gather.size() / 1000) << (behind ? "before the near plane" : "beyond the far plane");
+                    }
+                }
+}
+
 TEST_F(FrameTest, WiderKernelsSoftenMore) {
     const Scene scene = load_scene("boxes");
     FrameRequest request = small();

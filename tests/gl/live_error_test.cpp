@@ -210,13 +210,11 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
                 if (std::isnan(nearest)) continue;
                 const Receiver& r = request.truth->traced.receivers->pixels[i];
                 const BiasAccount account = bias_account(light, s, frame.map_resolution,
-                                                         {r.position_ws, r.normal_ws, r.normal_ws, frame.camera.eye},
+                                                         {r.position_ws, r.normal_ws, r.normal_ws, frame.camera.origin()},
                                                          renderer.driver());
-                const LightView& view = light.views[account.receiver.view];
-                const double z = account.receiver.own_m;
-                const double before = z - nearest * glm::dot(account.receiver.to_light, view.axes[2]);
-                const double gap = std::abs(view.curve.depth(z) - view.curve.depth(before));
-                const double texels = account.amount(gap - account.least.total()).texels;
+                const glm::dvec3 axis = light.views[account.receiver.view].axes[2];
+                const double gap = nearest * glm::dot(account.receiver.to_light, axis) / account.receiver.texel_m;
+                const double texels = gap - account.amount(account.least.total()).texels;
                 ++shadowed, closed += texels <= 0;
                 off += !(std::abs(value - texels) <= 0.02 + 2e-3 * std::abs(texels));
             }

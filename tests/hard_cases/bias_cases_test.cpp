@@ -41,7 +41,7 @@ LeastBias predicted(const Shot& shot, const Settings& s) {
             const ReceiverPlane plane = receiver_plane(view, {x, 0, z}, {0, 1, 0});
             const LeastBias b = least_bias(plane.gradient, filter.reach_texels, shot.frame.map_resolution,
                                            depth_quantum(MapFormat(s.map.format), plane.uvd.z),
-                                           hard_renderer().driver().subpixel_bits, rounding_bias(view, {x, 0, z}, 10));
+                                           hard_renderer().driver(), rounding_bias(view, {x, 0, z}, 10));
             if (b.total() > worst.total()) worst = b;
         }
     return worst;
@@ -115,7 +115,7 @@ TEST_P(OffsetAlone, ClearsAPlaneByItsWorthAndNotByATenthLess) {
             for (double x : {-5.0, 0.0, 5.0})
                 for (double z : {-5.0, 0.0, 5.0}) {
                     const BiasAccount a = bias_account(bare.light(), s, bare.frame.map_resolution,
-                                                       {{x, 0, z}, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.eye}, driver);
+                                                       {{x, 0, z}, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()}, driver);
                     EXPECT_GT(a.raster, 0);
                     EXPECT_EQ(a.clears(), a.raster);
                     needed = std::max(needed, a.least.total() / a.raster);
@@ -132,6 +132,59 @@ TEST_P(OffsetAlone, ClearsAPlaneByItsWorthAndNotByATenthLess) {
 
 INSTANTIATE_TEST_SUITE_P(All, OffsetAlone, testing::ValuesIn(kFormats),
                          [](const auto& named) { return format_name(named.param); });
+
+// Away from home: the picture's shaders count from a grid point up to eight focus lengths away, the map's from the middle of
+// the scene. At the bias that each point of the account asks for, nothing may shadow itself.
+TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
+    struct Place {
+        glm::dvec3 at;
+        double size;
+    };
+    for (const Place& place : {Place{{0, 0, 0}, 10}, {{115, 0, 70}, 10}, {{-1000, 40, 1000}, 10}, {{1e4, -2e3, 1e4}, 10},
+                               {{115, 0, 70}, 0.1}, {{115, 0, 70}, 1000}})
+        for (const LightType type : {LightType::Directional, LightType::Spot})
+            for (const double theta : {0.0, 45.0, 75.0, 88.0}) {
+                SCOPED_TRACE(testing::Message() << place.size << " m at " << place.at.x << ", light " << int(type) << " at "
+                                                << theta);
+                const Scene scene = make_scene(make_plane(place.size, place.size), moved(place.at.x, place.at.y, place.at.z));
+                Settings s = plane_settings(MapFormat::D32F, "hard");
+                s.camera.target_x = place.at.x, s.camera.target_y = place.at.y, s.camera.target_z = place.at.z;
+                s.camera.distance *= place.size / 10;
+                s.lights[0].type = int(type);
+                if (type == LightType::Spot) s.lights[0].distance = 2 * place.size, s.lights[0].cone = 60;
+                s.lights[0].elevation = 90 - theta;
+                s.bias.unit = int(BiasUnit::Texels);
+                const auto visible = [&](Shot& shot) {
+                    std::vector<std::pair<std::size_t, glm::dvec3>> seen;
+                    for (int y = 0; y < shot.height; ++y)
+                        for (int x = 0; x < shot.width; ++x) {
+                            glm::dvec3 origin, dir;
+                            shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
+                            const glm::dvec3 at = origin + dir * ((place.at.y - origin.y) / dir.y);
+                            const glm::dvec3 off = glm::abs(at - place.at);
+                            const glm::dvec4 uvd = uvdw(shot.view(), at);
+                            if (std::max(off.x, off.z) < 0.49 * place.size && std::min(uvd.x, uvd.y) > 0.02 && std::max(uvd.x, uvd.y) < 0.98)
+                                seen.emplace_back(std::size_t(y * shot.width + x), at);
+                        }
+                    return seen;
+                };
+                Shot bare = shoot(scene, s);
+                double most = 0;
+                for (const auto& [pixel, at] : visible(bare)) {
+                    const BiasAccount a = bias_account(bare.light(), s, bare.frame.map_resolution,
+                                                       {at, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()},
+                                                       hard_renderer().driver());
+                    most = std::max(most, a.amount(a.least.total()).texels);
+                }
+                s.bias.constant = most;
+                Shot shot = shoot(scene, s);
+                const auto seen = visible(shot);
+                EXPECT_GT(seen.size(), 1500u);
+                std::size_t dark = 0;
+                for (const auto& [pixel, at] : seen) dark += shot.visibility.data[pixel] < 1;
+                EXPECT_EQ(dark, 0u) << "at " << most << " texels";
+            }
+}
 
 // The share of acne without bias is one half for the nearest kernel, as a texel's plane lies behind its centre's depth
 // on one side of it and before it on the other.

@@ -38,6 +38,7 @@ Settings plane_settings(const Case& c, const char* filter, double theta_deg) {
     s.map.format = int(c.format);
     s.filter.kernel = kernel(filter);
     s.bias = no_bias();
+    s.bias.unit = int(BiasUnit::Texels);
     LightSettings& light = s.lights[0];
     light.type = int(c.light);
     light.elevation = 90 - theta_deg;
@@ -71,7 +72,8 @@ Seen seen_points(const Scene& scene, const FrameResult& frame) {
 
 struct Row {
     std::string config;  ///< "| hard | 45 | 0.71 |": with the prediction in texels
-    double texels = 0, steps = 0;
+    double texels = 0;  ///< at the point that needs most of them
+    double steps = 0;   ///< of the format and of single precision that the kernel's part there is worth
     double acne[std::size(kShares)] = {};  ///< percent of the pixels darker than lit
     std::string text() const {
         std::string out = config;
@@ -87,19 +89,20 @@ Row measured(const Scene& scene, const Case& c, const char* filter, double theta
     FrameResult frame = hard_renderer().render(scene, s, request);
     const Seen seen = seen_points(scene, frame);
     EXPECT_GT(seen.pixels.size(), 4000u);
-    double least = 0;
-    BiasAccount worst;
-    for (std::size_t i = 0; i < seen.points.size(); i += 37) {
-        const BiasAccount a = bias_account(frame.lights[0], s, frame.map_resolution,
-                                           {seen.points[i], {0, 1, 0}, {0, 1, 0}, frame.camera.eye}, driver);
-        if (a.least.total() > least) least = a.least.total(), worst = a;
-    }
     Row row;
-    row.steps = worst.least.kernel / (worst.least.quantum + worst.least.rounding);
-    row.texels = worst.amount(least).texels;
+    for (const glm::dvec3& point : seen.points) {
+        const BiasAccount a = bias_account(frame.lights[0], s, frame.map_resolution,
+                                           {point, {0, 1, 0}, {0, 1, 0}, frame.camera.origin()},
+                                           hard_renderer().driver());
+        // In texels, as they are set: where depth is no multiple of metres another point may need more of depth.
+        const double texels = a.amount(a.least.total()).texels;
+        if (texels <= row.texels) continue;
+        row.texels = texels;
+        row.steps = a.least.kernel / (a.least.quantum + a.least.rounding);
+    }
     row.config = fmt::format("| {} | {} | {:.3g} |", filters()[std::size_t(s.filter.kernel)].label, theta, row.texels);
     for (std::size_t k = 0; k < std::size(kShares); ++k) {
-        s.bias.constant = kShares[k] * least;
+        s.bias.constant = kShares[k] * row.texels;
         frame = hard_renderer().render(scene, s, request);
         const FloatImage visibility = hard_renderer().read_float(frame.visibility, 1);
         std::size_t dark = 0;
@@ -147,7 +150,7 @@ void write_section(const Case& c, const std::vector<Row>& rows) {
         first = end = lines.size();
     }
     for (std::string& line : lines)
-        if (line.rfind(kBits, 0) == 0) line = kBits + std::to_string(hard_renderer().driver().subpixel_bits);
+        if (line.rfind(kBits, 0) == 0) line = kBits + std::to_string(hard_renderer().driver());
     lines.erase(lines.begin() + std::ptrdiff_t(first), lines.begin() + std::ptrdiff_t(end));
     for (std::size_t i = 0; i < rows.size(); ++i)
         lines.insert(lines.begin() + std::ptrdiff_t(first + i), rows[i].text());

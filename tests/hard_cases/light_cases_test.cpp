@@ -1,6 +1,9 @@
 // Hard cases 6 to 9: lights in awkward places.
 #include <cmath>
 
+#include "renderer/param.h"
+#include "renderer/reference/error_task.h"
+#include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/support/hard_case.h"
 
@@ -24,6 +27,65 @@ TEST(HardCase6, LightStraightAbove) {
         s.lights[0].elevation = -90;
         shoot(scene, s);
     }
+}
+
+// Faces exactly parallel to the light face away from it: in the picture, in the truth, in the probe.
+TEST(HardCase6, FacesParallelToTheLightAreDark) {
+    Scene scene;
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), -1));
+    const int box = add_mesh(scene, "box", make_box({1.5, 1, 2}), -1);
+    add_object(scene, "box", -1, box, moved(0, 0.5, 0));
+    add_object(scene, "turned", -1, box, moved(2.5, 0.5, -1) * turned(37));
+    finalise(scene);
+    for (const glm::dvec2& angles : {glm::dvec2(0, 90), {90, 90}, {-90, 90}, {180, 90}, {17, 90}, {90, 0}, {180, 40}, {-90, 25}})
+        for (const LightType type : {LightType::Directional, LightType::Spot}) {
+            SCOPED_TRACE(testing::Message() << "azimuth " << angles.x << " elevation " << angles.y << " type " << int(type));
+            Settings s = hard_settings();
+            s.lights[0].type = int(type);
+            s.lights[0].azimuth = angles.x, s.lights[0].elevation = angles.y;
+            const Shot shot = shoot(scene, s);
+            const RayTruth rays(scene);
+            int parallel = 0, lit = 0;
+            for (int y = 0; y < shot.height; ++y)
+                for (int x = 0; x < shot.width; ++x) {
+                    glm::dvec3 origin, dir;
+                    shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
+                    const auto hit = rays.first_hit(origin, dir);
+                    if (!hit || std::abs(glm::dot(hit->normal, direction_to(shot.light(), hit->position))) > 1e-12) continue;
+                    ++parallel, lit += shot.visibility.at(x, y) > 0;
+                }
+            if (type == LightType::Directional) EXPECT_GT(parallel, 50);
+            EXPECT_LE(lit, parallel / 20) << "only where the ray and the rasteriser choose another face";
+        }
+    // What the truth counts: none of them, so that none is false.
+    for (const double azimuth : {0.0, 90.0, -90.0, 180.0}) {
+        Settings s = hard_settings();
+        s.lights[0].azimuth = azimuth, s.lights[0].elevation = 90;
+        TruthCache cache;
+        const ErrorTask task = error_task(hard_renderer(), scene, s, {.width = 160, .height = 120}, 0);
+        const MeasuredError m = measure_error(task, cache);
+        EXPECT_GT(m.traced.truth->pixels[std::size_t(PixelState::FacesAway)], 300u);
+        EXPECT_EQ(m.metrics.any_acne, 0) << azimuth;
+        for (std::size_t i = 0; i < m.traced.truth->state.size(); ++i)
+            if (m.traced.truth->state[i] == PixelState::FacesAway) {
+                ASSERT_EQ(task.measured.data[i], 0) << azimuth;
+            } else if (m.traced.truth->state[i] == PixelState::Counted) {
+                ASSERT_GT(glm::dot(m.traced.receivers->pixels[i].normal_ws, glm::dvec3(0, 1, 0)), 1e-6);
+            }
+    }
+}
+
+// A degree before and at the right angle there is about the same error.
+TEST(HardCase6, StageIsNoWorseUnderALightStraightAbove) {
+    const Scene scene = load_scene("stage");
+    const auto iou = [&](double elevation) {
+        Settings s;
+        for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
+        s.lights[0].elevation = elevation;
+        TruthCache cache;
+        return measure_error(error_task(hard_renderer(), scene, s, {.width = 320, .height = 180}, 0), cache).metrics.iou;
+    };
+    EXPECT_NEAR(iou(90), iou(89.9), 0.05);
 }
 
 // Case 7: a light inside the geometry would need near <= 0.

@@ -131,7 +131,7 @@ TEST(BiasTheory, OrthographicClosedForm) {
         const double phi = std::atan2(in_map.y, in_map.x), texel = s.view.texel_size(1, 512);
         const double expected = 0.5 * texel * std::tan(theta) * (std::abs(std::cos(phi)) + std::abs(std::sin(phi)));
         const double b = least_bias(plane.gradient, 0.5, 512, 0, 0).total();
-        EXPECT_NEAR(depth_in_metres(s.view.curve, 1, b) / expected, 1, 1e-9);
+        EXPECT_NEAR(s.view.curve.metres_nearer(1, b) / expected, 1, 1e-9);
     }
 }
 
@@ -158,6 +158,16 @@ TEST(BiasTheory, EdgeOnIsInfiniteNotNan) {
     view.projection = fit_lights(Scene(), Settings())[0].views[0].projection;
     const ReceiverPlane plane = receiver_plane(view, {0, 0, -5}, {1, 0, 0});
     EXPECT_TRUE(std::isinf(plane.gradient.x));
+    EXPECT_EQ(plane.gradient.y, 0);
+    // Within a millionth of the light, as close as single precision tells.
+    for (const glm::dvec3 normal : {glm::dvec3(0, 1, 0), {0.6, 0.8, 0}, {0.6, -0.8, 9e-7}, {1, 0, -1e-17}, {0, 0, 0}}) {
+        const ReceiverPlane edge = receiver_plane(view, {0.3, 0.1, -5}, normal);
+        EXPECT_TRUE(edge.edge_on());
+        EXPECT_FALSE(std::isnan(edge.gradient.x) || std::isnan(edge.gradient.y));
+        EXPECT_EQ(edge.at({0.9, 0.2}), edge.uvd.z);
+        EXPECT_TRUE(std::isinf(least_bias(edge.gradient, 0.5, 512, 1e-6, 8).total()));
+    }
+    EXPECT_FALSE(receiver_plane(view, {0.3, 0.1, -5}, {0.6, -0.8, 2e-6}).edge_on());
 }
 
 TEST(BiasTheory, Quanta) {

@@ -1,0 +1,28 @@
+// Angles in degrees as directions need them.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace si {
+
+struct SineCosine {
+    double sine = 0, cosine = 1;
+};
+
+/// Sine and cosine of an angle in degrees; exact at multiples of 90, of which radians leave 6e-17: enough to call a
+/// surface that is parallel to the light lit.
+inline SineCosine sine_cosine(double degrees) {
+    int quarter = 0;
+    const double rest = std::remquo(degrees, 90.0, &quarter) * (std::numbers::pi / 180);
+    const double s = std::sin(rest), c = std::cos(rest);
+    // Adding 0 takes the sign off a zero, on which the basis about a direction would depend.
+    switch (quarter & 3) {
+        case 0: return {s + 0.0, c + 0.0};
+        case 1: return {c + 0.0, -s + 0.0};
+        case 2: return {-s + 0.0, -c + 0.0};
+        default: return {-c + 0.0, s + 0.0};
+    }
+}
+
+}  // namespace si

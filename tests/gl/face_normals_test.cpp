@@ -1,0 +1,147 @@
+// Normals of triangles as shaders have them, against those of the geometry in double: near and far from the world's origin,
+// seen along the surface, mirrored, stretched and bent.
+#include "renderer/animation.h"
+#include "renderer/bias_account.h"
+#include "renderer/scenes/shapes.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+
+class FaceNormalsOnGpu : public FrameTest {
+protected:
+    FrameResult frame;
+    /// The first pane's values, x of each pixel; NaN where nothing is drawn or told.
+    std::vector<float> values(const Scene& scene, Settings s, const char* overlay) {
+        set_setting(s, "view.overlay", overlay);
+        FrameRequest request{.width = kWidth, .height = kHeight};
+        request.outputs = {.colour = false, .overlay = true};
+        frame = renderer.render(scene, s, request);
+        const FloatImage image = renderer.read_float(frame.overlay, 4);
+        std::vector<float> out;
+        for (std::size_t i = 0; i < image.data.size(); i += 4)
+            out.push_back(image.data[i + 3] > 0 ? image.data[i] : std::numeric_limits<float>::quiet_NaN());
+        return out;
+    }
+};
+
+// One plane needs one bias: under parallel light its gradient is the same everywhere.
+TEST_F(FaceNormalsOnGpu, OnePlaneNeedsOneBiasOnEveryPixel) {
+    struct View {
+        double distance, elevation;
+    };
+    for (const double size : {10.0, 400.0})
+        for (const glm::dvec3& place : {glm::dvec3(0), {115, 0, -80}, {1e4, 3e3, -1e4}})
+            for (const View& view : {View{0.8, 55}, {1.5, 4}, {20, 1.5}}) {
+                SCOPED_TRACE(testing::Message() << size << " m at " << place.x << ", seen from " << view.distance * size
+                                                << " m at " << view.elevation << " degrees");
+                const Scene scene = make_scene(make_plane(size, size), moved(place.x, place.y, place.z));
+                Settings s = test::hard_settings();
+                s.filter.kernel = test::kernel("pcf3");
+                s.lights[0].elevation = 1.64;
+                s.camera.target_x = place.x, s.camera.target_y = place.y, s.camera.target_z = place.z;
+                s.camera.distance = view.distance * size, s.camera.elevation = view.elevation;
+                s.camera.fov = view.distance > 10 ? 4 : 45;
+                const std::vector<float> shown = values(scene, s, "least-bias");
+                int told = 0;
+                double least = 1e30, most = 0;
+                for (int y = 0; y < kHeight; ++y)
+                    for (int x = 0; x < kWidth; ++x) {
+                        const float value = shown[std::size_t(y * kWidth + x)];
+                        if (std::isnan(value)) continue;
+                        ++told;
+                        glm::dvec3 origin, dir;
+                        frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
+                        const glm::dvec3 at = origin + dir * ((place.y - origin.y) / dir.y);
+                        const BiasAccount a =
+                            bias_account(frame.lights[0], s, frame.map_resolution,
+                                         {at, {0, 1, 0}, {0, 1, 0}, frame.camera.origin()}, renderer.driver().subpixel_bits);
+                        const double ratio = value / a.amount(a.least.total()).texels;
+                        least = std::min(least, ratio), most = std::max(most, ratio);
+                    }
+                EXPECT_GT(told, 500);
+                EXPECT_GT(least, 0.99);
+                EXPECT_LT(most, 1.01);
+            }
+}
+
+// N.L of facets, however their object is placed: by rays against the triangles in double.
+TEST_F(FaceNormalsOnGpu, StayPerpendicularUnderAnyTransform) {
+    const auto under = [](const glm::dmat4& m) {
+        Scene scene;
+        const int root = add_node(scene, "root", -1, m);
+        add_object(scene, "ball", root, add_mesh(scene, "ball", make_sphere(1, 24, 12), -1));
+        add_object(scene, "again", root, 0, moved(2.4, 0.3, 0) * turned(40));
+        finalise(scene);
+        return scene;
+    };
+    const glm::dmat4 sheared(1, 0, 0, 0, 0.4, 1, 0, 0, 0, 0.3, 1, 0, 0, 0, 0, 1);
+    for (const glm::dmat4& m : {glm::dmat4(1), scaled(1, 0.05, 2), scaled(-1, 1, 1), scaled(-0.5, -2, -1), turned(77) * sheared,
+                                moved(115, 20, -300) * scaled(3, 1, 1), moved(1e4, 0, 1e4), scaled(1e-5, 1e-5, 1e-5)}) {
+        const Scene scene = under(m);
+        SCOPED_TRACE(testing::Message() << m[0].x << " " << m[1].y << " " << m[3].x);
+        Settings s;  // the automatic camera and light
+        s.lights[0].azimuth = 20, s.lights[0].elevation = 35;
+        const std::vector<float> shown = values(scene, s, "n-dot-l");
+        const test::RayTruth rays(scene);
+        int checked = 0, off = 0, facing = 0;
+        for (int y = 0; y < kHeight; y += 3)
+            for (int x = 0; x < kWidth; x += 3) {
+                const float value = shown[std::size_t(y * kWidth + x)];
+                glm::dvec3 origin, dir;
+                frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
+                const auto hit = rays.first_hit(origin, dir);
+                if (std::isnan(value) || !hit) continue;
+                ++checked, facing += value > 0;
+                off += std::abs(value - glm::dot(hit->normal, frame.lights[0].to_light)) > 5e-7;
+            }
+        EXPECT_GT(checked, 300);
+        EXPECT_GT(facing, checked / 8);
+        EXPECT_LE(off, checked / 50) << "only where the ray and the rasteriser choose another triangle";
+    }
+}
+
+// A morph bends the mesh: its facets' normals follow, those of corners that several triangles share too.
+TEST_F(FaceNormalsOnGpu, FollowPoses) {
+    Scene scene = make_scene(make_sphere(1, 24, 12));
+    Mesh& mesh = scene.meshes[0];
+    auto source = std::make_shared<DeformSource>();
+    source->positions = mesh.positions, source->normals = mesh.normals, source->indices = mesh.indices;
+    source->targets.resize(1);
+    for (const glm::vec3& p : mesh.positions) source->targets[0].positions.push_back({0.5f * p.y * p.y, 0.4f * p.x, -0.3f * p.z});
+    mesh.deformer = std::make_shared<Deformer>(Deformer{.source = source, .node = 0});
+    auto rig = std::make_shared<Rig>();
+    rig->rest.resize(scene.nodes.size());
+    rig->rest[0].weights = {0};
+    AnimationChannel bend{.node = 0, .property = AnimatedProperty::Weights, .width = 1};
+    bend.times_s = {0, 1}, bend.values = {0, 1};
+    rig->animations.push_back({.name = "bend", .duration_s = 1, .channels = {bend}});
+    scene.rig = rig;
+    std::vector<float> before;
+    for (const double time : {0.0, 1.0}) {
+        pose(scene, 0, time);
+        const std::vector<float> shown = values(scene, Settings{}, "n-dot-l");
+        EXPECT_NE(before, shown);
+        before = shown;
+        const test::RayTruth rays(scene);
+        int checked = 0, off = 0;
+        for (int y = 0; y < kHeight; y += 4)
+            for (int x = 0; x < kWidth; x += 4) {
+                const float value = shown[std::size_t(y * kWidth + x)];
+                glm::dvec3 origin, dir;
+                frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
+                const auto hit = rays.first_hit(origin, dir);
+                if (std::isnan(value) || !hit) continue;
+                ++checked;
+                off += std::abs(value - glm::dot(hit->normal, frame.lights[0].to_light)) > 5e-7;
+            }
+        EXPECT_GT(checked, 500);
+        EXPECT_LE(off, checked / 50) << time;
+    }
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,102 @@
+// Bias and gaps under spot and point lights, whose depth is no multiple of metres.
+#include <gtest/gtest.h>
+
+#include "renderer/bias_account.h"
+#include "renderer/scenes/shapes.h"
+
+namespace si {
+namespace {
+
+/// A light 10 m above the middle of a floor, and a point of the floor that its ray meets at an angle to the axis.
+struct Lit {
+    Settings settings;
+    FittedLight light;
+    SurfacePoint point;
+    explicit Lit(LightType type, bool reversed, double aside = 2) {
+        settings.map.reversed_z = reversed;
+        LightSettings& l = settings.lights[0];
+        l.type = int(type), l.azimuth = 0, l.elevation = 90, l.distance = 10, l.cone = 60;
+        l.fit = int(LightFit::Manual), l.near = 0.05, l.far = 12;
+        settings.bias = {};
+        settings.bias.constant = settings.bias.slope = settings.bias.normal = 0;
+        light = fit_lights(make_scene(make_plane(20, 20)), settings)[0];
+        point.position_ws = {aside, 0, 0.5 * aside};
+    }
+    BiasAccount account() const { return bias_account(light, settings, 512, point, 8); }
+};
+
+TEST(LightReceiver, AMetreOfBiasMovesAMetreAlongTheAxis) {
+    for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
+        for (const bool reversed : {false, true})
+            for (const double offset_texels : {0.0, 3.0})
+                for (const double metres : {1e-3, 1.0, 9.0}) {
+                    Lit lit(type, reversed);
+                    lit.settings.bias.unit = int(BiasUnit::Metres);
+                    lit.settings.bias.constant = metres, lit.settings.bias.normal = offset_texels;
+                    const BiasAccount a = lit.account();
+                    const DepthCurve& curve = lit.light.views[a.receiver.view].curve;
+                    EXPECT_NEAR(curve.distance(a.receiver.tap.z) - curve.distance(a.receiver.compared), metres, 1e-9)
+                        << int(type) << reversed;
+                    EXPECT_NEAR(a.receiver.bias_m, metres, 1e-12);
+                    lit.settings.bias.unit = int(BiasUnit::Texels);
+                    lit.settings.bias.constant = metres / a.receiver.texel_m;
+                    EXPECT_NEAR(lit.account().receiver.compared / a.receiver.compared, 1, 1e-12) << "texels are metres";
+                }
+}
+
+// What a person reads is a distance along the ray, at any size of it: not the slope's 101 m where the light is 10 m away.
+TEST(LightReceiver, AmountsAreDistancesAlongTheRay) {
+    for (const LightType type : {LightType::Spot, LightType::Point})
+        for (const bool reversed : {false, true})
+            for (const double aside : {0.0, 3.0}) {
+                const Lit lit(type, reversed, aside);
+                const BiasAccount a = lit.account();
+                const DepthCurve& curve = lit.light.views[a.receiver.view].curve;
+                const double distance = glm::distance(lit.light.position, lit.point.position_ws);
+                EXPECT_NEAR(a.receiver.axis_per_ray, 10 / distance, 1e-12);
+                for (const double gap_m : {1e-3, 1.0, 0.91 * distance}) {
+                    // A surface that much nearer on the ray, by its place.
+                    const double z = 10 * (1 - gap_m / distance);
+                    const double depth = std::abs(curve.depth(10) - curve.depth(z));
+                    EXPECT_NEAR(a.amount(depth).metres / gap_m, 1, 1e-9) << int(type);
+                    EXPECT_NEAR(a.amount(depth).texels, (10 - z) / a.receiver.texel_m, 1e-9 * (10 - z) / a.receiver.texel_m);
+                }
+                EXPECT_LE(a.amount(1e9).metres, distance * (1 + 1e-9));
+            }
+}
+
+TEST(BiasAccount, IsNeverNanEdgeOn) {
+    for (const LightType type : {LightType::Directional, LightType::Spot})
+        for (const double normal : {0.0, 1.0})
+            for (const double raster : {0.0, 2.0}) {
+                Lit lit(type, false, 0);
+                lit.point.geometric = lit.point.bias_normal = {1, 0, 0};
+                lit.settings.bias.normal = normal, lit.settings.bias.raster_slope = raster;
+                lit.settings.bias.slope = 1;
+                const BiasAccount a = lit.account();
+                EXPECT_FALSE(faces_light(a.receiver.n_dot_l));
+                EXPECT_TRUE(a.plane.edge_on());
+                for (const double depth : {a.constant, a.slope, a.normal, a.raster, a.clears(), a.lifts, a.least.kernel,
+                                           a.least.quantum, a.least.snapping, a.least.rounding, a.least.total()}) {
+                    const DepthAmount amount = a.amount(depth);
+                    EXPECT_FALSE(std::isnan(amount.depth) || std::isnan(amount.texels) || std::isnan(amount.metres));
+                }
+                EXPECT_TRUE(std::isinf(a.amount(a.least.total()).metres));
+                EXPECT_FALSE(std::isnan(a.contact_gap_m()));
+            }
+}
+
+// What P of the least bias is: the largest coordinate counted from the picture's origin or from the map's.
+TEST(BiasAccount, RoundingGrowsWithTheLargestCoordinateThatIsUsed) {
+    Lit lit(LightType::Directional, false, 1);
+    const double near = lit.account().least.rounding;
+    lit.point.origin_ws = {0, 0, 1000};
+    EXPECT_NEAR(lit.account().least.rounding, 4 * 0x1p-23 * 999.5 / (12 - 0.05), 1e-9);
+    EXPECT_GT(lit.account().least.rounding, 10 * near);
+    lit.point.origin_ws = {};
+    lit.light.map_origin = {-2000, 0, 0};
+    EXPECT_NEAR(lit.account().least.rounding, 4 * 0x1p-23 * 2001 / (12 - 0.05), 1e-9);
+}
+
+}  // namespace
+}  // namespace si
