@@ -32,7 +32,7 @@ struct FrameBlock {
 #ifdef __cplusplus
 }  // namespace si::shared
 static_assert(sizeof(si::shared::LightBlock) == 64);
-static_assert(offsetof(si::shared::FrameBlock, lights) == 112);
-static_assert(offsetof(si::shared::FrameBlock, uvd_from_relative) == 112 + 64 * SI_MAX_LIGHTS);
+static_assert(offsetof(si::shared::FrameBlock, lights) == 128);
+static_assert(offsetof(si::shared::FrameBlock, uvd_from_relative) == 128 + 64 * SI_MAX_LIGHTS);
 #endif
 #endif
