@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/context_job.h"
+#include "renderer/measure/cures.h"
 #include "ui/editor_ui.h"
 
 namespace si {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "renderer/measure/artefact_picture.h"
+#include "renderer/measure/cures.h"
 #include "renderer/param.h"
 #include "ui/theme.h"
 

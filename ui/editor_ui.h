@@ -12,7 +12,6 @@
 #include "renderer/depth_histogram.h"
 #include "renderer/frame.h"
 #include "renderer/lost_casters.h"
-#include "renderer/measure/cures.h"
 #include "renderer/renderer.h"
 #include "renderer/texel_usage.h"
 #include "ui/file_dialog.h"
@@ -22,6 +21,8 @@
 #include "ui/measured.h"
 
 namespace si {
+
+struct CureTable;  // renderer/measure/cures.h
 
 struct Probe;
 struct Dossier;

@@ -67,13 +67,13 @@ bool faces_light(Receiver r) { return r.geometric_n_dot_l > FACES_AWAY_COSINE; }
 
 const float NEAREST_SHARE = 1e-3;  // of the near plane: nothing is taken to be nearer to a perspective light
 
-/// By how much the depth of a point at z changes when it comes that many metres along the axis nearer to the light:
-/// DepthCurve::depth_nearer(), exact where the slope at z is not, as depth rises faster towards a perspective light.
-float depth_nearer(int light, float z, float metres) {
-    float near = frame.lights[light].curve.x, far = frame.lights[light].curve.y;
-    if (LIGHT_PERSPECTIVE[light] == 0) return metres * (1.0 / (far - near));
-    float moved = min(metres, z - NEAREST_SHARE * near);
-    return near / z * (far / (z - moved)) * (moved / (far - near));
+/// By how much the depth of a point at z changes when it comes that many metres along the axis nearer to r's light:
+/// DepthCurve::depth_nearer(), where the slope at r is not enough, as depth rises faster towards a perspective light.
+float depth_nearer(Receiver r, float z, float metres) {
+    bool perspective = LIGHT_PERSPECTIVE[r.light] != 0;
+    float moved = perspective ? min(metres, z - NEAREST_SHARE * frame.lights[r.light].curve.x) : metres;
+    float steeper = perspective ? (r.z / z) * (r.z / (z - moved)) : 1.0;
+    return moved * r.depth_per_m * steeper;
 }
 
 /// The inverse at r: metres along the axis; see DepthCurve::metres_nearer().
@@ -125,9 +125,9 @@ Receiver make_receiver(Surface s, int index) {
     float slope_term = bias_slope * (1.0 - clamp(r.n_dot_l, 0.0, 1.0));
     float amount = max(slope_term, bias_constant);
 #if bias_unit == bias_unit_texels
-    r.bias_depth = depth_nearer(index, offset_z, amount * r.texel_m);
+    r.bias_depth = depth_nearer(r, offset_z, amount * r.texel_m);
 #elif bias_unit == bias_unit_metres
-    r.bias_depth = depth_nearer(index, offset_z, amount);
+    r.bias_depth = depth_nearer(r, offset_z, amount);
 #else
     r.bias_depth = amount;
 #endif

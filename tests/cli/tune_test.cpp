@@ -33,11 +33,17 @@ TEST(Tune, WritesTheLeastBiasWithoutAcne) {
     ASSERT_FALSE(json["families"].empty());
     int chosen = 0;
     for (const Json& family : json["families"]) {
-        EXPECT_EQ(family["acne_px"], 0);
+        EXPECT_EQ(family["acne_px"] == 0, family["no_acne"].get<bool>());
         EXPECT_GT(family["gap_p95_m"], 0);
+        EXPECT_GE(family["shift_p95_m"], 0);
+        if (!family["no_acne"].get<bool>()) continue;
+        // The one taken loses the fewest pixels.
+        for (const Json& other : json["families"])
+            if (other["chosen"].get<bool>()) EXPECT_LE(other["lost_px"], family["lost_px"]);
         chosen += family["chosen"].get<bool>();
     }
     EXPECT_EQ(chosen, 1);
+    EXPECT_EQ(json["families"].size(), 3u) << "all that were tried stand side by side";
     EXPECT_FALSE(json["settings"].contains("map.resolution"));
     const Json tuned = measured(preset)["error"];
     EXPECT_EQ(tuned["acne"], 0);
@@ -87,6 +93,7 @@ TEST(Tune, KeepsToTheErrorThatIsAsked) {
         if (c["chosen"].get<bool>()) taken = c["ms"], resolution = c["resolution"], ++chosen;
     }
     EXPECT_EQ(chosen, 1);
+    EXPECT_EQ(json["families"].size(), 3u) << "all that were tried stand side by side";
     EXPECT_EQ(taken, cheapest);
     const auto again = run_program({"measure", "boxes", "--preset", preset.string(), "--size", "160x90", "--no-time", "--json"});
     EXPECT_LE(Json::parse(again.out)["error"]["mae"], 0.02);

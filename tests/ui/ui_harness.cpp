@@ -113,12 +113,14 @@ EditorActions UiHarness::frame() {
         if (facts.probe) facts.dossiers = dossiers;
         facts.tracing_probe = tracing_probe;
         facts.tuning = tuning;
+        facts.tuned = tuned;
+        facts.cures = cures;
     }
     ImGui::NewFrame();
     EditorActions actions = draw_editor(state, facts);
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
-    if (actions.tune || actions.cancel_tune) last_wish = actions;
+    if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures) last_wish = actions;
     io.MouseWheel = 0;
     return actions;
 }

@@ -44,6 +44,8 @@ public:
     std::vector<Dossier> dossiers;
     bool tracing_probe = false;
     std::optional<TuneFacts> tuning;
+    std::vector<TunedFamily> tuned;
+    CureSearch cures;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
     double frame_seconds = 1.0 / 60;

@@ -1,0 +1,136 @@
+// The cure table and the table of biases that were tried: what they ask for, what a click does, and both on real frames.
+#include <gtest/gtest.h>
+
+#include "app/headless_editor.h"
+#include "renderer/measure/cures.h"
+#include "renderer/param.h"
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+CureTable made_up_cures() {
+    CureTable table;
+    table.wrong = 1234, table.wrong_of[std::size_t(Artefact::Acne)] = 1234;
+    Cure least{.name = "least bias", .settings = {{"bias.constant", "2.5"}, {"bias.unit", "texels"}}, .untried = {}};
+    least.cured = 1200, least.broken = 3, least.ms = CostChange{0.1, 0.4};
+    least.cured_of[std::size_t(Artefact::Acne)] = 1200;
+    Cure finer{.name = "twice the resolution", .settings = {{"map.resolution", "4096"}}, .untried = {}};
+    finer.cured = 600, finer.ms = CostChange{12.5, 0.4}, finer.map_bytes = 48 << 20;
+    table.rows = {least, finer, {.name = "tighter fit", .settings = {}, .untried = "only for a directional light"}};
+    return table;
+}
+
+std::string printed(const UiHarness& ui) {
+    std::string out;
+    for (const char32_t c : ui.printed()) out += c < 128 ? char(c) : '?';
+    return out;
+}
+
+TEST(CuresPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
+    const CureTable table = made_up_cures();
+    UiHarness ui(1600, 900);
+    ui.state.open_tab = BottomTab::Error;
+    ui.truth = TruthFacts{.current = true, .wanted = true};
+    ui.error = LiveError();
+    ui.error->metrics.counted = 5000, ui.error->metrics.false_shadow = 0.2;
+    ui.state.layout.bottom_height = 32;
+    ui.frames(4);
+    auto find = ui.find("Error", "", "Find cures");
+    ASSERT_TRUE(find);
+    ui.click(*find);
+    ASSERT_TRUE(ui.last_wish.find_cures);
+    EXPECT_FALSE(ui.last_wish.find_cures->pixel) << "of the picture";
+
+    ui.cures.running = TuneFacts{"least bias, normal offset", 0.4};
+    ui.frames(3);
+    const auto cancel = ui.find("Error", "", "Cancel##cures");
+    ASSERT_TRUE(cancel);
+    ui.click(*cancel);
+    EXPECT_TRUE(ui.last_wish.cancel_cures);
+
+    ui.cures = {.running = {}, .table = &table, .pixel = {}, .current = true};
+    ui.frames(3);
+    const std::string text = printed(ui);
+    for (const char* part : {"least bias", "1200", "< noise", "+12.5 ms", "+48 MiB", "not tried, only for a directional light"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    const Settings before = ui.state.settings;
+    // The row spans the table; its name is below the button.
+    const auto button = ui.find("Error", "", "Find cures");
+    ASSERT_TRUE(button);
+    bool applied = false;
+    for (float y = 1; y < 12 && !applied; ++y) {
+        ui.click({button->x, button->y + y * 9});
+        applied = ui.state.settings.bias.constant == 2.5;
+    }
+    ASSERT_TRUE(applied);
+    ui.frames(3);
+    EXPECT_EQ(ui.state.history.undo(), before);
+
+    ui.cures.current = false;
+    ui.frames(3);
+    EXPECT_NE(printed(ui).find("of other settings"), std::string::npos);
+    ui.cures.pixel = glm::ivec2(1, 2);
+    ui.frames(3);
+    EXPECT_EQ(printed(ui).find("1200"), std::string::npos) << "a pixel's table is not the picture's";
+}
+
+TEST(TunedFamilies, StandSideBySideAndAClickTakesOne) {
+    UiHarness ui(1600, 900);
+    TunedFamily normal{.name = "normal offset", .bias_text = "bias.normal 3 texels", .bias = {}, .acne = 0, .wrong = 321, .lost = 20,
+                       .gap_p95_m = 0.012, .shift_p95_m = 0.034, .chosen = true};
+    normal.bias.normal = 3;
+    TunedFamily constant = normal;
+    constant.name = "constant bias", constant.bias.normal = 0, constant.bias.constant = 9, constant.wrong = 654, constant.shift_p95_m = 0,
+    constant.chosen = false;
+    ui.tuned = {normal, constant};
+    ui.state.search = "bias.";
+    ui.frames(5);
+    ui.state.search.clear();
+    ui.frames(5);
+    const std::string text = printed(ui);
+    for (const char* part : {"normal offset", "constant bias", "321", "654", "34 mm"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(EditorCuresTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
+    EditorOptions o;
+    o.session.scene = "boxes";
+    o.session.sets = {"bias.constant=0", "bias.normal=0", "map.resolution=512"};
+    o.width = 1280, o.height = 720;
+    o.headless = true;
+    HeadlessEditor editor(o);
+    EditorModel& model = editor.model();
+    model.state.open_tab = BottomTab::Error;
+    editor.settle();
+    ASSERT_TRUE(model.facts().error);
+    const ErrorMetrics before = model.facts().error->metrics;
+    EditorActions wish;
+    wish.scene_width = model.facts().result->colour.width, wish.scene_height = model.facts().result->colour.height;
+    wish.want_error = true;
+    wish.find_cures = CureWish{};
+    const Settings settings = model.state.settings;
+    model.fulfil(wish);
+    EXPECT_TRUE(model.facts().cures.running);
+    EXPECT_EQ(model.state.settings, settings);
+    editor.settle();
+    const CureSearch search = model.facts().cures;
+    EXPECT_FALSE(search.running);
+    ASSERT_TRUE(search.table);
+    EXPECT_TRUE(search.current);
+    std::size_t wrong = 0;
+    for (std::size_t a = 1; a < kArtefacts; ++a) wrong += before.artefacts[a];
+    EXPECT_EQ(search.table->wrong, wrong);
+    const Cure first = search.table->rows.at(0);
+    EXPECT_GT(double(first.cured), 0.9 * double(wrong));
+    for (const auto& [key, value] : first.settings) set_setting(model.state.settings, key, value);
+    editor.settle();
+    EXPECT_FALSE(model.facts().cures.current) << "other settings now";
+    ASSERT_TRUE(model.facts().error);
+    std::size_t left = 0;
+    for (std::size_t a = 1; a < kArtefacts; ++a) left += model.facts().error->metrics.artefacts[a];
+    EXPECT_EQ(left, wrong - first.cured + first.broken) << "exactly as predicted";
+}
+
+}  // namespace
+}  // namespace si::test
