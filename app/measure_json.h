@@ -15,10 +15,10 @@ nlohmann::ordered_json time_json(const TimeMeasurement& time);
 const char* state_key(PixelState state);
 /// How the truth was found: {area, step, noise, noise_unknown_px, samples_used {least, mean, most}}; null where not known.
 nlohmann::ordered_json truth_quality_json(const Truth& truth);
-/// Numbers that are not finite become null when the text is made.
 /// What the shares and causes of an error mean; rows of different meanings are not to be compared.
 /// 1: by distance to a true edge. 2: by the change that puts a pixel right.
 inline constexpr int kErrorMeaning = 2;
+/// Numbers that are not finite become null when the text is made.
 nlohmann::ordered_json error_json(const ErrorMetrics& metrics);
 nlohmann::ordered_json cost_json(const WorkCost& cost);
 

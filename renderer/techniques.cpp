@@ -44,7 +44,7 @@ constexpr Overlay kOverlays[] = {
      .file = "overlays/outside_map.glsl", .scalar = false},
     {.key = "texels-per-pixel", .label = "Texels per pixel", .unit = "texels", .help = "Shadow texels that a pixel spans along its widest direction; below 1 the map's texels show.",
      .file = "overlays/texels_per_pixel.glsl", .min = 0, .max = 4},
-    {.key = "artefacts", .label = "Artefacts", .unit = "", .help = "What is wrong with the shadows and why, by the ray-traced truth: acne, peter-panning, leaks, lost casters, edge aliasing, and surfaces outside of the map.",
+    {.key = "artefacts", .label = "Artefacts", .unit = "", .help = "Which pixels are wrong by the ray-traced truth, coloured by what puts them right: more bias (acne), less (peter-panning), no normal offset, what the map lacks (lost caster, outside the map), no filter (leak, filter), smaller texels (edge aliasing, undersampled), a light with size (penumbra).",
      .file = "overlays/artefacts.glsl", .scalar = false, .reads_truth = true},
     {.key = "truth", .label = "Truth", .unit = "", .help = "The ray-traced visibility of view.light: 1 lit, 0 in shadow.",
      .file = "overlays/truth.glsl", .reads_truth = true},

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <thread>
 
+#include "app/measure_json.h"
 #include "renderer/error.h"
 #include "renderer/key.h"
 
@@ -49,6 +50,15 @@ Turn turn_of(const Json& line) {
                                        pass.at("cpu_ms").get<std::vector<double>>()});
     if (turn.samples.maps_ms.size() != turn.samples.total_ms.size()) throw Error("unequal numbers of frames");
     return turn;
+}
+
+/// Rows whose errors mean something else cannot stand beside those that are measured now.
+void require_known_meaning(const Json& error) {
+    const int meaning = error.value("meaning", 1);  // the first had no number
+    if (meaning != kErrorMeaning)
+        throw Error(fmt::format("errors of meaning {}, which do not compare with this program's of meaning {} "
+                                "(docs/accuracy.md, Errors): sweep again",
+                                meaning, kErrorMeaning));
 }
 
 RunInfo run_of(const Json& line) {
@@ -99,6 +109,7 @@ void SweepState::apply(const Json& line) {
     } else if (line.contains("begin")) {
         ++cases[line["begin"].get<std::size_t>()].begun;
     } else if (line.contains("facts")) {
+        require_known_meaning(line.at("error"));
         CaseState& c = cases[line["facts"].get<std::size_t>()];
         c.error = line.at("error"), c.cost = line.at("cost");
         c.notes = line.at("notes").get<std::vector<std::string>>();

@@ -46,7 +46,8 @@ struct SweepState {
     std::vector<RunInfo> runs;
     std::map<std::size_t, CaseState> cases;  ///< by number in the plan
 
-    /// Adds what a line of the journal says. @throws Error when it says nothing known.
+    /// Adds what a line of the journal says. @throws Error when it says nothing known, or errors of another meaning
+    /// (kErrorMeaning).
     void apply(const nlohmann::ordered_json& line);
     const RunInfo* run(const std::string& id) const;
 };

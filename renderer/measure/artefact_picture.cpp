@@ -15,7 +15,7 @@ constexpr auto kStyles = std::to_array<ArtefactStyle>({
     {Artefact::LostCaster, "lost_caster", "lost caster", {204, 121, 167}},
     {Artefact::PeterPanningOffset, "peter_panning_offset", "peter-panning by offset", {130, 226, 255}},
     {Artefact::OffsetShadow, "offset_shadow", "shadow by offset", {255, 158, 92}},
-    {Artefact::Filter, "filter", "filter", {230, 159, 0}},
+    {Artefact::Filter, "filter", "shadow by filter", {230, 159, 0}},
     {Artefact::Undersampled, "undersampled", "undersampled", {255, 255, 255}},
     {Artefact::Penumbra, "penumbra", "penumbra", {150, 120, 200}},
 });

@@ -65,6 +65,16 @@ TEST(SweepCommand, WritesResultsAndReport) {
                                 "cost.taps_per_pixel", "cost.draws", "cost.triangles", "time.total_ms.median",
                                 "time.shadow_maps_ms.median", "time.picture_ms.median"})
             EXPECT_TRUE(std::isfinite(number_at(row, key))) << key;
+        const auto sum = [&](std::initializer_list<const char*> keys) {
+            double v = 0;
+            for (const char* key : keys) v += number_at(row, std::string("error.") + key);
+            return v;
+        };
+        EXPECT_EQ(number_at(row, "error.meaning"), 2);
+        EXPECT_NEAR(number_at(row, "error.false_shadow"),
+                    sum({"acne", "offset_false_shadow", "boundary_false_shadow", "outside_false_shadow"}), 1e-12);
+        EXPECT_NEAR(number_at(row, "error.false_light"),
+                    sum({"bias_false_light", "lost_false_light", "leak", "boundary_false_light", "outside_false_light"}), 1e-12);
         const double n = std::stod(row["settings"]["map.resolution"].get<std::string>());
         EXPECT_EQ(number_at(row, "cost.map_texels"), n * n);
         EXPECT_GT(fs::file_size(folder / "out" / row["picture"].get<std::string>()), 500u);
@@ -75,6 +85,9 @@ TEST(SweepCommand, WritesResultsAndReport) {
     const std::string csv = file_bytes(folder / "out/results.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
     EXPECT_TRUE(csv.starts_with("case,filter.kernel,map.resolution,error.")) << csv.substr(0, 100);
+    const std::string header = csv.substr(0, csv.find('\n')) + ",";
+    for (const Column& column : columns())
+        EXPECT_NE(header.find("," + std::string(column.key) + ","), std::string::npos) << column.key;
     // The command that the report shows for a case draws that case.
     EXPECT_EQ(run_program({"render", "boxes", "--preset", "out/base.json", "--set", "filter.kernel=hard", "-o", "a.png",
                            "--size", "96x64"},
@@ -166,6 +179,38 @@ TEST(SweepCommand, OtherArgumentsAreRefusedUnlessFresh) {
     EXPECT_EQ(file_bytes(folder / "out/mine.txt"), "kept");
     fs::remove(folder / "out" / kJournalFile);
     EXPECT_EQ(run_program(sweep_of("out", {"--no-time"}), folder).code, 1) << "results of who knows what";
+}
+
+TEST(SweepCommand, ErrorsOfAnotherMeaningAreNeitherContinuedNorMerged) {
+    const fs::path folder = fresh_test_folder();
+    for (const char* part : {"1", "2"})
+        ASSERT_EQ(run_program(sweep_of(part, {"--no-time", "--shard", std::string(part) + "/2"}), folder).code, 0);
+    const fs::path file = folder / "1" / kJournalFile;
+    std::string text = file_bytes(file);
+    for (auto at = text.find("\"meaning\":2,"); at != std::string::npos; at = text.find("\"meaning\":2,")) text.erase(at, 12);
+    std::ofstream(file, std::ios::binary) << text;
+    const std::string said = "1/journal.jsonl: line ";
+    const Words again = sweep_of("1", {"--no-time", "--shard", "1/2"});
+    const ProcessResult went_on = run_program(again, folder);
+    EXPECT_EQ(went_on.code, 1);
+    EXPECT_NE(went_on.err.find(said), std::string::npos) << went_on.err;
+    EXPECT_NE(went_on.err.find("errors of meaning 1"), std::string::npos) << went_on.err;
+    EXPECT_NE(went_on.err.find("--fresh"), std::string::npos) << went_on.err;
+    EXPECT_EQ(file_bytes(file), text);
+    for (const Words& parts : {Words{"1", "2"}, Words{"2", "1"}, Words{"1"}}) {
+        Words words = {"merge"};
+        words.insert(words.end(), parts.begin(), parts.end());
+        words.insert(words.end(), {"-o", "merged"});
+        const ProcessResult merged = run_program(words, folder);
+        EXPECT_EQ(merged.code, 1);
+        EXPECT_NE(merged.err.find(said), std::string::npos) << merged.err;
+        EXPECT_FALSE(fs::exists(folder / "merged"));
+    }
+    Words anew = again;
+    anew.push_back("--fresh");
+    ASSERT_EQ(run_program(anew, folder).code, 0);
+    EXPECT_EQ(run_program({"merge", "1", "2", "-o", "merged"}, folder).code, 0);
+    EXPECT_EQ(results_of(folder / "merged")["finished"], 4);
 }
 
 TEST(SweepCommand, InterruptedItGoesOn) {

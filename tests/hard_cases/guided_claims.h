@@ -4,9 +4,16 @@
 #include <map>
 #include <string>
 
+#include "renderer/reference/metrics.h"
+
 namespace si::test {
 
 using Claims = std::map<std::string, void (*)()>;
+
+/// Pixels of a cause, of those that count.
+inline double share(const ErrorMetrics& e, Artefact cause) {
+    return double(e.artefacts[std::size_t(cause)]) / double(e.counted);
+}
 
 /// Bias, culling, resolution and filters.
 const Claims& guided_surface_claims();

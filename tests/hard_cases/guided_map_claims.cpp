@@ -50,6 +50,8 @@ const Claims& guided_map_claims() {
          [] {
              EXPECT_LT(lit_beside("repeat"), 0.75) << "copies of shadows and a dark side";
              EXPECT_GT(lit_beside("repeat"), 0.2);
+             const ErrorMetrics e = Guided("repeat").error();
+             EXPECT_GT(e.outside_false_shadow, 0.95 * e.false_shadow);
          }},
         {"clamp-to-border", [] { EXPECT_EQ(lit_beside("clamp-to-border"), 1); }},
         {"outside-lit",
@@ -59,23 +61,40 @@ const Claims& guided_map_claims() {
              const Guided::Nodes floor{"Boxes/Floor"};
              for (const char* cut : {"Boxes/Tower", "Boxes/Flat"})
                  EXPECT_GT(g.wrongly_lit(floor, {cut}), whole.wrongly_lit(floor, {cut}) + 0.1) << cut;
+             const ErrorMetrics e = g.error();
+             EXPECT_GT(e.outside_false_light, 0.9 * e.false_light);
          }},
         {"outside-unlit",
          [] {
              EXPECT_EQ(lit_beside("outside-unlit"), 0);
+             const ErrorMetrics e = Guided("outside-unlit").error();
+             EXPECT_GT(e.outside_false_shadow, 0.95 * e.false_shadow);
              EXPECT_GT(Guided("outside-unlit").lit_where([](const glm::dvec4& p, bool shadow) {
                  return within(p) && !shadow;
              }),
                        0.95);
          }},
-        {"far-plane", [] { EXPECT_EQ(lit_beyond_far("far-plane"), 0); }},
-        {"far-guard", [] { EXPECT_EQ(lit_beyond_far("far-guard"), 1); }},
+        {"far-plane",
+         [] {
+             EXPECT_EQ(lit_beyond_far("far-plane"), 0);
+             const ErrorMetrics e = Guided("far-plane").error();
+             EXPECT_GT(e.outside_false_shadow, 0.95 * e.false_shadow);
+         }},
+        {"far-guard",
+         [] {
+             EXPECT_EQ(lit_beyond_far("far-guard"), 1);
+             const ErrorMetrics e = Guided("far-guard").error();
+             EXPECT_GT(e.outside_false_light, 0.95 * e.false_light) << "the shadows that fell there";
+             EXPECT_EQ(e.outside_false_shadow, 0);
+         }},
         {"near-cut-off",
          [] {
              const Guided g("near-cut-off");
              for (const char* lost : {"Boxes/Standing", "Boxes/Hovering", "Boxes/Leaning"})
                  EXPECT_GT(g.wrongly_lit({"Boxes/Floor", "Boxes/Tower"}, {lost}), 0.85) << lost;
              EXPECT_LT(g.wrongly_lit({"Boxes/Floor"}, {"Boxes/Tower"}), 0.1);
+             const ErrorMetrics e = g.error();
+             EXPECT_GT(e.lost_false_light, 0.9 * e.false_light);
          }},
         {"far-cut-off",
          [] {
@@ -86,6 +105,8 @@ const Claims& guided_map_claims() {
              };
              EXPECT_EQ(shadows(true), 1) << "none is left";
              EXPECT_LT(shadows(false), 0.3) << "the others stay";
+             const ErrorMetrics e = Guided("far-cut-off").error();
+             EXPECT_GT(e.outside_false_light, 0.85 * e.false_light);
          }},
         // ---- Depth
         {"orthographic",
@@ -126,11 +147,25 @@ const Claims& guided_map_claims() {
         {"depth-16-bit",
          [] {
              const Guided::Nodes floor{"Boxes/Floor"};
-             EXPECT_GT(Guided("depth-16-bit").wrongly_dark(floor), 0.02);
+             const Guided g("depth-16-bit");
+             EXPECT_GT(g.wrongly_dark(floor), 0.02);
+             const ErrorMetrics e = g.error();
+             EXPECT_GT(e.acne, 0.7 * e.false_shadow);
              EXPECT_LT(Guided("depth-16-bit", {"map.format=d24"}).wrongly_dark(floor), 0.003);
          }},
-        {"standard-depth", [] { EXPECT_GT(Guided("standard-depth").wrongly_dark(), 0.2); }},
-        {"reversed-depth", [] { EXPECT_LT(Guided("reversed-depth").wrongly_dark(), 0.01); }},
+        {"standard-depth",
+         [] {
+             const Guided g("standard-depth");
+             EXPECT_GT(g.wrongly_dark(), 0.2);
+             const ErrorMetrics e = g.error();
+             EXPECT_GT(e.acne, 0.95 * e.false_shadow);
+         }},
+        {"reversed-depth",
+         [] {
+             const Guided g("reversed-depth");
+             EXPECT_LT(g.wrongly_dark(), 0.01);
+             EXPECT_LT(g.error().acne, 0.001);
+         }},
         // ---- Together
         {"good-defaults",
          [] {
@@ -140,6 +175,7 @@ const Claims& guided_map_claims() {
              EXPECT_LT(g.wrongly_lit({"Stage/Ground"}, {"Stage/Sphere", "Stage/Pedestal"}), 0.1)
                  << "feet on the ground";
              EXPECT_GT(g.grey(), 0.01) << "soft edges";
+             EXPECT_LT(g.error().acne, 0.005) << "all objects, the tree with them";
              Settings chosen = g.settings;
              chosen.lights[0].azimuth = Settings{}.lights[0].azimuth;
              chosen.lights[0].elevation = Settings{}.lights[0].elevation;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/measure_json.h"
 #include "app/sweep/journal.h"
 #include "app/sweep/results.h"
 #include "app/sweep/runner.h"
@@ -26,7 +27,7 @@ struct FakeMeter : CaseMeter {
         measured.push_back(c.id);
         const int n = c.settings.map.resolution;
         if (n == fails_at_resolution) throw Error("no memory for\nthis map");
-        return {{{"mae", 100.0 / n}}, {{"map_texels", n * n}, {"bytes_touched", 4 * n * n}}, {"a note"}, "jpg", "png"};
+        return {{{"meaning", kErrorMeaning}, {"mae", 100.0 / n}}, {{"map_texels", n * n}, {"bytes_touched", 4 * n * n}}, {"a note"}, "jpg", "png"};
     }
     TimeSamples time(const SweepCase& c, int frames) override {
         timed.push_back(c.id);

@@ -5,6 +5,7 @@
 
 #include "app/presets.h"
 #include "app/session.h"
+#include "renderer/reference/error_task.h"
 #include "renderer/scenes/builtin.h"
 
 namespace si::test {
@@ -38,6 +39,12 @@ Guided::Guided(const std::string& key, const std::vector<std::string>& changes, 
             shot.frame.camera.pixel_ray(x, y, width, height, origin, direction);
             hits_.push_back(rays_->first_hit(origin, direction));
         }
+}
+
+ErrorMetrics Guided::error() const {
+    TruthCache cache;
+    const FrameRequest request{.width = shot.width, .height = shot.height};
+    return measure_error(hard_renderer(), scene, settings, request, settings.view.light, truth_options(settings), cache).metrics;
 }
 
 bool Guided::looked_at(std::size_t pixel, const Nodes& receivers) const {

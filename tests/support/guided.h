@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/reference/metrics.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {
@@ -33,6 +34,9 @@ public:
     double dark() const;
     /// Of the pixels that `chosen` holds for, given map coordinates and depth, the share that is drawn lit; -1: none.
     double lit_where(const std::function<bool(const glm::dvec4& uvdw, bool shadow_in_truth)>& chosen) const;
+
+    /// What is wrong in the whole picture, by cause.
+    ErrorMetrics error() const;
 
     Scene scene;
     Settings settings;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/editor_sweep.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/merge.h"
 #include "renderer/error.h"
@@ -175,6 +176,52 @@ TEST(Sweep, TimesOfDifferentMachinesAreNotMixed) {
     const Json r = f.results();
     EXPECT_EQ(r["rounds"], 3);
     for (const Json& row : r["rows"]) EXPECT_GT(row["time"]["total_ms"]["low"], 1000);
+}
+
+TEST(Sweep, ErrorsOfAnotherMeaningStandBesideNone) {
+    const fs::path folder = fresh_test_folder();
+    const FakeSweep old(folder / "old");
+    FakeMeter meter;
+    const SweepState state = old.run(meter, 2);
+    for (const Json& row : old.results()["rows"]) EXPECT_EQ(number_at(row, "error.meaning"), kErrorMeaning);
+    const fs::path file = old.folder / kJournalFile;
+    const std::string text = file_bytes(file);
+    const std::string number = "\"meaning\":" + std::to_string(kErrorMeaning);
+    const auto message = [](auto act) -> std::string {
+        try {
+            act();
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return "no error";
+    };
+    const auto replaced = [&](std::string t, const std::string& by, bool all) {
+        for (auto at = t.find(number); at != std::string::npos; at = all ? t.find(number, at + 1) : std::string::npos)
+            t.replace(at, number.size(), by);
+        return t;
+    };
+    // Without a number, with another one, and a journal that has both.
+    for (const std::string& changed : {replaced(text, "\"other\":0", true), replaced(text, "\"meaning\":7", true),
+                                       replaced(text, "\"meaning\":1", false)}) {
+        ASSERT_NE(changed, text);
+        std::ofstream(file, std::ios::binary) << changed;
+        const bool seven = changed.find("\"meaning\":7") != std::string::npos;
+        for (const std::string& said :
+             {message([&] { old.run(meter, 1); }), message([&] { read_journal(old.folder); }), message([&] {
+                  SweepPanel panel;
+                  EditorSweep({}).open(old.folder, panel);
+              })}) {
+            EXPECT_NE(said.find(file.string() + ": line "), std::string::npos) << said;
+            EXPECT_NE(said.find(seven ? "meaning 7" : "meaning 1"), std::string::npos) << said;
+            EXPECT_NE(said.find("--fresh"), std::string::npos) << said;
+        }
+        EXPECT_EQ(file_bytes(file), changed) << "left as it is";
+    }
+    SweepState mixed = state;
+    Json line = facts_line(5, state.cases.begin()->second);
+    line["error"].erase("meaning");
+    EXPECT_THROW(mixed.apply(line), Error);
+    EXPECT_FALSE(mixed.cases.contains(5));
 }
 
 TEST(Merge, ShardsTogetherAreTheWholeSweep) {
