@@ -55,7 +55,7 @@ float look_unfiltered(Receiver r, bool offset, float depth_bias) {
 /// Depth from the receiver to a surface that lies so many metres before it along its ray; 0 for none.
 float depth_of_gap(Receiver r, float metres) {
     if (metres < 0.0) return 0.0;
-    return depth_nearer(r.light, r.z, metres * axis_per_ray(r));
+    return depth_nearer(r, r.z, metres * axis_per_ray(r));
 }
 
 /// @param v visibility as drawn, which stands for trials that the settings make no difference to
@@ -71,7 +71,7 @@ Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
     e.worth = bias_worth(r, gradient);
     float raster = e.worth - e.offset - e.own;
     e.applied = away(r.uvd.z - r.reference) + raster;
-    float reach_depth = depth_nearer(r.light, r.z, KERNEL_REACH * r.texel_m);
+    float reach_depth = depth_nearer(r, r.z, KERNEL_REACH * r.texel_m);
     e.bent = 2.0 * e.least + reach_depth;
     e.far = 2.0 * max(e.own, e.least) + reach_depth;
     e.texel_m = r.texel_m;
