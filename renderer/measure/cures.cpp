@@ -19,7 +19,7 @@ double power_of_two_above(double v) {
     return std::exp2(std::ceil(std::log2(std::max(v, 1.0)) - 1e-9));
 }
 
-/// Texels at which nine of ten undersampled pixels are no longer so.
+/// Texels at which nineteen of twenty undersampled pixels are no longer so.
 double sampling_resolution(const MeasuredError& m, const Settings& settings, const DriverInfo& driver) {
     const FittedLight& light = m.lights[std::size_t(m.light)];
     std::vector<double> wanted;
@@ -42,7 +42,7 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
         wanted.push_back(n);
     }
     if (wanted.empty()) return 0;
-    const auto at = wanted.begin() + std::ptrdiff_t(0.9 * double(wanted.size() - 1) + 0.5);
+    const auto at = wanted.begin() + std::ptrdiff_t(0.95 * double(wanted.size() - 1) + 0.5);
     std::nth_element(wanted.begin(), at, wanted.end());
     return power_of_two_above(*at);
 }
@@ -64,7 +64,7 @@ double rounded_up(double v) {
 BiasSettings least_bias_of(const CureFacts& facts, BiasFamily family) {
     BiasSettings b = facts.needs.of(family);
     b.constant = rounded_up(b.constant * 1.001), b.slope = rounded_up(b.slope * 1.001), b.normal = rounded_up(b.normal * 1.001);
-    return b;
+    return scaled(b, 1);  // within what the settings allow
 }
 
 void cast_from_both_sides(Settings& s) {

@@ -26,7 +26,8 @@ struct CureFacts {
     BiasNeeds needs;
     std::vector<FittedLight> lights;
     int light = 0, map_resolution = 0, max_resolution = 0;
-    /// Texels of map.resolution at which nine of ten undersampled pixels have texels no wider than what they show; 0: none is.
+    /// Texels of map.resolution at which nineteen of twenty undersampled pixels have texels no wider than what they show; 0:
+    /// none is.
     double sampling_resolution = 0;
     /// Half the side of the square of the map about `receivers_middle_ws` that all compared surfaces in the picture lie in.
     double receivers_half_m = 0;
