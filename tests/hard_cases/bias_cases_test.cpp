@@ -41,7 +41,7 @@ LeastBias predicted(const Shot& shot, const Settings& s) {
             const ReceiverPlane plane = receiver_plane(view, {x, 0, z}, {0, 1, 0});
             const LeastBias b = least_bias(plane.gradient, filter.reach_texels, shot.frame.map_resolution,
                                            depth_quantum(MapFormat(s.map.format), plane.uvd.z),
-                                           hard_renderer().driver(), rounding_bias(view, {x, 0, z}, 10));
+                                           hard_renderer().driver().subpixel_bits, rounding_bias(view, {x, 0, z}, 10));
             if (b.total() > worst.total()) worst = b;
         }
     return worst;

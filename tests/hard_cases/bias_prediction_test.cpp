@@ -150,7 +150,7 @@ void write_section(const Case& c, const std::vector<Row>& rows) {
         first = end = lines.size();
     }
     for (std::string& line : lines)
-        if (line.rfind(kBits, 0) == 0) line = kBits + std::to_string(hard_renderer().driver());
+        if (line.rfind(kBits, 0) == 0) line = kBits + std::to_string(hard_renderer().driver().subpixel_bits);
     lines.erase(lines.begin() + std::ptrdiff_t(first), lines.begin() + std::ptrdiff_t(end));
     for (std::size_t i = 0; i < rows.size(); ++i)
         lines.insert(lines.begin() + std::ptrdiff_t(first + i), rows[i].text());

@@ -22,7 +22,7 @@ struct Lit {
         light = fit_lights(make_scene(make_plane(20, 20)), settings)[0];
         point.position_ws = {aside, 0, 0.5 * aside};
     }
-    BiasAccount account() const { return bias_account(light, settings, 512, point, 8); }
+    BiasAccount account() const { return bias_account(light, settings, 512, point, {.subpixel_bits = 8}); }
 };
 
 TEST(LightReceiver, AMetreOfBiasMovesAMetreAlongTheAxis) {
