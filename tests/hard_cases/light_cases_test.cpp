@@ -62,13 +62,13 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
         Settings s = hard_settings();
         s.lights[0].azimuth = azimuth, s.lights[0].elevation = 90;
         TruthCache cache;
-        const ErrorTask task = error_task(hard_renderer(), scene, s, {.width = 160, .height = 120}, 0);
-        const MeasuredError m = measure_error(task, cache);
+        const MeasuredError m = measure_error(hard_renderer(), scene, s, {.width = 160, .height = 120}, 0, {}, cache);
+        const Shot shot = shoot(scene, s);
         EXPECT_GT(m.traced.truth->pixels[std::size_t(PixelState::FacesAway)], 300u);
         EXPECT_EQ(m.metrics.any_acne, 0) << azimuth;
         for (std::size_t i = 0; i < m.traced.truth->state.size(); ++i)
             if (m.traced.truth->state[i] == PixelState::FacesAway) {
-                ASSERT_EQ(task.measured.data[i], 0) << azimuth;
+                ASSERT_EQ(shot.visibility.data[i], 0) << azimuth;
             } else if (m.traced.truth->state[i] == PixelState::Counted) {
                 ASSERT_GT(glm::dot(m.traced.receivers->pixels[i].normal_ws, glm::dvec3(0, 1, 0)), 1e-6);
             }
@@ -83,7 +83,7 @@ TEST(HardCase6, StageIsNoWorseUnderALightStraightAbove) {
         for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
         s.lights[0].elevation = elevation;
         TruthCache cache;
-        return measure_error(error_task(hard_renderer(), scene, s, {.width = 320, .height = 180}, 0), cache).metrics.iou;
+        return measure_error(hard_renderer(), scene, s, {.width = 320, .height = 180}, 0, {}, cache).metrics.iou;
     };
     EXPECT_NEAR(iou(90), iou(89.9), 0.05);
 }
