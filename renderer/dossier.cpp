@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/map_limits.h"
 #include "renderer/param.h"
 
 namespace si {
@@ -102,10 +103,21 @@ private:
                                p_.where == "inside" ? "the normal offset leads there" : p_.where, dark() ? "dark" : "lit",
                                d_.right ? "and so it is in truth" : dark() ? "lit in truth" : "dark in truth");
         if (d_.right) return right();
-        std::string text = wrong();
+        std::string text = limits() + wrong();
         for (std::size_t a = 1; a < kArtefacts; ++a)
             if (truth_.cause.also >> a & 1) text += fmt::format("; {} too", also(Artefact(a)));
         return text;
+    }
+
+    /// What no bias or kernel can mend: the map cannot tell the scene's depths or places apart.
+    std::string limits() const {
+        const MapLimits& l = p_.fitted.limits;
+        if (l.one_depth_step)
+            return fmt::format("all depth lies in one step of the map's format ({:.3g} m of {:.3g} m), which comes first; ", l.depth_m,
+                               l.step_m);
+        if (l.one_texel)
+            return fmt::format("a texel ({:.3g} m) is larger than the scene ({:.3g} m), which comes first; ", l.texel_m, l.across_m);
+        return {};
     }
 
     std::string right() const {
@@ -114,8 +126,9 @@ private:
                                      : fmt::format("needs {} of bias and has only {}, so neighbours may show acne",
                                                    texels(d_.least), texels(d_.has));
         if (faint_acne())
-            return fmt::format("faint acne: lit, as in truth, but {:.0f} % of the kernel is dark by the surface itself; {}",
-                               100 * (1 - p_.visibility), bias);
+            return fmt::format("faint acne: lit, as in truth, but {:.0f} % of the kernel is dark by the surface itself{}; {}",
+                               100 * (1 - p_.visibility),
+                               d_.has.depth < d_.least.depth ? "" : " or by a steeper one beside it", bias);
         if (!dark()) return fmt::format("right: lit, as in truth; {}", bias);
         return fmt::format("right: dark, as in truth, by a surface {} nearer to the light; {}", texels(d_.occluder), bias);
     }
@@ -154,9 +167,12 @@ private:
                        "answer there it is right";
             case Artefact::Undersampled: return undersampled();
             case Artefact::EdgeAliasing:
+                if (p_.fitted.type == LightType::Directional && view().curve.perspective)
+                    return fmt::format("{} though {}: this sun is drawn in perspective (light.projection), as if its rays came "
+                                       "from one place, which moves its shadows",
+                                       dark() ? "dark" : "lit", dark() ? "lit" : "dark");
                 return fmt::format("edge aliasing: {} though {}; {} and the nearest texel alone were tried and leave it so: a "
-                                   "true edge runs between this pixel and the texels that stand for it, smaller texels bring "
-                                   "it nearer",
+                                   "true edge runs between this pixel and the texels that stand for it",
                                    dark() ? "dark" : "lit", dark() ? "lit" : "dark",
                                    dark() ? "more bias" : "the least bias");
             case Artefact::Penumbra: return "penumbra: right for a light without size";
@@ -291,7 +307,7 @@ private:
             case Artefact::PeterPanning: break;
             default: return {};
         }
-        if (dark() && d_.has.depth >= d_.least.depth) return bent_remedy();
+        if (d_.has.depth >= d_.least.depth && truth_.lit) return dark() ? bent_remedy() : std::nullopt;
         for (const std::string_view key : bias_keys()) {
             if (!d_.window_open()) break;
             if (const auto value = least_value(settings_, key)) return set(key, *value);

@@ -63,12 +63,11 @@ void row(const Cure& cure, const CureTable& table, bool current, Settings& setti
 
 }  // namespace
 
-void draw_cures(EditorState& state, const EditorFrame& frame, EditorActions& actions, std::optional<glm::ivec2> pixel,
-                bool wrong) {
+void cures_button(const EditorFrame& frame, EditorActions& actions, std::optional<glm::ivec2> pixel, bool wrong) {
     const CureSearch& search = frame.cures;
     if (search.running) {
         const std::string text = fmt::format("{:.0f} %  {}", 100 * search.running->progress, search.running->about);
-        ImGui::ProgressBar(float(search.running->progress), {ImGui::GetFontSize() * 18, 0}, text.c_str());
+        ImGui::ProgressBar(float(search.running->progress), {ImGui::GetFontSize() * 12, 0}, text.c_str());
         ImGui::SameLine();
         if (ImGui::Button("Cancel##cures")) actions.cancel_cures = true;
         return;
@@ -79,8 +78,11 @@ void draw_cures(EditorState& state, const EditorFrame& frame, EditorActions& act
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("%s", wrong ? "Draws and judges each change that may help: pixels cured, pixels broken, time and bytes of the maps."
                                       : "Nothing is wrong here.");
+}
+
+void cures_table(EditorState& state, const EditorFrame& frame, std::optional<glm::ivec2> pixel) {
+    const CureSearch& search = frame.cures;
     if (!search.table || search.pixel != pixel) return;
-    ImGui::SameLine();
     if (search.current)
         ImGui::TextDisabled("%zu pixels are wrong now", search.table->wrong);
     else

@@ -5,9 +5,10 @@
 
 namespace si {
 
-/// The button that searches (or the search's progress), and what was found. @param pixel the table is wanted for this one,
-/// none: for the picture @param wrong there is something to cure
-void draw_cures(EditorState& state, const EditorFrame& frame, EditorActions& actions, std::optional<glm::ivec2> pixel,
-                bool wrong);
+/// The button that searches, or the search's progress. @param pixel what is to be cured; none: the picture
+/// @param wrong there is something to cure
+void cures_button(const EditorFrame& frame, EditorActions& actions, std::optional<glm::ivec2> pixel, bool wrong);
+/// What was found for that, if anything was.
+void cures_table(EditorState& state, const EditorFrame& frame, std::optional<glm::ivec2> pixel);
 
 }  // namespace si

@@ -21,6 +21,7 @@ struct Row {
     double ErrorMetrics::*value;
     enum { Share, Number, Signed } kind;
     const char* about;  ///< formula, and how it reads
+    bool rare = false;  ///< not shown while it is nothing
 };
 
 // V: what the map gives, R: the truth, n: counted pixels.
@@ -34,7 +35,7 @@ constexpr Row kRows[] = {
     {"   at edges", &ErrorMetrics::boundary_false_shadow, Row::Share,
      "Bias puts none of these right: edge aliasing, undersampled, filter and penumbra."},
     {"   outside the map", &ErrorMetrics::outside_false_shadow, Row::Share,
-     "The map holds nothing where these are looked up, or taps reach beyond its sides."},
+     "The map holds nothing where these are looked up, or taps reach beyond its sides.", true},
     {"False light", &ErrorMetrics::false_light, Row::Share,
      "#{R < 1/2 and V >= 1/2} / n\nLit though dark: shadows that are lost or too small. The sum of the rows below."},
     {"   by bias", &ErrorMetrics::bias_false_light, Row::Share,
@@ -46,21 +47,21 @@ constexpr Row kRows[] = {
     {"   at edges", &ErrorMetrics::boundary_false_light, Row::Share,
      "Neither bias nor filter puts these right: edge aliasing, undersampled and penumbra."},
     {"   outside the map", &ErrorMetrics::outside_false_light, Row::Share,
-     "The map holds nothing where these are looked up, or taps reach beyond its sides."},
+     "The map holds nothing where these are looked up, or taps reach beyond its sides.", true},
     {"Any acne", &ErrorMetrics::any_acne, Row::Share,
      "#{R = 1, V < 1 - 0.001, and more bias lights them wholly} / n\nAlso the faint acne that a wide kernel hides."},
     {"Outside the map", &ErrorMetrics::outside_map, Row::Share,
      "Pixels beside the map, beyond its far plane or behind the light, right or wrong, / n"},
     {"Within the noise", &ErrorMetrics::within_noise, Row::Share,
      "V and R on different sides of 1/2, but no further apart than three times the truth's own noise, / n:\nnot called wrong. "
-     "A smaller truth.noise decides them."},
+     "A smaller truth.noise decides them.", true},
     {"Mean |V - R|", &ErrorMetrics::mae, Row::Number, "sum |V - R| / n, of visibility: 0 to 1"},
     {"Root mean square", &ErrorMetrics::rmse, Row::Number, "sqrt(sum (V - R)^2 / n), of visibility: 0 to 1"},
     {"Mean V - R", &ErrorMetrics::signed_mean, Row::Signed, "sum (V - R) / n: above 0 too light, below too dark"},
     {"Overlap of shadows", &ErrorMetrics::iou, Row::Number,
      "#{in shadow by both} / #{in shadow by either}: 1 is perfect"},
 };
-constexpr int kShares = 14;
+constexpr int kCauses = 11;  ///< rows of false shadow and false light
 
 std::string text_of(const Row& row, double value) {
     if (!std::isfinite(value)) return "-";
@@ -85,6 +86,7 @@ void metrics_table(const ErrorMetrics& m, int first, int end, const char* id) {
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 6);
     for (int i = first; i < end; ++i) {
         const Row& row = kRows[i];
+        if (row.rare && !(m.*row.value > 0)) continue;
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::PushStyleColor(ImGuiCol_Text, row.name[0] == ' ' ? theme::kMuted : theme::kText);
@@ -97,7 +99,7 @@ void metrics_table(const ErrorMetrics& m, int first, int end, const char* id) {
     ImGui::EndTable();
 }
 
-void cause_row(ImU32 colour, std::string_view label, std::size_t pixels, std::size_t counted) {
+void cause_row(ImU32 colour, std::string_view label, std::size_t pixels, std::size_t counted, bool with_share) {
     const float em = ImGui::GetFontSize();
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -106,21 +108,29 @@ void cause_row(ImU32 colour, std::string_view label, std::size_t pixels, std::si
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + em * 1.1f);
     ImGui::TextUnformatted(label.data(), label.data() + label.size());
     right_cell(fmt::format("{}", pixels), pixels == 0 ? theme::kMuted : theme::kText);
-    right_cell(counted == 0 ? "-" : fmt::format("{:.3f} %", 100.0 * double(pixels) / double(counted)), theme::kMuted);
+    const std::string share = counted == 0 ? "-" : fmt::format("{:.3f} %", 100.0 * double(pixels) / double(counted));
+    if (with_share)
+        right_cell(share, theme::kMuted);
+    else if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s of the pixels compared", share.c_str());
 }
 
-void causes_table(const LiveError& error) {
+/// @param first, end of artefact_styles() @param shares there is room for them
+void causes_table(const LiveError& error, std::size_t first, std::size_t end, bool shares) {
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
-    if (!ImGui::BeginTable("causes", 3, flags)) return;
-    const float em = ImGui::GetFontSize();
-    ImGui::TableSetupColumn("cause", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("pixels", ImGuiTableColumnFlags_WidthFixed, em * 5);
-    ImGui::TableSetupColumn("share", ImGuiTableColumnFlags_WidthFixed, em * 5.5f);
-    const ErrorMetrics& m = error.metrics;
-    for (const ArtefactStyle& style : artefact_styles())
-        cause_row(theme::rgb(style.rgb), style.label, m.artefacts[std::size_t(style.artefact)], m.counted);
-    ImGui::EndTable();
+    ImGui::PushID(int(first));
+    if (ImGui::BeginTable("causes", shares ? 3 : 2, flags)) {
+        const float em = ImGui::GetFontSize();
+        ImGui::TableSetupColumn("cause", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableSetupColumn("pixels", ImGuiTableColumnFlags_WidthFixed, em * 4.5f);
+        if (shares) ImGui::TableSetupColumn("share", ImGuiTableColumnFlags_WidthFixed, em * 5.5f);
+        const ErrorMetrics& m = error.metrics;
+        for (const ArtefactStyle& style : artefact_styles().subspan(first, end - first))
+            cause_row(theme::rgb(style.rgb), style.label, m.artefacts[std::size_t(style.artefact)], m.counted, shares);
+        ImGui::EndTable();
+    }
+    ImGui::PopID();
 }
 
 void save_button(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
@@ -164,6 +174,8 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     labelled("Pixel step", "truth.step", em * 4);
     flow(em * 4);
     save_button(state, frame, actions);
+    flow(em * 6);
+    cures_button(frame, actions, {}, frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
     flow(em * 12);
     ImGui::AlignTextToFramePadding();
     const bool busy = !frame.truth->doing.empty();
@@ -175,14 +187,14 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     if (!frame.error) return;
     const LiveError& error = *frame.error;
     const float width = ImGui::GetContentRegionAvail().x;
-    const int columns = width > em * 50 ? 3 : width > em * 34 ? 2 : 1;
+    const int columns = width > em * 58 ? 4 : width > em * 34 ? 2 : 1;
     if (!ImGui::BeginTable("error blocks", columns, ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings))
         return;
     constexpr int kRowCount = int(std::size(kRows));
     ImGui::TableNextColumn();
-    metrics_table(error.metrics, 0, kShares, "shares");
+    metrics_table(error.metrics, 0, kCauses, "causes of each side");
     if (columns > 1) ImGui::TableNextColumn();
-    metrics_table(error.metrics, kShares, kRowCount, "means");
+    metrics_table(error.metrics, kCauses, kRowCount, "means");
     ImGui::TextDisabled("%zu pixels compared", error.metrics.counted);
     if (ImGui::IsItemHovered()) {
         const auto& p = error.metrics.pixels;
@@ -190,10 +202,13 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
         for (std::size_t i = 1; i < p.size(); ++i) others += p[i];
         ImGui::SetTooltip("n: they show a surface that faces the light, in its cone and range.\n%zu do not", others);
     }
+    const std::size_t all = artefact_styles().size(), half = (all + 1) / 2;
     if (columns > 2) ImGui::TableNextColumn();
-    causes_table(error);
+    causes_table(error, 0, half, columns < 3);
+    if (columns > 2) ImGui::TableNextColumn();
+    causes_table(error, half, all, columns < 3);
     ImGui::EndTable();
-    draw_cures(state, frame, actions, {}, error.metrics.false_shadow + error.metrics.false_light > 0);
+    cures_table(state, frame, {});
 }
 
 }  // namespace si

@@ -271,7 +271,8 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
         draw_light(light, dossier, frame.tracing_probe, state.settings, frame.result ? frame.result->map_resolution : 0);
         // Cures are those of the light whose shadows are judged.
         if (dossier && light.light == state.settings.view.light && light.casts)
-            draw_cures(state, frame, actions, state.probe_pixel, dossier->cause().artefact != Artefact::None);
+            cures_button(frame, actions, state.probe_pixel, dossier->cause().artefact != Artefact::None),
+                cures_table(state, frame, state.probe_pixel);
         ImGui::PopID();
     }
 }

@@ -203,12 +203,19 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
             return;
         }
         idea(title, change);
-        if (any)
-            for (const auto& [family, least] : kFamilies)
-                idea(fmt::format("{}, {}", title, least), [&, fam = family](Settings& s) {
-                    change(s);
-                    s.bias = bias(fam);
-                });
+        for (const auto& [family, least] : kFamilies) {
+            if (!any) break;
+            const auto with_bias = [&, fam = family](Settings& s) {
+                change(s);
+                s.bias = bias(fam);
+            };
+            idea(fmt::format("{}, {}", title, least), with_bias);
+            if (sided == base) continue;
+            idea(fmt::format("both sides cast, {}, {}", title, least), [&](Settings& s) {
+                cast_from_both_sides(s);
+                with_bias(s);
+            });
+        }
     };
     finer(2.0 * f.map_resolution, "twice the resolution");
     if (f.sampling_resolution > 2.0 * f.map_resolution) finer(f.sampling_resolution, "the resolution that is needed");
@@ -216,6 +223,9 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
     const LightSettings& light = base.lights[std::size_t(f.light)];
     if (light.fit == int(LightFit::Manual))
         idea("map fitted to the scene", [&](Settings& s) { s.lights[std::size_t(f.light)].fit = int(LightFit::Scene); });
+    idea("the light's own projection", [&](Settings& s) {
+        s.lights[std::size_t(f.light)].projection = int(LightProjection::Automatic);
+    });
     const FittedLight& fitted = f.lights[std::size_t(f.light)];
     const bool parallel = fitted.views.size() == 1 && !fitted.views[0].curve.perspective && fitted.type == LightType::Directional;
     if (!parallel) {

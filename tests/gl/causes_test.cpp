@@ -271,5 +271,52 @@ TEST_F(CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin) {
     if (HasFailure()) std::puts(table.c_str());
 }
 
+/// A room that is one mesh, its walls and floor joined, with a box that touches the floor.
+Scene room() {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    const auto wall = [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d) { return std::vector<glm::dvec3>{a, b, c, d}; };
+    Mesh all = make_polygons("room", {wall({-3, 0, 3}, {3, 0, 3}, {3, 0, -3}, {-3, 0, -3}),
+                                      wall({-3, 0, -3}, {3, 0, -3}, {3, 2, -3}, {-3, 2, -3}),
+                                      wall({-3, 0, 3}, {-3, 0, -3}, {-3, 2, -3}, {-3, 2, 3})});
+    append(all, transformed(make_box({1.2, 0.8, 1}), moved(-0.4, 0.4, 0.2)));
+    add_object(scene, "room", -1, add_mesh(scene, "room", std::move(all), grey));
+    finalise(scene);
+    return scene;
+}
+
+TEST_F(CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight) {
+    struct Place {
+        const char* what;
+        Scene scene;
+        void (*light)(Settings&);
+    };
+    std::vector<Place> places;
+    places.push_back({"room", room(), [](Settings& s) { s.lights[0].azimuth = 40, s.lights[0].elevation = 50; }});
+    places.push_back({"straight above", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) { s.lights[0].azimuth = 90, s.lights[0].elevation = 80; }});
+    places.push_back({"spot", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) { s.lights[0].type = int(LightType::Spot), s.lights[0].distance = 9; }});
+    places.push_back({"point", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) { s.lights[0].type = int(LightType::Point), s.lights[0].distance = 6; }});
+    places.push_back({"far away", [] {
+        Scene scene;
+        const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey), moved(1150, 30, -820));
+        add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.5, 0.6, 2}), grey), moved(1150, 30.6, -820));
+        finalise(scene);
+        return scene;
+    }(), [](Settings& s) { s.camera.target_x = 1150, s.camera.target_y = 30.2, s.camera.target_z = -820; }});
+    for (const Place& place : places)
+        for (std::size_t a = 0; a < faults().size(); ++a) {
+            if (faults()[a].what == std::string("front culling") || faults()[a].what == std::string("wide kernel")) continue;
+            Settings twin = texels("hw2x2", 512, 4);
+            twin.camera.distance = 9;
+            place.light(twin);
+            Settings wrong = twin;
+            faults()[a].wrong(wrong);
+            const double share = named(place.scene, wrong, twin, faults()[a].causes, 0);
+            if (std::stoul(last_) < 30) continue;
+            EXPECT_GE(share, 0.95) << place.what << ", " << faults()[a].what << ": " << share << " of " << last_;
+        }
+}
+
 }  // namespace
 }  // namespace si

@@ -235,6 +235,13 @@ protected:
             FrameRequest request{.width = 8, .height = 8};
             request.outputs = {.colour = true, .shadow_map = true, .visibility = true, .overlay = true};
             request.outputs.map_coordinates = request.outputs.error = request.outputs.true_colour = true;
+            if (chosen.size() == 1) {
+                // What a probe draws where it hits, and what runs while there is no truth.
+                FrameRequest untold = request;
+                untold.outputs.evidence = true;
+                renderer_->render(scene, s, untold);
+                request.outputs.evidence = true;
+            }
             render_with_truth(*renderer_, scene, s, request, truths_);
             renderer_->probe(scene, s, request, 4, 4);
         } catch (const std::exception& e) {

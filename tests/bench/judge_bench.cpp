@@ -1,0 +1,53 @@
+// What judging a frame costs: comparing every pixel with the truth and making the trials of the wrong ones, against drawing
+// the visibility that is judged, in the same frames. Read the ratio.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+
+#include "app/headless_context.h"
+#include "renderer/param.h"
+#include "renderer/reference/error_task.h"
+#include "renderer/reference/live_error.h"
+#include "renderer/scenes/builtin.h"
+
+namespace si {
+namespace {
+
+double median(std::vector<double> v) {
+    std::sort(v.begin(), v.end());
+    return v[v.size() / 2];
+}
+
+void judge_against_visibility(benchmark::State& state, const char* scene_name, std::vector<std::pair<const char*, const char*>> sets) {
+    const HeadlessContext context;
+    Renderer renderer;
+    const Scene scene = load_scene(scene_name);
+    Settings s;
+    for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
+    for (const auto& [key, value] : sets) set_setting(s, key, value);
+    FrameRequest request{.width = 1280, .height = 720, .outputs = {.colour = false, .error = true}};
+    TruthCache cache;
+    render_with_truth(renderer, scene, s, request, cache);
+    request.timing = request.force = true;
+    std::vector<double> ratios, judging, visibility;
+    double wrong = 0;
+    for (auto _ : state) {
+        const FrameResult f = renderer.render(scene, s, request);
+        const auto ms = [&](const char* name) { return f.pass(name) ? f.pass(name)->gpu_ms : 0; };
+        judging.push_back(ms("pixels compared") + ms("causes found") + ms("unfiltered map"));
+        visibility.push_back(ms("visibility"));
+        ratios.push_back(judging.back() / visibility.back());
+        wrong = f.error->metrics.false_light + f.error->metrics.false_shadow;
+    }
+    state.counters["judging_ms"] = median(judging);
+    state.counters["visibility_ms"] = median(visibility);
+    state.counters["ratio"] = median(ratios);
+    state.counters["wrong_share"] = wrong;
+}
+
+BENCHMARK_CAPTURE(judge_against_visibility, stage_pcf3, "stage", std::vector<std::pair<const char*, const char*>>{})->Iterations(15)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge_against_visibility, stage_pcf9, "stage", std::vector<std::pair<const char*, const char*>>{{"filter.kernel", "pcf9"}})->Iterations(15)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge_against_visibility, boxes_pcf3, "boxes", std::vector<std::pair<const char*, const char*>>{})->Iterations(15)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace si
