@@ -98,9 +98,8 @@ private:
             case PixelState::Counted: break;
         }
         if (!p_.casts) return d_.right ? "right: lit, as no map is drawn for this light" : "wrong: dark in truth, but this light has no map";
-        if (truth_.evidence.outside != 0)
-            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}",
-                               p_.where == "inside" ? "the normal offset leads there" : p_.where, dark() ? "dark" : "lit",
+        if (truth_.evidence.place == CauseEvidence::kOutside)
+            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", p_.where, dark() ? "dark" : "lit",
                                d_.right ? "and so it is in truth" : dark() ? "lit in truth" : "dark in truth");
         if (d_.right) return right();
         std::string text = limits() + wrong();
@@ -163,6 +162,8 @@ private:
                                    "it needs, is lit, as in truth",
                                    100 * (1 - p_.visibility), nearest_need());
             case Artefact::OutsideMap:
+                if (truth_.evidence.place == CauseEvidence::kLedOutside)
+                    return "outside the map: the normal offset leads the look-up beyond its sides";
                 return "seam: taps reach beyond the map's sides, where map.outside and map.wrap answer; with the truth's "
                        "answer there it is right";
             case Artefact::Undersampled: return undersampled();

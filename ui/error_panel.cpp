@@ -187,9 +187,13 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     if (!frame.error) return;
     const LiveError& error = *frame.error;
     const float width = ImGui::GetContentRegionAvail().x;
-    const int columns = width > em * 58 ? 4 : width > em * 34 ? 2 : 1;
-    if (!ImGui::BeginTable("error blocks", columns, ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings))
+    const int columns = width > em * 56 ? 4 : width > em * 34 ? 2 : 1;
+    const ImVec2 padding = ImGui::GetStyle().CellPadding;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding.x, padding.y * 0.6f});
+    if (!ImGui::BeginTable("error blocks", columns, ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
+        ImGui::PopStyleVar();
         return;
+    }
     constexpr int kRowCount = int(std::size(kRows));
     ImGui::TableNextColumn();
     metrics_table(error.metrics, 0, kCauses, "causes of each side");
@@ -208,6 +212,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     if (columns > 2) ImGui::TableNextColumn();
     causes_table(error, half, all, columns < 3);
     ImGui::EndTable();
+    ImGui::PopStyleVar();
     cures_table(state, frame, {});
 }
 

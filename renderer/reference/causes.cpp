@@ -10,8 +10,8 @@ constexpr std::uint32_t bit(Artefact a) { return 1u << int(a); }
 bool dark(float v) { return v < 0.5f; }
 
 Cause false_light(const CauseEvidence& e, const CauseContext& c) {
-    if (e.outside != 0) return {Artefact::OutsideMap};
-    if (dark(e.beyond_dark)) return {.artefact = Artefact::OutsideMap, .seam = true};
+    if (e.place == CauseEvidence::kOutside) return {Artefact::OutsideMap};
+    if (e.place == CauseEvidence::kInside && dark(e.beyond_dark)) return {.artefact = Artefact::OutsideMap, .seam = true};
     if (e.gap_all >= e.least && e.least > e.gap_drawn)
         return {Artefact::LostCaster, e.gap_all < e.applied ? bit(Artefact::PeterPanning) : 0};
     // A surface nearer than the bias was passed by; else the receiver shadowing itself would pass for the caster.
@@ -36,6 +36,7 @@ Cause false_light(const CauseEvidence& e, const CauseContext& c) {
         if (dark(e.nearest_own_bare)) return {Artefact::PeterPanningOffset, bit(Artefact::Leak)};
         return {Artefact::PeterPanning, bit(Artefact::PeterPanningOffset) | bit(Artefact::Leak)};
     }
+    if (e.place != CauseEvidence::kInside) return {Artefact::OutsideMap};
     const bool closed = e.gap_all < e.least_nearest;
     return {e.run_m < e.texel_m || closed ? Artefact::Undersampled : Artefact::EdgeAliasing};
 }
@@ -46,12 +47,13 @@ bool is_acne(const CauseEvidence& e, const CauseContext& c, float enough) {
 }
 
 Cause false_shadow(const CauseEvidence& e, const CauseContext& c) {
-    if (e.outside != 0) return {Artefact::OutsideMap};
-    if (!dark(e.beyond_lit)) return {.artefact = Artefact::OutsideMap, .seam = true};
+    if (e.place == CauseEvidence::kOutside) return {Artefact::OutsideMap};
+    if (e.place == CauseEvidence::kInside && !dark(e.beyond_lit)) return {.artefact = Artefact::OutsideMap, .seam = true};
     if (is_acne(e, c, 0.5f)) return {Artefact::Acne};
     if (!dark(e.least_bare)) return {Artefact::OffsetShadow, e.worth < e.least ? bit(Artefact::Acne) : 0};
     if (!dark(e.unfiltered) || !dark(e.nearest_kept)) return {Artefact::Filter};
     if (!dark(e.nearest_bare)) return {Artefact::OffsetShadow, bit(Artefact::Filter)};
+    if (e.place != CauseEvidence::kInside) return {Artefact::OutsideMap};
     return {e.run_m < e.texel_m ? Artefact::Undersampled : Artefact::EdgeAliasing};
 }
 
@@ -68,7 +70,7 @@ Cause cause_of(const CauseEvidence& e, const TruePixel& truth, const CauseContex
         return dark(v) ? false_shadow(e, context) : false_light(e, context);
     }
     const bool darkened = truth.visibility == 1 && !dark(v) && v < float(1 - kRightVisibility);
-    return {.faint = darkened && e.outside == 0 && is_acne(e, context, float(1 - kRightVisibility))};
+    return {.faint = darkened && e.place == CauseEvidence::kInside && is_acne(e, context, float(1 - kRightVisibility))};
 }
 
 }  // namespace si

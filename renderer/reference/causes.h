@@ -27,7 +27,8 @@ inline constexpr std::size_t kArtefacts = 12;
 
 /// What trials of one pixel gave. Order and meaning as written by shaders/passes/evidence.frag.glsl, four to an image.
 struct CauseEvidence {
-    float outside = 0;   ///< 1: the look-up lies where the map holds nothing
+    static constexpr float kInside = 0, kOutside = 1, kLedOutside = 2;
+    float place = kInside;  ///< whether the map holds the surface; led outside: only the normal offset leaves the map
     float visibility = 1, beyond_lit = 1, beyond_dark = 1;
     float least = 0, least_nearest = 0, worth = 0, applied = 0;  ///< depth-buffer units, as all depths here
     float slack = 0, own = 0, offset = 0, texel_m = 0;

@@ -9,9 +9,9 @@ struct Cause {
 
 Cause cause(int artefact, int also) { return Cause(artefact, also, false); }
 
-Cause cause_of_false_light(Evidence e, bool outside) {
-    if (outside) return cause(ARTEFACT_OUTSIDE_MAP, 0);
-    if (e.beyond_dark < 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
+Cause cause_of_false_light(Evidence e, int place) {
+    if (place == PLACE_OUTSIDE) return cause(ARTEFACT_OUTSIDE_MAP, 0);
+    if (place == PLACE_INSIDE && e.beyond_dark < 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
     const int bias = 1 << ARTEFACT_PETER_PANNING, offset = 1 << ARTEFACT_PETER_PANNING_OFFSET, leak = 1 << ARTEFACT_LEAK;
     if (e.gap_all >= e.least && e.least > e.gap_drawn)
         return cause(ARTEFACT_LOST_CASTER, e.gap_all < e.applied ? bias : 0);
@@ -41,6 +41,7 @@ Cause cause_of_false_light(Evidence e, bool outside) {
     if (e.nearest_bare < 0.5)
         return e.nearest_own_bare < 0.5 ? cause(ARTEFACT_PETER_PANNING_OFFSET, leak)
                                         : cause(ARTEFACT_PETER_PANNING, offset | leak);
+    if (place != PLACE_INSIDE) return cause(ARTEFACT_OUTSIDE_MAP, 0);
     bool closed = e.gap_all < e.least_nearest;
     return cause(e.run_m < e.texel_m || closed ? ARTEFACT_UNDERSAMPLED : ARTEFACT_EDGE_ALIASING, 0);
 }
@@ -51,13 +52,14 @@ bool is_acne(Evidence e, float enough) {
     return e.worth < e.bent && e.bent_raised >= enough && e.edge_m > (KERNEL_REACH + 1.0) * e.texel_m;
 }
 
-Cause cause_of_false_shadow(Evidence e, bool outside) {
-    if (outside) return cause(ARTEFACT_OUTSIDE_MAP, 0);
-    if (e.beyond_lit >= 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
+Cause cause_of_false_shadow(Evidence e, int place) {
+    if (place == PLACE_OUTSIDE) return cause(ARTEFACT_OUTSIDE_MAP, 0);
+    if (place == PLACE_INSIDE && e.beyond_lit >= 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
     const int acne = 1 << ARTEFACT_ACNE, filtered = 1 << ARTEFACT_FILTER;
     if (is_acne(e, 0.5)) return cause(ARTEFACT_ACNE, 0);
     if (e.least_bare >= 0.5) return cause(ARTEFACT_OFFSET_SHADOW, e.worth < e.least ? acne : 0);
     if (e.unfiltered >= 0.5 || e.nearest_kept >= 0.5) return cause(ARTEFACT_FILTER, 0);
     if (e.nearest_bare >= 0.5) return cause(ARTEFACT_OFFSET_SHADOW, filtered);
+    if (place != PLACE_INSIDE) return cause(ARTEFACT_OUTSIDE_MAP, 0);
     return cause(e.run_m < e.texel_m ? ARTEFACT_UNDERSAMPLED : ARTEFACT_EDGE_ALIASING, 0);
 }

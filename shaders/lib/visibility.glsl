@@ -34,8 +34,11 @@ float light_visibility(Surface s, int light) {
     return map_visibility(r);
 }
 
-/// Whether the look-up lies where the map holds nothing.
-bool looks_outside(Receiver r) {
-    if (r.where != INSIDE) return r.where != NO_MAP;
-    return any(lessThan(r.uvd_offset.xy, vec2(0.0))) || any(greaterThan(r.uvd_offset.xy, vec2(1.0)));
+const int PLACE_INSIDE = 0, PLACE_OUTSIDE = 1, PLACE_LED_OUTSIDE = 2;
+
+/// Whether the map holds the surface, and if so, whether the normal offset leads the look-up out of it.
+int place_in_map(Receiver r) {
+    if (r.where != INSIDE) return r.where == NO_MAP ? PLACE_INSIDE : PLACE_OUTSIDE;
+    bool led = any(lessThan(r.uvd_offset.xy, vec2(0.0))) || any(greaterThan(r.uvd_offset.xy, vec2(1.0)));
+    return led ? PLACE_LED_OUTSIDE : PLACE_INSIDE;
 }

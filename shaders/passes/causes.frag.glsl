@@ -16,8 +16,8 @@ void main() {
     Receiver r = make_receiver(make_surface(), LIGHT_INDEX);
     float v = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, LIGHT_INDEX), 0).r;
     if (isnan(v)) v = 0.0;
-    bool outside = looks_outside(r);
-    int bits = compared_bits(v, truth, outside);
+    int place = place_in_map(r);
+    int bits = compared_bits(v, truth, place == PLACE_OUTSIDE);
     bool wrong = (bits & (FALSE_SHADOW | FALSE_LIGHT)) != 0;
     Evidence e = gather_evidence(r, v, truth, more);
     Cause why = cause(ARTEFACT_NONE, 0);
@@ -25,10 +25,10 @@ void main() {
         why = cause(ARTEFACT_PENUMBRA, 0);
     else if (wrong)
 #if FOR_FALSE_LIGHT
-        why = cause_of_false_light(e, outside);
+        why = cause_of_false_light(e, place);
 #else
-        why = cause_of_false_shadow(e, outside);
-    if ((bits & FAINT) != 0 && !outside && is_acne(e, 1.0 - RIGHT_VISIBILITY)) bits |= ANY_ACNE;
+        why = cause_of_false_shadow(e, place);
+    if ((bits & FAINT) != 0 && place == PLACE_INSIDE && is_acne(e, 1.0 - RIGHT_VISIBILITY)) bits |= ANY_ACNE;
     if (why.artefact == ARTEFACT_ACNE && true_visibility(truth) == 1.0) bits |= ANY_ACNE;
 #endif
     if (why.seam) bits |= SEAM;

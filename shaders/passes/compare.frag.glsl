@@ -18,5 +18,5 @@ void main() {
     Receiver r = make_receiver(make_surface(), LIGHT_INDEX);
     float v = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, LIGHT_INDEX), 0).r;
     if (isnan(v)) v = 0.0;
-    judged_out = vec4(float(ARTEFACT_NONE), v - true_visibility(truth), float(compared_bits(v, truth, looks_outside(r))), v);
+    judged_out = vec4(float(ARTEFACT_NONE), v - true_visibility(truth), float(compared_bits(v, truth, place_in_map(r) == PLACE_OUTSIDE)), v);
 }

@@ -39,7 +39,7 @@ void main() {
     vec4 truth = vec4(0.0, -1.0, 0.0, 0.0), more = vec4(-1.0, 0.0, 3e38, 3e38);
 #endif
     Evidence e = gather_evidence(r, v, truth, more);
-    out_0 = vec4(float(looks_outside(r)), v, e.beyond_lit, e.beyond_dark);
+    out_0 = vec4(float(place_in_map(r)), v, e.beyond_lit, e.beyond_dark);
     out_1 = vec4(e.least, e.least_nearest, e.worth, e.applied);
     out_2 = vec4(e.slack, e.own, e.offset, e.texel_m);
     out_3 = vec4(e.bent, e.far, e.strip_bias_m, e.strip_offset_m);

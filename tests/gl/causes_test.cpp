@@ -89,7 +89,7 @@ protected:
             const bool same = cause.artefact == p.artefact && cause.also == p.also() &&
                               cause.seam == p.has(JudgedPixel::kSeam) && acne == p.has(JudgedPixel::kAnyAcne) &&
                               (p.bits & ~(JudgedPixel::kAnyAcne | JudgedPixel::kSeam)) % (1 << JudgedPixel::kAlsoShift) ==
-                                  compared_bits(p.visibility, true_pixel(truth, i), evidence[i].outside != 0);
+                                  compared_bits(p.visibility, true_pixel(truth, i), evidence[i].place == CauseEvidence::kOutside);
             if (!same && ++differ <= 3)
                 ADD_FAILURE() << "pixel " << i << ": " << name(p.artefact) << " on the GPU, here " << name(cause.artefact)
                               << ", also " << p.also() << " and " << cause.also << ", bits " << p.bits;

@@ -66,8 +66,8 @@ TEST(CuresPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     const auto button = ui.find("Error", "", "Find cures");
     ASSERT_TRUE(button);
     bool applied = false;
-    for (float y = 1; y < 12 && !applied; ++y) {
-        ui.click({button->x, button->y + y * 9});
+    for (float y = 2; y < 50 && !applied; ++y) {
+        ui.click({button->x, button->y + y * 8});
         applied = ui.state.settings.bias.constant == 2.5;
     }
     ASSERT_TRUE(applied);
