@@ -22,6 +22,7 @@ public:
     void start(const Scene& scene, const Settings& settings, int width, int height, std::optional<glm::ivec2> pixel,
                std::vector<CureIdea> own);
     void cancel() { job_.cancel(); }
+    void forget() { found_.reset(); }
     bool running() const { return job_.running(); }
     bool moved() const { return job_.moved(); }
     void wait() const { job_.wait(); }

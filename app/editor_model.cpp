@@ -432,6 +432,7 @@ bool EditorModel::fulfil(const EditorActions& actions) {
     if (actions.cancel_tune) tuner_.cancel();
     if (actions.find_cures) attempt([&] { start_cures(*actions.find_cures); });
     if (actions.cancel_cures) cures_.cancel();
+    if (actions.forget_cures) cures_.forget(), changed = true;
     if (actions.save_map) attempt([&] { save_map(*actions.save_map); });
     if (actions.start_sweep)
         attempt([&] { require_scene(), sweep_.start(scene_, state.scene_name, state.settings, *actions.start_sweep); });

@@ -80,13 +80,15 @@ void cures_button(const EditorFrame& frame, EditorActions& actions, std::optiona
                                       : "Nothing is wrong here.");
 }
 
-void cures_table(EditorState& state, const EditorFrame& frame, std::optional<glm::ivec2> pixel) {
+void cures_table(EditorState& state, const EditorFrame& frame, EditorActions& actions, std::optional<glm::ivec2> pixel) {
     const CureSearch& search = frame.cures;
     if (!search.table || search.pixel != pixel) return;
     if (search.current)
         ImGui::TextDisabled("%zu pixels are wrong now", search.table->wrong);
     else
         ImGui::TextDisabled("of other settings: search again");
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Close##cures")) actions.forget_cures = true;
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("cures", 5, flags)) return;
     ImGui::TableSetupColumn("cure");

@@ -9,6 +9,6 @@ namespace si {
 /// @param wrong there is something to cure
 void cures_button(const EditorFrame& frame, EditorActions& actions, std::optional<glm::ivec2> pixel, bool wrong);
 /// What was found for that, if anything was.
-void cures_table(EditorState& state, const EditorFrame& frame, std::optional<glm::ivec2> pixel);
+void cures_table(EditorState& state, const EditorFrame& frame, EditorActions& actions, std::optional<glm::ivec2> pixel);
 
 }  // namespace si

@@ -284,7 +284,7 @@ struct EditorActions {
     std::optional<TuneWish> tune;
     bool cancel_tune = false;
     std::optional<CureWish> find_cures;
-    bool cancel_cures = false;
+    bool cancel_cures = false, forget_cures = false;
     bool copy_command_line = false;
     bool quit = false;
     bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies

@@ -184,6 +184,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
         ImGui::SameLine();
         if (ImGui::SmallButton("Cancel")) actions.cancel_truth = true;
     }
+    cures_table(state, frame, actions, {});
     if (!frame.error) return;
     const LiveError& error = *frame.error;
     const float width = ImGui::GetContentRegionAvail().x;
@@ -213,7 +214,6 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     causes_table(error, half, all, columns < 3);
     ImGui::EndTable();
     ImGui::PopStyleVar();
-    cures_table(state, frame, {});
 }
 
 }  // namespace si

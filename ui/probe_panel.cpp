@@ -272,7 +272,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
         // Cures are those of the light whose shadows are judged.
         if (dossier && light.light == state.settings.view.light && light.casts)
             cures_button(frame, actions, state.probe_pixel, dossier->cause().artefact != Artefact::None),
-                cures_table(state, frame, state.probe_pixel);
+                cures_table(state, frame, actions, state.probe_pixel);
         ImGui::PopID();
     }
 }

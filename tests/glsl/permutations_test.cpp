@@ -239,6 +239,7 @@ protected:
                 // What a probe draws where it hits, and what runs while there is no truth.
                 FrameRequest untold = request;
                 untold.outputs.evidence = true;
+                untold.force = true;  // passes, too, whose results are there
                 renderer_->render(scene, s, untold);
                 request.outputs.evidence = true;
             }

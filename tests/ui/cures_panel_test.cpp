@@ -61,6 +61,10 @@ TEST(CuresPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     const std::string text = printed(ui);
     for (const char* part : {"least bias", "1200", "< noise", "+12.5 ms", "+48 MiB", "not tried, only for a directional light"})
         EXPECT_NE(text.find(packed(part)), std::string::npos) << part << "\n" << text;
+    const auto close = ui.find("Error", "", "Close##cures");
+    ASSERT_TRUE(close);
+    ui.click(*close);
+    EXPECT_TRUE(ui.last_wish.forget_cures);
     const Settings before = ui.state.settings;
     // The row spans the table; its name is below the button.
     const auto button = ui.find("Error", "", "Find cures");

@@ -120,7 +120,7 @@ EditorActions UiHarness::frame() {
     EditorActions actions = draw_editor(state, facts);
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
-    if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures) last_wish = actions;
+    if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures || actions.forget_cures) last_wish = actions;
     io.MouseWheel = 0;
     return actions;
 }
