@@ -223,12 +223,15 @@ private:
     float room_ = ImGui::GetContentRegionAvail().x, used_ = 0;
 };
 
-void draw_light(const Probe::PerLight& p, const Dossier* d, bool tracing, Settings& settings, int resolution) {
+/// @param cures draws what puts the pixel right, below the verdict
+template <typename Cures>
+void draw_light(const Probe::PerLight& p, const Dossier* d, bool tracing, Settings& settings, int resolution, Cures&& cures) {
     if (!p.casts) {
         verdict(p.verdict.empty() ? fmt::format("Light {} casts no shadow: lit.", p.light) : p.verdict);
         return;
     }
     judgement(p, d, tracing, settings);
+    cures();
     slabs_button(settings, p, resolution);
     const float em = ImGui::GetFontSize();
     BlockFlow flow;
@@ -268,11 +271,13 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
         const Dossier* dossier = nullptr;
         for (const Dossier& d : frame.dossiers)
             if (d.light == light.light) dossier = &d;
-        draw_light(light, dossier, frame.tracing_probe, state.settings, frame.result ? frame.result->map_resolution : 0);
-        // Cures are those of the light whose shadows are judged.
-        if (dossier && light.light == state.settings.view.light && light.casts)
-            cures_button(frame, actions, state.probe_pixel, dossier->cause().artefact != Artefact::None),
-                cures_table(state, frame, actions, state.probe_pixel);
+        const bool wrong = dossier && dossier->cause().artefact != Artefact::None;
+        draw_light(light, dossier, frame.tracing_probe, state.settings, frame.result ? frame.result->map_resolution : 0, [&] {
+            // Cures are those of the light whose shadows are judged.
+            if (!wrong || light.light != state.settings.view.light) return;
+            cures_button(frame, actions, state.probe_pixel, wrong);
+            cures_table(state, frame, actions, state.probe_pixel);
+        });
         ImGui::PopID();
     }
 }
