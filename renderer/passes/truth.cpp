@@ -62,12 +62,29 @@ std::uint64_t judged_key(const FrameState& f) {
     return key.add(f.gl.programs.source().generation()).value();
 }
 
+/// Whether nothing of the scene lies beyond the map of the shown light: it is fitted around all of it.
+bool map_holds_all(const FrameState& f) {
+    const auto light = std::size_t(f.settings.view.light);
+    if (light >= f.gl.fitted.size()) return false;
+    const FittedLight& fitted = f.gl.fitted[light];
+    return fitted.type == LightType::Directional && f.settings.lights[light].fit == int(LightFit::Scene) && fitted.casts &&
+           !fitted.views[0].curve.perspective;
+}
+
+/// Whether taps beyond the map's sides may tell anything but the truth: nothing lies there, and they answer that.
+bool seams_matter(const FrameState& f) {
+    const MapSettings& m = f.settings.map;
+    const bool lit = m.outside == int(Outside::Lit) && (m.wrap == int(MapWrap::Border) || m.wrap == int(MapWrap::Range));
+    return !map_holds_all(f) || !lit;
+}
+
 /// The kernels once more, with other biases and on the unfiltered map. What hardware samplers do is done by hand.
 std::vector<gl::Define> trial_defines(const FrameState& f) {
     const CauseContext c = cause_context(f.settings, f.mask_levels);
     std::vector<gl::Define> out = truth_defines(f);
     out.insert(out.end(), {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
                            {"MAP_TRIALS", "1"},
+                           {"SEAM_TRIALS", std::to_string(int(seams_matter(f)))},
                            {"FILTER_SAMPLER", "0"},
                            {"RASTER_BIAS", std::to_string(int(c.raster_bias))},
                            {"MASK_LEVELS", std::to_string(int(c.mask_levels))},
@@ -95,14 +112,24 @@ Pass compare_pass(FrameState& f) {
         f.gl.judged.ensure("judged pixels", GL_RGBA32F, f.request.width, f.request.height);
         f.gl.judged_framebuffer = gl::make_framebuffer("judged pixels", &f.gl.judged, &f.gl.camera_depth);
         const GLuint framebuffer = f.gl.judged_framebuffer.id();
-        f.begin_camera_pass(framebuffer);
+        const bool holds_all = map_holds_all(f);
+        std::vector<gl::Define> extra = truth_defines(f);
+        extra.push_back({"LIGHT_INDEX", std::to_string(f.settings.view.light)});
+        extra.push_back({"MAP_HOLDS_ALL", holds_all ? "1" : "0"});
+        if (holds_all)
+            f.begin_fullscreen_pass(framebuffer, f.request.width, f.request.height);
+        else
+            f.begin_camera_pass(framebuffer);
         const glm::vec4 nothing(0);
         glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &nothing.x);
         glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
         bind_truth(f);
-        std::vector<gl::Define> extra = truth_defines(f);
-        extra.push_back({"LIGHT_INDEX", std::to_string(f.settings.view.light)});
-        f.draw_from_camera("passes/compare.frag.glsl", extra, info);
+        if (holds_all) {
+            glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/compare.frag.glsl", std::move(extra)));
+            FrameState::draw_fullscreen(info);
+        } else {
+            f.draw_from_camera("passes/compare.frag.glsl", extra, info);
+        }
     };
     return pass;
 }
@@ -128,7 +155,7 @@ void mark(FrameState& f, const char* bits, PassInfo& info) {
 Pass causes_pass(FrameState& f) {
     Pass pass;
     pass.name = "causes found";
-    pass.reads = {"compared", "visibility", "shadow maps", "unfiltered map", "truth"};
+    pass.reads = {"compared", "visibility", "shadow maps", "unfiltered map", "truth", "camera depth"};
     pass.writes = {"judged"};
     pass.idle_reason = "nothing asks why it is wrong";
     Key key;

@@ -83,11 +83,18 @@ Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
     e.gap_all = depth_of_gap(r, more.x);
     e.run_m = more.w, e.edge_m = more.z;
 
+    e.beyond_lit = e.beyond_dark = v;
+#if SEAM_TRIALS
+#if FOR_FALSE_SHADOW
     beyond_answer = 1.0;
     e.beyond_lit = look(r, true, e.own);
+#endif
+#if FOR_FALSE_LIGHT
     beyond_answer = 0.0;
     e.beyond_dark = look(r, true, e.own);
+#endif
     beyond_answer = -1.0;
+#endif
 
     float kept = max(e.least - e.offset, 0.0);
     e.nearest_kept = look_nearest(r, true, max(e.least_nearest - e.offset, 0.0));

@@ -26,6 +26,9 @@ bool map_is_unfiltered = false;
 float beyond_answer = -1.0;  // visibility of taps beyond the sides; below 0: as map.wrap has it
 
 vec4 answered(vec4 depth, vec4 u, vec4 v) {
+#if !SEAM_TRIALS
+    return depth;
+#endif
     if (beyond_answer < 0.0) return depth;
     // Beyond every depth on the side that answers.
     float always = (beyond_answer > 0.5) == (map_reversed_z == 0) ? 3e38 : -3e38;
