@@ -14,7 +14,7 @@ std::vector<TunedFamily> families_of(const BiasSearch& search) {
     for (const BiasFound& f : search.tried())
         out.push_back({std::string(family_word(f.family)), bias_text(f.bias), f.bias, f.trial.acne(), f.trial.wrong(),
                        f.trial.lost(), f.trial.needs.gap_p95_m, f.trial.needs.shift_p95_m,
-                       search.best() && search.best()->bias == f.bias});
+                       search.best() && search.best()->family == f.family});
     return out;
 }
 

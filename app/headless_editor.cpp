@@ -43,7 +43,7 @@ struct HeadlessEditor::Canvas {
 
 namespace {
 
-/// A truth was asked for that is still to be traced, or edges of it are to be found.
+/// A truth was asked for that is still to be traced.
 bool lacks_truth(const EditorFrame& f) {
     if (!f.truth || !f.truth->wanted || !f.truth->problem.empty()) return false;
     return !f.truth->current;

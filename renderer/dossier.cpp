@@ -138,16 +138,18 @@ private:
             case Artefact::Acne: return acne();
             case Artefact::PeterPanning:
                 return fmt::format("peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} "
-                                   "away; with {} it is dark, as in truth",
-                                   texels(d_.lifted), texels(d_.occluder), texels(d_.least));
+                                   "away; {} it is dark, as in truth",
+                                   texels(d_.lifted), texels(d_.occluder), less_bias());
             case Artefact::PeterPanningOffset:
-                return fmt::format("peter-panning by normal offset: the look-up is moved by {:.4g} m and misses the shadow; "
-                                   "without the offset it is dark, as in truth",
-                                   p_.normal_offset_m);
+                return fmt::format("peter-panning by normal offset: the look-up is moved by {:.4g} m and misses the shadow; {} "
+                                   "it is dark, as in truth",
+                                   p_.normal_offset_m,
+                                   truth_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
             case Artefact::OffsetShadow:
-                return fmt::format("shadow by normal offset: the look-up is moved by {:.4g} m into a shadow; without the "
-                                   "offset it is lit, as in truth",
-                                   p_.normal_offset_m);
+                return fmt::format("shadow by normal offset: the look-up is moved by {:.4g} m into a shadow; without the offset "
+                                   "and with {} it is lit, as in truth",
+                                   p_.normal_offset_m,
+                                   truth_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
             case Artefact::LostCaster:
                 return fmt::format("lost caster: dark in truth by a surface {:.4g} m nearer to the light, which {} left out of "
                                    "the map",
@@ -187,7 +189,10 @@ private:
             case Artefact::PeterPanningOffset: return "the normal offset would lose it";
             case Artefact::Leak:
             case Artefact::Filter: return "the kernel takes part in it";
-            case Artefact::LostCaster: return "the masks' mip levels take part in it";
+            case Artefact::LostCaster:
+                if (truth_.evidence.gap_all > truth_.evidence.gap_drawn)
+                    return fmt::format("a caster nearer to the light, which {} left out of the map, takes part in it", leaves_out());
+                return "the masks' mip levels take part in it";
             case Artefact::Acne: return "its bias is less than it needs,";
             default: return "another cause takes part in it";
         }
@@ -201,6 +206,14 @@ private:
                            texels(d_.least), texels(d_.has), texels(p_.account.amount(truth_.evidence.curing)));
     }
 
+    /// The trial that made a lit pixel dark, of those with less bias.
+    std::string less_bias() const {
+        const CauseEvidence& e = truth_.evidence;
+        if (e.least_kept < 0.5f) return "with " + texels(d_.least);
+        if (e.least_bare < 0.5f) return fmt::format("with {} and without the normal offset", texels(d_.least));
+        if (p_.causes.raster_bias && e.unfiltered < 0.5f) return "without polygon offset";
+        return "with the least bias of one nearest texel and without the normal offset";
+    }
     std::string leaves_out() const {
         if (settings_.caster.cull != int(Cull::None)) return "culling (caster.cull) or the near plane";
         return p_.causes.mask_levels ? "the near plane, an object's own culling or a mask's mip level"
@@ -210,7 +223,10 @@ private:
 
     std::string undersampled() const {
         const CauseEvidence& e = truth_.evidence;
-        if (e.gap_all < e.least_nearest && !dark()) return fmt::format("undersampled: {}", no_bias_is_right());
+        if (e.gap_all < e.least_nearest && !dark())
+            return fmt::format("undersampled: no depth bias can be right here: even one nearest texel needs {}, but what shadows "
+                               "it lies {} away; a finer map opens the window",
+                               nearest_need(), texels(p_.account.amount(e.gap_all)));
         return fmt::format("undersampled: the true shadow or light here is {:.3g} m wide, a texel {:.3g} m; {}", e.run_m,
                            p_.texel_m, sampling_text());
     }
@@ -221,6 +237,7 @@ private:
     }
     std::string sampling_text() const {
         const double n = sampling_resolution();
+        if (!(n < 1e7)) return "no map has texels as narrow";
         if (n > driver_.max_texture_size)
             return fmt::format("it would take a map of {:.0f}², more than this driver's {}²", n, driver_.max_texture_size);
         return fmt::format("a map of {:.0f}² has texels as narrow", n);

@@ -174,7 +174,7 @@ void run_probe(const ProbeOptions& options) {
     probe.x = x, probe.y = y;  // of the picture asked for, of which this pane is a part
     if (options.json) {
         nlohmann::ordered_json json = probe_json(probe, found);
-        if (probe.hit) json["cures"] = table ? cures_json(*table) : nlohmann::ordered_json::array();
+        if (probe.hit && options.truth) json["cures"] = table ? cures_json(*table) : nlohmann::ordered_json::array();
         fmt::print("{}", json_text(json));
     } else if (!probe.hit) {
         fmt::print("pixel {},{}: nothing there\n", x, y);

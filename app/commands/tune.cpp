@@ -61,7 +61,7 @@ Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& afte
                  {"candidates", Json::array()},
                  {"settings", Json::object()}};
     for (const BiasFound& f : search.tried()) {
-        Json row = {{"family", family_word(f.family)}, {"chosen", search.best() && search.best()->bias == f.bias},
+        Json row = {{"family", family_word(f.family)}, {"chosen", search.best() && search.best()->family == f.family},
                     {"no_acne", f.trial.acne() == 0}, {"of_theory", f.factor}};
         row["bias"] = bias_json(f.bias);
         row.update(trial_json(f.trial));
@@ -91,7 +91,7 @@ void print_tuned(const Tuner& tuner) {
     for (const BiasFound& f : search.tried())
         fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>9.3g} m {:>9.3g} m  {}{}\n", family_word(f.family), f.trial.wrong(),
                    f.trial.lost(), f.trial.acne(), f.trial.needs.gap_p95_m, f.trial.needs.shift_p95_m, bias_text(f.bias),
-                   search.best() && search.best()->bias == f.bias ? "  chosen" : "");
+                   search.best() && search.best()->family == f.family ? "  chosen" : "");
     for (const TuneCandidate& c : tuner.candidates()) {
         const std::string error = c.trial ? fmt::format("{:.5f}", c.error) : "-";
         const std::string ms = c.ms ? fmt::format("{:.3g} ms", *c.ms) : "-";

@@ -106,7 +106,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
         shifts.push_back(a.receiver.normal_offset_m * std::tan(std::min(a.theta_rad, 1.57)));
         if (!measured.judged[i].has(JudgedPixel::kAnyAcne)) continue;
         if (a.clears() >= a.least.total())
-            ++out.folds;
+            out.folds += measured.judged[i].visibility >= 0.5f;
         else
             out.faint_acne += measured.judged[i].visibility >= 0.5f;
     }

@@ -29,14 +29,14 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
         const BiasAccount a = bias_account(light, settings, m.map_resolution,
                                            {r.position_ws, r.normal_ws, r.normal_ws, m.camera.origin()}, driver);
         const float run_m = m.traced.runs->run_m.data[i];
-        double n = a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
+        double n = run_m > 0 && a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
         // Where the window is closed for one nearest tap, finer texels open it.
         const double gap_m = m.traced.truth->blocker_m.data[i];
         if (std::isfinite(gap_m)) {
             const double along = gap_m * glm::dot(a.receiver.to_light, light.views[a.receiver.view].axes[2]);
             const double kappa = filters()[std::size_t(settings.filter.kernel)].reach_texels;
             const double fixed = a.least.quantum + a.least.rounding, falls = a.least.kernel * 0.5 / kappa + a.least.snapping;
-            const double room = along * a.curve.slope(a.receiver.own_m) - fixed;
+            const double room = a.curve.depth_nearer(a.receiver.own_m, along) - fixed;
             if (room > 0) n = std::max(n, m.map_resolution * falls / room);
         }
         wanted.push_back(n);
@@ -229,7 +229,7 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
     const FittedLight& fitted = f.lights[std::size_t(f.light)];
     const bool parallel = fitted.views.size() == 1 && !fitted.views[0].curve.perspective && fitted.type == LightType::Directional;
     if (!parallel) {
-        idea("tighter fit", [](Settings&) {}, "only the map of a directional light can be fitted tighter to what is seen");
+        idea("tighter fit", [](Settings&) {}, "only the parallel map of a directional light can be fitted tighter to what is seen");
     } else if (f.receivers_half_m > 0) {
         // Parallel rays: what shadows the surfaces seen lies within their own outline in the map.
         constexpr double kMarginTexels = 8;
@@ -270,6 +270,7 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
     const auto wrong = [](const MeasuredError& m, std::size_t i) { return m.judged[i].artefact != Artefact::None; };
     CureTable table;
     for (std::size_t a = 1; a < kArtefacts; ++a) table.wrong += table.wrong_of[a] = before.metrics.artefacts[a];
+    if (table.wrong == 0) return table;
     std::optional<std::size_t> pixel;
     if (options.pixel) {
         const glm::ivec2 at = *options.pixel / std::max(options.truth.step, 1);
@@ -290,7 +291,17 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
         if (row.untried.empty()) {
             tell((double(k) + 1) / (double(ideas.size()) + 1), idea.name);
             const MeasuredError after = measure(idea.settings);
-            if (after.judged.size() != before.judged.size()) continue;  // another picture: the camera depends on the light
+            if (after.camera.eye != before.camera.eye ||
+                after.camera.clip_from_relative(after.camera.eye) != before.camera.clip_from_relative(before.camera.eye)) {
+                row.untried = "the camera looks through this light and would move with it";
+                table.rows.push_back(std::move(row));
+                continue;
+            }
+            if (after.map_resolution != idea.settings.map.resolution && idea.settings.map.resolution != base.map.resolution) {
+                row.untried = fmt::format("maps of that size need too much memory; {}² would be drawn", after.map_resolution);
+                table.rows.push_back(std::move(row));
+                continue;
+            }
             for (std::size_t i = 0; i < before.judged.size(); ++i) {
                 const bool was = wrong(before, i), is = wrong(after, i);
                 if (was && !is) ++row.cured, ++row.cured_of[std::size_t(before.judged[i].artefact)];

@@ -40,7 +40,7 @@ public:
             const glm::dvec3 along = axis - to_light * (glm::dot(r.normal_ws, axis) / facing);
             const glm::dvec2 step = screen_step(r.position_ws, along);
             if (!std::isfinite(step.x) || !std::isfinite(step.y) || (step.x == 0 && step.y == 0)) continue;
-            const Side before = walk(x, y, -step, axis), behind = walk(x, y, step, axis);
+            const Side before = walk(x, y, -step, view, axis), behind = walk(x, y, step, view, axis);
             found.edge_m = std::min({found.edge_m, before.change_m, behind.change_m});
             found.run_m = std::min({found.run_m, before.change_m + behind.change_m,
                                     std::max(before.change_m, before.next_run_m),
@@ -116,11 +116,18 @@ private:
         float next_run_m = kInfinite;  ///< from there to the next
     };
 
-    Side walk(int x, int y, const glm::dvec2& step, const glm::dvec3& axis) const {
+    Side walk(int x, int y, const glm::dvec2& step, const LightView& view, const glm::dvec3& axis) const {
         const std::size_t start = index(x, y);
         const Receiver& from = receivers_.pixels[start];
+        // Across the light, at the distance of the pixel: under a perspective light by where the map has the points.
+        const auto across = [&](const glm::dvec3& point) {
+            const glm::dvec3 p = point - view.eye;
+            return view.curve.perspective ? glm::dot(p, axis) / -glm::dot(p, view.axes[2]) : glm::dot(p, axis);
+        };
+        const double here_at = across(from.position_ws);
+        const double scale = view.curve.perspective ? -glm::dot(from.position_ws - view.eye, view.axes[2]) : 1.0;
         const auto metres = [&](std::size_t i) {
-            return std::abs(glm::dot(receivers_.pixels[i].position_ws - from.position_ws, axis));
+            return std::abs(across(receivers_.pixels[i].position_ws) - here_at) * scale;
         };
         // The same surface again behind something that stands before it.
         const auto same_plane = [&](std::size_t i) {

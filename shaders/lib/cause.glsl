@@ -11,7 +11,8 @@ Cause cause(int artefact, int also) { return Cause(artefact, also, false); }
 
 Cause cause_of_false_light(Evidence e, int place) {
     if (place == PLACE_OUTSIDE) return cause(ARTEFACT_OUTSIDE_MAP, 0);
-    if (place == PLACE_INSIDE && e.beyond_dark < 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
+    // Where no tap lies beyond, both answers are the same.
+    if (place == PLACE_INSIDE && e.beyond_dark < 0.5 && e.beyond_lit >= 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
     const int bias = 1 << ARTEFACT_PETER_PANNING, offset = 1 << ARTEFACT_PETER_PANNING_OFFSET, leak = 1 << ARTEFACT_LEAK;
     if (e.gap_all >= e.least && e.least > e.gap_drawn)
         return cause(ARTEFACT_LOST_CASTER, e.gap_all < e.applied ? bias : 0);
@@ -54,7 +55,7 @@ bool is_acne(Evidence e, float enough) {
 
 Cause cause_of_false_shadow(Evidence e, int place) {
     if (place == PLACE_OUTSIDE) return cause(ARTEFACT_OUTSIDE_MAP, 0);
-    if (place == PLACE_INSIDE && e.beyond_lit >= 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
+    if (place == PLACE_INSIDE && e.beyond_lit >= 0.5 && e.beyond_dark < 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
     const int acne = 1 << ARTEFACT_ACNE, filtered = 1 << ARTEFACT_FILTER;
     if (is_acne(e, 0.5)) return cause(ARTEFACT_ACNE, 0);
     if (e.least_bare >= 0.5) return cause(ARTEFACT_OFFSET_SHADOW, e.worth < e.least ? acne : 0);

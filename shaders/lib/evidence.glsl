@@ -85,14 +85,10 @@ Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
 
     e.beyond_lit = e.beyond_dark = v;
 #if SEAM_TRIALS
-#if FOR_FALSE_SHADOW
     beyond_answer = 1.0;
     e.beyond_lit = look(r, true, e.own);
-#endif
-#if FOR_FALSE_LIGHT
     beyond_answer = 0.0;
     e.beyond_dark = look(r, true, e.own);
-#endif
     beyond_answer = -1.0;
 #endif
 

@@ -33,6 +33,7 @@ void main() {
     Surface s = make_surface();
     Receiver r = make_receiver(s, LIGHT_INDEX);
     float v = light_visibility(s, LIGHT_INDEX);
+    if (isnan(v)) v = 0.0;
 #if TRUTH_KNOWN
     vec4 truth = truth_here(), more = more_truth_here();
 #else
