@@ -78,7 +78,7 @@ TEST(Metrics, AreTheSumsOfTheirCauses) {
     // One false shadow and one false light of each cause that can be either.
     const Truth truth = truth_of({"......................######################"});
     std::vector<JudgedPixel> judged = judged_of({"############..........############.........."}, truth);
-    for (std::size_t a = 1; a < kArtefacts; ++a) judged[a].artefact = Artefact(a), judged[33 + a - 1 + 1].artefact = Artefact(a);
+    for (std::size_t a = 1; a < kArtefacts; ++a) judged[a].artefact = Artefact(a), judged[std::min<std::size_t>(33 + a, 43)].artefact = Artefact(a);
     judged[0].artefact = Artefact::Acne;
     const ErrorMetrics m = error_metrics(judged, truth);
     EXPECT_DOUBLE_EQ(m.false_shadow * 44, 12);

@@ -183,7 +183,8 @@ TEST(Sweep, ErrorsOfAnotherMeaningStandBesideNone) {
     const FakeSweep old(folder / "old");
     FakeMeter meter;
     const SweepState state = old.run(meter, 2);
-    for (const Json& row : old.results()["rows"]) EXPECT_EQ(number_at(row, "error.meaning"), kErrorMeaning);
+    const Json results = old.results();
+    for (const Json& row : results["rows"]) EXPECT_EQ(number_at(row, "error.meaning"), kErrorMeaning);
     const fs::path file = old.folder / kJournalFile;
     const std::string text = file_bytes(file);
     const std::string number = "\"meaning\":" + std::to_string(kErrorMeaning);
