@@ -32,17 +32,6 @@ Json cures_json(const CureTable& table) {
     return rows;
 }
 
-std::string cost_text(const std::optional<CostChange>& ms) {
-    if (!ms) return "-";
-    return ms->told() ? fmt::format("{:+.3g} ms", ms->value) : "< noise";
-}
-
-std::string bytes_text(long long bytes) {
-    if (bytes == 0) return "same";
-    return std::abs(bytes) >= 1 << 20 ? fmt::format("{:+.0f} MiB", double(bytes) / (1 << 20))
-                                      : fmt::format("{:+.0f} KiB", double(bytes) / (1 << 10));
-}
-
 std::string settings_text(const Cure& cure) {
     std::string text;
     for (const auto& [key, value] : cure.settings) text += fmt::format("{}--set {}={}", text.empty() ? "" : " ", key, value);
@@ -60,8 +49,8 @@ void print_cures(const CureTable& table, std::size_t rows) {
         }
         if (rows == 0) continue;
         --rows;
-        fmt::print("  {:>8} {:>8} {:>10} {:>9}  {}{}\n      {}\n", cure.cured, cure.broken, cost_text(cure.ms),
-                   bytes_text(cure.map_bytes), cure.name,
+        fmt::print("  {:>8} {:>8} {:>10} {:>9}  {}{}\n      {}\n", cure.cured, cure.broken, time_text(cure.ms),
+                   map_bytes_text(cure.map_bytes), cure.name,
                    cure.pixel_right ? *cure.pixel_right ? ": this pixel is right" : ": this pixel stays wrong" : "",
                    settings_text(cure));
     }

@@ -11,10 +11,6 @@ namespace si {
 /// One object a row, in the table's order.
 nlohmann::ordered_json cures_json(const CureTable& table);
 
-/// "+1.2 ms", "< noise" or "-" where nothing was timed.
-std::string cost_text(const std::optional<CostChange>& ms);
-/// "+12 MB", "same".
-std::string bytes_text(long long bytes);
 /// "--set bias.normal=0 --set bias.constant=2.1"
 std::string settings_text(const Cure& cure);
 

@@ -390,11 +390,8 @@ void EditorModel::start_cures(const CureWish& wish) {
     std::vector<CureIdea> own;
     const auto light = std::size_t(std::max(state.settings.view.light, 0));
     const EditorFrame f = facts();
-    if (wish.pixel && light < f.dossiers.size() && f.dossiers[light].remedy) {
-        CureIdea idea{.name = f.dossiers[light].remedy->text, .settings = state.settings, .untried = {}};
-        for (const auto& [key, value] : f.dossiers[light].remedy->settings) set_setting(idea.settings, key, value);
-        own.push_back(std::move(idea));
-    }
+    if (wish.pixel && light < f.dossiers.size() && f.dossiers[light].remedy)
+        own.push_back(idea_of(*f.dossiers[light].remedy, state.settings));
     cures_.start(scene_, state.settings, request_.width, request_.height, wish.pixel, std::move(own));
 }
 

@@ -17,13 +17,6 @@ std::string texels(const DepthAmount& a) {
     return std::isfinite(a.texels) ? fmt::format("{:.3g} texels", a.texels) : "infinitely many texels";
 }
 
-/// Rounded up to three digits, so that what was just enough stays so.
-double rounded_up(double v) {
-    if (!(v > 0)) return 0;
-    const double unit = std::pow(10.0, std::floor(std::log10(v)) - 2);
-    return std::ceil(v / unit * (1 - 1e-12)) * unit;
-}
-
 class Explainer {
 public:
     Explainer(const Probe& probe, const Probe::PerLight& p, const FragmentTruth& truth, const Settings& settings,
@@ -353,6 +346,12 @@ private:
 };
 
 }  // namespace
+
+double rounded_up(double v) {
+    if (!(v > 0)) return 0;
+    const double unit = std::pow(10.0, std::floor(std::log10(v)) - 2);
+    return std::ceil(v / unit * (1 - 1e-12)) * unit;
+}
 
 Dossier explain(const Probe& probe, const Probe::PerLight& light, const FragmentTruth& truth, const Settings& settings,
                 const DriverInfo& driver) {

@@ -12,6 +12,9 @@
 
 namespace si {
 
+/// Rounded up to three digits, so that what was just enough stays so; 0 for what is not above 0.
+double rounded_up(double v);
+
 /// Settings that put the pixel right, by what is known of its plane.
 struct Remedy {
     std::vector<std::pair<std::string, std::string>> settings;  ///< key and value, as set_setting() takes them

@@ -13,17 +13,6 @@
 namespace si {
 namespace {
 
-std::string time_text(const std::optional<CostChange>& ms) {
-    if (!ms) return "-";
-    return ms->told() ? fmt::format("{:+.3g} ms", ms->value) : "< noise";
-}
-
-std::string bytes_text(long long bytes) {
-    if (bytes == 0) return "same";
-    const bool large = std::abs(bytes) >= 1 << 20;
-    return fmt::format("{:+.0f} {}", double(bytes) / (large ? 1 << 20 : 1 << 10), large ? "MiB" : "KiB");
-}
-
 std::string about(const Cure& cure, const CureTable& table) {
     std::string text;
     for (const auto& [key, value] : cure.settings) text += fmt::format("{} = {}\n", key, value);
@@ -58,7 +47,7 @@ void row(const Cure& cure, const CureTable& table, bool current, Settings& setti
     cell(std::to_string(cure.cured), plain);
     cell(std::to_string(cure.broken), cure.broken == 0 ? theme::kMuted : plain);
     cell(time_text(cure.ms), plain);
-    cell(bytes_text(cure.map_bytes), plain);
+    cell(map_bytes_text(cure.map_bytes), plain);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "renderer/measure/tuner.h"
+
 namespace si {
 namespace {
 
@@ -43,9 +45,7 @@ void limits_popup(TunePanel& panel, EditorActions& actions) {
     ImGui::EndPopup();
 }
 
-std::string length_text(double m) {
-    return m == 0 ? "0" : m < 1e-3 ? fmt::format("{:.3g} µm", m * 1e6) : m < 1 ? fmt::format("{:.3g} mm", m * 1e3) : fmt::format("{:.3g} m", m);
-}
+std::string shown_length(double m) { return m == 0 ? "0" : length_text(m); }
 
 /// All ways that were tried, side by side.
 void families_table(std::span<const TunedFamily> families, Settings& settings) {
@@ -65,16 +65,16 @@ void families_table(std::span<const TunedFamily> families, Settings& settings) {
             ImGui::SetTooltip("%s%s\n%zu pixels wrong, %zu of them by the price of bias; %zu px of acne\nlit strip at contacts %s, "
                               "edges moved by %s (95 %% of the lit surface)\nA click takes it; Ctrl+Z takes it back.",
                               f.bias_text.c_str(), f.chosen ? ": chosen, as it loses the fewest pixels" : "", f.wrong, f.lost, f.acne,
-                              length_text(f.gap_p95_m).c_str(), length_text(f.shift_p95_m).c_str());
+                              shown_length(f.gap_p95_m).c_str(), shown_length(f.shift_p95_m).c_str());
         ImGui::TableNextColumn();
         if (f.acne > 0)
             ImGui::TextDisabled("acne");
         else
             ImGui::Text("%zu", f.wrong);
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(length_text(f.gap_p95_m).c_str());
+        ImGui::TextUnformatted(shown_length(f.gap_p95_m).c_str());
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(length_text(f.shift_p95_m).c_str());
+        ImGui::TextUnformatted(shown_length(f.shift_p95_m).c_str());
     }
     ImGui::EndTable();
 }

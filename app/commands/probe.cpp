@@ -141,11 +141,7 @@ std::optional<CureTable> cures(Renderer& renderer, const Session& session, const
     const auto light = std::size_t(std::max(session.settings.view.light, 0));
     if (light >= found.size() || found[light].cause().artefact == Artefact::None) return {};
     CureOptions options{.pixel = glm::ivec2(probe.x, probe.y), .time = true, .frames = 5};
-    if (const auto& remedy = found[light].remedy) {
-        CureIdea own{.name = remedy->text, .settings = session.settings, .untried = {}};
-        for (const auto& [key, value] : remedy->settings) set_setting(own.settings, key, value);
-        options.more.push_back(std::move(own));
-    }
+    if (const auto& remedy = found[light].remedy) options.more.push_back(idea_of(*remedy, session.settings));
     TruthCache cache;
     cache.adopt(casters);
     return find_cures(renderer, session.scene, session.settings, probe.width, probe.height, options, cache);

@@ -55,12 +55,6 @@ std::vector<std::pair<std::string, std::string>> changes(const Settings& base, c
     return out;
 }
 
-double rounded_up(double v) {
-    if (!(v > 0)) return 0;
-    const double unit = std::pow(10.0, std::floor(std::log10(v)) - 2);
-    return std::ceil(v / unit * (1 - 1e-12)) * unit;
-}
-
 BiasSettings least_bias_of(const CureFacts& facts, BiasFamily family) {
     BiasSettings b = facts.needs.of(family);
     b.constant = rounded_up(b.constant * 1.001), b.slope = rounded_up(b.slope * 1.001), b.normal = rounded_up(b.normal * 1.001);
@@ -247,6 +241,23 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
     return out;
 }
 
+CureIdea idea_of(const Remedy& remedy, const Settings& settings) {
+    CureIdea idea{.name = remedy.text, .settings = settings, .untried = {}};
+    for (const auto& [key, value] : remedy.settings) set_setting(idea.settings, key, value);
+    return idea;
+}
+
+std::string time_text(const std::optional<CostChange>& ms) {
+    if (!ms) return "-";
+    return ms->told() ? fmt::format("{:+.3g} ms", ms->value) : "< noise";
+}
+
+std::string map_bytes_text(long long bytes) {
+    if (bytes == 0) return "same";
+    const bool large = std::abs(bytes) >= 1 << 20;
+    return fmt::format("{:+.0f} {}", double(bytes) / (large ? 1 << 20 : 1 << 10), large ? "MiB" : "KiB");
+}
+
 CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
                      const CureOptions& options, TruthCache& cache, const Workers& workers,
                      const std::function<void(double, const std::string&)>& report) {
@@ -261,10 +272,10 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
     const auto measure = [&](const Settings& s) {
         return measure_error(renderer, scene, s, request, light, options.truth, cache, workers.part(0, 0));
     };
-    const auto bytes = [&](const Settings& s) {
-        FrameRequest drawn = request;
-        drawn.force = true;
-        return (long long)work_cost(s, renderer.render(scene, s, drawn)).map_bytes;
+    const auto bytes = [](const Settings& s, const MeasuredError& measured) {
+        FrameResult maps;
+        maps.lights = measured.lights, maps.map_resolution = measured.map_resolution;
+        return (long long)work_cost(s, maps).map_bytes;
     };
     const MeasuredError before = measure(base);
     const auto wrong = [](const MeasuredError& m, std::size_t i) { return m.judged[i].artefact != Artefact::None; };
@@ -283,7 +294,7 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
         const bool known = std::any_of(ideas.begin(), ideas.end(), [&](const CureIdea& i) { return i.settings == own.settings; });
         if (!known && !(own.settings == base)) ideas.insert(ideas.begin(), std::move(own));
     }
-    const long long bytes_before = bytes(base);
+    const long long bytes_before = bytes(base, before);
     Stopwatch stopwatch(renderer, scene, request, options.frames);
     for (std::size_t k = 0; k < ideas.size(); ++k) {
         const CureIdea& idea = ideas[k];
@@ -308,7 +319,7 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
                 if (!was && is) ++row.broken;
             }
             if (pixel) row.pixel_right = !wrong(after, *pixel);
-            row.map_bytes = bytes(idea.settings) - bytes_before;
+            row.map_bytes = bytes(idea.settings, after) - bytes_before;
             if (options.time) row.ms = stopwatch.difference(base, idea.settings, workers);
         }
         table.rows.push_back(std::move(row));

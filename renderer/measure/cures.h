@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/dossier.h"
 #include "renderer/measure/bias_needs.h"
 
 namespace si {
@@ -35,6 +36,9 @@ struct CureFacts {
 };
 CureFacts cure_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver);
 
+/// A dossier's remedy, to be tried like the others.
+CureIdea idea_of(const Remedy& remedy, const Settings& settings);
+
 /// All that may help under these settings; changes that change nothing are left out. Pure.
 std::vector<CureIdea> cure_ideas(const Settings& settings, const CureFacts& facts);
 
@@ -42,6 +46,11 @@ struct CostChange {
     double value = 0, noise = 0;  ///< milliseconds, noise of the difference; below it there is none
     bool told() const { return std::abs(value) > noise; }
 };
+
+/// "+1.2 ms", "< noise", or "-" where nothing was timed.
+std::string time_text(const std::optional<CostChange>& ms);
+/// "+12 MiB", or "same".
+std::string map_bytes_text(long long bytes);
 
 struct Cure {
     std::string name;

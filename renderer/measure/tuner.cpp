@@ -20,15 +20,19 @@ constexpr auto kErrors = std::to_array<ErrorKind>({
     {"boundary_px_mean", "mean distance of edges", &ErrorMetrics::boundary_px_mean},
 });
 
-std::string metres(double m) {
+}  // namespace
+
+std::string length_text(double m) {
     return m < 1e-3 ? fmt::format("{:.3g} µm", m * 1e6) : m < 1 ? fmt::format("{:.3g} mm", m * 1e3) : fmt::format("{:.3g} m", m);
 }
+
+namespace {
 
 std::string cost_text(const BiasTrial& before, const BiasTrial& after) {
     std::string text =
         fmt::format("gap beside casters {} at the median, {} for 95 % (was {}, {}); {} px lost to bias (was {}); acne {} px (was {})",
-                    metres(after.needs.gap_median_m), metres(after.needs.gap_p95_m), metres(before.needs.gap_median_m),
-                    metres(before.needs.gap_p95_m), after.lost(), before.lost(), after.acne(), before.acne());
+                    length_text(after.needs.gap_median_m), length_text(after.needs.gap_p95_m), length_text(before.needs.gap_median_m),
+                    length_text(before.needs.gap_p95_m), after.lost(), before.lost(), after.acne(), before.acne());
     if (after.needs.folds > 0) text += fmt::format("; {} px stay a little darker in inner corners", after.needs.folds);
     return text;
 }

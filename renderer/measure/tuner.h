@@ -19,6 +19,9 @@ struct ErrorKind {
 };
 std::span<const ErrorKind> error_kinds();
 
+/// "3.1 mm".
+std::string length_text(double metres);
+
 struct TuneGoals {
     std::optional<double> most_error, most_ms;
     const ErrorKind* error = &error_kinds().front();

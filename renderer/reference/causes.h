@@ -35,7 +35,7 @@ struct CauseEvidence {
     float bent = 0, far = 0, strip_bias_m = 0, strip_offset_m = 0;
     float least_kept = 1, least_bare = 1, own_bare = 1, far_bare = 1;
     float raised = 1, bent_raised = 1, nearest_kept = 1, nearest_bare = 1;
-    float nearest_own_bare = 1, unfiltered = 1, curing = 0, texel_depth = 0;
+    float nearest_own_bare = 1, unfiltered = 1, curing = 0, unused = 0;
     float gap_drawn = 0, gap_all = 0, run_m = 0, edge_m = 0;
 };
 inline constexpr int kEvidenceImages = 8;

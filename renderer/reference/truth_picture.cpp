@@ -28,14 +28,14 @@ FrameResult render_with_truth(Renderer& renderer, const Scene& scene, const Sett
     // What the picture at hand was asked for is not what this one is.
     if (request.truth && request.truth->options != options) request.truth.reset();
     const TruthOptions wanted = options.value_or(truth_options(settings));
-    if (!request.truth) {
+    const auto trace = [&] {
         const TruthTask task = truth_task(renderer, scene, settings, request, settings.view.light, wanted, cache.geometry());
         request.truth = truth_picture(task, cache.trace(task, workers), options);
-    }
+    };
+    if (!request.truth) trace();
     FrameResult frame = renderer.render(scene, settings, request);
     if (frame.truth.key == 0 || frame.truth.met) return frame;
-    const TruthTask task = truth_task(renderer, scene, settings, request, settings.view.light, wanted, cache.geometry());
-    request.truth = truth_picture(task, cache.trace(task, workers), options);
+    trace();
     return renderer.render(scene, settings, request);
 }
 

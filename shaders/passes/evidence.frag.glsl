@@ -46,6 +46,6 @@ void main() {
     out_3 = vec4(e.bent, e.far, e.strip_bias_m, e.strip_offset_m);
     out_4 = vec4(e.least_kept, e.least_bare, e.own_bare, e.far_bare);
     out_5 = vec4(e.raised, e.bent_raised, e.nearest_kept, e.nearest_bare);
-    out_6 = vec4(e.nearest_own_bare, e.unfiltered, curing_worth(r, e), depth_nearer(r, r.z, r.texel_m));
+    out_6 = vec4(e.nearest_own_bare, e.unfiltered, curing_worth(r, e), 0.0);
     out_7 = vec4(e.gap_drawn, e.gap_all, e.run_m, e.edge_m);
 }
