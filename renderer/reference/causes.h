@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "shaders/shared/judged.h"
+
 namespace si {
 
 enum class Artefact : std::uint8_t {
@@ -27,7 +29,8 @@ inline constexpr std::size_t kArtefacts = 12;
 
 /// What trials of one pixel gave. Order and meaning as written by shaders/passes/evidence.frag.glsl, four to an image.
 struct CauseEvidence {
-    static constexpr float kInside = 0, kOutside = 1, kLedOutside = 2;
+    static constexpr float kInside = shared::PLACE_INSIDE, kOutside = shared::PLACE_OUTSIDE,
+                           kLedOutside = shared::PLACE_LED_OUTSIDE;
     float place = kInside;  ///< whether the map holds the surface; led outside: only the normal offset leaves the map
     float visibility = 1, beyond_lit = 1, beyond_dark = 1;
     float least = 0, least_nearest = 0, worth = 0, applied = 0;  ///< depth-buffer units, as all depths here

@@ -7,22 +7,23 @@
 
 #include "renderer/reference/causes.h"
 #include "renderer/reference/truth.h"
+#include "shaders/shared/judged.h"
 
 namespace si {
 
 /// What the frame found for each pixel of the truth, as shaders/passes/compare.frag.glsl and causes.frag.glsl write it.
 struct JudgedPixel {
     enum Bits : std::uint32_t {
-        kFalseShadow = 1,
-        kFalseLight = 2,
-        kOutside = 4,       ///< the map holds nothing where it is looked up
-        kAnyAcne = 8,
-        kWithinNoise = 16,  ///< on the other side of one half than the truth, but no further than its noise explains
-        kFaint = 32,        ///< wholly lit in truth, and less than that, but not wrong
-        kCounts = 64,
-        kSeam = 128,        ///< Cause::seam
+        kFalseShadow = shared::FALSE_SHADOW,
+        kFalseLight = shared::FALSE_LIGHT,
+        kOutside = shared::OUTSIDE,           ///< the map does not hold the surface
+        kAnyAcne = shared::ANY_ACNE,
+        kWithinNoise = shared::WITHIN_NOISE,  ///< on the other side of one half than the truth, but no further than its noise explains
+        kFaint = shared::FAINT,               ///< wholly lit in truth, and less than that, but not wrong
+        kCounts = shared::COUNTS,
+        kSeam = shared::SEAM,                 ///< Cause::seam
     };
-    static constexpr int kAlsoShift = 8;
+    static constexpr int kAlsoShift = shared::ALSO_SHIFT;
     Artefact artefact = Artefact::None;
     std::uint32_t bits = 0;
     float visibility = 1;

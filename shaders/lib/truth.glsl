@@ -1,12 +1,12 @@
 // The ray-traced truth about the shown light (renderer/reference/truth_picture.h), and what was made of it.
+#include "shared/judged.h"
+
 layout(binding = 7) uniform sampler2D truth_map;   // rows from the top: R, metres to the drawn surface nearest the light, state, noise
 layout(binding = 8) uniform sampler2D more_map;    // rows from the top: metres to the nearest of all casters, hard R, edge_m, run_m
 layout(binding = 9) uniform sampler2D judged_map;  // rows from the bottom: see passes/compare.frag.glsl
 
 const float COUNTED = 0.0;  // PixelState::Counted
 const float RIGHT_VISIBILITY = 1e-3;
-const int FALSE_SHADOW = 1, FALSE_LIGHT = 2, OUTSIDE = 4, ANY_ACNE = 8, WITHIN_NOISE = 16, FAINT = 32, COUNTS = 64, SEAM = 128;
-const int ALSO = 256;  // times the bits of Cause.also
 
 /// The truth's pixel that stands for a pixel of the picture.
 ivec2 truth_pixel(ivec2 at) { return ivec2(at.x, TRUTH_ROWS - 1 - at.y) / TRUTH_STEP; }

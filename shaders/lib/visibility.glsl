@@ -1,5 +1,6 @@
 // Visibility of one light from one surface point: the guards, then the chosen kernel.
 #include "lib/receiver.glsl"
+#include "shared/judged.h"
 #include FILTER_FILE
 
 float outside_visibility() {
@@ -33,8 +34,6 @@ float light_visibility(Surface s, int light) {
     if (!faces_light(r)) return 0.0;
     return map_visibility(r);
 }
-
-const int PLACE_INSIDE = 0, PLACE_OUTSIDE = 1, PLACE_LED_OUTSIDE = 2;
 
 /// Whether the map holds the surface, and if so, whether the normal offset leads the look-up out of it.
 int place_in_map(Receiver r) {

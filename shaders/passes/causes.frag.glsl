@@ -32,6 +32,6 @@ void main() {
     if (why.artefact == ARTEFACT_ACNE && true_visibility(truth) == 1.0) bits |= ANY_ACNE;
 #endif
     if (why.seam) bits |= SEAM;
-    bits |= why.also * ALSO;
+    bits |= why.also << ALSO_SHIFT;
     judged_out = vec4(float(why.artefact), v - true_visibility(truth), float(bits), v);
 }

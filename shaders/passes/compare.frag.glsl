@@ -1,10 +1,10 @@
 // Each pixel's visibility held against the truth: which are wrong. Why, passes/causes.frag.glsl finds for those alone.
 // Where the map holds all that there is, no surface has to be drawn for that.
+#include "lib/truth.glsl"
 #if !MAP_HOLDS_ALL
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
 #endif
-#include "lib/truth.glsl"
 layout(binding = 3) uniform sampler2DArray visibility_map;
 
 layout(location = 0) out vec4 judged_out;  // artefact, V - R, bits as in lib/truth.glsl, V

@@ -23,30 +23,6 @@ protected:
     TruthCache cache;
     FrameRequest request{.width = 320, .height = 240};
 
-    static Settings texels(const char* kernel, int resolution, double constant) {
-        Settings s = test::hard_settings();
-        s.map.resolution = resolution;
-        s.filter.kernel = test::kernel(kernel);
-        s.bias = test::no_bias();
-        s.bias.unit = int(BiasUnit::Texels);
-        s.bias.constant = constant;
-        return s;
-    }
-    /// A wall of 2 m on a plane, the sun 15 degrees high.
-    static Scene wall() {
-        Scene scene;
-        const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(20, 20), grey));
-        add_object(scene, "wall", -1, add_mesh(scene, "wall", make_box({6, 2, 0.3}), grey), moved(0, 1, 0));
-        finalise(scene);
-        return scene;
-    }
-    static Settings low_sun(const char* kernel, int resolution, double constant) {
-        Settings s = texels(kernel, resolution, constant);
-        s.lights[0].azimuth = 0, s.lights[0].elevation = 15;
-        s.camera.distance = 18, s.camera.elevation = 35, s.camera.azimuth = 150;
-        return s;
-    }
     MeasuredError measure(const Scene& scene, const Settings& s, const TruthOptions& options = {}) {
         return measure_error(renderer, scene, s, request, 0, options, cache);
     }
@@ -125,7 +101,7 @@ protected:
 TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
     const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5_nearest", "pcf9"}) {
-        Settings s = texels(kernel, 256, 0.4);
+        Settings s = test::texel_settings(kernel, 256, 0.4);
         EXPECT_GT(count(agree(box, s, kernel), Artefact::Acne), 100u);
         s.bias.constant = 30, s.bias.normal = 4;
         EXPECT_GT(count(agree(box, s, "much bias"), Artefact::PeterPanning), 10u);
@@ -136,19 +112,19 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
         s.map.blur_texels = 2;
         agree(box, s, "polygon offset and depth blur");
     }
-    Settings s = texels("pcf3", 256, 3);
+    Settings s = test::texel_settings("pcf3", 256, 3);
     s.lights[0].fit = int(LightFit::Manual);
     s.lights[0].extent = 1.2;
     EXPECT_GT(count(agree(box, s, "outside of the map"), Artefact::OutsideMap), 10u);
     for (const LightType type : {LightType::Spot, LightType::Point})
         for (const bool reversed : {false, true}) {
-            s = texels("pcf3", 256, 0.5);
+            s = test::texel_settings("pcf3", 256, 0.5);
             s.lights[0].type = int(type);
             s.map.reversed_z = reversed;
             s.bias.normal = 1;
             agree(box, s, type == LightType::Spot ? "spot" : "point");
         }
-    s = texels("pcf5", 256, 2);
+    s = test::texel_settings("pcf5", 256, 2);
     s.lights[0].size = 6;
     EXPECT_GT(count(agree(box, s, "a light of size", {.area = true, .samples = 256}), Artefact::Penumbra), 10u);
     agree(box, s, "a light of size, one look at it", {.area = true, .samples = 1});
@@ -163,8 +139,8 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
 }
 
 TEST_F(CausesTest, FalseLightOfAWallUnderLowSunIsPeterPanning) {
-    const Scene scene = wall();
-    const Settings s = low_sun("pcf3", 512, 11);
+    const Scene scene = test::wall_on_plane();
+    const Settings s = test::low_sun_settings("pcf3", 512, 11);
     Settings least = s;
     least.bias.constant = 7.6;
     const MeasuredError m = measure(scene, s);
@@ -175,8 +151,8 @@ TEST_F(CausesTest, FalseLightOfAWallUnderLowSunIsPeterPanning) {
 }
 
 TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsTheOffsets) {
-    const Scene scene = wall();
-    Settings s = low_sun("pcf3", 4096, 2);
+    const Scene scene = test::wall_on_plane();
+    Settings s = test::low_sun_settings("pcf3", 4096, 2);
     s.lights[0].elevation = 40;
     s.bias.normal = 100;
     Settings without = s;
@@ -195,7 +171,7 @@ TEST_F(CausesTest, AFenceFinerThanATexelIsUndersampled) {
     for (int i = 0; i < 24; ++i) add_object(scene, "bar " + std::to_string(i), -1, bar, moved(-3 + 0.25 * i + 0.013 * (i % 5), 0.9, 0));
     finalise(scene);
     request = {.width = 800, .height = 600};
-    Settings s = texels("hard", 128, 3);
+    Settings s = test::texel_settings("hard", 128, 3);
     s.camera.distance = 7;
     const MeasuredError m = measure(scene, s);
     const std::size_t undersampled = count(m, Artefact::Undersampled);
@@ -210,7 +186,7 @@ TEST_F(CausesTest, AFenceFinerThanATexelIsUndersampled) {
 TEST_F(CausesTest, EdgesOfABoxOnAPlaneStayEdges) {
     for (const char* kernel : {"hard", "pcf3"}) {
         const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0);
-        Settings s = texels(kernel, 4096, kernel[0] == 'h' ? 2.2 : 5.2);
+        Settings s = test::texel_settings(kernel, 4096, kernel[0] == 'h' ? 2.2 : 5.2);
         request = {.width = 640, .height = 480};
         s.camera.distance = 5;
         const MeasuredError m = measure(scene, s);
@@ -248,7 +224,7 @@ TEST_F(CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin) {
     add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(1.5, 1.5), grey), moved(2.5, 1.1, 1));
     finalise(scene);
     const auto base = [&] {
-        Settings s = texels("hw2x2", 512, 3.2);
+        Settings s = test::texel_settings("hw2x2", 512, 3.2);
         s.camera.distance = 9;
         return s;
     };
@@ -307,7 +283,7 @@ TEST_F(CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight) {
     for (const Place& place : places)
         for (std::size_t a = 0; a < faults().size(); ++a) {
             if (faults()[a].what == std::string("front culling") || faults()[a].what == std::string("wide kernel")) continue;
-            Settings twin = texels("hw2x2", 512, 4);
+            Settings twin = test::texel_settings("hw2x2", 512, 4);
             twin.camera.distance = 9;
             place.light(twin);
             Settings wrong = twin;

@@ -13,15 +13,6 @@ protected:
     TruthCache cache;
     int width = 480, height = 360;
 
-    static Settings texels(const char* kernel, int resolution, double constant) {
-        Settings s = test::hard_settings();
-        s.map.resolution = resolution;
-        s.filter.kernel = test::kernel(kernel);
-        s.bias = test::no_bias();
-        s.bias.unit = int(BiasUnit::Texels);
-        s.bias.constant = constant;
-        return s;
-    }
     MeasuredError measure(const Scene& scene, const Settings& s) {
         return measure_error(renderer, scene, s, {.width = width, .height = height}, 0, {}, cache);
     }
@@ -67,14 +58,8 @@ protected:
 };
 
 TEST_F(CuresTest, PeterPanningIsCuredByTheLeastBias) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(20, 20), grey));
-    add_object(scene, "wall", -1, add_mesh(scene, "wall", make_box({6, 2, 0.3}), grey), moved(0, 1, 0));
-    finalise(scene);
-    Settings s = texels("pcf3", 512, 11);
-    s.lights[0].azimuth = 0, s.lights[0].elevation = 15;
-    s.camera.distance = 18, s.camera.elevation = 35, s.camera.azimuth = 150;
+    const Scene scene = test::wall_on_plane();
+    const Settings s = test::low_sun_settings("pcf3", 512, 11);
     const CureTable table = cured(scene, s, {Artefact::PeterPanning}, 100);
     const Cure* least = row(table, "least bias, constant alone");
     ASSERT_TRUE(least);
@@ -82,7 +67,7 @@ TEST_F(CuresTest, PeterPanningIsCuredByTheLeastBias) {
 }
 
 TEST_F(CuresTest, AnOffsetsStripIsCured) {
-    Settings s = texels("pcf3", 2048, 2);
+    Settings s = test::texel_settings("pcf3", 2048, 2);
     s.bias.normal = 60;
     cured(test::floor_and_box(10, {1.5, 1, 2}, 0.2), s, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}, 300);
 }
@@ -101,14 +86,14 @@ TEST_F(CuresTest, AFenceIsCuredByTheResolutionThatItNeeds) {
     const int bar = add_mesh(scene, "bar", make_box({0.05, 1.6, 0.05}), grey);
     for (int i = 0; i < 16; ++i) add_object(scene, "bar " + std::to_string(i), -1, bar, moved(-3 + 0.4 * i + 0.013 * (i % 5), 0.9, 0));
     finalise(scene);
-    Settings s = texels("hard", 128, 3);
+    Settings s = test::texel_settings("hard", 128, 3);
     s.camera.distance = 7;
     cured(scene, s, {Artefact::Undersampled}, 300);
 }
 
 TEST_F(CuresTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    Settings s = texels("hard", 512, 0);
+    Settings s = test::texel_settings("hard", 512, 0);
     const MeasuredError m = measure(scene, s);
     glm::ivec2 pixel(-1);
     for (int i = 0; i < width * height && pixel.x < 0; ++i)
@@ -139,7 +124,7 @@ TEST_F(CuresTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
 
 TEST_F(CuresTest, ATighterFitKeepsWhatIsSeenAndSaysItsTexels) {
     const Scene scene = test::floor_and_box(40, {1.5, 1, 2}, 0);
-    Settings s = texels("hard", 256, 3);
+    Settings s = test::texel_settings("hard", 256, 3);
     s.camera.distance = 4;
     const CureTable table = find_cures(renderer, scene, s, width, height, {}, cache);
     const Cure* fit = row(table, "tighter fit, to the surfaces seen");

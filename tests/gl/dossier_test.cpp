@@ -41,14 +41,7 @@ protected:
             }
         return best;
     }
-    static Settings plain(const char* kernel, double constant_texels) {
-        Settings s = test::hard_settings();
-        s.filter.kernel = test::kernel(kernel);
-        s.bias = test::no_bias();
-        s.bias.unit = int(BiasUnit::Texels);
-        s.bias.constant = constant_texels;
-        return s;
-    }
+    static Settings plain(const char* kernel, double constant_texels) { return test::texel_settings(kernel, 512, constant_texels); }
     static void apply(Settings& s, const Remedy& remedy) {
         for (const auto& [key, value] : remedy.settings) set_setting(s, key, value);
     }

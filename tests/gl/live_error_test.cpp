@@ -18,15 +18,7 @@ protected:
     FrameRequest request{.width = 321, .height = 243, .outputs = {.colour = false, .error = true}};
     FrameResult frame;
 
-    static Settings hard(int resolution, double constant) {
-        Settings s = test::hard_settings();
-        s.map.resolution = resolution;
-        s.filter.kernel = test::kernel("hard");
-        s.bias = test::no_bias();
-        s.bias.unit = int(BiasUnit::Texels);
-        s.bias.constant = constant;
-        return s;
-    }
+    static Settings hard(int resolution, double constant) { return test::texel_settings("hard", resolution, constant); }
 
     /// Measures on both sides and demands that they agree. @returns the CPU's numbers
     ErrorMetrics agree(const Settings& s, const char* what) {

@@ -35,15 +35,7 @@ protected:
         for (std::size_t a = 1; a < kArtefacts; ++a) wrong += m.artefacts[a];
         EXPECT_EQ(px(m.false_shadow + m.false_light), (long long)wrong);
     }
-    static Settings hard(int resolution) {
-        Settings s = test::hard_settings();
-        s.map.resolution = resolution;
-        s.filter.kernel = test::kernel("hard");
-        s.bias = test::no_bias();
-        s.bias.unit = int(BiasUnit::Texels);
-        s.bias.constant = 3;
-        return s;
-    }
+    static Settings hard(int resolution) { return test::texel_settings("hard", resolution, 3); }
 };
 
 TEST_F(MeasureTest, FindsNothingButEdgesInAWellBiasedFrame) {

@@ -162,6 +162,32 @@ Settings hard_settings() {
     return s;
 }
 
+Settings texel_settings(std::string_view filter, int resolution, double constant_texels) {
+    Settings s = hard_settings();
+    s.map.resolution = resolution;
+    s.filter.kernel = kernel(filter);
+    s.bias = no_bias();
+    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.constant = constant_texels;
+    return s;
+}
+
+Scene wall_on_plane() {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(20, 20), grey));
+    add_object(scene, "wall", -1, add_mesh(scene, "wall", make_box({6, 2, 0.3}), grey), moved(0, 1, 0));
+    finalise(scene);
+    return scene;
+}
+
+Settings low_sun_settings(std::string_view filter, int resolution, double constant_texels) {
+    Settings s = texel_settings(filter, resolution, constant_texels);
+    s.lights[0].azimuth = 0, s.lights[0].elevation = 15;
+    s.camera.distance = 18, s.camera.elevation = 35, s.camera.azimuth = 150;
+    return s;
+}
+
 BiasSettings no_bias() {
     BiasSettings b;
     b.unit = int(BiasUnit::Depth);

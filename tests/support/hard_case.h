@@ -53,6 +53,13 @@ Scene floor_and_box(double size = 10, const glm::dvec3& box = {1.5, 1, 2}, doubl
 /// A directional light of 30 degrees azimuth and 40 degrees elevation, a map of 512, hand-set camera above the floor.
 Settings hard_settings();
 
+/// The same with a bias of so many texels and no other.
+Settings texel_settings(std::string_view filter, int resolution, double constant_texels);
+
+/// A wall 2 m high on a plane of 20 m, and the settings of texel_settings() under a sun 15 degrees high behind it.
+Scene wall_on_plane();
+Settings low_sun_settings(std::string_view filter, int resolution, double constant_texels);
+
 /// No bias of any kind, in units of depth.
 BiasSettings no_bias();
 

@@ -1,0 +1,20 @@
+// What a frame notes of each pixel that it holds against the truth, for C++ and GLSL alike.
+#ifndef SI_SHARED_JUDGED_H
+#define SI_SHARED_JUDGED_H
+
+#ifdef __cplusplus
+namespace si::shared {
+#endif
+
+// Bits; renderer/reference/metrics.h says what they mean.
+const int FALSE_SHADOW = 1, FALSE_LIGHT = 2, OUTSIDE = 4, ANY_ACNE = 8, WITHIN_NOISE = 16, FAINT = 32, COUNTS = 64, SEAM = 128;
+// What also takes part, as bits 1 << artefact from here on.
+const int ALSO_SHIFT = 8;
+
+// Whether the map holds a surface, and if so, whether the normal offset leads the look-up out of it.
+const int PLACE_INSIDE = 0, PLACE_OUTSIDE = 1, PLACE_LED_OUTSIDE = 2;
+
+#ifdef __cplusplus
+}  // namespace si::shared
+#endif
+#endif
