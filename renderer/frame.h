@@ -91,7 +91,7 @@ struct FrameResult {
     Image map_coordinates;
     Image surface_ids; ///< RG32UI, see SurfaceIds
     Image true_colour; ///< RGBA8, as `colour` without overlays
-    Image judged;      ///< RGBA32F, see judged_pixels()
+    Image judged;      ///< RG32F, see judged_pixels()
     std::array<Image, kEvidenceImages> evidence;  ///< RGBA32F each, in the order of CauseEvidence
     bool mask_levels = false;  ///< of the evidence's CauseContext
     TruthNeed truth;

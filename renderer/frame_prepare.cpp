@@ -111,7 +111,7 @@ void choose_kernel(FrameState& f) {
     const auto& batches = f.gl.scene->batches();
     f.mask_levels = std::any_of(batches.begin(), batches.end(), [&](const Batch& b) {
         const bool masked = b.masked || (b.blend && f.settings.caster.blend == int(BlendCasters::Mask));
-        return b.cast && masked && b.texture != 0;
+        return b.cast && masked && b.texture != b.finest_texture;
     });
 }
 

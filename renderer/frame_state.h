@@ -22,9 +22,10 @@
 namespace si {
 
 /// Texture units, the same in every program (layout(binding) in shaders/).
-enum Unit : GLuint { kShadowMap, kShadowMapCompare, kBaseColour, kVisibility, kShaded, kOverlayValues, kNormalMap, kTruth, kMoreTruth, kJudged, kUnfilteredMap };
+enum Unit : GLuint { kShadowMap, kShadowMapCompare, kBaseColour, kVisibility, kShaded, kOverlayValues, kNormalMap, kTruth, kMoreTruth, kJudged, kUnfilteredMap, kSeenSurfaces };
 
 inline constexpr int kMaxPanes = 4;
+inline constexpr int kSeenImages = 3;  ///< see lib/seen_surface.glsl
 
 /// What one pane draws into, and the range fitted to its values.
 struct PaneTargets {
@@ -63,13 +64,15 @@ struct Resources {
         map_coordinates_framebuffer, depth_range_framebuffer, map_view_framebuffer, surface_ids_framebuffer;
     SlabResources slabs;
     gl::Target truth, more_truth;           ///< of the truth picture; the key of `truth` is its version
-    gl::Target judged, error_tiles;         ///< RGBA32F, see compare.frag.glsl and error_tiles.frag.glsl
+    std::array<gl::Target, kSeenImages> seen;  ///< RGBA32F; the key of all is the first one's
+    gl::Target judged;                      ///< RG32F, see judgement() in lib/truth.glsl
+    gl::Target error_tiles;                 ///< RGBA32F, see error_tiles.frag.glsl
     std::uint64_t causes_key = 0;           ///< of `judged` with the causes in it
-    gl::Target marks;                       ///< depths that only wrong pixels pass
+    gl::Target marks;                       ///< depths MARK_* of shared/judged.h
     gl::Target map_unfiltered;              ///< the maps without polygon offset, masks at their finest level
     std::array<gl::Target, kEvidenceImages> evidence;
     gl::Target true_shaded;
-    gl::Framebuffer judged_framebuffer, marks_framebuffer, causes_framebuffer, evidence_framebuffer, error_tiles_framebuffer,
+    gl::Framebuffer seen_framebuffer, judged_framebuffer, evidence_framebuffer, error_tiles_framebuffer,
         true_shaded_framebuffer;
     std::shared_ptr<const LiveError> error; ///< of the error tiles
     std::uint64_t depth_key = 0;            ///< of the camera depth: what of the scene is in it
@@ -165,6 +168,9 @@ void add_surface_ids_pass(FrameState& f, std::vector<Pass>& plan);
 void add_visibility_pass(FrameState& f, std::vector<Pass>& plan);
 /// Draws the maps again where what is compared is not what a caster's surface is: see FrameState::unfiltered_map().
 void add_unfiltered_map_pass(FrameState& f, std::vector<Pass>& plan);
+/// The surface of every pixel, kept while the camera rests.
+void add_seen_surfaces_pass(FrameState& f, std::vector<Pass>& plan);
+void bind_seen_surfaces(const FrameState& f);
 /// Uploads the truth, compares each pixel with it, finds why some are wrong, and sums up.
 void add_truth_passes(FrameState& f, std::vector<Pass>& plan);
 /// All trials of every pixel of a light into eight colour attachments, see CauseEvidence.

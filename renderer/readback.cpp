@@ -30,7 +30,8 @@ ByteImage Renderer::read_colour(const Image& image) {
 FloatImage Renderer::read_float(const Image& image, int channels) {
     FloatImage out{image.width, image.height, channels, {}};
     out.data.resize(std::size_t(image.width) * std::size_t(image.height) * std::size_t(channels));
-    const GLenum format = channels == 1 ? GL_RED : channels == 3 ? GL_RGB : GL_RGBA;
+    constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+    const GLenum format = kFormats[channels - 1];
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(image.texture, 0, format, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)), out.data.data());
     flip_rows(out.data, out.width, out.height, channels);

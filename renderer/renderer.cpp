@@ -71,6 +71,7 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
     add_surface_ids_pass(f, plan);
     add_visibility_pass(f, plan);
     add_unfiltered_map_pass(f, plan);
+    add_seen_surfaces_pass(f, plan);
     add_truth_passes(f, plan);
     add_true_shade_pass(f, plan);
     add_shade_pass(f, plan);

@@ -194,15 +194,27 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
         glTextureStorage2D(texture.id(), levels, t.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, t.width, t.height);
         glTextureSubImage2D(texture.id(), 0, 0, 0, t.width, t.height, GL_RGBA, GL_UNSIGNED_BYTE, t.rgba.data());
         if (levels > 1) glGenerateTextureMipmap(texture.id());
-        glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GLint(wrap_mode(t.wrap_s)));
-        glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GLint(wrap_mode(t.wrap_t)));
-        glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, t.nearest_mag ? GL_NEAREST : GL_LINEAR);
+        const GLint mag_filter = t.nearest_mag ? GL_NEAREST : GL_LINEAR;
+        const auto set = [&](GLuint id, GLint min_filter) {
+            glTextureParameteri(id, GL_TEXTURE_WRAP_S, GLint(wrap_mode(t.wrap_s)));
+            glTextureParameteri(id, GL_TEXTURE_WRAP_T, GLint(wrap_mode(t.wrap_t)));
+            glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, mag_filter);
+            glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, min_filter);
+        };
         const GLint min_filter = levels > 1 ? (t.nearest_min ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR)
                                             : (t.nearest_min ? GL_NEAREST : GL_LINEAR);
-        glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, min_filter);
+        set(texture.id(), min_filter);
         if (anisotropy && levels > 1 && !t.nearest_min)
             glTextureParameterf(texture.id(), GL_TEXTURE_MAX_ANISOTROPY_EXT, 4.0f);
-        textures_.push_back(std::move(texture));
+        gl::Texture finest;
+        if (levels > 1) {
+            GLuint id = 0;
+            glGenTextures(1, &id);
+            glTextureView(id, GL_TEXTURE_2D, texture.id(), t.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, 0, 1, 0, 1);
+            finest = gl::Texture::adopt("finest level", id);
+            set(id, mag_filter);  // however small it is drawn, as where it is magnified
+        }
+        textures_.push_back({std::move(texture), std::move(finest)});
     }
 }
 
@@ -217,7 +229,7 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
     struct Entry {
         std::uint32_t object;
         bool blend, masked;
-        GLuint texture, normal_texture;
+        GLuint texture, finest_texture, normal_texture;
         int mesh, cull;
         bool cast, mirrored;
         /// What instances of one batch have in common.
@@ -232,16 +244,18 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
         if (mesh.indices.empty()) continue;
         const Material& material = material_of(scene, mesh);
         const ObjectSettings own = settings.objects.empty() ? ObjectSettings{} : object_settings(scene, settings, o);
-        GLuint texture = 0;
+        GLuint texture = 0, finest_texture = 0;
         const bool masked = material.alpha == AlphaMode::Mask;
         // A mask lives in its texture, so it stays even where textures are switched off.
         const bool blend = material.alpha == AlphaMode::Blend;
-        if (material.base_colour_texture >= 0 && (settings.shading.textures || masked || (blend && blend_casts)))
-            texture = textures_[std::size_t(material.base_colour_texture)].id();
+        if (material.base_colour_texture >= 0 && (settings.shading.textures || masked || (blend && blend_casts))) {
+            const SceneTexture& t = textures_[std::size_t(material.base_colour_texture)];
+            texture = t.whole.id(), finest_texture = t.finest_id();
+        }
         GLuint normal_texture = 0;
         if (material.normal_texture >= 0 && settings.shading.textures && !material.unlit)
-            normal_texture = textures_[std::size_t(material.normal_texture)].id();
-        entries.push_back({i, blend, masked, texture, normal_texture, o.mesh, own.cull, own.cast,
+            normal_texture = textures_[std::size_t(material.normal_texture)].whole.id();
+        entries.push_back({i, blend, masked, texture, finest_texture, normal_texture, o.mesh, own.cull, own.cast,
                            glm::determinant(glm::dmat3(o.world)) < 0});
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank() < b.rank(); });
@@ -259,7 +273,8 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
             Batch b;
             b.index_count = r.index_count, b.first_index = r.first_index, b.base_vertex = r.base_vertex;
             b.first_instance = GLuint(order_.size()), b.instances = 1;
-            b.texture = e.texture, b.normal_texture = e.normal_texture, b.mirrored = e.mirrored, b.masked = e.masked, b.blend = e.blend;
+            b.texture = e.texture, b.finest_texture = e.finest_texture, b.normal_texture = e.normal_texture;
+            b.mirrored = e.mirrored, b.masked = e.masked, b.blend = e.blend;
             b.double_sided = material_of(scene, mesh).double_sided;
             b.tangents = !mesh.tangents.empty();
             b.cast = e.cast, b.cull = e.cull;

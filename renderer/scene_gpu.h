@@ -21,6 +21,7 @@ struct Batch {
     GLuint first_instance = 0;
     GLsizei instances = 0;
     GLuint texture = 0;         ///< base colour; 0: none
+    GLuint finest_texture = 0;  ///< its finest mip level alone
     GLuint normal_texture = 0;  ///< 0: none
     bool tangents = false;      ///< the mesh brings its tangents
     bool mirrored = false, masked = false, blend = false, double_sided = false, cast = true;
@@ -54,7 +55,12 @@ private:
     gl::VertexArray vao_;
     gl::Buffer positions_, attributes_, faces_, colours_, normal_map_;
     gl::Buffer indices_, faced_indices_;  ///< as the lights draw, and as the camera does: see face_normals.h
-    std::vector<gl::Texture> textures_;
+    struct SceneTexture {
+        gl::Texture whole;
+        gl::Texture finest;  ///< a view of its finest mip level; none where that is all
+        GLuint finest_id() const { return finest ? finest.id() : whole.id(); }
+    };
+    std::vector<SceneTexture> textures_;
     struct MeshRange {
         std::size_t first_index = 0;
         GLsizei index_count = 0;

@@ -81,7 +81,6 @@ void draw_view(FrameState& f, const gl::Target& map, bool unfiltered, const Fitt
         glDisable(GL_POLYGON_OFFSET_FILL);
     else
         set_raster_bias(f, convention.reversed);
-    const std::vector<gl::Define> extra = unfiltered ? std::vector<gl::Define>{{"MASKS_AT_LEVEL_0", "1"}} : std::vector<gl::Define>();
     const glm::mat4 matrix(view.clip_from_relative(light.map_origin));
     f.gl.scene->bind(f.scene, f.settings, light.map_origin, 1);
     GLuint current = 0, texture = 0;
@@ -93,13 +92,13 @@ void draw_view(FrameState& f, const gl::Target& map, bool unfiltered, const Fitt
         batch.masked |= batch.blend;
         const bool same = previous && previous->masked == batch.masked &&
                           (!batch.masked || !previous->texture == !batch.texture);
-        const GLuint id = same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", extra, batch, true);
+        const GLuint id = same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", {}, batch, true);
         if (id != current) {
             glUseProgram(current = id);
             glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
         }
-        if (batch.masked && batch.texture && batch.texture != texture)
-            glBindTextureUnit(kBaseColour, texture = batch.texture);
+        const GLuint mask = unfiltered ? batch.finest_texture : batch.texture;
+        if (batch.masked && mask && mask != texture) glBindTextureUnit(kBaseColour, texture = mask);
         if (!previous || previous->cull != batch.cull || previous->mirrored != batch.mirrored) set_cull(f, batch);
         previous = batch;
         f.gl.scene->draw(batch);
@@ -161,7 +160,7 @@ void add_unfiltered_map_pass(FrameState& f, std::vector<Pass>& plan) {
     if (f.view_count == 0) {
         pass.unneeded = "no light has a shadow map";
     } else if (!f.draws_unfiltered()) {
-        pass.unneeded = "the map as drawn is it: no polygon offset, no textured mask";
+        pass.unneeded = "the map as drawn is it: no polygon offset, no mask with mip levels";
         f.gl.map_unfiltered = {};
     } else {
         Key key = f.maps_key;

@@ -102,82 +102,66 @@ void bind_unfiltered(const FrameState& f) {
 Pass compare_pass(FrameState& f) {
     Pass pass;
     pass.name = "pixels compared";
-    pass.reads = {"visibility", "truth"};
+    pass.reads = {"visibility", "surfaces seen", "truth"};
     pass.writes = {"compared"};
     pass.idle_reason = "nothing asks what is wrong";
     pass.key = judged_key(f);
     pass.cached = &f.gl.judged.key;
     pass.run = [&f](PassInfo& info) {
         f.gl.causes_key = 0;
-        f.gl.judged.ensure("judged pixels", GL_RGBA32F, f.request.width, f.request.height);
-        f.gl.judged_framebuffer = gl::make_framebuffer("judged pixels", &f.gl.judged, &f.gl.camera_depth);
-        const GLuint framebuffer = f.gl.judged_framebuffer.id();
-        const bool holds_all = map_holds_all(f);
-        std::vector<gl::Define> extra = truth_defines(f);
-        extra.push_back({"LIGHT_INDEX", std::to_string(f.settings.view.light)});
-        extra.push_back({"MAP_HOLDS_ALL", holds_all ? "1" : "0"});
-        if (holds_all)
-            f.begin_fullscreen_pass(framebuffer, f.request.width, f.request.height);
-        else
-            f.begin_camera_pass(framebuffer);
-        const glm::vec4 nothing(0);
-        glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &nothing.x);
+        f.gl.judged.ensure("judged pixels", GL_RG32F, f.request.width, f.request.height);
+        f.gl.marks.ensure("marks of wrong pixels", GL_DEPTH_COMPONENT32F, f.request.width, f.request.height);
+        f.gl.judged_framebuffer = gl::make_framebuffer("judged pixels", &f.gl.judged, &f.gl.marks);
+        f.begin_fullscreen_pass(f.gl.judged_framebuffer.id(), f.request.width, f.request.height);
+        glEnable(GL_DEPTH_TEST);  // without the test nothing is written
+        glDepthFunc(GL_ALWAYS);
+        glDepthMask(GL_TRUE);
+        f.bind_maps();
         glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
         bind_truth(f);
-        if (holds_all) {
-            glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/compare.frag.glsl", std::move(extra)));
-            FrameState::draw_fullscreen(info);
-        } else {
-            f.draw_from_camera("passes/compare.frag.glsl", extra, info);
-        }
+        bind_seen_surfaces(f);
+        std::vector<gl::Define> extra = truth_defines(f);
+        extra.push_back({"LIGHT_INDEX", std::to_string(f.settings.view.light)});
+        extra.push_back({"MAP_HOLDS_ALL", map_holds_all(f) ? "1" : "0"});
+        glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/compare.frag.glsl", std::move(extra)));
+        FrameState::draw_fullscreen(info);
     };
     return pass;
 }
 
-/// Lets only pixels pass that have one of the bits.
-void mark(FrameState& f, const char* bits, PassInfo& info) {
-    f.gl.marks.ensure("marks of wrong pixels", GL_DEPTH_COMPONENT32F, f.request.width, f.request.height);
-    f.gl.marks_framebuffer = gl::make_framebuffer("marks of wrong pixels", nullptr, &f.gl.marks);
-    f.begin_fullscreen_pass(f.gl.marks_framebuffer.id(), f.request.width, f.request.height);
-    glEnable(GL_DEPTH_TEST);  // without the test nothing is written
-    glDepthFunc(GL_ALWAYS);
-    glDepthMask(GL_TRUE);
-    std::vector<gl::Define> extra = truth_defines(f);
-    extra.push_back({"MARKED_BITS", bits});
-    const GLuint program = f.program("passes/fullscreen.vert.glsl", "passes/marks.frag.glsl", std::move(extra));
-    glUseProgram(program);
-    glUniform1f(glGetUniformLocation(program, "near_depth"), float(1 - f.camera.curve.convention.far_depth()));
-    bind_truth(f);
-    glBindTextureUnit(kShaded, f.gl.camera_depth.texture.id());
-    FrameState::draw_fullscreen(info);
-}
-
+/// Makes trials of the pixels that the comparison marked, kind by kind, as a CPU rasteriser takes both ways of a branch.
 Pass causes_pass(FrameState& f) {
     Pass pass;
     pass.name = "causes found";
-    pass.reads = {"compared", "visibility", "shadow maps", "unfiltered map", "truth", "camera depth"};
+    pass.reads = {"compared", "visibility", "surfaces seen", "shadow maps", "unfiltered map", "truth"};
     pass.writes = {"judged"};
     pass.idle_reason = "nothing asks why it is wrong";
     Key key;
     pass.key = key.add(judged_key(f)).add("causes").value();
     pass.cached = &f.gl.causes_key;
     pass.run = [&f](PassInfo& info) {
-        const auto find = [&](const char* bits, const char* for_light, const char* for_shadow) {
-            mark(f, bits, info);
-            f.gl.causes_framebuffer = gl::make_framebuffer("causes", &f.gl.judged, &f.gl.marks);
-            f.begin_camera_pass(f.gl.causes_framebuffer.id());
-            glDepthMask(GL_FALSE);
-            glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
-            bind_truth(f);
-            bind_unfiltered(f);
-            std::vector<gl::Define> extra = trial_defines(f);
-            extra.insert(extra.end(), {{"FOR_FALSE_LIGHT", for_light}, {"FOR_FALSE_SHADOW", for_shadow}});
-            f.draw_from_camera("passes/causes.frag.glsl", extra, info);
-            glDepthMask(GL_TRUE);
+        const GLuint framebuffer = f.gl.judged_framebuffer.id();
+        f.begin_fullscreen_pass(framebuffer, f.request.width, f.request.height);
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_EQUAL);
+        glDepthMask(GL_FALSE);
+        f.bind_maps();
+        glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
+        bind_truth(f);
+        bind_seen_surfaces(f);
+        bind_unfiltered(f);
+        const auto draw = [&](float mark, const char* fragment, std::vector<gl::Define> kind) {
+            glDepthRangef(mark, mark);
+            const std::vector<gl::Define> trials = trial_defines(f);
+            kind.insert(kind.end(), trials.begin(), trials.end());
+            glUseProgram(f.program("passes/fullscreen.vert.glsl", fragment, std::move(kind)));
+            FrameState::draw_fullscreen(info);
         };
-        // By themselves, as a CPU rasteriser takes both ways of each branch.
-        find("FALSE_LIGHT", "1", "0");
-        find("(FALSE_SHADOW + FAINT)", "0", "1");
+        draw(shared::MARK_FALSE_LIGHT, "passes/causes.frag.glsl", {{"FOR_FALSE_LIGHT", "1"}, {"FOR_FALSE_SHADOW", "0"}});
+        draw(shared::MARK_FALSE_SHADOW, "passes/causes.frag.glsl", {{"FOR_FALSE_LIGHT", "0"}, {"FOR_FALSE_SHADOW", "1"}});
+        draw(shared::MARK_FAINT, "passes/faint_acne.frag.glsl", {{"FOR_FALSE_LIGHT", "0"}, {"FOR_FALSE_SHADOW", "1"}});
+        glDepthRangef(0, 1);
+        glDepthMask(GL_TRUE);
     };
     return pass;
 }

@@ -14,7 +14,7 @@ CauseContext cause_context(const Settings& settings, bool mask_levels) {
 MeasuredError read_judged(Renderer& renderer, const FrameResult& frame, const TruthPicture& picture, int light) {
     MeasuredError out;
     out.traced = picture.traced;
-    out.judged = judged_pixels(every_nth(renderer.read_float(frame.judged, 4), picture.step));
+    out.judged = judged_pixels(every_nth(renderer.read_float(frame.judged, 2), picture.step));
     out.lights = frame.lights;
     out.camera = frame.camera;
     out.light = light;

@@ -77,10 +77,12 @@ TruePixel true_pixel(const Truth& truth, std::size_t i) {
 }
 
 std::vector<JudgedPixel> judged_pixels(const FloatImage& judged) {
-    std::vector<JudgedPixel> out(judged.data.size() / 4);
+    static_assert(kArtefacts <= 1 << shared::ARTEFACT_BITS && shared::ARTEFACT_BITS + shared::ALSO_SHIFT + kArtefacts <= 24,
+                  "a judgement has to fit into the digits of a float");
+    std::vector<JudgedPixel> out(judged.data.size() / 2);
     for (std::size_t i = 0; i < out.size(); ++i) {
-        const float* p = &judged.data[4 * i];
-        out[i] = {Artefact(int(p[0])), std::uint32_t(p[2]), p[3]};
+        const auto code = std::uint32_t(judged.data[2 * i]);
+        out[i] = {Artefact(code & ((1u << shared::ARTEFACT_BITS) - 1)), code >> shared::ARTEFACT_BITS, judged.data[2 * i + 1]};
     }
     return out;
 }

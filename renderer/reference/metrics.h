@@ -37,7 +37,7 @@ std::uint32_t compared_bits(float visibility, const TruePixel& truth, bool outsi
 /// A pixel of the truth as causes take it.
 TruePixel true_pixel(const Truth& truth, std::size_t i);
 
-/// From what is read back of FrameResult::judged, at the truth's pixels. @param judged four channels, of the truth's size
+/// From what is read back of FrameResult::judged, at the truth's pixels. @param judged two channels, of the truth's size
 std::vector<JudgedPixel> judged_pixels(const FloatImage& judged);
 
 /// Whether each pixel and its right (bit 0) or lower (bit 1) neighbour show one surface, so that a contour between them is a

@@ -13,9 +13,7 @@ flat in vec4 surface;  // x: receives shadows, y: alpha cutoff, z: unlit, w: obj
 #endif
 
 vec4 base_colour() {
-#if defined(TEXTURED) && defined(MASKS_AT_LEVEL_0)
-    return colour * textureLod(base_colour_map, uv, 0.0);
-#elif defined(TEXTURED)
+#ifdef TEXTURED
     return colour * texture(base_colour_map, uv);
 #else
     return colour;

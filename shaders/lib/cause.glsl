@@ -49,8 +49,7 @@ Cause cause_of_false_light(Evidence e, int place) {
 
 /// Whether more bias lets a pixel be as lit as `enough`, and no true edge stands for that.
 bool is_acne(Evidence e, float enough) {
-    if (e.worth < e.least && e.raised >= enough) return true;
-    return e.worth < e.bent && e.bent_raised >= enough && e.edge_m > (KERNEL_REACH + 1.0) * e.texel_m;
+    return e.worth < e.most && e.most_raised >= enough;
 }
 
 Cause cause_of_false_shadow(Evidence e, int place) {

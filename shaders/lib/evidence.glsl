@@ -17,12 +17,13 @@ struct Evidence {
     // compared depth; what the kernel's reach is worth on the plane; constant or slope bias; the offset's worth.
     float least, least_nearest, worth, applied, slack, own, offset;
     float bent;       // bias of the trial for surfaces that rise beside the plane
+    float most;       // `bent` where no true edge is in the kernel's reach, else `least`
     float far;        // bias that only a surface well before this one withstands
     float strip_bias_m, strip_offset_m;  // lit strips that bias and normal offset leave, each by itself
     float texel_m;
     // Visibility by the chosen kernel: least bias; the same without offset; own bias without offset; far without offset;
-    // worth raised to the least; worth raised to `bent`.
-    float least_kept, least_bare, own_bare, far_bare, raised, bent_raised;
+    // worth raised to the least; to `bent`; to `most`, which no smaller bias can outdo.
+    float least_kept, least_bare, own_bare, far_bare, raised, bent_raised, most_raised;
     // By the nearest texel of the unfiltered map: least bias; without offset; without offset, own bias.
     float nearest_kept, nearest_bare, nearest_own_bare;
     float unfiltered; // the chosen kernel and bias on the unfiltered map
@@ -73,6 +74,7 @@ Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
     e.applied = away(r.uvd.z - r.reference) + raster;
     float reach_depth = depth_nearer(r, r.z, KERNEL_REACH * r.texel_m);
     e.bent = 2.0 * e.least + reach_depth;
+    e.most = more.z > (KERNEL_REACH + 1.0) * r.texel_m ? e.bent : e.least;
     e.far = 2.0 * max(e.own, e.least) + reach_depth;
     e.texel_m = r.texel_m;
     float cosine = clamp(r.geometric_n_dot_l, 1e-6, 1.0), sine = sqrt(max(1.0 - cosine * cosine, 0.0));
@@ -95,7 +97,7 @@ Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
     float kept = max(e.least - e.offset, 0.0);
     e.nearest_kept = look_nearest(r, true, max(e.least_nearest - e.offset, 0.0));
     e.least_kept = e.least_bare = e.own_bare = e.far_bare = e.nearest_bare = e.nearest_own_bare = e.unfiltered = v;
-    e.raised = e.bent_raised = v;
+    e.raised = e.bent_raised = e.most_raised = v;
 #if BIAS_NORMAL_OFFSET
     e.nearest_bare = look_nearest(r, false, e.least_nearest);
 #if RASTER_BIAS
@@ -119,6 +121,7 @@ Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
 #if FOR_FALSE_SHADOW
     e.raised = look(r, true, e.own + max(e.least - e.worth, 0.0));
     e.bent_raised = look(r, true, e.own + max(e.bent - e.worth, 0.0));
+    e.most_raised = look(r, true, e.own + max(e.most - e.worth, 0.0));
 #endif
 #if UNFILTERED_DIFFERS
     e.unfiltered = look_unfiltered(r, true, e.own);

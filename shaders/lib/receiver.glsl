@@ -87,6 +87,17 @@ float metres_nearer(Receiver r, float depth) {
 /// The same in texels, as bias.unit counts them.
 float texels_nearer(Receiver r, float depth) { return metres_nearer(r, depth) / r.texel_m; }
 
+/// The unit normal that bias.normal_source chooses.
+vec3 bias_normal_of(Surface s) {
+#if bias_normal_source == bias_normal_source_mapped
+    return s.shading;
+#elif bias_normal_source == bias_normal_source_shading
+    return s.vertex;
+#else
+    return s.geometric;
+#endif
+}
+
 Receiver make_receiver(Surface s, int index) {
     Receiver r;
     LightBlock light = frame.lights[index];
@@ -94,13 +105,7 @@ Receiver make_receiver(Surface s, int index) {
     r.light = index;
     r.to_light = direction_to(index, s.position, r.distance_m);
     r.geometric_n_dot_l = dot(s.geometric, r.to_light);
-#if bias_normal_source == bias_normal_source_mapped
-    vec3 bias_normal_ws = s.shading;
-#elif bias_normal_source == bias_normal_source_shading
-    vec3 bias_normal_ws = s.vertex;
-#else
-    vec3 bias_normal_ws = s.geometric;
-#endif
+    vec3 bias_normal_ws = bias_normal_of(s);
     r.n_dot_l = dot(bias_normal_ws, r.to_light);
     r.layer = LIGHT_FIRST_VIEW[index];
     if (LIGHT_VIEWS[index] == 6) r.layer += face_of(s.position - light.position.xyz);

@@ -3,7 +3,7 @@
 
 layout(binding = 7) uniform sampler2D truth_map;   // rows from the top: R, metres to the drawn surface nearest the light, state, noise
 layout(binding = 8) uniform sampler2D more_map;    // rows from the top: metres to the nearest of all casters, hard R, edge_m, run_m
-layout(binding = 9) uniform sampler2D judged_map;  // rows from the bottom: see passes/compare.frag.glsl
+layout(binding = 9) uniform sampler2D judged_map;  // rows from the bottom: see judgement()
 
 const float COUNTED = 0.0;  // PixelState::Counted
 const float RIGHT_VISIBILITY = 1e-3;
@@ -22,6 +22,15 @@ vec4 more_truth_here() { return texelFetch(more_map, truth_pixel(ivec2(gl_FragCo
 float true_visibility(vec4 truth) { return truth.x; }
 float hard_visibility(vec4 more) { return more.y; }
 bool counts(vec4 truth) { return truth.z == COUNTED; }
+
+/// What is stored of a pixel.
+vec2 judgement(int artefact, int bits, float v) { return vec2(float(artefact | bits << ARTEFACT_BITS), v); }
+int judged_artefact(vec4 judged) { return int(judged.x) & ((1 << ARTEFACT_BITS) - 1); }
+int judged_bits(vec4 judged) { return int(judged.x) >> ARTEFACT_BITS; }
+float judged_visibility(vec4 judged) { return judged.y; }
+
+/// Of what was drawn; what is no number is dark.
+float drawn_visibility(float v) { return isnan(v) ? 0.0 : v; }
 
 /// How the visibility v compares with the truth. Wrong: on the other side of one half, by more than the truth's noise can
 /// explain. Faint: darker than wholly lit, and not wrong.

@@ -1,29 +1,26 @@
 // Each pixel's visibility held against the truth: which are wrong. Why, passes/causes.frag.glsl finds for those alone.
-// Where the map holds all that there is, no surface has to be drawn for that.
 #include "lib/truth.glsl"
-#if !MAP_HOLDS_ALL
-#include "lib/surface.glsl"
+#include "lib/seen_surface.glsl"
 #include "lib/visibility.glsl"
-#endif
 layout(binding = 3) uniform sampler2DArray visibility_map;
 
-layout(location = 0) out vec4 judged_out;  // artefact, V - R, bits as in lib/truth.glsl, V
+layout(location = 0) out vec2 judged_out;  // judgement()
 
 void main() {
-#if defined(MASKED) && !MAP_HOLDS_ALL
-    if (masked_out()) discard;
-#endif
     vec4 truth = truth_here();
-    if (!counts(truth)) {
-        judged_out = vec4(0.0);
-        return;
-    }
+    judged_out = vec2(0.0);
+    gl_FragDepth = MARK_NONE;
+    if (!counts(truth)) return;
 #if MAP_HOLDS_ALL
     bool outside = false;
 #else
-    bool outside = place_in_map(make_receiver(make_surface(), LIGHT_INDEX)) == PLACE_OUTSIDE;
+    bool outside = place_in_map(make_receiver(seen_surface(), LIGHT_INDEX)) == PLACE_OUTSIDE;
 #endif
-    float v = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, LIGHT_INDEX), 0).r;
-    if (isnan(v)) v = 0.0;
-    judged_out = vec4(float(ARTEFACT_NONE), v - true_visibility(truth), float(compared_bits(v, truth, outside)), v);
+    float v = drawn_visibility(texelFetch(visibility_map, ivec3(gl_FragCoord.xy, LIGHT_INDEX), 0).r);
+    int bits = compared_bits(v, truth, outside);
+    judged_out = judgement(ARTEFACT_NONE, bits, v);
+    gl_FragDepth = (bits & FALSE_LIGHT) != 0    ? MARK_FALSE_LIGHT
+                   : (bits & FALSE_SHADOW) != 0 ? MARK_FALSE_SHADOW
+                   : (bits & FAINT) != 0        ? MARK_FAINT
+                                                : MARK_NONE;
 }

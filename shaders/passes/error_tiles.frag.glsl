@@ -14,10 +14,10 @@ void main() {
     for (int y = first.y; y < end.y; ++y)
         for (int x = first.x; x < end.x; ++x) {
             vec4 judged = texelFetch(judged_map, ivec2(x * TRUTH_STEP, TRUTH_ROWS - 1 - y * TRUTH_STEP), 0);
-            int bits = int(judged.z), artefact = int(judged.x);
+            int bits = judged_bits(judged), artefact = judged_artefact(judged);
+            float v = judged_visibility(judged), r = true_visibility(texelFetch(truth_map, ivec2(x, y), 0));
             float counts = float(bits / COUNTS & 1), fs = float(bits & FALSE_SHADOW), fl = float(bits / FALSE_LIGHT & 1);
-            float d = judged.y, v_dark = counts * float(judged.w < 0.5);
-            float r_dark = counts * float(true_visibility(texelFetch(truth_map, ivec2(x, y), 0)) < 0.5);
+            float d = counts * (v - r), v_dark = counts * float(v < 0.5), r_dark = counts * float(r < 0.5);
             wrong_out += vec4(fs, fl, bits / OUTSIDE & 1, bits / ANY_ACNE & 1);
             shadow_out += vec4(bits / WITHIN_NOISE & 1, artefact == ARTEFACT_ACNE, artefact == ARTEFACT_OFFSET_SHADOW,
                                artefact == ARTEFACT_FILTER);

@@ -10,6 +10,11 @@ namespace si::shared {
 const int FALSE_SHADOW = 1, FALSE_LIGHT = 2, OUTSIDE = 4, ANY_ACNE = 8, WITHIN_NOISE = 16, FAINT = 32, COUNTS = 64, SEAM = 128;
 // What also takes part, as bits 1 << artefact from here on.
 const int ALSO_SHIFT = 8;
+// The artefact and, above it, the bits are kept as one number, which single precision holds.
+const int ARTEFACT_BITS = 4;
+
+// Depths by which each kind of pixel is picked out.
+const float MARK_FALSE_LIGHT = 0.25, MARK_FALSE_SHADOW = 0.5, MARK_FAINT = 0.75, MARK_NONE = 1.0;
 
 // Whether the map holds a surface, and if so, whether the normal offset leads the look-up out of it.
 const int PLACE_INSIDE = 0, PLACE_OUTSIDE = 1, PLACE_LED_OUTSIDE = 2;

@@ -130,6 +130,11 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
     agree(box, s, "a light of size, one look at it", {.area = true, .samples = 1});
     s.caster.cull = int(Cull::Front);
     agree(box, s, "front culling", {.step = 2});
+    const Scene teapot = load_scene("teapot");
+    for (const char* slope : {"1", "3", "10"})
+        EXPECT_GT(count(agree(teapot, settings_for(teapot, {{"bias.normal_source", "shading"}, {"bias.constant", "0"}, {"bias.slope", slope},
+                                                            {"bias.normal", "1"}, {"map.resolution", "512"}}), "vertices' normals"),
+                        Artefact::EdgeAliasing), 50u);
     const Scene stage = load_scene("stage");
     for (const char* extra : {"bias.constant=40", "caster.cull=front", "map.resolution=256", "bias.normal=30"}) {
         const std::string text = extra;

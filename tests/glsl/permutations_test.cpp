@@ -191,7 +191,7 @@ std::vector<Axis> axes() {
 /// One small quad for each kind of material that shaders tell apart, or a plain one and one that is everything.
 Scene scene_of(bool every_kind) {
     Scene scene;
-    scene.textures.push_back({.name = "white", .width = 1, .height = 1, .rgba = {255, 255, 255, 255}});
+    scene.textures.push_back({.name = "white", .width = 2, .height = 2, .rgba = std::vector<std::uint8_t>(16, 255)});
     scene.textures.push_back({.name = "flat", .width = 1, .height = 1, .rgba = {128, 128, 255, 255}, .srgb = false});
     const auto add = [&](AlphaMode alpha, bool textured, bool mapped, bool tangents) {
         const std::string name = scene.nodes.empty() ? "plain" : std::to_string(scene.nodes.size());

@@ -1,0 +1,24 @@
+// The surface that the camera sees at a pixel, from what passes/seen_surfaces.frag.glsl kept: in every bit as drawn.
+#include "lib/receiver.glsl"
+layout(binding = 11) uniform sampler2D seen_position_map;   // relative to the frame's origin, metres; A: receives
+layout(binding = 12) uniform sampler2D seen_geometric_map;
+#if bias_normal_source != bias_normal_source_geometric
+layout(binding = 13) uniform sampler2D seen_bias_normal_map;
+#endif
+
+/// Of the interpolated normals only that which bias.normal_source chooses is known; the direction to the eye is not.
+Surface seen_surface() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    vec4 position = texelFetch(seen_position_map, at, 0);
+    Surface s;
+    s.position = position.xyz;
+    s.receives = position.w > 0.5;
+    s.geometric = texelFetch(seen_geometric_map, at, 0).xyz;
+#if bias_normal_source != bias_normal_source_geometric
+    s.vertex = s.shading = texelFetch(seen_bias_normal_map, at, 0).xyz;
+#else
+    s.vertex = s.shading = s.geometric;
+#endif
+    s.to_eye = vec3(0.0);
+    return s;
+}

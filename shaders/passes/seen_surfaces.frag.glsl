@@ -1,0 +1,19 @@
+// The surface under each pixel, as lib/seen_surface.glsl reads it.
+#include "lib/surface.glsl"
+layout(location = 0) out vec4 position_out;
+layout(location = 1) out vec4 geometric_out;
+#if bias_normal_source != bias_normal_source_geometric
+layout(location = 2) out vec4 bias_normal_out;
+#endif
+
+void main() {
+#ifdef MASKED
+    if (masked_out()) discard;
+#endif
+    Surface s = make_surface();
+    position_out = vec4(s.position, float(s.receives));
+    geometric_out = vec4(s.geometric, 0.0);
+#if bias_normal_source != bias_normal_source_geometric
+    bias_normal_out = vec4(bias_normal_of(s), 0.0);
+#endif
+}
