@@ -134,7 +134,7 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
     for (const char* slope : {"1", "3", "10"})
         EXPECT_GT(count(agree(teapot, settings_for(teapot, {{"bias.normal_source", "shading"}, {"bias.constant", "0"}, {"bias.slope", slope},
                                                             {"bias.normal", "1"}, {"map.resolution", "512"}}), "vertices' normals"),
-                        Artefact::EdgeAliasing), 50u);
+                        Artefact::EdgeAliasing), 20u);
     const Scene stage = load_scene("stage");
     for (const char* extra : {"bias.constant=40", "caster.cull=front", "map.resolution=256", "bias.normal=30"}) {
         const std::string text = extra;
