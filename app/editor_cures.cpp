@@ -13,7 +13,8 @@ void EditorCures::start(const Scene& scene, const Settings& settings, int width,
     if (!pixel) options.truth = truth_options(settings);  // a dossier speaks of a light without size
     job_.start({"the present settings", 0}, [copy = std::make_shared<const Scene>(scene), settings, width, height,
                                              options](const Workers& workers, const auto& report) {
-        CureOutcome out{.table = {}, .problem = {}, .scene = copy->id, .settings = settings, .pixel = options.pixel};
+        CureOutcome out{.table = {}, .problem = {}, .scene = copy->id, .settings = settings, .width = width, .height = height,
+                        .pixel = options.pixel};
         try {
             const HeadlessContext context;
             Renderer renderer;
@@ -37,13 +38,14 @@ bool EditorCures::poll(std::string& problem) {
     return true;
 }
 
-CureSearch EditorCures::facts(const Scene& scene, const Settings& settings) const {
+CureSearch EditorCures::facts(const Scene& scene, const Settings& settings, int width, int height) const {
     CureSearch f;
     f.running = job_.facts();
     if (!found_ || found_->scene != scene.id) return f;
     f.table = &found_->table;
     f.pixel = found_->pixel;
-    f.current = measured_settings(found_->settings) == measured_settings(settings);
+    f.current = found_->width == width && found_->height == height &&
+                measured_settings(found_->settings) == measured_settings(settings);
     return f;
 }
 

@@ -12,6 +12,7 @@ struct CureOutcome {
     std::string problem;  ///< why there is no table
     std::uint64_t scene = 0;
     Settings settings;    ///< that it is about
+    int width = 0, height = 0;
     std::optional<glm::ivec2> pixel;
 };
 
@@ -28,8 +29,8 @@ public:
     void wait() const { job_.wait(); }
     /// Takes what is done. Returns whether there was something; why it failed goes to `problem`.
     bool poll(std::string& problem);
-    /// @param settings of the editor, which the table may no longer be about
-    CureSearch facts(const Scene& scene, const Settings& settings) const;
+    /// @param settings of the editor, which the table may no longer be about, nor about the picture's size
+    CureSearch facts(const Scene& scene, const Settings& settings, int width, int height) const;
 
 private:
     ContextJob<TuneFacts, CureOutcome> job_;

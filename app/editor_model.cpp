@@ -80,8 +80,11 @@ EditorFrame EditorModel::facts() const {
     f.result = drawn_ ? &result_ : nullptr;
     readings_.fill(f);
     f.tuning = tuner_.facts();
-    if (tuned_scene_ == scene_.id) f.tuned = tuned_;
-    f.cures = cures_.facts(scene_, state.settings);
+    if (tuned_ && tuned_->scene == scene_.id) {
+        f.tuned = tuned_->families;
+        f.tuned_current = tuned_->is_about(state.settings, request_.width, request_.height);
+    }
+    f.cures = cures_.facts(scene_, state.settings, request_.width, request_.height);
     if (drawn_) {
         f.truth = truth_.facts(result_);
         f.error = result_.error.get();
@@ -364,7 +367,7 @@ void EditorModel::start_tuning(const TuneWish& wish) {
 bool EditorModel::poll_tuning() {
     const auto outcome = tuner_.end();
     if (!outcome) return false;
-    if (!outcome->families.empty()) tuned_ = outcome->families, tuned_scene_ = outcome->scene;
+    if (!outcome->families.empty()) tuned_ = *outcome;
     if (!outcome->found) {
         if (outcome->failed)
             report(outcome->text);

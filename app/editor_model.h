@@ -152,8 +152,7 @@ private:
     EditorReadings readings_;
     EditorSweep sweep_;
     EditorTuner tuner_;
-    std::vector<TunedFamily> tuned_;
-    std::uint64_t tuned_scene_ = 0;
+    std::optional<TuningOutcome> tuned_;  ///< the last that tried families of biases
     EditorCures cures_;
     EditorTruth truth_;
     EditorAgainst against_;

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "app/headless_context.h"
+#include "renderer/measure/axes.h"
 
 namespace si {
 namespace {
@@ -20,7 +21,8 @@ std::vector<TunedFamily> families_of(const BiasSearch& search) {
 
 TuningOutcome search(const std::shared_ptr<const Scene>& scene, const TuningJob& job, const Workers& workers,
                             const std::function<void(const Tuner&)>& report) {
-    TuningOutcome out{.found = {}, .families = {}, .text = {}, .scene = scene->id, .settings = job.settings};
+    TuningOutcome out{.found = {}, .families = {}, .text = {}, .scene = scene->id, .settings = job.settings,
+                      .width = job.width, .height = job.height};
     try {
         const auto began = std::chrono::steady_clock::now();
         const HeadlessContext context;
@@ -40,6 +42,14 @@ TuningOutcome search(const std::shared_ptr<const Scene>& scene, const TuningJob&
 }
 
 }  // namespace
+
+bool TuningOutcome::is_about(const Settings& now, int now_width, int now_height) const {
+    Settings then = settings;
+    if (found) apply_tuning(then, *found);
+    then.bias = now.bias;
+    then.truth.area = now.truth.area;  // a search has its own
+    return width == now_width && height == now_height && measured_settings(then) == measured_settings(now);
+}
 
 void EditorTuner::start(const Scene& scene, const Settings& settings, int width, int height, const TuneWish& wish) {
     TuningJob job{.settings = settings, .width = width, .height = height};

@@ -16,6 +16,9 @@ struct TuningOutcome {
     bool failed = false;  ///< `text` is an error
     std::uint64_t scene = 0;
     Settings settings;    ///< that were searched from
+    int width = 0, height = 0;
+    /// Whether the families are what these settings would give, whichever bias they have now.
+    bool is_about(const Settings& now, int now_width, int now_height) const;
 };
 
 class EditorTuner : public ContextJob<TuneFacts, TuningOutcome> {

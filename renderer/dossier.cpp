@@ -148,11 +148,19 @@ private:
                                    "the map",
                                    truth_.blocker_m, leaves_out());
             case Artefact::Leak:
+                if (p_.causes.unfiltered_differs() && truth_.evidence.unfiltered < 0.5f)
+                    return fmt::format("leak: {:.0f} % of the kernel is lit; the same kernel and bias upon the map before its "
+                                       "blur (map.blur_texels) are dark, as in truth",
+                                       100 * p_.visibility);
                 return fmt::format("leak: {:.0f} % of the kernel is lit; the nearest texel alone, with the {} of bias that it "
                                    "needs, is dark, as in truth{}",
                                    100 * p_.visibility, nearest_need(),
                                    d_.window_open() ? "" : "; with this kernel " + no_bias_is_right());
             case Artefact::Filter:
+                if (p_.causes.unfiltered_differs() && truth_.evidence.unfiltered >= 0.5f)
+                    return fmt::format("filter: {:.0f} % of the kernel is dark; the same kernel and bias upon the map without {} "
+                                       "are lit, as in truth",
+                                       100 * (1 - p_.visibility), filtered_by());
                 return fmt::format("filter: {:.0f} % of the kernel is dark; the nearest texel alone, with the {} of bias that "
                                    "it needs, is lit, as in truth",
                                    100 * (1 - p_.visibility), nearest_need());
@@ -208,9 +216,16 @@ private:
         return "with the least bias of one nearest texel and without the normal offset";
     }
     std::string leaves_out() const {
-        if (settings_.caster.cull != int(Cull::None)) return "culling (caster.cull) or the near plane";
-        return p_.causes.mask_levels ? "the near plane, an object's own culling or a mask's mip level"
-                                     : "the near plane or an object's own culling";
+        const std::string culling = settings_.caster.cull != int(Cull::None) ? "culling (caster.cull)" : "an object's own culling";
+        return p_.causes.mask_levels ? culling + ", the near plane or a mask's mip level" : culling + " or the near plane";
+    }
+    /// What the unfiltered map goes without.
+    std::string filtered_by() const {
+        std::vector<std::string> out;
+        if (p_.causes.depth_blur) out.push_back("depth blur (map.blur_texels)");
+        if (p_.causes.raster_bias) out.push_back("polygon offset");
+        if (p_.causes.mask_levels) out.push_back("coarser levels of masks");
+        return fmt::format("{}", fmt::join(out, ", "));
     }
     std::string nearest_need() const { return texels(p_.account.amount(truth_.evidence.least_nearest)); }
 
@@ -349,8 +364,10 @@ private:
 
 double rounded_up(double v) {
     if (!(v > 0)) return 0;
-    const double unit = std::pow(10.0, std::floor(std::log10(v)) - 2);
-    return std::ceil(v / unit * (1 - 1e-12)) * unit;
+    // Powers of ten below one are no floating-point numbers: dividing by their inverse gives the nearest decimal.
+    const double digits = 2 - std::floor(std::log10(v));
+    const double unit = std::pow(10.0, std::abs(digits));
+    return digits >= 0 ? std::ceil(v * unit * (1 - 1e-12)) / unit : std::ceil(v / unit * (1 - 1e-12)) * unit;
 }
 
 Dossier explain(const Probe& probe, const Probe::PerLight& light, const FragmentTruth& truth, const Settings& settings,

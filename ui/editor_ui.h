@@ -235,6 +235,7 @@ struct EditorFrame {
     bool tracing_probe = false;              ///< dossiers will follow
     std::optional<TuneFacts> tuning;
     std::span<const TunedFamily> tuned;      ///< all that the last search for the least bias tried, for this scene
+    bool tuned_current = false;             ///< the present settings, whatever their bias, would give the same
     CureSearch cures;
     const FloatImage* map_values = nullptr;  ///< the map viewer's depth image as stored, row 0 at the top
     const MapFacts* map_facts = nullptr;

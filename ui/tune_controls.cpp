@@ -48,8 +48,9 @@ void limits_popup(TunePanel& panel, EditorActions& actions) {
 std::string shown_length(double m) { return m == 0 ? "0" : length_text(m); }
 
 /// All ways that were tried, side by side.
-void families_table(std::span<const TunedFamily> families, Settings& settings) {
+void families_table(std::span<const TunedFamily> families, bool current, Settings& settings) {
     if (families.empty()) return;
+    if (!current) ImGui::TextDisabled("of other settings: search again");
     if (!ImGui::BeginTable("tuned", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;
     ImGui::TableSetupColumn("tried", ImGuiTableColumnFlags_WidthStretch, 2);
     ImGui::TableSetupColumn("wrong px");
@@ -60,8 +61,10 @@ void families_table(std::span<const TunedFamily> families, Settings& settings) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         const bool taken = settings.bias == f.bias;
+        ImGui::BeginDisabled(!current);
         if (ImGui::Selectable(f.name.c_str(), taken, ImGuiSelectableFlags_SpanAllColumns)) settings.bias = f.bias;
-        if (ImGui::IsItemHovered())
+        ImGui::EndDisabled();
+        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
             ImGui::SetTooltip("%s%s\n%zu pixels wrong, %zu of them by the price of bias; %zu px of acne\nlit strip at contacts %s, "
                               "edges moved by %s (95 %% of the lit surface)\nA click takes it; Ctrl+Z takes it back.",
                               f.bias_text.c_str(), f.chosen ? ": chosen, as it loses the fewest pixels" : "", f.wrong, f.lost, f.acne,
@@ -105,7 +108,7 @@ void draw_tune_controls(EditorState& state, const EditorFrame& frame, EditorActi
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Search kernel and resolution, too, within limits of error and time");
     ImGui::EndDisabled();
     limits_popup(state.tune, actions);
-    families_table(frame.tuned, state.settings);
+    families_table(frame.tuned, frame.tuned_current, state.settings);
 }
 
 }  // namespace si

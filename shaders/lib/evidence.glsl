@@ -38,10 +38,10 @@ float look(Receiver r, bool offset, float depth_bias) {
 }
 
 float look_nearest(Receiver r, bool offset, float depth_bias) {
-    if (r.where == BEHIND) return outside_visibility();
-    vec3 at = offset ? r.uvd_offset : r.uvd;
+    if (!offset) r.uvd_offset = r.uvd;
+    if (is_guarded(r)) return outside_visibility();
     map_is_unfiltered = true;
-    float lit = depth_test(at.z - away(depth_bias), map_depth(at.xy, r.layer));
+    float lit = depth_test(reference_of(r.uvd_offset.z - away(depth_bias)), map_depth(r.uvd_offset.xy, r.layer));
     map_is_unfiltered = false;
     return lit;
 }

@@ -11,19 +11,31 @@ float outside_visibility() {
 #endif
 }
 
-/// What the map says of a receiver in front of the guards' backs: 1 lit, 0 in shadow.
-float map_visibility(Receiver r) {
-    if (r.where == BEHIND) return outside_visibility();
+/// Whether the look-up is answered without the map, by outside_visibility().
+bool is_guarded(Receiver r) {
+    bool guarded = r.where == BEHIND;
 #if map_far_guard
-    if (r.where == OUTSIDE_FAR) return outside_visibility();
+    guarded = guarded || r.where == OUTSIDE_FAR;
 #endif
 #if map_wrap == map_wrap_range
-    if (any(lessThan(r.uvd_offset.xy, vec2(0.0))) || any(greaterThan(r.uvd_offset.xy, vec2(1.0))))
-        return outside_visibility();
+    guarded = guarded || any(lessThan(r.uvd_offset.xy, vec2(0.0))) || any(greaterThan(r.uvd_offset.xy, vec2(1.0)));
 #endif
+    return guarded;
+}
+
+/// The depth that is compared, as shadow samplers have it with formats that hold nothing beyond 0 to 1.
+float reference_of(float depth) {
 #if !FILTER_SAMPLER && (map_format == map_format_d16 || map_format == map_format_d24)
-    r.reference = clamp(r.reference, 0.0, 1.0);  // as shadow samplers do with formats that hold nothing else
+    return clamp(depth, 0.0, 1.0);
+#else
+    return depth;
 #endif
+}
+
+/// What the map says of a receiver in front of the guards' backs: 1 lit, 0 in shadow.
+float map_visibility(Receiver r) {
+    if (is_guarded(r)) return outside_visibility();
+    r.reference = reference_of(r.reference);
     return filter_visibility(r);
 }
 

@@ -143,6 +143,28 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
     }
 }
 
+TEST_F(CausesTest, TrialsOfOneTexelObeyTheGuards) {
+    const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = test::texel_settings("hard", 256, 1);
+    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].extent = 1.2;
+    s.bias.normal = 40;
+    s.map.wrap = int(MapWrap::Range);
+    for (const Outside outside : {Outside::Lit, Outside::Unlit}) {
+        s.map.outside = int(outside);
+        FrameRequest all = request;
+        all.outputs = {.colour = false, .evidence = true};
+        const FrameResult frame = render_with_truth(renderer, box, s, all, cache);
+        int led = 0;
+        for (const CauseEvidence& e : read_evidence(frame, 1))
+            if (e.place == CauseEvidence::kLedOutside) {
+                ++led;
+                EXPECT_EQ(e.nearest_kept, outside == Outside::Lit ? 1.f : 0.f);
+            }
+        EXPECT_GT(led, 100);
+    }
+}
+
 TEST_F(CausesTest, FalseLightOfAWallUnderLowSunIsPeterPanning) {
     const Scene scene = test::wall_on_plane();
     const Settings s = test::low_sun_settings("pcf3", 512, 11);

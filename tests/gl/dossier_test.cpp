@@ -253,6 +253,24 @@ TEST_F(DossierTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
     EXPECT_EQ(dossier(sheet, s, *outside).verdict.find("outside the map"), 0u);
 }
 
+TEST_F(DossierTest, NamesTheBlurWhereTheMapWithoutItIsRight) {
+    Settings s = plain("hard", 3);
+    s.map.blur_texels = 6;
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    const auto pixel = find(measure(scene, s), Artefact::Filter);
+    ASSERT_TRUE(pixel);
+    const Dossier d = dossier(scene, s, *pixel);
+    EXPECT_EQ(d.verdict.find("filter"), 0u) << d.verdict;
+    EXPECT_NE(d.verdict.find("depth blur (map.blur_texels)"), std::string::npos) << d.verdict;
+    s.map.blur_texels = 0;
+    EXPECT_TRUE(dossier(scene, s, *pixel).right) << "as the verdict says";
+}
+
+TEST_F(DossierTest, ValuesOfRemediesAreShortDecimals) {
+    for (const auto& [from, to] : {std::pair{2.7501, 2.76}, {0.0027501, 0.00276}, {1e-7 * 1.2301, 1.24e-7}, {27501.0, 27600.0}, {3.0, 3.0}})
+        EXPECT_EQ(rounded_up(from), to);
+}
+
 TEST_F(DossierTest, ALargeLightIsSeenInPart) {
     const Scene scene = sheet_over_floor(1.2);
     Settings s = plain("hard", 3);

@@ -102,6 +102,10 @@ TEST(TunedFamilies, StandSideBySideAndAClickTakesOne) {
     const std::string text = printed(ui);
     for (const char* part : {"normal offset", "constant bias", "321", "654", "34 mm"})
         EXPECT_NE(text.find(packed(part)), std::string::npos) << part << "\n" << text;
+    EXPECT_EQ(text.find(packed("of other settings")), std::string::npos);
+    ui.tuned_current = false;
+    ui.frames(3);
+    EXPECT_NE(printed(ui).find(packed("of other settings")), std::string::npos);
 }
 
 TEST(EditorCuresTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
@@ -129,6 +133,13 @@ TEST(EditorCuresTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     EXPECT_FALSE(search.running);
     ASSERT_TRUE(search.table);
     EXPECT_TRUE(search.current);
+    EditorActions narrower;
+    narrower.scene_width = wish.scene_width - 16, narrower.scene_height = wish.scene_height, narrower.want_error = true;
+    model.fulfil(narrower);
+    EXPECT_FALSE(model.facts().cures.current) << "a picture of another size";
+    narrower.scene_width = wish.scene_width;
+    model.fulfil(narrower);
+    EXPECT_TRUE(model.facts().cures.current);
     std::size_t wrong = 0;
     for (std::size_t a = 1; a < kArtefacts; ++a) wrong += before.artefacts[a];
     EXPECT_EQ(search.table->wrong, wrong);

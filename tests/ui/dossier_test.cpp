@@ -153,8 +153,18 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
         return line.text.find("least bias without acne") != std::string::npos &&
                line.text.find("gap beside casters") != std::string::npos;
     }));
+    EXPECT_GT(model.facts().tuned.size(), 1u);
+    EXPECT_FALSE(model.facts().tuned_current) << "of a picture of another size";
+    EditorActions resize;
+    resize.scene_width = 320, resize.scene_height = 180;
+    model.fulfil(resize);
+    EXPECT_TRUE(model.facts().tuned_current);
     EXPECT_EQ(model.state.history.undo(), before);
     EXPECT_FALSE(model.state.history.can_undo());
+    model.state.settings = before;
+    EXPECT_TRUE(model.facts().tuned_current) << "whatever the bias";
+    model.state.settings.lights[0].azimuth += 10;
+    EXPECT_FALSE(model.facts().tuned_current);
 }
 
 TEST(EditorTuning, IsNotAppliedToWhatItWasNotSearchedFor) {

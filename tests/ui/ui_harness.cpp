@@ -114,6 +114,7 @@ EditorActions UiHarness::frame() {
         facts.tracing_probe = tracing_probe;
         facts.tuning = tuning;
         facts.tuned = tuned;
+        facts.tuned_current = tuned_current;
         facts.cures = cures;
     }
     ImGui::NewFrame();

@@ -45,6 +45,7 @@ public:
     bool tracing_probe = false;
     std::optional<TuneFacts> tuning;
     std::vector<TunedFamily> tuned;
+    bool tuned_current = true;
     CureSearch cures;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
