@@ -74,10 +74,12 @@ protected:
         return gpu;
     }
 
-    /// Of the pixels that are wrong, and right in the twin, the share that names one of the causes.
-    double named(const Scene& scene, const Settings& wrong, const Settings& twin, std::vector<Artefact> causes,
+    double named(const Scene& scene, const Settings& wrong, const Settings& twin, const std::vector<Artefact>& causes,
                  std::size_t least = 100) {
-        const MeasuredError a = measure(scene, wrong), b = measure(scene, twin);
+        return named(measure(scene, wrong), measure(scene, twin), causes, least);
+    }
+    /// Of the pixels that are wrong, and right in the twin, the share that names one of the causes.
+    double named(const MeasuredError& a, const MeasuredError& b, const std::vector<Artefact>& causes, std::size_t least = 100) {
         std::size_t cured = 0, told = 0;
         std::map<std::string_view, int> others;
         for (std::size_t i = 0; i < a.judged.size(); ++i) {
@@ -288,6 +290,77 @@ Scene room() {
     return scene;
 }
 
+/// Four tiles of hills that meet in the middle, with a box over the seams.
+Scene tiles() {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    for (const double x : {-2.5, 2.5})
+        for (const double z : {-2.5, 2.5}) {
+            Mesh tile = make_plane(5, 5, 12, 12);
+            for (glm::vec3& p : tile.positions) p.y = float(0.2 * std::sin(1.3 * (p.x + x)) * std::cos(1.1 * (p.z + z)));
+            add_object(scene, "tile " + std::to_string(scene.objects.size()), -1, add_mesh(scene, "tile", std::move(tile), grey), moved(x, 0, z));
+        }
+    add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.5, 0.6, 2}), grey), moved(0, 0.8, 0));
+    finalise(scene);
+    return scene;
+}
+
+/// A sheet over a floor with holes in it, as fine as it may be drawn by a coarse map. @param levels whether its mask has coarser ones
+Scene masked_sheet(bool levels) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    Texture mask{.name = "mask", .width = 64, .height = 64, .mipmaps = levels};
+    for (int i = 0; i < 64 * 64; ++i) {
+        const bool hole = i % 64 % 8 < 6 && i / 64 % 8 < 6;
+        mask.rgba.insert(mask.rgba.end(), {255, 255, 255, std::uint8_t(hole ? 0 : 255)});
+    }
+    scene.textures.push_back(std::move(mask));
+    scene.materials.push_back({.name = "lattice", .base_colour_texture = 0, .alpha = AlphaMode::Mask});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
+    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(3, 3), int(scene.materials.size()) - 1), moved(0, 1, 0));
+    finalise(scene);
+    return scene;
+}
+
+TEST_F(CausesTest, MasksThatCoarserLevelsThinOutAreLostCasters) {
+    Settings s = test::texel_settings("hard", 128, 2);
+    s.camera.distance = 7;
+    const MeasuredError coarse = measure(masked_sheet(true), s), fine = measure(masked_sheet(false), s);
+    EXPECT_GT(count(coarse, Artefact::LostCaster), 300u) << counts(coarse);
+    EXPECT_EQ(count(fine, Artefact::LostCaster), 0u) << "there are no other levels: " << counts(fine);
+    const double share = named(coarse, fine, {Artefact::LostCaster, Artefact::Filter});
+    EXPECT_GE(share, 0.95) << last_;
+}
+
+TEST_F(CausesTest, TapsBeyondTheMapsSidesAreToldAsItsSeam) {
+    const Scene scene = test::floor_and_box(10, {0.5, 0.5, 0.5}, 0);
+    Settings s = test::texel_settings("pcf9", 64, 12);
+    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].extent = 2;
+    s.map.outside = int(Outside::Unlit);
+    Settings twin = s;
+    twin.map.outside = int(Outside::Lit);
+    const MeasuredError dark = measure(scene, s), lit = measure(scene, twin);
+    EXPECT_GE(named(dark, lit, {Artefact::OutsideMap}), 0.95) << last_;
+    std::size_t seams = 0;
+    for (std::size_t i = 0; i < dark.judged.size(); ++i)
+        if (!dark.judged[i].has(JudgedPixel::kOutside)) seams += dark.judged[i].has(JudgedPixel::kSeam);
+    EXPECT_GT(seams, 50u);
+}
+
+TEST_F(CausesTest, ACubeHasNoSeams) {
+    const Scene scene = test::floor_and_box(10, {0.5, 0.5, 0.5}, 0);
+    Settings s = test::texel_settings("pcf9", 64, 8);
+    s.lights[0].type = int(LightType::Point);
+    s.lights[0].distance = 3;
+    for (const Outside outside : {Outside::Lit, Outside::Unlit}) {
+        s.map.outside = int(outside);
+        const MeasuredError m = measure(scene, s);
+        EXPECT_EQ(count(m, Artefact::OutsideMap), 0u) << "its faces overlap by more than the widest kernel";
+        EXPECT_GT(count(m, Artefact::PeterPanning), 50u);
+    }
+}
+
 TEST_F(CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight) {
     struct Place {
         const char* what;
@@ -296,6 +369,7 @@ TEST_F(CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight) {
     };
     std::vector<Place> places;
     places.push_back({"room", room(), [](Settings& s) { s.lights[0].azimuth = 40, s.lights[0].elevation = 50; }});
+    places.push_back({"terrain in tiles", tiles(), [](Settings& s) { s.lights[0].elevation = 55; }});
     places.push_back({"straight above", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) { s.lights[0].azimuth = 90, s.lights[0].elevation = 80; }});
     places.push_back({"spot", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) { s.lights[0].type = int(LightType::Spot), s.lights[0].distance = 9; }});
     places.push_back({"point", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) { s.lights[0].type = int(LightType::Point), s.lights[0].distance = 6; }});
