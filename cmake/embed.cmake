@@ -1,5 +1,5 @@
 # Writes OUT: a C++ table of (path relative to ROOT, text) of FILES.
-set(body "// Generated from shaders/ and assets/presets/.\n#include \"renderer/embedded.h\"\n\nnamespace si {\nnamespace {\n")
+set(body "// Generated from shaders/ and assets/presets/.\n#include \"renderer/base/embedded.h\"\n\nnamespace si {\nnamespace {\n")
 string(APPEND body "constexpr EmbeddedFile kFiles[] = {\n")
 foreach(file IN LISTS FILES)
   file(RELATIVE_PATH name ${ROOT} ${file})

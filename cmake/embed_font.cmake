@@ -1,5 +1,5 @@
 # Writes OUT: a C++ array for each of the fonts REGULAR and STRONG; empty where no file was found.
-set(body "// Generated from the fonts found at configure time.\n#include \"ui/font_data.h\"\n\nnamespace si {\nnamespace {\n")
+set(body "// Generated from the fonts found at configure time.\n#include \"ui/widgets/font_data.h\"\n\nnamespace si {\nnamespace {\n")
 foreach(font REGULAR STRONG)
   if(${font})
     file(READ "${${font}}" bytes HEX)

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/session.h"
+#include "app/session/session.h"
 #include "renderer/reference/truth.h"
 #include "app/sweep/timing.h"
 

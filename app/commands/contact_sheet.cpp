@@ -7,11 +7,11 @@
 #include <filesystem>
 
 #include "app/commands/commands.h"
-#include "app/headless_context.h"
-#include "app/notes.h"
-#include "app/output.h"
-#include "renderer/error.h"
-#include "renderer/renderer.h"
+#include "app/context/headless_context.h"
+#include "app/base/notes.h"
+#include "app/base/output.h"
+#include "renderer/base/error.h"
+#include "renderer/frame/renderer.h"
 
 namespace si {
 namespace {

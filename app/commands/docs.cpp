@@ -3,10 +3,10 @@
 #include <map>
 
 #include "app/commands/commands.h"
-#include "app/output.h"
-#include "app/setting_json.h"
-#include "renderer/error.h"
-#include "renderer/param.h"
+#include "app/base/output.h"
+#include "app/session/setting_json.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {

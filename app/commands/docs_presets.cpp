@@ -1,10 +1,10 @@
 // The tour of the guided presets (docs/presets.md).
 #include <fmt/format.h>
 
-#include "app/command_line.h"
+#include "app/session/command_line.h"
 #include "app/commands/commands.h"
-#include "app/presets.h"
-#include "renderer/param.h"
+#include "app/session/presets.h"
+#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
 
 namespace si {

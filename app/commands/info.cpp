@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
 #include "app/commands/commands.h"
-#include "app/headless_context.h"
-#include "app/notes.h"
-#include "app/output.h"
-#include "app/report.h"
-#include "renderer/error.h"
-#include "renderer/gltf_loader.h"
-#include "renderer/param.h"
-#include "renderer/renderer.h"
+#include "app/context/headless_context.h"
+#include "app/base/notes.h"
+#include "app/base/output.h"
+#include "app/report/report.h"
+#include "renderer/base/error.h"
+#include "renderer/gltf/gltf.h"
+#include "renderer/settings/param.h"
+#include "renderer/frame/renderer.h"
 
 namespace si {
 

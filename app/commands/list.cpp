@@ -4,14 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/presets.h"
-#include "app/report.h"
-#include "app/setting_json.h"
-#include "app/views.h"
-#include "renderer/error.h"
-#include "renderer/param.h"
+#include "app/session/presets.h"
+#include "app/report/report.h"
+#include "app/session/setting_json.h"
+#include "app/report/views.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
-#include "renderer/techniques.h"
+#include "renderer/settings/techniques.h"
 
 namespace si {
 namespace {

@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "app/commands/commands.h"
-#include "app/cures_json.h"
-#include "app/headless_context.h"
-#include "app/measure_json.h"
-#include "app/notes.h"
-#include "app/report.h"
+#include "app/report/cures_json.h"
+#include "app/context/headless_context.h"
+#include "app/report/measure_json.h"
+#include "app/base/notes.h"
+#include "app/report/report.h"
 #include "app/sweep/progress_line.h"
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/measure/measure.h"

@@ -4,12 +4,12 @@
 #include <system_error>
 
 #include "app/commands/commands.h"
-#include "app/editor.h"
-#include "app/headless_context.h"
-#include "app/map_report.h"
-#include "app/notes.h"
-#include "app/views.h"
-#include "renderer/error.h"
+#include "app/editor/editor.h"
+#include "app/context/headless_context.h"
+#include "app/report/map_report.h"
+#include "app/base/notes.h"
+#include "app/report/views.h"
+#include "renderer/base/error.h"
 
 namespace si {
 namespace {

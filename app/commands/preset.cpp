@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
 #include "app/commands/commands.h"
-#include "app/notes.h"
-#include "app/output.h"
-#include "app/preset_diff.h"
-#include "app/report.h"
-#include "app/setting_json.h"
-#include "renderer/error.h"
-#include "renderer/param.h"
+#include "app/base/notes.h"
+#include "app/base/output.h"
+#include "app/session/preset_diff.h"
+#include "app/report/report.h"
+#include "app/session/setting_json.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 

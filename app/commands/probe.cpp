@@ -6,16 +6,16 @@
 #include <memory>
 
 #include "app/commands/commands.h"
-#include "app/cures_json.h"
-#include "app/headless_context.h"
-#include "app/notes.h"
-#include "app/probe_json.h"
-#include "app/report.h"
-#include "app/views.h"
-#include "renderer/error.h"
-#include "renderer/param.h"
+#include "app/report/cures_json.h"
+#include "app/context/headless_context.h"
+#include "app/base/notes.h"
+#include "app/report/probe_json.h"
+#include "app/report/report.h"
+#include "app/report/views.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
 #include "renderer/reference/truth_scene.h"
-#include "renderer/renderer.h"
+#include "renderer/frame/renderer.h"
 
 namespace si {
 namespace {

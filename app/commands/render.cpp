@@ -2,18 +2,18 @@
 
 #include <charconv>
 
-#include "app/against.h"
+#include "app/report/against.h"
 #include "app/commands/commands.h"
-#include "app/headless_context.h"
-#include "app/map_report.h"
-#include "app/notes.h"
-#include "app/output.h"
-#include "app/presets.h"
-#include "app/report.h"
-#include "app/views.h"
-#include "renderer/error.h"
+#include "app/context/headless_context.h"
+#include "app/report/map_report.h"
+#include "app/base/notes.h"
+#include "app/base/output.h"
+#include "app/session/presets.h"
+#include "app/report/report.h"
+#include "app/report/views.h"
+#include "renderer/base/error.h"
 #include "renderer/reference/truth_picture.h"
-#include "renderer/lost_casters.h"
+#include "renderer/inspect/lost_casters.h"
 
 namespace si {
 

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "app/commands/commands.h"
-#include "app/notes.h"
-#include "app/report.h"
-#include "renderer/animation.h"
+#include "app/base/notes.h"
+#include "app/report/report.h"
+#include "renderer/scene/animation.h"
 #include "renderer/scenes/builtin.h"
 
 namespace si {

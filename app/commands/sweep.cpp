@@ -3,14 +3,14 @@
 #include <chrono>
 
 #include "app/commands/commands.h"
-#include "app/headless_context.h"
-#include "app/interrupt.h"
-#include "app/notes.h"
+#include "app/context/headless_context.h"
+#include "app/base/interrupt.h"
+#include "app/base/notes.h"
 #include "app/sweep/files.h"
 #include "app/sweep/merge.h"
 #include "app/sweep/progress_line.h"
 #include "app/sweep/running_sweep.h"
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "renderer/scenes/builtin.h"
 
 namespace si {

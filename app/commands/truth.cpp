@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
 #include "app/commands/commands.h"
-#include "app/headless_context.h"
-#include "app/measure_json.h"
-#include "app/notes.h"
-#include "app/output.h"
-#include "app/report.h"
-#include "app/views.h"
-#include "renderer/error.h"
+#include "app/context/headless_context.h"
+#include "app/report/measure_json.h"
+#include "app/base/notes.h"
+#include "app/base/output.h"
+#include "app/report/report.h"
+#include "app/report/views.h"
+#include "renderer/base/error.h"
 #include "renderer/reference/truth_task.h"
 
 namespace si {

@@ -3,18 +3,18 @@
 #include <chrono>
 
 #include "app/commands/commands.h"
-#include "app/headless_context.h"
-#include "app/interrupt.h"
-#include "app/measure_json.h"
-#include "app/notes.h"
-#include "app/output.h"
-#include "app/report.h"
-#include "app/setting_json.h"
+#include "app/context/headless_context.h"
+#include "app/base/interrupt.h"
+#include "app/report/measure_json.h"
+#include "app/base/notes.h"
+#include "app/base/output.h"
+#include "app/report/report.h"
+#include "app/session/setting_json.h"
 #include "app/sweep/progress_line.h"
-#include "app/tuning.h"
-#include "renderer/error.h"
-#include "renderer/param.h"
-#include "renderer/techniques.h"
+#include "app/sweep/tuning.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
+#include "renderer/settings/techniques.h"
 
 namespace si {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "app/session.h"
+#include "app/session/session.h"
 #include "renderer/measure/axes.h"
 
 namespace si {

@@ -7,14 +7,14 @@
 
 #include <algorithm>
 
-#include "app/output.h"
-#include "app/presets.h"
-#include "app/report.h"
+#include "app/base/output.h"
+#include "app/session/presets.h"
+#include "app/report/report.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/html_report.h"
 #include "app/sweep/journal.h"
 #include "app/sweep/results.h"
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace si {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "app/sweep/columns.h"
 #include "app/sweep/results.h"
-#include "renderer/embedded.h"
-#include "renderer/error.h"
+#include "renderer/base/embedded.h"
+#include "renderer/base/error.h"
 #include "renderer/measure/artefact_picture.h"
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 

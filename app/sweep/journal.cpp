@@ -11,8 +11,8 @@
 #include <iterator>
 #include <string_view>
 
-#include "app/output.h"
-#include "renderer/error.h"
+#include "app/base/output.h"
+#include "renderer/base/error.h"
 
 namespace si {
 namespace {

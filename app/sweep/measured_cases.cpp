@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/sweep/columns.h"
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {

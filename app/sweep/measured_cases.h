@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ui/measured.h"
+#include "ui/state/measured.h"
 
 namespace si {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace si {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace si {
 namespace {

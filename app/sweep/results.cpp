@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/measure_json.h"
+#include "app/report/measure_json.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/measured_cases.h"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <new>
 
-#include "app/notes.h"
-#include "app/output.h"
+#include "app/base/notes.h"
+#include "app/base/output.h"
 #include "app/sweep/results.h"
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace si {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <charconv>
 
-#include "renderer/error.h"
-#include "renderer/key.h"
-#include "renderer/param.h"
+#include "renderer/base/error.h"
+#include "renderer/base/key.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 

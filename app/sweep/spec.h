@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/session.h"
+#include "app/session/session.h"
 #include "renderer/measure/axes.h"
 
 namespace si {

@@ -11,9 +11,9 @@
 #include <fstream>
 #include <thread>
 
-#include "app/measure_json.h"
-#include "renderer/error.h"
-#include "renderer/key.h"
+#include "app/report/measure_json.h"
+#include "renderer/base/error.h"
+#include "renderer/base/key.h"
 
 namespace si {
 

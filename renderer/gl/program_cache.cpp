@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/error.h"
-#include "renderer/key.h"
+#include "renderer/base/error.h"
+#include "renderer/base/key.h"
 
 namespace si::gl {
 namespace {

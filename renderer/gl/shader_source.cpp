@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "renderer/embedded.h"
-#include "renderer/error.h"
+#include "renderer/base/embedded.h"
+#include "renderer/base/error.h"
 
 namespace si::gl {
 namespace {

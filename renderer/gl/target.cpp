@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace si::gl {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "renderer/gltf/text.h"
 
 namespace si::gltf {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/gltf_loader.h"
+#include "renderer/gltf/gltf.h"
 
 namespace si::gltf {
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "renderer/gltf/text.h"
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 
 namespace si::gltf {
 namespace {

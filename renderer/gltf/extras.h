@@ -3,7 +3,7 @@
 
 #include "renderer/gltf/context.h"
 #include "renderer/gltf/json_guard.h"
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace si::gltf {
 

@@ -7,7 +7,7 @@
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf/nodes.h"
 #include "renderer/gltf/text.h"
-#include "renderer/settings.h"
+#include "renderer/settings/settings.h"
 
 namespace si::gltf {
 namespace {

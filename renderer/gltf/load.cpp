@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
 #include "renderer/gltf/text.h"
-#include "renderer/scene_lights.h"
-#include "renderer/settings.h"
+#include "renderer/view/scene_lights.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "renderer/float_bits.h"
+#include "renderer/base/float_bits.h"
 #include "renderer/gltf/text.h"
 
 namespace si::gltf {

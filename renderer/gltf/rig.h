@@ -1,7 +1,7 @@
 // What moves in a glTF file: skins, morph targets and animations, as the scene's rig.
 #pragma once
 
-#include "renderer/animation.h"
+#include "renderer/scene/animation.h"
 #include "renderer/gltf/nodes.h"
 
 namespace si::gltf {

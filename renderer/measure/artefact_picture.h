@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/frame.h"
+#include "renderer/frame/frame.h"
 #include "renderer/reference/metrics.h"
 
 namespace si {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "renderer/error.h"
-#include "renderer/param.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/settings.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
 

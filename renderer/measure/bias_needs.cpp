@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/bias_account.h"
-#include "renderer/param.h"
+#include "renderer/bias/account.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {

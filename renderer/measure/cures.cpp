@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <set>
 
-#include "renderer/bias_account.h"
-#include "renderer/manual_light.h"
+#include "renderer/bias/account.h"
+#include "renderer/view/manual_light.h"
 #include "renderer/measure/axes.h"
 #include "renderer/measure/time_sampler.h"
-#include "renderer/param.h"
-#include "renderer/techniques.h"
+#include "renderer/settings/param.h"
+#include "renderer/settings/techniques.h"
 
 namespace si {
 namespace {

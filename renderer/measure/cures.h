@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/dossier.h"
+#include "renderer/inspect/dossier.h"
 #include "renderer/measure/bias_needs.h"
 
 namespace si {

@@ -4,7 +4,7 @@
 
 #include "renderer/measure/time_sampler.h"
 #include "renderer/reference/error_task.h"
-#include "renderer/renderer.h"
+#include "renderer/frame/renderer.h"
 
 namespace si {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame.h"
+#include "renderer/frame/frame.h"
 #include "renderer/measure/frontier.h"
 
 namespace si {

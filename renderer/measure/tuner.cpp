@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/techniques.h"
+#include "renderer/settings/techniques.h"
 
 namespace si {
 namespace {

@@ -1,5 +1,5 @@
 // The camera's depth by itself, for what reads it: the map viewer and the texel slabs.
-#include "renderer/frame_state.h"
+#include "renderer/frame/state.h"
 
 namespace si {
 

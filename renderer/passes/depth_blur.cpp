@@ -2,7 +2,7 @@
 // and receiver that is not there ("corresponds to filtered geometry"), where a filter averages the tests' results.
 #include <fmt/format.h>
 
-#include "renderer/frame_state.h"
+#include "renderer/frame/state.h"
 
 namespace si {
 namespace {

@@ -6,8 +6,8 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
-#include "renderer/driver.h"
-#include "renderer/frame_state.h"
+#include "renderer/frame/driver.h"
+#include "renderer/frame/state.h"
 
 namespace si {
 namespace {

@@ -1,7 +1,7 @@
 // Where in the shown light's map each pixel's kernel is centred.
 #include <algorithm>
 
-#include "renderer/frame_state.h"
+#include "renderer/frame/state.h"
 
 namespace si {
 

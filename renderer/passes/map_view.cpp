@@ -1,8 +1,8 @@
 // A depth image as a picture for people: a shadow map, or the camera's depth.
 #include <algorithm>
 
-#include "renderer/depth_histogram.h"
-#include "renderer/frame_state.h"
+#include "renderer/inspect/depth_histogram.h"
+#include "renderer/frame/state.h"
 
 namespace si {
 namespace {

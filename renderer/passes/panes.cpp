@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "renderer/frame_state.h"
+#include "renderer/frame/state.h"
 
 namespace si {
 namespace {

@@ -1,5 +1,5 @@
 // The surfaces that the camera sees, pixel by pixel, for passes that evaluate some of them again.
-#include "renderer/frame_state.h"
+#include "renderer/frame/state.h"
 
 namespace si {
 

@@ -1,7 +1,7 @@
 // The lit picture. Evaluates visibility itself unless the visibility texture exists anyway.
 #include <algorithm>
 
-#include "renderer/frame_state.h"
+#include "renderer/frame/state.h"
 
 namespace si {
 namespace {

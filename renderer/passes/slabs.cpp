@@ -1,7 +1,7 @@
 // Texels of the shown light's map as quads in the scene, over a pane's picture.
 #include <algorithm>
 
-#include "renderer/frame_state.h"
+#include "renderer/frame/state.h"
 
 namespace si {
 namespace {

@@ -1,5 +1,5 @@
 // Which triangle of which object each pixel shows, for whoever needs the surface itself.
-#include "renderer/frame_state.h"
+#include "renderer/frame/state.h"
 
 namespace si {
 

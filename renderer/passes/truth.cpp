@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/frame_state.h"
+#include "renderer/frame/state.h"
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/live_error.h"

@@ -1,5 +1,5 @@
 // Visibility of each light as a texture of its own.
-#include "renderer/frame_state.h"
+#include "renderer/frame/state.h"
 
 namespace si {
 

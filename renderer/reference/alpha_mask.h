@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace si {
 

@@ -5,8 +5,8 @@
 #include <glm/glm.hpp>
 #include <limits>
 
-#include "renderer/light_fit.h"
-#include "renderer/settings.h"
+#include "renderer/view/light_fit.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
 

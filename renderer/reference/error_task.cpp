@@ -1,6 +1,6 @@
 #include "renderer/reference/error_task.h"
 
-#include "renderer/techniques.h"
+#include "renderer/settings/techniques.h"
 
 namespace si {
 

@@ -5,8 +5,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "renderer/camera.h"
-#include "renderer/frame.h"
+#include "renderer/view/camera.h"
+#include "renderer/frame/frame.h"
 #include "renderer/reference/truth_geometry.h"
 #include "renderer/reference/workers.h"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "renderer/light_receiver.h"
+#include "renderer/bias/light_receiver.h"
 
 namespace si {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <mutex>
 
-#include "renderer/light_receiver.h"
+#include "renderer/bias/light_receiver.h"
 #include "renderer/reference/truth_rays.h"
 
 namespace si {

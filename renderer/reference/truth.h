@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame.h"
+#include "renderer/frame/frame.h"
 #include "renderer/reference/emitter.h"
 #include "renderer/reference/receivers.h"
 #include "renderer/reference/truth_scene.h"

@@ -7,10 +7,10 @@
 #include <memory>
 #include <vector>
 
-#include "renderer/key.h"
+#include "renderer/base/key.h"
 #include "renderer/reference/alpha_mask.h"
-#include "renderer/scene.h"
-#include "renderer/settings.h"
+#include "renderer/scene/scene.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
 

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "renderer/reference/shadow_runs.h"
-#include "renderer/renderer.h"
+#include "renderer/frame/renderer.h"
 
 namespace si {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <stop_token>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace si {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "renderer/error.h"
-#include "renderer/param.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
 #include "renderer/scenes/makers.h"
 
 namespace si {

@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
-#include "renderer/gltf_loader.h"
-#include "renderer/scene.h"
+#include "renderer/gltf/gltf.h"
+#include "renderer/scene/scene.h"
 
 namespace si {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace si {
 

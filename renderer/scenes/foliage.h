@@ -1,7 +1,7 @@
 // Leaves: a texture with alpha drawn in code, and clusters of cards that carry it.
 #pragma once
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace si {
 

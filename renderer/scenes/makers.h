@@ -1,7 +1,7 @@
 // The functions behind the rows of builtin_scenes(), one file each (basic.cpp holds the three small ones).
 #pragma once
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace si {
 

@@ -1,7 +1,7 @@
 // The teapot of the lectures.
 #pragma once
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace si {
 

@@ -1,7 +1,7 @@
 // Rolling land as a function of place, the same on every machine.
 #pragma once
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace si {
 

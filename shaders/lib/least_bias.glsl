@@ -1,4 +1,4 @@
-// How much bias a triangle's plane needs, and how much it gets: renderer/bias_theory.h and bias_account.h in single
+// How much bias a triangle's plane needs, and how much it gets: renderer/bias/theory.h and bias_account.h in single
 // precision. Depths are in depth-buffer units; texels_nearer() makes texels of them.
 
 /// The plane's depth gradient over the map, per map width. From two directions within the plane and their steps in the

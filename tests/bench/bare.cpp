@@ -5,7 +5,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <string>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace si {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/frame.h"
+#include "renderer/frame/frame.h"
 #include "renderer/gl/handle.h"
 #include "renderer/gl/target.h"
 

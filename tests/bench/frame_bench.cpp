@@ -10,10 +10,10 @@
 #include <map>
 #include <memory>
 
-#include "app/headless_context.h"
-#include "app/session.h"
-#include "renderer/param.h"
-#include "renderer/renderer.h"
+#include "app/context/headless_context.h"
+#include "app/session/session.h"
+#include "renderer/settings/param.h"
+#include "renderer/frame/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/bench/bare.h"
 #include "tests/bench/load_bench.h"

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "app/headless_context.h"
-#include "renderer/param.h"
+#include "app/context/headless_context.h"
+#include "renderer/settings/param.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"

@@ -15,10 +15,10 @@
 #include <map>
 #include <string>
 
-#include "app/headless_context.h"
-#include "app/session.h"
-#include "renderer/gltf_loader.h"
-#include "renderer/renderer.h"
+#include "app/context/headless_context.h"
+#include "app/session/session.h"
+#include "renderer/gltf/gltf.h"
+#include "renderer/frame/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 

@@ -9,10 +9,10 @@
 #include <map>
 #include <memory>
 
-#include "app/headless_context.h"
+#include "app/context/headless_context.h"
 #include "renderer/reference/embree.h"
 #include "renderer/reference/truth_task.h"
-#include "renderer/renderer.h"
+#include "renderer/frame/renderer.h"
 #include "tests/support/agreed_scene.h"
 
 namespace si {

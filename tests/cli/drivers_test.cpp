@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "app/presets.h"
+#include "app/session/presets.h"
 #include "tests/support/process.h"
 
 namespace si {

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "app/commands/commands.h"
-#include "app/presets.h"
-#include "renderer/param.h"
+#include "app/session/presets.h"
+#include "renderer/settings/param.h"
 #include "tests/support/process.h"
 
 namespace si {

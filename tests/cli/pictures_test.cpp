@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "renderer/settings.h"
+#include "renderer/settings/settings.h"
 #include "tests/support/process.h"
 
 namespace si {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "app/output.h"
+#include "app/base/output.h"
 #include "app/sweep/html_report.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/process.h"

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <string>
 
-#include "app/headless_context.h"
-#include "app/window_context.h"
-#include "renderer/error.h"
+#include "app/context/headless_context.h"
+#include "app/context/window_context.h"
+#include "renderer/base/error.h"
 
 namespace si {
 namespace {

@@ -1,9 +1,9 @@
 // The dossier of a probed pixel: taps that add up to what the GPU found, a truth that agrees with `measure`, verdicts,
 // and remedies that work.
-#include "renderer/dossier.h"
+#include "renderer/inspect/dossier.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/techniques.h"
+#include "renderer/settings/techniques.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 

@@ -1,7 +1,7 @@
 // Normals of triangles as shaders have them, against those of the geometry in double: near and far from the world's origin,
 // seen along the surface, mirrored, stretched and bent.
-#include "renderer/animation.h"
-#include "renderer/bias_account.h"
+#include "renderer/scene/animation.h"
+#include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/headless_context.h"
-#include "renderer/param.h"
-#include "renderer/probe.h"
-#include "renderer/renderer.h"
+#include "app/context/headless_context.h"
+#include "renderer/settings/param.h"
+#include "renderer/inspect/probe.h"
+#include "renderer/frame/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/named_driver.h"
 

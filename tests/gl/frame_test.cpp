@@ -4,7 +4,7 @@
 #include <set>
 
 #include "renderer/reference/truth_picture.h"
-#include "renderer/techniques.h"
+#include "renderer/settings/techniques.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/headless_context.h"
-#include "renderer/error.h"
+#include "app/context/headless_context.h"
+#include "renderer/base/error.h"
 #include "renderer/gl/program_cache.h"
 
 namespace si {

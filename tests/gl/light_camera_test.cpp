@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/texel_usage.h"
+#include "renderer/inspect/texel_usage.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -1,5 +1,5 @@
 // What a frame says is wrong with its shadows, against the same computed on the CPU.
-#include "renderer/bias_account.h"
+#include "renderer/bias/account.h"
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/live_error.h"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/depth_histogram.h"
-#include "renderer/error.h"
+#include "renderer/inspect/depth_histogram.h"
+#include "renderer/base/error.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

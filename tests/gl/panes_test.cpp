@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/views.h"
-#include "renderer/value_range.h"
+#include "app/report/views.h"
+#include "renderer/frame/value_range.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
 

@@ -1,8 +1,8 @@
 // What files bring besides triangles, in real frames: movement, normal maps, blended casters.
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/session.h"
-#include "renderer/animation.h"
+#include "app/session/session.h"
+#include "renderer/scene/animation.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/unit/gltf_test_file.h"

@@ -1,5 +1,5 @@
 // Which triangle each pixel shows, as the GPU draws it, against rays tested with every triangle.
-#include "app/session.h"
+#include "app/session/session.h"
 #include "renderer/reference/receivers.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"

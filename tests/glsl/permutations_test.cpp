@@ -20,10 +20,10 @@
 #include <unordered_set>
 
 #include "renderer/gl/shader_source.h"
-#include "renderer/key.h"
+#include "renderer/base/key.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/techniques.h"
+#include "renderer/settings/techniques.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
 

@@ -1,9 +1,9 @@
 // Hard cases 1 to 3: the least bias of planes, from the theory, on the renderer's own maps.
 #include <cmath>
 
-#include "renderer/bias_account.h"
+#include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/techniques.h"
+#include "renderer/settings/techniques.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {

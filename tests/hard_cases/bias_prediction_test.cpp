@@ -8,9 +8,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "renderer/bias_account.h"
+#include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/techniques.h"
+#include "renderer/settings/techniques.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "renderer/bias_theory.h"
+#include "renderer/bias/theory.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/support/hard_case.h"
 

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <set>
 
-#include "app/output.h"
-#include "app/presets.h"
-#include "app/session.h"
-#include "renderer/param.h"
+#include "app/base/output.h"
+#include "app/session/presets.h"
+#include "app/session/session.h"
+#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/hard_cases/guided_claims.h"
 #include "tests/support/guided.h"

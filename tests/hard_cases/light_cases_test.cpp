@@ -1,7 +1,7 @@
 // Hard cases 6 to 9: lights in awkward places.
 #include <cmath>
 
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"

@@ -2,7 +2,7 @@
 // eight flat colours, without textures, seen from above. The same bytes on every machine.
 #pragma once
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace si::test {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "app/measure_json.h"
+#include "app/report/measure_json.h"
 #include "app/sweep/journal.h"
 #include "app/sweep/results.h"
 #include "app/sweep/runner.h"
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace si {
 

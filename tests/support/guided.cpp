@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/presets.h"
-#include "app/session.h"
+#include "app/session/presets.h"
+#include "app/session/session.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/scenes/builtin.h"
 

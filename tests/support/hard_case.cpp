@@ -3,9 +3,9 @@
 #include <cmath>
 #include <optional>
 
-#include "app/headless_context.h"
+#include "app/context/headless_context.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/techniques.h"
+#include "renderer/settings/techniques.h"
 #include "tests/support/named_driver.h"
 
 namespace si::test {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/renderer.h"
+#include "renderer/frame/renderer.h"
 #include "tests/support/ray_truth.h"
 
 namespace si::test {

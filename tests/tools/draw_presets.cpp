@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/headless_context.h"
-#include "app/session.h"
-#include "renderer/renderer.h"
+#include "app/context/headless_context.h"
+#include "app/session/session.h"
+#include "renderer/frame/renderer.h"
 
 namespace {
 

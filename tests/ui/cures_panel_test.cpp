@@ -1,9 +1,9 @@
 // The cure table and the table of biases that were tried: what they ask for, what a click does, and both on real frames.
 #include <gtest/gtest.h>
 
-#include "app/headless_editor.h"
+#include "app/editor/headless_editor.h"
 #include "renderer/measure/cures.h"
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
 
 namespace si::test {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/headless_editor.h"
-#include "renderer/param.h"
+#include "app/editor/headless_editor.h"
+#include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
-#include "ui/kernel_marks.h"
+#include "ui/scene_view/kernel_marks.h"
 
 namespace si::test {
 namespace {

@@ -1,6 +1,6 @@
 #include "tests/ui/drawn_text.h"
 
-#include "renderer/key.h"
+#include "renderer/base/key.h"
 #include "tests/support/text.h"
 
 namespace si::test {

@@ -1,5 +1,5 @@
 // Sweeps behind the editor: on a thread of their own, kept in a journal, cancelled and gone on with.
-#include "app/editor_sweep.h"
+#include "app/editor/sweep.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "app/headless_editor.h"
+#include "app/editor/headless_editor.h"
 #include "app/sweep/results.h"
 #include "tests/support/process.h"
 

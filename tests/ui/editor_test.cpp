@@ -6,10 +6,10 @@
 #include <fstream>
 #include <set>
 
-#include "app/headless_editor.h"
-#include "app/output.h"
-#include "app/presets.h"
-#include "renderer/param.h"
+#include "app/editor/headless_editor.h"
+#include "app/base/output.h"
+#include "app/session/presets.h"
+#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
 
 namespace si {

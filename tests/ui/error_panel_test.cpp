@@ -6,9 +6,9 @@
 #include <set>
 
 #include "renderer/measure/artefact_picture.h"
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 
 namespace si::test {
 namespace {

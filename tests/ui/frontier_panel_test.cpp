@@ -4,9 +4,9 @@
 #include <imgui_internal.h>
 
 #include "app/sweep/measured_cases.h"
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
-#include "ui/playback.h"
+#include "ui/state/playback.h"
 
 namespace si::test {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "tests/support/box_scene.h"
-#include "ui/camera_gesture.h"
-#include "ui/light_lines.h"
+#include "ui/scene_view/camera_gesture.h"
+#include "ui/scene_view/light_lines.h"
 
 namespace si {
 namespace {

@@ -1,9 +1,9 @@
 // Undo and redo of gestures, and the log.
-#include "ui/history.h"
+#include "ui/state/history.h"
 
 #include <gtest/gtest.h>
 
-#include "ui/log.h"
+#include "ui/state/log.h"
 
 namespace si {
 namespace {

@@ -1,5 +1,5 @@
 // Handles dragged by a known way on the screen against what that way is in the world.
-#include "ui/light_drag.h"
+#include "ui/scene_view/light_drag.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/manual_light.h"
+#include "renderer/view/manual_light.h"
 #include "tests/support/box_scene.h"
-#include "ui/panels.h"
+#include "ui/state/panels.h"
 
 namespace si {
 namespace {

@@ -3,8 +3,8 @@
 #include <imgui.h>
 
 #include "tests/ui/ui_harness.h"
-#include "ui/light_drag.h"
-#include "ui/light_marks.h"
+#include "ui/scene_view/light_drag.h"
+#include "ui/scene_view/light_marks.h"
 
 namespace si::test {
 namespace {

@@ -11,16 +11,16 @@
 #include <string>
 #include <vector>
 
-#include "app/headless_editor.h"
-#include "app/presets.h"
-#include "app/scene_loading.h"
-#include "renderer/error.h"
-#include "renderer/gltf_loader.h"
+#include "app/editor/headless_editor.h"
+#include "app/session/presets.h"
+#include "app/session/scene_loading.h"
+#include "renderer/base/error.h"
+#include "renderer/gltf/gltf.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/ui/ui_harness.h"
 #include "tests/unit/gltf_test_file.h"
-#include "ui/panels.h"
-#include "ui/scene_choices.h"
+#include "ui/state/panels.h"
+#include "ui/state/scene_choices.h"
 
 namespace si {
 namespace {

@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/headless_editor.h"
-#include "app/output.h"
-#include "app/session.h"
+#include "app/editor/headless_editor.h"
+#include "app/base/output.h"
+#include "app/session/session.h"
 #include "renderer/scenes/builtin.h"
-#include "ui/depth_plots.h"
-#include "ui/map_marks.h"
+#include "ui/map_view/depth_plots.h"
+#include "ui/map_view/map_marks.h"
 
 namespace si {
 namespace {

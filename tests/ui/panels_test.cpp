@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
-#include "ui/setting_widgets.h"
+#include "ui/widgets/setting_widgets.h"
 
 namespace si::test {
 namespace {

@@ -1,15 +1,15 @@
 // Playing an animation: the bar below the pictures, the clock, undo, and lights that follow.
-#include "ui/playback.h"
+#include "ui/state/playback.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include "app/headless_editor.h"
+#include "app/editor/headless_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "tests/unit/gltf_test_file.h"
-#include "ui/panels.h"
-#include "ui/scene_choices.h"
+#include "ui/state/panels.h"
+#include "ui/state/scene_choices.h"
 
 namespace si {
 namespace {

@@ -7,13 +7,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/headless_editor.h"
-#include "app/output.h"
-#include "app/setting_json.h"
-#include "renderer/param.h"
+#include "app/editor/headless_editor.h"
+#include "app/base/output.h"
+#include "app/session/setting_json.h"
+#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/process.h"
-#include "ui/playback.h"
+#include "ui/state/playback.h"
 
 namespace si {
 namespace {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/presets.h"
-#include "renderer/param.h"
+#include "app/session/presets.h"
+#include "renderer/settings/param.h"
 #include "tests/support/process.h"
 #include "tests/ui/ui_harness.h"
 

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "tests/support/box_scene.h"
-#include "ui/camera_outline.h"
-#include "ui/clip.h"
-#include "ui/probe_ray.h"
-#include "ui/selection.h"
+#include "ui/scene_view/camera_outline.h"
+#include "ui/widgets/clip.h"
+#include "ui/scene_view/probe_ray.h"
+#include "ui/state/selection.h"
 
 namespace si {
 namespace {

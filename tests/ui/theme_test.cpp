@@ -1,5 +1,5 @@
 // Marks that stand for different things are told apart by their hue, and so are the colours of numbers.
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/headless_editor.h"
-#include "app/output.h"
-#include "renderer/param.h"
-#include "ui/camera_steering.h"
-#include "ui/light_handles.h"
+#include "app/editor/headless_editor.h"
+#include "app/base/output.h"
+#include "renderer/settings/param.h"
+#include "ui/scene_view/camera_steering.h"
+#include "ui/scene_view/light_handles.h"
 
 namespace si::test {
 namespace {

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/headless_editor.h"
-#include "app/output.h"
-#include "renderer/param.h"
+#include "app/editor/headless_editor.h"
+#include "app/base/output.h"
+#include "renderer/settings/param.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"

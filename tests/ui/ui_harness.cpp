@@ -7,9 +7,9 @@
 #include <array>
 #include <cfloat>
 
-#include "renderer/pane_grid.h"
+#include "renderer/frame/pane_grid.h"
 #include "renderer/scenes/builtin.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 
 namespace si::test {
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame.h"
-#include "renderer/dossier.h"
+#include "renderer/frame/frame.h"
+#include "renderer/inspect/dossier.h"
 #include "renderer/reference/live_error.h"
 #include "tests/ui/drawn_text.h"
-#include "ui/editor_ui.h"
+#include "ui/state/editor_ui.h"
 
 namespace si::test {
 

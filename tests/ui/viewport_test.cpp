@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "renderer/camera_settings.h"
+#include "renderer/view/camera_settings.h"
 #include "tests/ui/ui_harness.h"
-#include "ui/selection.h"
+#include "ui/state/selection.h"
 
 namespace si::test {
 namespace {

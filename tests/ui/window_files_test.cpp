@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "app/headless_editor.h"
+#include "app/editor/headless_editor.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/process.h"
 #include "tests/ui/window_fixture.h"

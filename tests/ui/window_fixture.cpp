@@ -13,7 +13,7 @@
 #include <sstream>
 #include <thread>
 
-#include "app/output.h"
+#include "app/base/output.h"
 
 namespace si::test {
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame.h"
+#include "renderer/frame/frame.h"
 
 namespace si::test {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <thread>
 
-#include "app/headless_editor.h"
+#include "app/editor/headless_editor.h"
 #include "tests/ui/window_fixture.h"
 
 namespace si::test {

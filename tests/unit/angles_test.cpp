@@ -1,8 +1,8 @@
-#include "renderer/angles.h"
+#include "renderer/base/angles.h"
 
 #include <gtest/gtest.h>
 
-#include "renderer/light_fit.h"
+#include "renderer/view/light_fit.h"
 
 namespace si {
 namespace {

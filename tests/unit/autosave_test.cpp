@@ -1,6 +1,6 @@
 // What a crash leaves, who is offered it, and that running editors leave each other's files alone. A crash is an object
 // that goes without end().
-#include "app/autosave.h"
+#include "app/session/autosave.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

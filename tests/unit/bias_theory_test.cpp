@@ -1,4 +1,4 @@
-#include "renderer/bias_theory.h"
+#include "renderer/bias/theory.h"
 
 #include <gtest/gtest.h>
 

@@ -11,9 +11,9 @@
 #include <ostream>
 #include <set>
 
-#include "renderer/error.h"
-#include "renderer/gltf_loader.h"
-#include "renderer/param.h"
+#include "renderer/base/error.h"
+#include "renderer/gltf/gltf.h"
+#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
 
 namespace si {

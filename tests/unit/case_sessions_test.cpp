@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "app/sweep/spec.h"
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/unit/gltf_test_file.h"
 

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "renderer/error.h"
-#include "renderer/gltf_loader.h"
+#include "renderer/base/error.h"
+#include "renderer/gltf/gltf.h"
 
 namespace si::test {
 namespace {

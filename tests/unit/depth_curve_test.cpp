@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "renderer/projection.h"
+#include "renderer/view/projection.h"
 
 namespace si {
 namespace {

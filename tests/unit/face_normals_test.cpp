@@ -1,4 +1,4 @@
-#include "renderer/face_normals.h"
+#include "renderer/scene/face_normals.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Posing glTF scenes: keyframes, morph targets and skins.
 #include <gtest/gtest.h>
 
-#include "renderer/animation.h"
+#include "renderer/scene/animation.h"
 #include "tests/unit/gltf_test_file.h"
 
 namespace si::test {

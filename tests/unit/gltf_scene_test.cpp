@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "renderer/settings.h"
+#include "renderer/settings/settings.h"
 #include "tests/unit/gltf_test_file.h"
 
 namespace si::test {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/error.h"
-#include "renderer/gltf_loader.h"
+#include "renderer/base/error.h"
+#include "renderer/gltf/gltf.h"
 
 namespace si::test {
 

@@ -1,4 +1,4 @@
-#include "renderer/kernel_taps.h"
+#include "renderer/inspect/kernel_taps.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/light_fit.h"
+#include "renderer/view/light_fit.h"
 
 #include <gtest/gtest.h>
 

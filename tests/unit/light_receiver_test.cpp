@@ -1,7 +1,7 @@
 // Bias and gaps under spot and point lights, whose depth is no multiple of metres.
 #include <gtest/gtest.h>
 
-#include "renderer/bias_account.h"
+#include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
 
 namespace si {

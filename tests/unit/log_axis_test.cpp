@@ -1,4 +1,4 @@
-#include "ui/log_axis.h"
+#include "ui/widgets/log_axis.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/lost_casters.h"
+#include "renderer/inspect/lost_casters.h"
 
 #include <gtest/gtest.h>
 

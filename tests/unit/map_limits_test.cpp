@@ -1,9 +1,9 @@
 // What a map cannot resolve is told with its light: steps of depth and texels against closed forms.
-#include "renderer/map_limits.h"
+#include "renderer/view/map_limits.h"
 
 #include <gtest/gtest.h>
 
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

@@ -1,12 +1,12 @@
 // The split view's grid, and colour scales fitted to values.
-#include "renderer/pane_grid.h"
+#include "renderer/frame/pane_grid.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "renderer/settings.h"
-#include "renderer/value_range.h"
+#include "renderer/settings/settings.h"
+#include "renderer/frame/value_range.h"
 
 namespace si {
 namespace {

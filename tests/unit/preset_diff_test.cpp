@@ -1,5 +1,5 @@
 // Differences in words: nothing missed, nothing invented, units and headings right.
-#include "app/preset_diff.h"
+#include "app/session/preset_diff.h"
 
 #include <gtest/gtest.h>
 

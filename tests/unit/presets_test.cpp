@@ -1,5 +1,5 @@
 // Presets: what is written is read back; what is wrong is refused with file, place and remedy.
-#include "app/presets.h"
+#include "app/session/presets.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/output.h"
-#include "renderer/error.h"
-#include "renderer/param.h"
+#include "app/base/output.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {

@@ -1,14 +1,14 @@
 // The lights of a file as settings: places, directions, cones and colours come back out of the fit.
-#include "renderer/scene_lights.h"
+#include "renderer/view/scene_lights.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/session.h"
-#include "renderer/gltf_loader.h"
-#include "renderer/light_fit.h"
-#include "renderer/param.h"
+#include "app/session/session.h"
+#include "renderer/gltf/gltf.h"
+#include "renderer/view/light_fit.h"
+#include "renderer/settings/param.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

@@ -1,5 +1,5 @@
 // finalise(), bounds and the shapes that scenes are made of.
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <set>
 #include <tuple>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/scenes/teapot.h"
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <set>
 
-#include "renderer/error.h"
-#include "renderer/param.h"
-#include "renderer/settings_rows.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
+#include "renderer/settings/rows.h"
 
 namespace si {
 namespace {

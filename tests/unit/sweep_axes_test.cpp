@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "renderer/measure/axes.h"
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/editor_sweep.h"
+#include "app/editor/sweep.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/merge.h"
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/process.h"

@@ -1,12 +1,12 @@
 // Which texels a picture reads, in cases that can be counted by hand.
-#include "renderer/texel_usage.h"
+#include "renderer/inspect/texel_usage.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "renderer/techniques.h"
+#include "renderer/settings/techniques.h"
 
 namespace si {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "renderer/techniques.h"
+#include "renderer/settings/techniques.h"
 
 namespace si {
 namespace {

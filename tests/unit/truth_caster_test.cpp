@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/support/traced.h"
 

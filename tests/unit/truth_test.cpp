@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/param.h"
+#include "renderer/settings/param.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/support/ray_truth.h"
 #include "tests/support/traced.h"

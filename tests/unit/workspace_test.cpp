@@ -1,5 +1,5 @@
 // What is remembered between runs, and that no file there can hinder the editor.
-#include "app/workspace.h"
+#include "app/session/workspace.h"
 
 #include <gtest/gtest.h>
 

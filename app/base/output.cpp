@@ -1,0 +1,157 @@
+#include "app/base/output.h"
+
+#include <fmt/format.h>
+#include <stb/stb_image_write.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "renderer/base/error.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxTextBytes = std::size_t{16} << 20;
+
+std::string reason() {
+    return std::strerror(errno);
+}
+
+/// The file behind a chain of links, so that a rename does not replace the link.
+fs::path behind_links(const fs::path& path) {
+    std::error_code error;
+    const fs::path real = fs::weakly_canonical(path, error);
+    return error || real.empty() ? path : real;
+}
+
+bool is_special(const fs::path& path) {
+    std::error_code error;
+    const auto status = fs::status(path, error);
+    return !error && fs::exists(status) && !fs::is_regular_file(status);
+}
+
+void write_bytes(const fs::path& to, std::string_view bytes, const fs::path& named) {
+    std::FILE* file = std::fopen(to.c_str(), "wb");
+    if (!file) throw Error(fmt::format("{}: cannot be written: {}", named.string(), reason()));
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
+    std::string why = written ? "" : reason();
+    if (std::fclose(file) != 0 && why.empty()) why = reason();
+    if (!why.empty()) throw Error(fmt::format("{}: cannot be written: {}", named.string(), why));
+}
+
+std::string png_bytes(int width, int height, int channels, const std::vector<std::uint8_t>& pixels) {
+    std::string bytes;
+    const auto append = [](void* to, void* data, int size) {
+        static_cast<std::string*>(to)->append(static_cast<const char*>(data), std::size_t(size));
+    };
+    if (!stbi_write_png_to_func(append, &bytes, width, height, channels, pixels.data(), width * channels)) {
+        throw Error(fmt::format("a picture of {} x {} pixels could not be encoded as PNG", width, height));
+    }
+    return bytes;
+}
+
+}  // namespace
+
+void require_writable(const fs::path& path) {
+    std::error_code error;
+    if (path.empty()) throw Error("an empty file name cannot be written; name a file");
+    if (fs::is_directory(path, error)) {
+        throw Error(fmt::format("{}: is a directory; name a file in it", path.string()));
+    }
+    if (!path.has_filename()) throw Error(fmt::format("{}: names no file", path.string()));
+    if (is_special(path)) return;
+    const fs::path target = behind_links(path);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, error)) {
+        throw Error(fmt::format("{}: its folder {} does not exist; make it first", path.string(), folder.string()));
+    }
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+        throw Error(fmt::format("{}: its folder {} cannot be written: {}", path.string(), folder.string(), reason()));
+    }
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+    require_writable(path);
+    if (is_special(path)) return write_bytes(path, bytes, path);
+    const fs::path target = behind_links(path);
+    fs::path temporary = target;
+    temporary += fmt::format(".{}.tmp", ::getpid());
+    try {
+        write_bytes(temporary, bytes, path);
+        fs::rename(temporary, target);
+    } catch (const fs::filesystem_error& e) {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+        throw Error(fmt::format("{}: cannot be written: {}", path.string(), e.code().message()));
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+        throw;
+    }
+}
+
+std::string png_bytes(const ByteImage& image) {
+    std::vector<std::uint8_t> rgb(image.data.size() / 4 * 3);
+    for (std::size_t i = 0; i < rgb.size() / 3; ++i) std::copy_n(&image.data[4 * i], 3, &rgb[3 * i]);
+    return png_bytes(image.width, image.height, 3, rgb);
+}
+
+void write_png(const fs::path& path, const ByteImage& image) { write_file(path, png_bytes(image)); }
+
+void write_grey_png(const fs::path& path, const FloatImage& image) {
+    std::vector<std::uint8_t> grey(std::size_t(image.width) * std::size_t(image.height));
+    for (std::size_t i = 0; i < grey.size(); ++i) {
+        const float v = image.data[i * std::size_t(image.channels)];
+        grey[i] = std::isnan(v) ? 0 : std::uint8_t(std::lround(std::clamp(v, 0.f, 1.f) * 255.f));
+    }
+    write_file(path, png_bytes(image.width, image.height, 1, grey));
+}
+
+void write_pfm(const fs::path& path, const FloatImage& image) {
+    static_assert(std::endian::native == std::endian::little, "the scale of -1 below says little-endian");
+    std::string bytes = fmt::format("Pf\n{} {}\n-1.0\n", image.width, image.height);
+    for (int y = image.height; y-- > 0;) {
+        for (int x = 0; x < image.width; ++x) {
+            const float v = image.at(x, y);
+            char raw[sizeof v];
+            std::memcpy(raw, &v, sizeof v);
+            bytes.append(raw, sizeof v);
+        }
+    }
+    write_file(path, bytes);
+}
+
+std::string read_text_file(const fs::path& path) {
+    std::error_code error;
+    const auto status = fs::status(path, error);
+    if (!fs::exists(status)) throw Error(fmt::format("{}: no such file", path.string()));
+    if (!fs::is_regular_file(status)) throw Error(fmt::format("{}: is not a file", path.string()));
+    if (fs::file_size(path, error) > kMaxTextBytes) {
+        throw Error(fmt::format("{}: is larger than 16 MiB, which no text file of this program is", path.string()));
+    }
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw Error(fmt::format("{}: cannot be read: {}", path.string(), reason()));
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (in.bad()) throw Error(fmt::format("{}: cannot be read: {}", path.string(), reason()));
+    return text;
+}
+
+std::string lower_extension(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    return extension;
+}
+
+}  // namespace si

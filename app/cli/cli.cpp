@@ -1,0 +1,401 @@
+#include "app/cli/cli.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <new>
+#include <tuple>
+
+#include "app/cli/cli_measure.h"
+#include "app/commands/commands.h"
+#include "app/editor/editor.h"
+#include "app/base/notes.h"
+#include "app/base/output.h"
+#include "app/session/workspace.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+constexpr const char* kSceneHelp = "A .gltf or .glb file, or a built-in scene (`list scenes`)";
+
+/// Everything that the options of all commands are written to.
+struct Options {
+    SessionOptions session;
+    std::string size, output, file, other_file;
+    PresetTexts texts;
+    RenderOptions render;
+    ProbeOptions probe;
+    TruthCommandOptions truth;
+    MeasureOptions measure;
+    ListOptions list;
+    OverviewOptions overview;
+    ContactSheetOptions sheet;
+    EditorOptions editor;
+    MeasureCliOptions sweeps;
+    int file_scene = -1;
+    bool json = false, check = false, no_state = false, area = false;
+};
+
+void add_session_options(CLI::App& command, SessionOptions& session, bool scene_required) {
+    auto* scene = command.add_option("SCENE", session.scene, kSceneHelp);
+    if (scene_required) scene->required();
+    command.add_option("--preset", session.preset, "Start from a preset: a file or a built-in one (`list presets`)")
+        ->type_name("F");
+    command.add_option("--set", session.sets, "Set one setting; may be repeated, the last one wins")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command.footer([] { return settings_help(); });
+}
+
+void add_size(CLI::App& command, Options& o, const char* standard) {
+    o.size = "";
+    command.add_option("--size", o.size, fmt::format("Size of the picture in pixels (default {})", standard))
+        ->type_name("WxH");
+}
+
+PictureSize size_of(const Options& o) {
+    return o.size.empty() ? PictureSize{} : parse_size(o.size);
+}
+
+void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("render", "Draw a scene into a file");
+    add_session_options(*c, o.session, true);
+    c->add_option("-o,--output", o.output, "The file: .png (8 bit), or .pfm (float) for views of one number a pixel")
+        ->required()
+        ->type_name("OUT");
+    auto* view = c->add_option("--view", o.render.view,
+                               "shaded, visibility, shadow-map, camera-depth or an overlay (`list views`); "
+                               "without it the picture with the overlays and panes of view.*")
+                     ->type_name("V");
+    add_size(*c, o, "1280x720");
+    auto* against = c->add_option("--against", o.render.against,
+                                  "Hold the picture against another one of the same frame, right of it: truth (traced by "
+                                  "rays), or a preset (its light, maps, bias, filter and shading)")
+                        ->type_name("WHAT");
+    auto* swipe = c->add_option("--swipe", o.render.swipe,
+                                "With --against: one picture, this left of a line at X (0 to 1), the other right of it")
+                      ->check(CLI::Range(0.0, 1.0))
+                      ->type_name("X")
+                      ->needs(against);
+    c->add_flag("--difference", o.render.difference, "With --against: one picture of 2 |A - B|")
+        ->needs(against)
+        ->excludes(swipe);
+    c->add_option("--report", o.render.report, "Write facts of the frame as JSON: fit, settings, passes and times")
+        ->type_name("F.json");
+    c->callback([&o, &run, view] {
+        run = [&o, view] {
+            o.render.session = o.session;
+            o.render.output = o.output;
+            o.render.size = size_of(o);
+            o.render.view_given = view->count() > 0;
+            run_render(o.render);
+        };
+    });
+}
+
+void add_truth(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("truth", "Trace rays for what is true about a light's shadows, into a file");
+    add_session_options(*c, o.session, true);
+    c->add_option("-o,--output", o.output, "The file: .png (8 bit) or .pfm (float); 1 lit to 0 in shadow")
+        ->required()
+        ->type_name("OUT");
+    auto* area = c->add_flag("--area", o.truth.truth.area, "Give the light its size (light.size); else it is a point or a direction. As --set "
+                                       "truth.area=true");
+    c->add_flag("--as-rasterised", o.truth.truth.as_rasterised,
+                "Leave out the faces that culling leaves out of the shadow map (caster.cull)");
+    auto* samples = c->add_option("--samples", o.truth.truth.samples,
+                                  "With --area: most rays a pixel (default 1024). As --set truth.samples=N")
+                        ->check(CLI::Range(1, 1 << 20))
+                        ->type_name("N");
+    auto* noise = c->add_option("--noise", o.truth.truth.noise,
+                                "With --area: wanted standard error of a pixel (default 0.005). As --set truth.noise=E")
+                      ->check(CLI::Range(0.0, 1.0))
+                      ->type_name("E");
+    c->add_option("--threads", o.truth.threads, "Threads that trace (default: all)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    add_size(*c, o, "1280x720");
+    c->add_option("--report", o.truth.report, "Write counts, rays, noise and times as JSON")->type_name("F.json");
+    c->callback([&o, &run, area, samples, noise] {
+        run = [&o, area, samples, noise] {
+            o.truth.session = o.session;
+            std::vector<std::string>& sets = o.truth.session.sets;
+            if (area->count()) sets.push_back("truth.area=true");
+            if (samples->count()) sets.push_back(fmt::format("truth.samples={}", o.truth.truth.samples));
+            if (noise->count()) sets.push_back(fmt::format("truth.noise={}", o.truth.truth.noise));
+            o.truth.output = o.output;
+            o.truth.size = size_of(o);
+            run_truth(o.truth);
+        };
+    });
+}
+
+void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("measure",
+                                 "Compare a light's shadows with the ray-traced truth, and say what they cost, in numbers");
+    add_session_options(*c, o.session, true);
+    c->add_flag("--area", o.area,
+                "Against a light of its size (light.size), not a point or direction. As --set truth.area=true");
+    c->add_flag("!--no-time", o.measure.time, "Take no times");
+    c->add_flag("--cures", o.measure.cures,
+                "Draw and judge what may put wrong pixels right: pixels cured and broken, time and bytes of each change");
+    add_size(*c, o, "1280x720");
+    c->add_flag("--json", o.json, "All numbers as JSON");
+    c->callback([&o, &run] {
+        run = [&o] {
+            o.measure.session = o.session;
+            if (o.area) o.measure.session.sets.push_back("truth.area=true");
+            o.measure.size = size_of(o);
+            o.measure.json = o.json;
+            run_measure(o.measure);
+        };
+    });
+}
+
+void add_probe(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("probe", "Write out the shadow test of one pixel, step by step");
+    add_session_options(*c, o.session, true);
+    c->add_option("--pixel", o.probe.pixel, "The pixel, counted from the top left")->required()->type_name("X,Y");
+    add_size(*c, o, "1280x720");
+    c->add_flag("!--no-truth", o.probe.truth, "Trace no rays: only what the map says, no verdict on it");
+    c->add_flag("--json", o.json, "All numbers as JSON");
+    c->callback([&o, &run] {
+        run = [&o] {
+            o.probe.session = o.session;
+            o.probe.size = size_of(o);
+            o.probe.json = o.json;
+            run_probe(o.probe);
+        };
+    });
+}
+
+void add_list(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("list", "List what there is, with explanations");
+    c->add_option("WHAT", o.list.kind, "settings, filters, views, overlays, scenes or presets")->required();
+    c->add_option("KEY", o.list.prefix, "Only keys that start with this, such as bias or bias.slope");
+    c->add_flag("--json", o.json, "An array of rows as JSON");
+    c->callback([&o, &run] {
+        run = [&o] {
+            o.list.json = o.json;
+            run_list(o.list);
+        };
+    });
+}
+
+void add_presets(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("preset", "Check, show and write presets");
+    c->require_subcommand(1);
+    auto* check = c->add_subcommand("check", "Say whether a preset can be loaded, and if not, what is wrong where");
+    check->add_option("FILE", o.file, "A preset file, or a built-in preset")->required();
+    check->callback([&o, &run] { run = [&o] { run_preset_check(o.file); }; });
+    auto* show = c->add_subcommand("show", "List what a preset changes");
+    show->add_option("FILE", o.file, "A preset file, or a built-in preset")->required();
+    show->callback([&o, &run] { run = [&o] { run_preset_show(o.file); }; });
+    auto* save = c->add_subcommand("save", "Write what SCENE, --preset and --set amount to as a preset");
+    add_session_options(*save, o.session, true);
+    save->add_option("-o,--output", o.output, "The preset file, .json")->required()->type_name("FILE");
+    save->add_option("--about", o.texts.about, "A sentence on what to look at")->type_name("TEXT");
+    save->add_option("--title", o.texts.title, "A few words to list it by")->type_name("TEXT");
+    save->add_option("--topic", o.texts.topic, "What to list it under")->type_name("TEXT");
+    save->callback([&o, &run] { run = [&o] { run_preset_save(o.session, o.texts, o.output); }; });
+    auto* diff = c->add_subcommand("diff", "Say in words what differs between two presets");
+    diff->add_option("A", o.file, "A preset file, a built-in preset, or default")->required();
+    diff->add_option("B", o.other_file, "What to compare it with: the same")->required();
+    diff->add_flag("--json", o.json, "All differences as JSON");
+    diff->callback([&o, &run] { run = [&o] { run_preset_diff(o.file, o.other_file, o.json); }; });
+}
+
+void start_editor(Options& o) {
+    EditorOptions& e = o.editor;
+    if (e.headless && e.screenshot.empty()) throw UsageError("edit --headless: --screenshot F.png is missing");
+    if (!e.headless && !e.screenshot.empty()) throw UsageError("edit --screenshot: only together with --headless");
+    if (!e.screenshot.empty()) {
+        if (lower_extension(e.screenshot) != ".png") {
+            throw UsageError(fmt::format("{}: the screenshot must end in .png", e.screenshot.string()));
+        }
+        require_writable(e.screenshot);
+    }
+    if (!o.size.empty()) {
+        const PictureSize size = parse_size(o.size);
+        e.width = size.width, e.height = size.height;
+        e.size_given = true;
+    }
+    tab_named(e.tab);
+    if (!o.probe.pixel.empty())
+        std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe.pixel, {e.width, e.height}, "--probe");
+    e.session = o.session;
+    if (!e.headless && !o.no_state) e.state_folder = state_folder();
+    if (lower_extension(o.session.preset) == ".json") e.preset = o.session.preset;
+    print_notes(run_editor(e));
+}
+
+void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("edit", "Open the editor, or draw it into a file");
+    add_session_options(*c, o.session, false);
+    c->add_flag("--headless", o.editor.headless, "Draw the editor through EGL, without a display");
+    c->add_option("--screenshot", o.editor.screenshot, "Where --headless writes the picture")->type_name("F.png");
+    add_size(*c, o, "1600x900");
+    c->add_option("--probe", o.probe.pixel, "Probe this pixel of the scene's picture at the start")->type_name("X,Y");
+    c->add_option("--tab", o.editor.tab,
+                  "The tab in front at the start: passes, probe, error, objects, compare, frontier or log");
+    c->add_option("--sweep", o.editor.sweep, "Show the sweep in this folder in the tab frontier")->type_name("DIR");
+    c->add_flag("--no-state", o.no_state,
+                "Neither read nor keep layout, recent files and autosaves "
+                "($XDG_STATE_HOME/shadow-inspector, by default below ~/.local/state)");
+    c->callback([&o, &run] {
+        run = [&o] { start_editor(o); };
+    });
+}
+
+void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
+    auto* info = app.add_subcommand("info", "Say which driver draws, what it can do, and how time is measured");
+    info->add_flag("--json", o.json, "As JSON");
+    info->callback([&o, &run] { run = [&o] { run_info(o.json); }; });
+
+    auto* scene = app.add_subcommand("scene", "Say what is in a scene, and what of its file was dropped and why");
+    scene->add_option("SCENE", o.session.scene, kSceneHelp)->required();
+    scene->add_option("--index", o.file_scene, "Which scene of a glTF file, from 0 (default: the file's own default)")
+        ->check(CLI::Range(0, 9999))
+        ->type_name("N");
+    scene->add_flag("--json", o.json, "As JSON");
+    scene->callback([&o, &run] { run = [&o] { run_scene(o.session.scene, o.file_scene, o.json); }; });
+
+    auto* sheet = app.add_subcommand("contact-sheet", "Draw every model below a folder into one picture");
+    sheet->add_option("FOLDER", o.sheet.folder, "Where to look for .gltf and .glb files")->required();
+    sheet->add_option("-o,--output", o.sheet.output, "The sheet, .png; its index is written beside it as .txt")
+        ->required()
+        ->type_name("SHEET");
+    sheet->add_option("--columns", o.sheet.columns, "Tiles in a row (default 8)")->check(CLI::Range(1, 1000));
+    add_size(*sheet, o, "256x192");
+    sheet->callback([&o, &run] {
+        run = [&o] {
+            if (!o.size.empty()) o.sheet.size = parse_size(o.size);
+            run_contact_sheet(o.sheet);
+        };
+    });
+
+    auto* out = app.add_subcommand("export",
+                                   "Write a scene as glTF: the moment and the scene of the file that the settings "
+                                   "choose, and what else --preset and --set choose as its suggested settings");
+    add_session_options(*out, o.session, true);
+    out->add_option("-o,--output", o.output, "The file: .gltf (one file, buffers inside) or .glb")
+        ->required()
+        ->type_name("FILE");
+    out->callback([&o, &run] { run = [&o] { run_export(o.session, o.output); }; });
+
+    auto* overview = app.add_subcommand("overview",
+                                        "Draw editor, scene, shadow map and visibility into a folder, and "
+                                        "print passes and times");
+    add_session_options(*overview, o.session, false);
+    overview->add_option("-o,--output", o.overview.folder, "The folder; made if missing (default out)")
+        ->type_name("DIR");
+    add_size(*overview, o, "1280x720");
+    overview->callback([&o, &run] {
+        run = [&o] {
+            o.overview.session = o.session;
+            o.overview.size = size_of(o);
+            run_overview(o.overview);
+        };
+    });
+
+    auto* docs = app.add_subcommand("docs", "Write docs/settings.md or docs/presets.md from the program's own tables");
+    docs->add_option("WHAT", o.file, "settings (the default) or presets");
+    auto* page = docs->add_option("-o,--output", o.output, "The file (default: standard output)")->type_name("FILE");
+    docs->add_flag("--check", o.check, "Compare instead of writing; fails when the file is out of date")->needs(page);
+    docs->callback([&o, &run] { run = [&o] { run_docs(o.file.empty() ? "settings" : o.file, o.output, o.check); }; });
+}
+
+bool has_display() {
+    const auto set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
+    return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
+/// Without a command: the editor where there is a display, else pictures of everything.
+void run_default(Options& o) {
+    if (has_display()) {
+        start_editor(o);
+        return;
+    }
+    fmt::print(
+        "There is no display (DISPLAY and WAYLAND_DISPLAY are not set): drawing into {}/ instead of opening the "
+        "editor.\n",
+        o.overview.folder);
+    run_overview(o.overview);
+}
+
+int fail(int code, const std::string& message) {
+    std::fflush(stdout);
+    fmt::print(stderr, "shadow-inspector: {}\n", one_line(message));
+    return code;
+}
+
+/// What CLI11 says, with the nearest command where a command is unknown.
+std::string usage_message(const CLI::App& app, const CLI::ParseError& e, int argc, const char* const* argv) {
+    std::string message = e.what();
+    std::string path = "shadow-inspector";
+    const CLI::App* command = &app;
+    for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
+        std::vector<std::string> names;
+        const CLI::App* next = nullptr;
+        for (const CLI::App* c : command->get_subcommands({})) {
+            names.push_back(c->get_name());
+            if (names.back() == argv[i]) next = c;
+        }
+        if (names.empty()) break;
+        if (!next) {
+            message = fmt::format("no command '{}'; did you mean {}?", argv[i], nearest_name(argv[i], names));
+            break;
+        }
+        command = next;
+        path += " " + command->get_name();
+    }
+    return fmt::format("{} (see {} --help)", message, path);
+}
+
+}  // namespace
+
+int run_cli(int argc, const char* const* argv) {
+    CLI::App app(
+        "Shadow Inspector: a scene beside its live shadow map.\n"
+        "Without a command: opens the editor, or, without a display, draws everything into out/.",
+        "shadow-inspector");
+    app.set_version_flag("--version", std::string("shadow-inspector ") + SI_VERSION);
+    app.require_subcommand(0, 1);
+    app.get_formatter()->column_width(34);
+    Options options;
+    std::function<void()> run = [&options] { run_default(options); };
+    add_edit(app, options, run);
+    add_render(app, options, run);
+    add_truth(app, options, run);
+    add_measure(app, options, run);
+    add_probe(app, options, run);
+    add_list(app, options, run);
+    add_measure_commands(app, options.sweeps, run,
+                         [](CLI::App& c, SessionOptions& session) { add_session_options(c, session, true); });
+    add_presets(app, options, run);
+    add_others(app, options, run);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        if (e.get_exit_code() == 0) return app.exit(e);
+        return fail(2, usage_message(app, e, argc, argv));
+    }
+    try {
+        run();
+        finish_stdout();
+        return 0;
+    } catch (const UsageError& e) {
+        return fail(2, e.what());
+    } catch (const std::bad_alloc&) {
+        return fail(1, "out of memory; try a smaller picture or map.resolution");
+    } catch (const std::exception& e) {
+        return fail(1, e.what());
+    }
+}
+
+}  // namespace si

@@ -1,0 +1,96 @@
+#include "app/cli/cli_measure.h"
+
+namespace si {
+namespace {
+
+constexpr const char* kAreaHelp =
+    "Against a light of its size (light.size), not a point or direction. As --set truth.area=true";
+constexpr const char* kAreaSet = "truth.area=true";
+
+void add_sweep(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, const AddSessionOptions& add_session) {
+    auto* c =
+        app.add_subcommand("sweep", "Measure error and time over combinations of settings, and report the frontier");
+    add_session(*c, o.sweep.session);
+    c->add_option("--vary", o.sweep.vary,
+                  "A setting and its values: KEY=V1,V2,... or KEY=from:to:step (step *2 doubles) or KEY=* for every "
+                  "choice; may be repeated")
+        ->required()
+        ->type_name("KEY=VALUES")
+        ->allow_extra_args(false);
+    c->add_option("-o,--output", o.sweep.folder,
+                  "The folder of the results; made if missing. The same command goes on "
+                  "where it was interrupted")
+        ->required()
+        ->type_name("DIR");
+    c->add_option("--size", o.size, "Size of the picture in pixels (default 640x360)")->type_name("WxH");
+    c->add_option("--rounds", o.sweep.timing.rounds,
+                  "Most rounds of timed frames (default 10); fewer when every case's time has settled")
+        ->check(CLI::Range(1, 10'000));
+    c->add_option("--frames", o.sweep.timing.frames, "Timed frames of a case in a round (default 3)")
+        ->check(CLI::Range(1, 1'000));
+    c->add_flag("--area", o.area, kAreaHelp);
+    c->add_flag("--no-time", o.no_time, "Measure errors and costs only");
+    c->add_option("--shard", o.sweep.shard, "Measure only part I of N, without times (`merge` puts parts together)")
+        ->type_name("I/N");
+    c->add_flag("--retry", o.sweep.retry, "Measure failed cases again");
+    c->add_flag("--fresh", o.sweep.fresh, "Begin anew: remove what an earlier sweep left in the folder");
+    c->callback([&o, &run] {
+        run = [&o] {
+            if (!o.size.empty()) o.sweep.size = parse_size(o.size);
+            o.sweep.timing.on = !o.no_time;
+            if (o.area) o.sweep.session.sets.push_back(kAreaSet);
+            run_sweep(o.sweep);
+        };
+    });
+}
+
+void add_merge(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run) {
+    auto* c = app.add_subcommand("merge", "Put the shards of a sweep together");
+    c->add_option("DIR", o.merge.parts, "Folders of shards")->required();
+    c->add_option("-o,--output", o.merge.folder, "The folder of the whole; made if missing")
+        ->required()
+        ->type_name("DIR");
+    c->add_flag("--fresh", o.merge.fresh, "Begin anew: remove what an earlier sweep left in the folder");
+    c->callback([&o, &run] { run = [&o] { run_merge(o.merge); }; });
+}
+
+void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, const AddSessionOptions& add_session) {
+    auto* c = app.add_subcommand("tune",
+                                 "Find the least bias that leaves no acne, and write it as a preset; with limits, the "
+                                 "kernel and resolution that suit them, too");
+    add_session(*c, o.tune.session);
+    c->add_option("-o,--output", o.tune.output, "The preset, .json")->required()->type_name("PRESET");
+    c->add_option("--max-error", o.tune.most_error,
+                  "Search kernels and resolutions for the cheapest whose error (--error) is at most this")
+        ->check(CLI::PositiveNumber)
+        ->type_name("E");
+    c->add_option("--max-ms", o.tune.most_ms,
+                  "Search kernels and resolutions for the most accurate whose frame takes at most this long")
+        ->check(CLI::PositiveNumber)
+        ->type_name("MS");
+    c->add_option("--error", o.tune.error,
+                  "What --max-error bounds: mae (default), rmse, false_shadow, false_light, leak or boundary_px_mean, as "
+                  "`measure --json` names them")
+        ->type_name("NAME");
+    c->add_flag("--area", o.area, kAreaHelp);
+    c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");
+    c->add_flag("--json", o.tune.json, "What was tried and found as JSON");
+    c->callback([&o, &run] {
+        run = [&o] {
+            if (!o.size.empty()) o.tune.size = parse_size(o.size);
+            if (o.area) o.tune.session.sets.push_back(kAreaSet);
+            run_tune(o.tune);
+        };
+    });
+}
+
+}  // namespace
+
+void add_measure_commands(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
+                          const AddSessionOptions& add_session) {
+    add_sweep(app, o, run, add_session);
+    add_merge(app, o, run);
+    add_tune(app, o, run, add_session);
+}
+
+}  // namespace si

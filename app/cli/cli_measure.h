@@ -1,0 +1,27 @@
+// The commands that measure, for app/cli/cli.cpp.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "app/commands/commands.h"
+
+namespace si {
+
+/// What the options of the measuring commands are written to.
+struct MeasureCliOptions {
+    SweepOptions sweep;
+    MergeOptions merge;
+    TuneOptions tune;
+    std::string size;
+    bool no_time = false, area = false;
+};
+
+/// Adds SCENE, --preset and --set to a command.
+using AddSessionOptions = std::function<void(CLI::App& command, SessionOptions& session)>;
+
+/// Adds the commands; `run` becomes what the one that is called does.
+void add_measure_commands(CLI::App& app, MeasureCliOptions& options, std::function<void()>& run,
+                          const AddSessionOptions& add_session);
+
+}  // namespace si

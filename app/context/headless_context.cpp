@@ -1,0 +1,200 @@
+#include "app/context/headless_context.h"
+
+// epoxy/egl.h needs the GL types of epoxy/gl.h.
+// clang-format off
+#include <epoxy/gl.h>
+#include <epoxy/egl.h>
+// clang-format on
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "renderer/base/error.h"
+
+namespace si {
+namespace {
+
+const char* egl_error_name(EGLint error) {
+    switch (error) {
+        case EGL_SUCCESS:
+            return "no error code";
+        case EGL_NOT_INITIALIZED:
+            return "EGL_NOT_INITIALIZED";
+        case EGL_BAD_ACCESS:
+            return "EGL_BAD_ACCESS";
+        case EGL_BAD_ALLOC:
+            return "EGL_BAD_ALLOC";
+        case EGL_BAD_ATTRIBUTE:
+            return "EGL_BAD_ATTRIBUTE";
+        case EGL_BAD_CONFIG:
+            return "EGL_BAD_CONFIG";
+        case EGL_BAD_CONTEXT:
+            return "EGL_BAD_CONTEXT";
+        case EGL_BAD_DISPLAY:
+            return "EGL_BAD_DISPLAY";
+        case EGL_BAD_MATCH:
+            return "EGL_BAD_MATCH";
+        case EGL_BAD_PARAMETER:
+            return "EGL_BAD_PARAMETER";
+        case EGL_BAD_SURFACE:
+            return "EGL_BAD_SURFACE";
+        case EGL_CONTEXT_LOST:
+            return "EGL_CONTEXT_LOST";
+        default:
+            return "an unknown EGL error";
+    }
+}
+
+std::string failed(std::string_view call) {
+    return fmt::format("{} failed ({})", call, egl_error_name(eglGetError()));
+}
+
+/// Whole-word search in a space separated list of extensions.
+bool listed(const char* extensions, std::string_view name) {
+    std::string_view rest = extensions ? extensions : "";
+    while (!rest.empty()) {
+        const auto end = rest.find(' ');
+        if (rest.substr(0, end) == name) return true;
+        if (end == std::string_view::npos) break;
+        rest.remove_prefix(end + 1);
+    }
+    return false;
+}
+
+/// A way to a display, in the order in which the ways are tried.
+struct Candidate {
+    EGLenum platform;
+    void* native;
+    std::string name;
+};
+
+std::vector<Candidate> candidates(const char* client_extensions) {
+    std::vector<Candidate> hardware, software;
+    if (listed(client_extensions, "EGL_EXT_platform_device") &&
+        (listed(client_extensions, "EGL_EXT_device_enumeration") || listed(client_extensions, "EGL_EXT_device_base"))) {
+        std::array<EGLDeviceEXT, 32> devices{};
+        EGLint count = 0;
+        if (eglQueryDevicesEXT(EGLint(devices.size()), devices.data(), &count)) {
+            for (EGLint i = 0; i < count; ++i) {
+                const char* extensions = eglQueryDeviceStringEXT(devices[std::size_t(i)], EGL_EXTENSIONS);
+                const bool is_software = listed(extensions, "EGL_MESA_device_software");
+                std::string name = fmt::format("EGL device {}", i);
+                if (is_software)
+                    name += " (software)";
+                else if (listed(extensions, "EGL_EXT_device_drm"))
+                    if (const char* file = eglQueryDeviceStringEXT(devices[std::size_t(i)], EGL_DRM_DEVICE_FILE_EXT))
+                        name += fmt::format(" ({})", file);
+                (is_software ? software : hardware)
+                    .push_back({EGL_PLATFORM_DEVICE_EXT, devices[std::size_t(i)], std::move(name)});
+            }
+        }
+    }
+    std::vector<Candidate> all = std::move(hardware);
+    all.insert(all.end(), software.begin(), software.end());
+    if (listed(client_extensions, "EGL_MESA_platform_surfaceless"))
+        all.push_back({EGL_PLATFORM_SURFACELESS_MESA, nullptr, "EGL surfaceless platform"});
+    return all;
+}
+
+}  // namespace
+
+struct HeadlessContext::Impl {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+    EGLSurface surface = EGL_NO_SURFACE;  ///< only where contexts without a surface are not supported
+    std::string description;
+
+    Impl() = default;
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+    /// The display is left initialised: EGL gives every caller the same one, so terminating it would pull it from
+    /// under a second context of this process. It is a single object per device for the life of the process.
+    ~Impl() {
+        if (context == EGL_NO_CONTEXT) return;
+        if (eglGetCurrentContext() == context) eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        eglDestroyContext(display, context);
+        if (surface != EGL_NO_SURFACE) eglDestroySurface(display, surface);
+    }
+
+    /// Empty on success, else what failed.
+    std::string open(const Candidate& candidate);
+};
+
+std::string HeadlessContext::Impl::open(const Candidate& candidate) {
+    display = eglGetPlatformDisplayEXT(candidate.platform, candidate.native, nullptr);
+    if (display == EGL_NO_DISPLAY) return failed("eglGetPlatformDisplayEXT");
+    EGLint major = 0, minor = 0;
+    if (!eglInitialize(display, &major, &minor)) return failed("eglInitialize");
+    if (!eglBindAPI(EGL_OPENGL_API)) return failed("eglBindAPI(EGL_OPENGL_API)");
+    const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
+    const bool surfaceless = listed(extensions, "EGL_KHR_surfaceless_context");
+
+    const std::array<EGLint, 5> config_attributes{EGL_SURFACE_TYPE, surfaceless ? 0 : EGL_PBUFFER_BIT,
+                                                  EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint configs = 0;
+    if (!eglChooseConfig(display, config_attributes.data(), &config, 1, &configs)) return failed("eglChooseConfig");
+    if (configs == 0) return "eglChooseConfig found no configuration for OpenGL";
+
+    const std::array<EGLint, 9> context_attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                                   4,
+                                                   EGL_CONTEXT_MINOR_VERSION,
+                                                   5,
+                                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                                   EGL_CONTEXT_OPENGL_DEBUG,
+                                                   EGL_TRUE,
+                                                   EGL_NONE};
+    context = eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes.data());
+    if (context == EGL_NO_CONTEXT) return failed("eglCreateContext(OpenGL 4.5 core)");
+    if (!surfaceless) {
+        const std::array<EGLint, 5> size{EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
+        surface = eglCreatePbufferSurface(display, config, size.data());
+        if (surface == EGL_NO_SURFACE) return failed("eglCreatePbufferSurface");
+    }
+    if (!eglMakeCurrent(display, surface, surface, context)) return failed("eglMakeCurrent");
+    description = candidate.name + (surfaceless ? ", no surface" : ", 16x16 pbuffer");
+    return {};
+}
+
+HeadlessContext::HeadlessContext() {
+    const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    if (!client)
+        throw Error(failed("eglQueryString(EGL_EXTENSIONS)") +
+                    ": this libEGL knows no client extensions; install libegl1 and libegl-mesa0");
+    const std::vector<Candidate> ways = candidates(client);
+    if (ways.empty())
+        throw Error(
+            "no OpenGL without a display: EGL offers neither EGL_EXT_platform_device nor "
+            "EGL_MESA_platform_surfaceless; install libegl-mesa0 and libgl1-mesa-dri");
+    std::string attempts;
+    for (const Candidate& way : ways) {
+        auto attempt = std::make_unique<Impl>();
+        const std::string problem = attempt->open(way);
+        if (problem.empty()) {
+            impl_ = std::move(attempt);
+            return;
+        }
+        attempts += fmt::format("{}{}: {}", attempts.empty() ? "" : "; ", way.name, problem);
+    }
+    throw Error(
+        fmt::format("no OpenGL 4.5 without a display: {}; install libgl1-mesa-dri for the software renderer, or "
+                    "join the group that may open /dev/dri (often 'render')",
+                    attempts));
+}
+
+HeadlessContext::~HeadlessContext() = default;
+
+void HeadlessContext::make_current() {
+    if (!eglBindAPI(EGL_OPENGL_API)) throw Error(failed("eglBindAPI(EGL_OPENGL_API)"));
+    if (!eglMakeCurrent(impl_->display, impl_->surface, impl_->surface, impl_->context))
+        throw Error(failed("eglMakeCurrent") + ": is the context current on another thread?");
+}
+
+std::string HeadlessContext::description() const {
+    return impl_->description;
+}
+
+}  // namespace si

@@ -1,0 +1,41 @@
+#include "app/context/imgui_session.h"
+
+#include <epoxy/gl.h>
+#include <imgui.h>
+// The backends are the app's business: ui/ draws without them.
+#include <backends/imgui_impl_opengl3.h>
+
+#include "renderer/base/error.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+
+ImGuiSession::ImGuiSession(float scale) {
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    theme::load_fonts(scale);
+    theme::apply(scale);
+    if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
+        ImGui::DestroyContext();
+        throw Error("the editor cannot draw: ImGui found no OpenGL functions; is libGL installed?");
+    }
+}
+
+ImGuiSession::~ImGuiSession() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void ImGuiSession::draw(int width, int height) {
+    // The backend leaves these as the renderer's last pass set them.
+    glViewport(0, 0, width, height);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+}  // namespace si

@@ -1,0 +1,162 @@
+#include "app/context/window_context.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "app/context/x11_errors.h"
+#include "renderer/base/error.h"
+
+namespace si {
+namespace {
+
+std::string last_glfw_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "no reason given";
+}
+
+constexpr const char* kHeadlessHint =
+    "without a display use the headless commands, or: edit SCENE --headless --screenshot FILE.png";
+
+}  // namespace
+
+bool WindowContext::display_available() {
+    const auto set = [](const char* name) {
+        const char* value = std::getenv(name);
+        return value && *value;
+    };
+    return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
+WindowContext::WindowContext(const std::string& title, int width, int height, bool maximised) {
+    if (!glfwInit()) throw Error(fmt::format("no window: glfwInit failed ({}); {}", last_glfw_error(), kHeadlessHint));
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_MAXIMIZED, maximised ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+        int x = 0, y = 0, w = 0, h = 0;
+        glfwGetMonitorWorkarea(monitor, &x, &y, &w, &h);
+        if (w > 0 && h > 0) width = std::min(width, w), height = std::min(height, h);
+    }
+    window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (!window_) {
+        const std::string reason = last_glfw_error();
+        glfwTerminate();
+        throw Error(
+            fmt::format("no window: glfwCreateWindow (OpenGL 4.5 core) failed ({}); the driver may be too old; {}",
+                        reason, kHeadlessHint));
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    survive_x_errors();
+    glfwSetWindowUserPointer(window_, &events_);
+    install_callbacks();
+}
+
+WindowContext::~WindowContext() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+// ImGui's backend is installed afterwards and calls these in turn.
+void WindowContext::install_callbacks() {
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
+        note_input(w);
+        if (action == GLFW_PRESS && key >= 0)
+            static_cast<Events*>(glfwGetWindowUserPointer(w))->keys.push_back({key, mods});
+    });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { note_input(w); });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { note_input(w); });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { note_input(w); });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { note_input(w); });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { note_input(w); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { note_input(w); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { note_input(w); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { note_input(w); });
+    glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+        note_input(w);
+        auto& dropped = static_cast<Events*>(glfwGetWindowUserPointer(w))->dropped;
+        dropped.insert(dropped.end(), paths, paths + count);
+    });
+}
+
+void WindowContext::note_input(GLFWwindow* window) {
+    static_cast<Events*>(glfwGetWindowUserPointer(window))->input = true;
+}
+
+bool WindowContext::should_close() const {
+    return glfwWindowShouldClose(window_);
+}
+void WindowContext::set_title(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
+void WindowContext::wait_events(double seconds) {
+    glfwWaitEventsTimeout(seconds);
+}
+void WindowContext::poll_events() {
+    glfwPollEvents();
+}
+void WindowContext::hold_cursor(bool held) {
+    const int wanted = held ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL;
+    // ImGui chooses the cursor's shape, and hides it by itself.
+    if (held != (glfwGetInputMode(window_, GLFW_CURSOR) == GLFW_CURSOR_DISABLED))
+        glfwSetInputMode(window_, GLFW_CURSOR, wanted);
+}
+void WindowContext::swap() {
+    glfwSwapBuffers(window_);
+}
+
+int WindowContext::framebuffer_width() const {
+    int w = 0, h = 0;
+    glfwGetFramebufferSize(window_, &w, &h);
+    return w;
+}
+
+int WindowContext::framebuffer_height() const {
+    int w = 0, h = 0;
+    glfwGetFramebufferSize(window_, &w, &h);
+    return h;
+}
+
+std::pair<int, int> WindowContext::size() const {
+    const float scale = content_scale();
+    return {int(std::lround(float(framebuffer_width()) / scale)), int(std::lround(float(framebuffer_height()) / scale))};
+}
+
+bool WindowContext::maximised() const {
+    return glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+}
+
+float WindowContext::content_scale() const {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::max({x, y, 0.5f});
+}
+
+std::vector<WindowContext::KeyPress> WindowContext::take_keys() {
+    return std::exchange(events_.keys, {});
+}
+bool WindowContext::is_down(int key) const {
+    return glfwGetKey(window_, key) == GLFW_PRESS;
+}
+
+bool WindowContext::take_input() {
+    return std::exchange(events_.input, false);
+}
+std::vector<std::filesystem::path> WindowContext::take_dropped() {
+    return std::exchange(events_.dropped, {});
+}
+
+}  // namespace si

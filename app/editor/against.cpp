@@ -1,0 +1,114 @@
+#include "app/editor/against.h"
+
+#include <epoxy/gl.h>
+
+#include <utility>
+
+#include "app/report/against.h"
+
+namespace si {
+
+/// A picture on the GPU for the panels to show.
+struct EditorAgainst::Texture {
+    GLuint id = 0;
+    int width = 0, height = 0;
+
+    explicit Texture(const ByteImage& image) : width(image.width), height(image.height) {
+        glCreateTextures(GL_TEXTURE_2D, 1, &id);
+        glTextureStorage2D(id, 1, GL_RGBA8, width, height);
+        glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        for (int y = 0; y < height; ++y)  // bottom row first, as the renderer's pictures
+            glTextureSubImage2D(id, 0, 0, height - 1 - y, width, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                                &image.data[std::size_t(y) * std::size_t(width) * 4]);
+    }
+    ~Texture() { glDeleteTextures(1, &id); }
+    Texture(const Texture&) = delete;
+    Texture& operator=(const Texture&) = delete;
+};
+
+namespace {
+
+std::string label_of(const CompareWith& with) {
+    switch (with.kind) {
+        case CompareKind::Scene: return "the scene's own settings";
+        case CompareKind::Defaults: return "the program's defaults";
+        case CompareKind::Preset: break;
+    }
+    return with.preset;
+}
+
+}  // namespace
+
+EditorAgainst::EditorAgainst() = default;
+EditorAgainst::~EditorAgainst() = default;
+
+void EditorAgainst::clear() {
+    facts_.reset();
+    difference_.reset();
+    other_.reset();
+    other_scene_ = 0;
+}
+
+void EditorAgainst::draw_other(const Scene& scene, const EditorState& state, const FrameRequest& request,
+                               const ComparisonFacts* comparison) {
+    if (!comparison || comparison->with != state.compare) return;  // read with the next frame
+    if (!comparison->problem.empty()) {
+        facts_->problem = comparison->problem;
+        return;
+    }
+    Settings settings = other_settings(state.settings, comparison->settings);
+    settings.view.panes = int(Panes::One);
+    const bool same = other_ && other_drawn_ == settings && other_scene_ == scene.id && other_width_ == request.width &&
+                      other_height_ == request.height && other_truth_ == request.truth && facts_->picture.texture;
+    if (same) return;
+    if (!other_) other_ = std::make_unique<Renderer>();
+    FrameRequest wanted{.width = request.width, .height = request.height, .truth = request.truth};
+    facts_->picture = other_->render(scene, settings, wanted).colour;
+    other_drawn_ = std::move(settings);
+    other_scene_ = scene.id;
+    other_width_ = request.width, other_height_ = request.height;
+    other_truth_ = request.truth;
+}
+
+void EditorAgainst::find_difference(Renderer& renderer, const FrameResult& frame) {
+    const ByteImage a = renderer.read_colour(frame.colour), b = renderer.read_colour(facts_->picture);
+    if (a.width != b.width || a.height != b.height) return;
+    difference_ = std::make_unique<Texture>(difference(a, b));
+    facts_->difference = {difference_->id, difference_->width, difference_->height};
+    facts_->mae = mean_difference(a, b);
+}
+
+bool EditorAgainst::update(Renderer& renderer, const Scene& scene, const EditorState& state, const FrameRequest& request,
+                           const FrameResult& frame, bool drawn, const ComparisonFacts* comparison) {
+    const bool had = facts_.has_value();
+    if (state.against.view == AgainstView::Off) {
+        clear();
+        return had;
+    }
+    const std::string label = state.against.truth ? "ray-traced truth" : label_of(state.compare);
+    if (!had || facts_->label != label) {
+        if (state.against.truth) other_.reset();
+        facts_ = AgainstFacts{.label = label};
+    }
+    const unsigned before = facts_->picture.texture;
+    const bool known = before != 0;
+    facts_->problem.clear();
+    if (state.against.truth)
+        facts_->picture = frame.true_colour;
+    else
+        draw_other(scene, state, request, comparison);
+    const bool wants_difference = state.against.view == AgainstView::Difference;
+    const bool there = facts_->picture.texture != 0;
+    if (!there || !wants_difference) {
+        facts_->difference = {};
+        difference_.reset();
+    } else if (drawn || !known || !difference_ || before != facts_->picture.texture) {
+        find_difference(renderer, frame);
+        return true;
+    }
+    return drawn || there != known || !had;
+}
+
+}  // namespace si

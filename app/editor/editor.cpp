@@ -1,0 +1,134 @@
+#include "app/editor/editor.h"
+
+#include <epoxy/gl.h>
+#include <imgui.h>
+// clang-format off
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+// clang-format on
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include "app/editor/model.h"
+#include "app/editor/headless_editor.h"
+#include "app/context/imgui_session.h"
+#include "app/base/output.h"
+#include "app/context/window_context.h"
+#include "renderer/base/error.h"
+
+namespace si {
+namespace {
+
+constexpr double kPollSeconds = 0.4;  ///< between looks at shader files and blinks of a text cursor
+constexpr double kLoadingPollSeconds = 0.05;  ///< between looks at what is being read, measured or traced
+constexpr int kSettleFrames = 3;      ///< frames that ImGui takes to settle after input
+constexpr float kDoubleClickSeconds = 0.3f;  ///< between its presses, where frames are fast
+
+/// ImGui's hold on the window's callbacks.
+struct WindowInput {
+    explicit WindowInput(const WindowContext& window) { ImGui_ImplGlfw_InitForOpenGL(window.handle(), true); }
+    ~WindowInput() { ImGui_ImplGlfw_Shutdown(); }
+    WindowInput(const WindowInput&) = delete;
+    WindowInput& operator=(const WindowInput&) = delete;
+};
+
+/// Shows ImGui the keys that were pressed since its last frame as held during the next one, so that a short press is
+/// not lost when frames are long.
+class PressedKeys {
+public:
+    explicit PressedKeys(WindowContext& window) : window_(window), keys_(window.take_keys()) {
+        ImGuiIO& io = ImGui::GetIO();
+        for (const auto& [key, mods] : keys_) {
+            io.KeysDown[key] = true;
+            if (mods & GLFW_MOD_CONTROL) io.KeyCtrl = true;
+            if (mods & GLFW_MOD_SHIFT) io.KeyShift = true;
+        }
+    }
+    ~PressedKeys() {
+        ImGuiIO& io = ImGui::GetIO();
+        const auto held = [&](int left, int right) { return window_.is_down(left) || window_.is_down(right); };
+        for (const auto& [key, mods] : keys_) io.KeysDown[key] = window_.is_down(key);
+        if (keys_.empty()) return;
+        io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+        io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    }
+    PressedKeys(const PressedKeys&) = delete;
+    PressedKeys& operator=(const PressedKeys&) = delete;
+
+private:
+    WindowContext& window_;
+    std::vector<WindowContext::KeyPress> keys_;
+};
+
+std::vector<std::string> run_window(const EditorOptions& options) {
+    const WorkspaceData kept = Workspace(options.state_folder).data();
+    const bool as_kept = !options.size_given && kept.window_width > 0;
+    WindowContext window("Shadow Inspector", as_kept ? kept.window_width : options.width,
+                         as_kept ? kept.window_height : options.height, !options.size_given && kept.maximised);
+    ImGuiSession imgui(options.scale > 0 ? float(options.scale) : window.content_scale());
+    const WindowInput input(window);
+    EditorModel model(options);
+    std::string titled;
+    int due = kSettleFrames;  // frames still to draw before the editor may sleep
+    while (!window.should_close()) {
+        if (due > 0)
+            window.poll_events();
+        else
+            window.wait_events(model.loading() || model.measuring() || model.tracing() ? kLoadingPollSeconds : kPollSeconds);
+        if (window.take_input()) due = kSettleFrames;
+        for (const auto& path : window.take_dropped()) model.open(path), due = kSettleFrames;
+        if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
+        if (model.loading_moved() || model.measuring_moved() || model.tracing_moved()) due = std::max(due, 1);
+        model.keep();
+        const int width = window.framebuffer_width(), height = window.framebuffer_height();
+        if (due == 0 || width == 0 || height == 0) {
+            if (due > 0) window.wait_events(kPollSeconds);  // minimised
+            continue;
+        }
+        --due;
+
+        const auto began = std::chrono::steady_clock::now();
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplGlfw_NewFrame();
+        const PressedKeys keys(window);
+        ImGui::NewFrame();
+        if (ImGui::IsKeyPressed(GLFW_KEY_F1, false)) model.state.show_shortcuts = !model.state.show_shortcuts;
+        const EditorActions actions = draw_editor(model.state, model.facts());
+        ImGui::Render();
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        imgui.draw(width, height);
+        window.swap();
+        window.hold_cursor(actions.hold_cursor);
+        if (model.fulfil(actions)) due = std::max(due, 2);
+        // Each press and each release waits for a frame of its own: slow frames must not tear a double click apart.
+        const std::chrono::duration<float> frame = std::chrono::steady_clock::now() - began;
+        ImGui::GetIO().MouseDoubleClickTime = std::max(kDoubleClickSeconds, 4 * frame.count());
+        if (actions.redraw) due = std::max(due, 1);
+        if (actions.quit) break;
+        if (titled != model.state.scene_name) {
+            titled = model.state.scene_name;
+            window.set_title(titled + " - Shadow Inspector");
+        }
+    }
+    const auto [width, height] = window.size();
+    model.keep_window(width, height, window.maximised());
+    model.end();
+    return model.notes();
+}
+
+}  // namespace
+
+std::vector<std::string> run_editor(const EditorOptions& options) {
+    if (!options.headless) return run_window(options);
+    HeadlessEditor editor(options);
+    editor.settle();
+    editor.model().require_scene();
+    write_png(options.screenshot, editor.picture());
+    return editor.model().notes();
+}
+
+}  // namespace si

@@ -1,0 +1,115 @@
+#include "app/editor/headless_editor.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+#include <imgui.h>
+// clang-format off
+#include <backends/imgui_impl_opengl3.h>
+// clang-format on
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <utility>
+
+#include "renderer/base/error.h"
+#include "renderer/reference/live_error.h"
+
+namespace si {
+
+/// A colour target for the whole editor.
+struct HeadlessEditor::Canvas {
+    GLuint texture = 0, framebuffer = 0;
+
+    Canvas(int width, int height) {
+        GLint most = 0;
+        glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+        if (width < 64 || height < 64 || width > most || height > most)
+            throw Error(fmt::format("the editor cannot be drawn at {} x {} pixels; each side is 64 to {}", width,
+                                    height, most));
+        glCreateTextures(GL_TEXTURE_2D, 1, &texture);
+        glTextureStorage2D(texture, 1, GL_RGBA8, width, height);
+        glCreateFramebuffers(1, &framebuffer);
+        glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture, 0);
+        glObjectLabel(GL_FRAMEBUFFER, framebuffer, -1, "editor");
+    }
+    ~Canvas() {
+        glDeleteFramebuffers(1, &framebuffer);
+        glDeleteTextures(1, &texture);
+    }
+    Canvas(const Canvas&) = delete;
+    Canvas& operator=(const Canvas&) = delete;
+};
+
+namespace {
+
+/// A truth was asked for that is still to be traced.
+bool lacks_truth(const EditorFrame& f) {
+    if (!f.truth || !f.truth->wanted || !f.truth->problem.empty()) return false;
+    return !f.truth->current;
+}
+
+}  // namespace
+
+float screenshot_scale(int height) {
+    return std::clamp(std::round(float(height) / 1080 * 4) / 4, 1.0f, 4.0f);
+}
+
+HeadlessEditor::HeadlessEditor(const EditorOptions& options, SceneReader read)
+    : width_(options.width),
+      height_(options.height),
+      imgui_(options.scale > 0 ? float(options.scale) : screenshot_scale(options.height)),
+      canvas_(std::make_unique<Canvas>(width_, height_)),
+      model_(std::make_unique<EditorModel>(options, std::move(read))) {}
+
+HeadlessEditor::~HeadlessEditor() = default;
+
+EditorActions HeadlessEditor::frame() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {float(width_), float(height_)};
+    io.DeltaTime = 1.0f / 60;
+    io.MousePos = mouse.at ? ImVec2(mouse.at->x, mouse.at->y) : ImVec2(-FLT_MAX, -FLT_MAX);
+    io.MouseDown[0] = mouse.left;
+    io.MouseDown[1] = mouse.right;
+    io.MouseDown[2] = mouse.middle;
+    io.KeyCtrl = mouse.ctrl;
+    io.KeyShift = mouse.shift;
+    io.MouseWheel = mouse.wheel;
+    mouse.wheel = 0;
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+    EditorActions actions = draw_editor(model_->state, model_->facts());
+    ImGui::Render();
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas_->framebuffer);
+    imgui_.draw(width_, height_);
+    model_->fulfil(actions);
+    return actions;
+}
+
+void HeadlessEditor::settle() {
+    do {
+        model_->finish_loading();
+        model_->finish_tracing();
+        // Sizes settle in two frames, the picture of that size is there in the next, numbers read from it in one more.
+        for (int i = 0; i < 6; ++i) frame();
+        if (model_->measuring()) {
+            model_->finish_measuring();
+            frame(), frame();
+        }
+    } while (model_->loading() || model_->measuring() || model_->tracing() || lacks_truth(model_->facts()));
+}
+
+ByteImage HeadlessEditor::picture() const {
+    ByteImage image{width_, height_, {}};
+    image.data.resize(std::size_t(width_) * std::size_t(height_) * 4);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(canvas_->texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(image.data.size()), image.data.data());
+    const std::ptrdiff_t row = std::ptrdiff_t(width_) * 4;
+    for (int y = 0; y < height_ / 2; ++y)
+        std::swap_ranges(image.data.begin() + y * row, image.data.begin() + (y + 1) * row,
+                         image.data.begin() + (height_ - 1 - y) * row);
+    for (std::size_t i = 3; i < image.data.size(); i += 4) image.data[i] = 255;
+    return image;
+}
+
+}  // namespace si

@@ -1,0 +1,169 @@
+#include "app/editor/readings.h"
+
+#include <algorithm>
+
+#include "ui/state/panels.h"
+
+namespace si {
+namespace {
+
+constexpr int kHistogramBins = 200;
+
+/// The range of the histogram: all that can be stored, or, when the greys are fitted, what they span with some room.
+DepthHistogram histogram_of(const FloatImage& depth, const ViewSettings& v, const FrameResult& result) {
+    double lo = 0, hi = 1;
+    if (v.map_fit && v.map != int(MapView::Bands) && result.map_white > result.map_black) {
+        const double room = 0.08 * (result.map_white - result.map_black);
+        lo = result.map_black - room, hi = result.map_white + room;
+    }
+    return depth_histogram(depth, result.map_view_curve, MapView(v.map), kHistogramBins, lo, hi);
+}
+
+/// What the texels that a given camera reads depend on.
+Settings texel_settings(const Settings& settings) {
+    Settings s = settings;
+    s.camera = {};
+    s.view = {.light = settings.view.light, .face = settings.view.face};
+    return s;
+}
+
+}  // namespace
+
+void EditorReadings::clear() {
+    map_values_ = map_coordinates_ = overlay_values_ = {};
+    facts_.reset(), usage_.reset(), probe_.reset(), probed_pixel_.reset();
+    lost_casters_.clear();
+    probe_of_ = map_of_ = facts_of_ = links_of_ = overlay_of_ = 0;
+}
+
+bool EditorReadings::finish_tracing() const {
+    dossier_.wait();
+    return dossier_.ready();
+}
+
+void EditorReadings::fill(EditorFrame& frame) const {
+    frame.probe = probe_ ? &*probe_ : nullptr;
+    frame.dossiers = dossier_.dossiers();
+    frame.tracing_probe = tracing();
+    frame.map_values = map_values_.data.empty() ? nullptr : &map_values_;
+    frame.map_facts = facts_ ? &*facts_ : nullptr;
+    frame.map_coordinates = map_coordinates_.data.empty() ? nullptr : &map_coordinates_;
+    frame.texel_usage = usage_ ? &*usage_ : nullptr;
+    frame.frozen_usage = frozen_usage_ ? &*frozen_usage_ : nullptr;
+    frame.overlay_values = overlay_values_.data.empty() ? nullptr : &overlay_values_;
+    frame.lost_casters = lost_casters_;
+}
+
+bool EditorReadings::update(Renderer& renderer, const Scene& scene, const EditorState& state,
+                            const EditorActions& actions, const FrameRequest& request, const FrameResult& result,
+                            bool drawn) {
+    if (drawn) {
+        ++frame_;
+        const int light = shown_light(state.settings);
+        lost_casters_.clear();
+        if (light >= 0) lost_casters_ = lost_casters(scene, state.settings, result.lights[std::size_t(light)]);
+    }
+    // The map first: probing draws another request, after which the frame's depth image is no longer at hand.
+    bool changed = update_map(renderer, state, actions, result);
+    changed |= update_links(renderer, state, actions, result);
+    changed |= update_overlay(renderer, state, actions, result);
+    const bool probed = update_probe(renderer, scene, state, request);
+    changed |= dossier_.update(probe_ ? &*probe_ : nullptr, probed, scene, state.settings, renderer.driver());
+    return changed || probed;
+}
+
+bool EditorReadings::update_map(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+                                const FrameResult& result) {
+    const bool there = result.map_view.texture != 0;
+    const bool wanted = there && (actions.want_map_values || actions.want_map_facts);
+    bool changed = false;
+    if (!wanted) {
+        // A reading of an earlier frame would be wrong; one of this frame may be asked for again.
+        if (map_of_ != frame_) map_values_ = {};
+        if (!there || facts_of_ != frame_) facts_.reset();
+        return false;
+    }
+    if (map_of_ != frame_) {
+        map_values_ = renderer.read_map_view_depth();
+        map_of_ = frame_;
+        changed = true;
+    }
+    if (actions.want_map_facts && facts_of_ != frame_) {
+        facts_ = MapFacts{depth_statistics(map_values_, result.map_view_curve),
+                          histogram_of(map_values_, state.settings.view, result)};
+        facts_of_ = frame_;
+        changed = true;
+    }
+    return changed;
+}
+
+bool EditorReadings::update_overlay(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+                                    const FrameResult& result) {
+    const auto pane = std::size_t(state.active_pane);
+    if (!actions.want_overlay_values || pane >= result.panes.size() || !result.panes[pane].values.texture) {
+        if (overlay_of_ != frame_) overlay_values_ = {};
+        return false;
+    }
+    if (overlay_of_ == frame_ && overlay_pane_ == int(pane)) return false;
+    overlay_of_ = frame_;
+    overlay_pane_ = int(pane);
+    overlay_values_ = renderer.read_float(result.panes[pane].values, 4);
+    return true;
+}
+
+bool EditorReadings::update_links(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+                                  const FrameResult& result) {
+    if (!actions.want_links || result.map_coordinates.texture == 0) {
+        if (links_of_ == frame_ || map_coordinates_.data.empty()) return false;
+        map_coordinates_ = {};
+        usage_.reset();
+        return true;
+    }
+    if (links_of_ == frame_) return false;
+    links_of_ = frame_;
+    map_coordinates_ = renderer.read_float(result.map_coordinates, 4);
+    usage_ = texel_usage(map_coordinates_, state.settings, result.map_resolution, shown_face(state.settings, result));
+    return true;
+}
+
+bool EditorReadings::update_frozen(Renderer& renderer, const Scene& scene, const EditorState& state,
+                                   const EditorActions& actions) {
+    const Settings settings = texel_settings(state.settings);
+    if (!state.frozen || settings != frozen_settings_ || scene.id != frozen_scene_) frozen_usage_.reset();
+    if (!state.frozen || frozen_usage_ || !actions.want_frozen_usage) return false;
+    FrameRequest request;
+    request.width = state.frozen->pixels.x;
+    request.height = state.frozen->pixels.y;
+    request.outputs = {.colour = false, .map_coordinates = true};
+    frozen_settings_ = settings;
+    frozen_scene_ = scene.id;
+    Settings seen = state.settings;
+    seen.camera = state.frozen->settings;
+    const FrameResult result = renderer.render(scene, seen, request);
+    frozen_usage_.emplace();  // without a map nothing is read
+    if (result.map_coordinates.texture == 0) return true;
+    const FloatImage coordinates = renderer.read_float(result.map_coordinates, 4);
+    frozen_usage_ =
+        texel_usage(coordinates, state.settings, result.map_resolution, shown_face(state.settings, result));
+    return true;
+}
+
+bool EditorReadings::update_probe(Renderer& renderer, const Scene& scene, const EditorState& state,
+                                  const FrameRequest& request) {
+    if (!state.probe_pixel) {
+        const bool had = probe_.has_value();
+        probe_.reset();
+        probed_pixel_.reset();
+        return had;
+    }
+    if (probe_of_ == frame_ && probed_pixel_ == state.probe_pixel) return false;
+    probe_of_ = frame_;
+    probed_pixel_ = state.probe_pixel;
+    const glm::ivec2 pixel =
+        glm::clamp(*state.probe_pixel, glm::ivec2(0), glm::ivec2(request.width, request.height) - 1);
+    probe_.reset();  // in case of an exception
+    probe_ = renderer.probe(scene, state.settings, request, pixel.x, pixel.y);
+    return true;
+}
+
+}  // namespace si

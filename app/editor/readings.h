@@ -1,0 +1,58 @@
+// What the editor's panels show as numbers: the probe, the depth image's values and statistics, which pixel reads which
+// texel. Each is read back only while a panel shows it, and once for each drawn frame.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "app/editor/dossier.h"
+#include "renderer/inspect/probe.h"
+#include "renderer/frame/renderer.h"
+#include "ui/state/editor_ui.h"
+
+namespace si {
+
+class EditorReadings {
+public:
+    /// Brings up to date what `actions` ask for. `drawn`: the frame is a new one. Returns whether the editor now shows
+    /// something else. Needs the renderer's OpenGL context. @throws Error
+    bool update(Renderer& renderer, const Scene& scene, const EditorState& state, const EditorActions& actions,
+                const FrameRequest& request, const FrameResult& result, bool drawn);
+    /// Brings up to date which texels the frozen camera reads. Returns whether it drew a frame of its own, after which
+    /// the last one's images are not to be read any more: call it before that is drawn. @throws Error
+    bool update_frozen(Renderer& renderer, const Scene& scene, const EditorState& state, const EditorActions& actions);
+    /// There is no frame.
+    void clear();
+    /// The truth of the probed pixel is there: update() has news.
+    bool has_news() const { return dossier_.ready(); }
+    bool tracing() const { return probe_ && dossier_.tracing(); }
+    /// Waits for it.
+    bool finish_tracing() const;
+    /// Tells the editor. The pointers hold until the next update() or clear().
+    void fill(EditorFrame& frame) const;
+
+private:
+    bool update_probe(Renderer& renderer, const Scene& scene, const EditorState& state, const FrameRequest& request);
+    bool update_map(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+                    const FrameResult& result);
+    bool update_overlay(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+                        const FrameResult& result);
+    bool update_links(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+                      const FrameResult& result);
+
+    std::uint64_t frame_ = 0;  ///< number of the drawn frame
+    std::uint64_t probe_of_ = 0, map_of_ = 0, facts_of_ = 0, links_of_ = 0, overlay_of_ = 0;  ///< frames they belong to
+    int overlay_pane_ = 0;
+    std::optional<Probe> probe_;
+    EditorDossier dossier_;
+    std::optional<glm::ivec2> probed_pixel_;
+    FloatImage map_values_, map_coordinates_, overlay_values_;
+    std::optional<MapFacts> facts_;
+    std::optional<TexelUsage> usage_, frozen_usage_;
+    Settings frozen_settings_;        ///< that frozen_usage_ was found under, as far as it depends on them
+    std::uint64_t frozen_scene_ = 0;  ///< Scene::id
+    std::vector<LostCaster> lost_casters_;
+};
+
+}  // namespace si

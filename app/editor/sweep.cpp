@@ -1,0 +1,246 @@
+#include "app/editor/sweep.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "app/session/command_line.h"
+#include "app/sweep/measuring_thread.h"
+#include "app/sweep/files.h"
+#include "app/sweep/measured_cases.h"
+#include "app/sweep/progress_line.h"
+#include "app/sweep/results.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kMostFolders = 8;  ///< editors that sweep at once
+
+bool holds_sweep(const fs::path& folder, const SweepSpec& spec, const SweepPlan& plan) {
+    if (!has_journal(folder)) return false;
+    try {
+        const SweepState state = read_journal(folder);
+        return state.plan == plan_key(plan) && spec_difference(state.spec, spec_json(spec)).empty();
+    } catch (const std::exception&) {
+        return false;  // a damaged one is begun anew
+    }
+}
+
+/// The folder whose journal this sweep goes on with, or one that is empty now.
+fs::path folder_for(const fs::path& parent, const SweepSpec& spec, const SweepPlan& plan) {
+    const auto numbered = [&](int i) { return parent / fmt::format("sweep-{}", i); };
+    for (int i = 1; i <= kMostFolders; ++i)
+        if (holds_sweep(numbered(i), spec, plan)) return numbered(i);
+    std::string problem;
+    for (int i = 1; i <= kMostFolders; ++i) try {
+            forget_sweep(numbered(i));
+            fs::create_directories(numbered(i));
+            return numbered(i);
+        } catch (const std::exception& e) {
+            problem = e.what();
+        }
+    throw Error(problem);
+}
+
+/// Without what has no effect and what a person looks with.
+Settings comparable(const Settings& settings) {
+    return without_idle(measured_settings(settings));
+}
+
+SweepTiming timing_of_editor() {
+    return {};
+}
+
+}  // namespace
+
+EditorSweep::EditorSweep(const fs::path& state_folder)
+    : parent_(state_folder.empty()
+                  ? fs::temp_directory_path() / fmt::format("shadow-inspector-{}-{}", ::getuid(), ::getpid())
+                  : state_folder),
+      temporary_(state_folder.empty()) {
+    facts_.columns = measured_columns();
+}
+
+EditorSweep::~EditorSweep() {
+    thread_.reset();
+    std::error_code error;
+    if (temporary_) fs::remove_all(parent_, error);
+}
+
+MeasuringThread& EditorSweep::thread() {
+    if (!thread_) thread_ = std::make_unique<MeasuringThread>();
+    return *thread_;
+}
+
+std::shared_ptr<const Scene> EditorSweep::copy_of(const Scene& scene) {
+    if (!scene_ || scene_->id != scene.id) scene_ = std::make_shared<const Scene>(scene);
+    return scene_;
+}
+
+void EditorSweep::start(const Scene& scene, const std::string& scene_name, const Settings& settings,
+                        const SweepWish& wish) {
+    std::vector<SweepAxis> axes;
+    for (const std::string& axis : wish.axes) axes.push_back(parse_axis(axis));
+    if (axes.empty()) throw UsageError("a sweep varies at least one setting");
+    Settings measured = settings;
+    measured.truth.area = wish.area;
+    RunningSweep::Of of{.sessions = CaseSessions(session_plan(scene_name, scene, measured))};
+    of.spec = sweep_spec(scene_name, scene, measured, std::move(axes), wish.width, wish.height);
+    of.plan = plan_sweep(of.spec.base, of.spec.axes);
+    of.folder = folder_for(parent_, of.spec, of.plan);
+    show(of.spec, of.plan, of.folder);
+    thread().sweep(std::move(of), copy_of(scene), settings.scene);
+}
+
+void EditorSweep::show(const SweepSpec& spec, const SweepPlan& plan, const fs::path& folder) {
+    auto shown = std::make_unique<Shown>();
+    shown->spec = spec, shown->plan = plan, shown->folder = folder;
+    shown_ = std::move(shown);
+    results_ = {};
+    facts_.problem.clear();
+    fresh_ = true;
+}
+
+void EditorSweep::cancel() {
+    if (thread_) thread_->cancel_sweep();
+}
+
+void EditorSweep::follow(const Scene& scene, const std::string& scene_name, const Settings& settings,
+                         const SweepPanel& panel) {
+    Settings wanted = measured_settings(settings);
+    // Dots of one plot are of pictures of one size, held against one truth.
+    const int width = shown_ ? shown_->spec.width : panel.width, height = shown_ ? shown_->spec.height : panel.height;
+    wanted.truth.area = shown_ ? shown_->spec.area : panel.area;
+    const bool same = followed_ && followed_->scene->id == scene.id && followed_->settings == wanted &&
+                      followed_->width == width && followed_->height == height;
+    if (same) return;
+    followed_ = MeasuringThread::Picture{copy_of(scene), scene_name, wanted, width, height};
+    thread().measure(*followed_);
+}
+
+void EditorSweep::unfollow() {
+    if (!followed_) return;
+    followed_.reset();
+    thread_->cancel_measure();
+}
+
+void EditorSweep::open(const fs::path& folder, SweepPanel& panel) {
+    const SweepState state = read_journal(folder);
+    const SweepSpec spec = spec_from_json(state.spec);
+    const SweepPlan plan = plan_sweep(spec.base, spec.axes);
+    if (plan_key(plan) != state.plan)
+        throw Error(fmt::format("{}: was made by a version of the program that orders cases differently; sweep anew",
+                                folder.string()));
+    cancel();
+    if (thread_) thread_->wait_for_sweep();
+    show(spec, plan, folder);
+    results_ = results_json(state, plan);
+    seen_sweep_ = thread_ ? thread_->news().sweep : 0;
+    opened_ = true;
+    panel.width = spec.width, panel.height = spec.height, panel.area = spec.area;
+    panel.axes.clear();
+    for (const SweepAxis& axis : spec.axes) panel.axes.push_back({axis.key, fmt::format("{}", fmt::join(axis.values, ","))});
+    panel.chosen.reset();
+}
+
+void EditorSweep::save(const fs::path& folder) const {
+    if (!shown_) throw Error("there is no sweep to save");
+    require_sweep_folder(folder);
+    const SweepState state = read_journal(shown_->folder);
+    std::error_code error;
+    if (!fs::equivalent(folder, shown_->folder, error)) {
+        fs::create_directories(folder);
+        if (has_journal(folder)) forget_sweep(folder);
+        fs::copy_file(shown_->folder / kJournalFile, folder / kJournalFile);
+        copy_pictures(shown_->folder, folder);
+    }
+    write_sweep_files(folder, state, shown_->plan);
+}
+
+bool EditorSweep::busy() const {
+    return thread_ && thread_->busy();
+}
+
+bool EditorSweep::moved() const {
+    return thread_ && thread_->version() != seen_;
+}
+
+void EditorSweep::wait() const {
+    if (thread_) thread_->wait();
+}
+
+void EditorSweep::take_news() {
+    MeasuringThread::News news = thread_->news();
+    seen_ = news.version;
+    fresh_ = true;
+    present_ = std::move(news.measured);
+    facts_.measuring_present = news.measuring;
+    facts_.present_problem = news.measure_problem;
+    if (opened_ && news.sweep == seen_sweep_) return;  // its sweep is not the one that is shown
+    opened_ = false;
+    seen_sweep_ = news.sweep;
+    if (!news.results.is_null()) results_ = std::move(news.results);
+    facts_.running = news.sweeping;
+    facts_.timing = news.progress.timing;
+    facts_.problem = news.sweep_problem;
+    facts_.seconds_left = news.progress.seconds_left;
+    const SweepTiming timing = timing_of_editor();
+    const double part = news.progress.total ? double(news.progress.done) / double(news.progress.total) : 0;
+    facts_.progress = news.progress.timing ? (news.progress.round + part) / timing.rounds : part;
+    facts_.current = news.sweeping ? progress_text(news.progress, timing) : "";
+}
+
+void EditorSweep::compare_settings(const EditorState& state) {
+    facts_.other_scene = shown_ && shown_->spec.scene != state.scene_name;
+    facts_.other_settings.clear();
+    if (!shown_) return;
+    Settings present = state.settings;
+    present.truth.area = shown_->spec.area;  // follow() holds the present ones against the sweep's truth
+    const Settings swept = comparable(shown_->spec.base), now = comparable(present);
+    for (const SettingRef& ref : differing_settings(swept, now)) {
+        const std::string key = setting_key(ref);
+        const auto& axes = shown_->spec.axes;
+        if (std::none_of(axes.begin(), axes.end(), [&](const SweepAxis& a) { return a.key == key; }))
+            facts_.other_settings.push_back(std::string(ref.param->label) + ": " + change_text(swept, now, ref));
+    }
+}
+
+bool EditorSweep::update(const EditorState& state) {
+    if (moved()) take_news();
+    const bool axes_moved = seen_cost_ != state.sweep.cost || seen_error_ != state.sweep.error;
+    const bool settings_moved = compared_ != state.settings || compared_scene_ != state.scene_name;
+    if (!fresh_ && !axes_moved && !settings_moved) return false;
+    if (fresh_ || settings_moved) {
+        compare_settings(state);
+        compared_ = state.settings, compared_scene_ = state.scene_name;
+    }
+    if (fresh_) {
+        facts_.cases.clear();
+        facts_.failed = 0;
+        facts_.total = shown_ ? shown_->plan.cases.size() : 0;
+        facts_.about.clear();
+        if (!results_.is_null()) {
+            for (const Json& row : results_.at("rows")) facts_.cases.push_back(measured_case(row));
+            facts_.failed = results_.at("failed");
+            facts_.software = results_.at("cpu_rasteriser");
+            const SweepSpec& spec = shown_->spec;
+            facts_.about = fmt::format("{}, {} x {} pixels, {} truth; {}", spec.scene, spec.width, spec.height,
+                                       spec.area ? "area" : "hard", results_.at("renderer").get<std::string>());
+        }
+        facts_.present.reset();
+        if (!present_.is_null() && followed_) facts_.present = measured_case(present_);
+    }
+    facts_.view = frontier_view(results_.is_null() ? Json::array() : results_.at("rows"),
+                                followed_ ? present_ : Json(), state.sweep.cost, state.sweep.error);
+    seen_cost_ = state.sweep.cost, seen_error_ = state.sweep.error;
+    fresh_ = false;
+    return true;
+}
+
+}  // namespace si

@@ -1,0 +1,66 @@
+// The ray-traced truth in the editor: traced in the background while something that is shown asks for it, so that numbers
+// and overlays follow bias and kernel at once.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "renderer/reference/truth_picture.h"
+#include "ui/state/editor_ui.h"
+
+namespace si {
+
+/// One thread computes at a time; what is no longer wanted is cancelled, and the next starts when it has ended. Nothing but
+/// wait() and the destructor blocks. All calls from the renderer's thread.
+class EditorTruth {
+public:
+    EditorTruth();
+    /// Cancels and joins.
+    ~EditorTruth();
+    EditorTruth(const EditorTruth&) = delete;
+    EditorTruth& operator=(const EditorTruth&) = delete;
+
+    /// For FrameRequest::truth.
+    std::shared_ptr<const TruthPicture> picture() const { return picture_; }
+
+    struct Wishes {
+        bool cancel = false;                      ///< forget it until something changes
+        std::optional<std::string> save_error;    ///< all metrics of the frame as JSON into this file
+    };
+    /// Starts what `frame` lacks and takes what is done. @param drawn the frame is a new one: while frames follow each other
+    /// (a drag), nothing is started. Returns whether the scene is to be drawn anew, or the facts changed. @throws Error
+    bool update(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
+                const FrameResult& frame, bool drawn, const Wishes& wishes);
+    /// There is no frame.
+    void clear();
+
+    TruthFacts facts(const FrameResult& frame) const;
+    bool busy() const { return job_ != nullptr; }
+    /// Something is done: update() has news; or its progress is to be drawn anew.
+    bool moved() const;
+    /// Until what runs has ended.
+    void wait() const;
+    /// "Wrote F.json", once, after Wishes::save_error.
+    std::string take_remark() { return std::exchange(remark_, {}); }
+
+private:
+    struct Job;
+    struct Outcome;
+    template <typename Work>
+    void launch(const char* doing, std::uint64_t key, Work&& work);
+    /// Takes what the job found. Returns whether there was one.
+    bool poll();
+    void start_trace(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request);
+    void start_save(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
+                    const std::string& path);
+
+    TruthCache cache_;  ///< used by the job while there is one
+    std::shared_ptr<const TruthPicture> picture_;
+    std::uint64_t given_up_ = 0;   ///< key of a truth that failed or was cancelled
+    std::string problem_, remark_;
+    std::optional<std::string> save_next_;
+    mutable int shown_percent_ = -1;
+    std::unique_ptr<Job> job_;     ///< last: joined first
+};
+
+}  // namespace si

@@ -1,0 +1,64 @@
+#include "app/editor/tuner.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "app/context/headless_context.h"
+#include "renderer/measure/axes.h"
+
+namespace si {
+namespace {
+
+std::vector<TunedFamily> families_of(const BiasSearch& search) {
+    std::vector<TunedFamily> out;
+    for (const BiasFound& f : search.tried())
+        out.push_back({std::string(family_word(f.family)), bias_text(f.bias), f.bias, f.trial.acne(), f.trial.wrong(),
+                       f.trial.lost(), f.trial.needs.gap_p95_m, f.trial.needs.shift_p95_m,
+                       search.best() && search.best()->family == f.family});
+    return out;
+}
+
+TuningOutcome search(const std::shared_ptr<const Scene>& scene, const TuningJob& job, const Workers& workers,
+                            const std::function<void(const Tuner&)>& report) {
+    TuningOutcome out{.found = {}, .families = {}, .text = {}, .scene = scene->id, .settings = job.settings,
+                      .width = job.width, .height = job.height};
+    try {
+        const auto began = std::chrono::steady_clock::now();
+        const HeadlessContext context;
+        Renderer renderer;
+        const Tuner tuner = run_tuning(renderer, *scene, job, workers, report);
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+        out.found = tuner.result();
+        out.families = families_of(tuner.bias());
+        out.text = fmt::format("{}; {} trials in {:.1f} s", tuner.summary(), tuner.trials(), seconds);
+    } catch (const Cancelled&) {
+        out.text = "The search for the least bias was cancelled";
+    } catch (const std::exception& e) {
+        out.text = e.what();
+        out.failed = true;
+    }
+    return out;
+}
+
+}  // namespace
+
+bool TuningOutcome::is_about(const Settings& now, int now_width, int now_height) const {
+    Settings then = settings;
+    if (found) apply_tuning(then, *found);
+    then.bias = now.bias;
+    then.truth.area = now.truth.area;  // a search has its own
+    return width == now_width && height == now_height && measured_settings(then) == measured_settings(now);
+}
+
+void EditorTuner::start(const Scene& scene, const Settings& settings, int width, int height, const TuneWish& wish) {
+    TuningJob job{.settings = settings, .width = width, .height = height};
+    job.settings.truth.area = wish.area;
+    job.goals.most_error = wish.most_error, job.goals.most_ms = wish.most_ms;
+    ContextJob::start({"the present bias", 0}, [job, copy = std::make_shared<const Scene>(scene)](const Workers& workers,
+                                                                                              const Report& report) {
+        return search(copy, job, workers, [&](const Tuner& tuner) { report({tuner.about(), tuner.progress()}); });
+    });
+}
+
+}  // namespace si

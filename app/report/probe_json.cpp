@@ -1,0 +1,139 @@
+#include "app/report/probe_json.h"
+
+#include "app/report/measure_json.h"
+#include "app/report/report.h"
+#include "renderer/measure/artefact_picture.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json amount_json(const DepthAmount& a) {
+    return {{"depth", a.depth}, {"texels", a.texels}, {"metres", a.metres}};
+}
+
+std::string_view word(KernelTap::Meets meets) {
+    switch (meets) {
+        case KernelTap::Meets::Nothing: return "nothing";
+        case KernelTap::Meets::Own: return "own surface";
+        case KernelTap::Meets::Nearer: return "nearer surface";
+        case KernelTap::Meets::Farther: return "farther surface";
+    }
+    return "";
+}
+
+Json taps_json(const Probe::PerLight& p) {
+    Json taps = Json::array();
+    for (const KernelTap& t : p.taps)
+        taps.push_back({{"texel", {t.texel.x, t.texel.y}},
+                        {"stored", t.stored},
+                        {"stored_m", t.stored_m},
+                        {"compared", p.compared},
+                        {"plane", t.plane},
+                        {"lit", t.lit},
+                        {"weight", t.weight},
+                        {"meets", word(t.meets)}});
+    return taps;
+}
+
+Json account_json(const BiasAccount& a) {
+    return {{"terms",
+             {{"constant", amount_json(a.amount(a.constant))},
+              {"slope", amount_json(a.amount(a.slope))},
+              {"normal", amount_json(a.amount(a.normal))},
+              {"raster", amount_json(a.amount(a.raster))}}},
+            {"worth", amount_json(a.amount(a.clears()))},
+            {"lifted", amount_json(a.amount(a.lifts))},
+            {"least", amount_json(a.amount(a.least.total()))},
+            {"least_parts",
+             {{"kernel", amount_json(a.amount(a.least.kernel))},
+              {"quantum", amount_json(a.amount(a.least.quantum))},
+              {"snapping", amount_json(a.amount(a.least.snapping))},
+              {"rounding", amount_json(a.amount(a.least.rounding))}}},
+            {"gradient", {a.plane.gradient.x, a.plane.gradient.y}},
+            {"theta_deg", glm::degrees(a.theta_rad)},
+            {"contact_gap_m", a.contact_gap_m()}};
+}
+
+Json per_light_json(const Probe::PerLight& p) {
+    Json json = {{"light", p.light},
+                 {"face", p.face},
+                 {"casts", p.casts},
+                 {"clip", {p.clip.x, p.clip.y, p.clip.z, p.clip.w}},
+                 {"ndc", vector_json(p.ndc)},
+                 {"uvd", vector_json(p.uvd)},
+                 {"kernel_centre", vector_json(p.tap)},
+                 {"texel", {p.texel.x, p.texel.y}},
+                 {"n_dot_l", p.n_dot_l},
+                 {"stored", p.stored},
+                 {"stored_linear", p.stored_linear},
+                 {"stored_m", p.stored_m},
+                 {"gap_m", p.gap_m},
+                 {"own", p.own},
+                 {"own_linear", p.own_linear},
+                 {"own_m", p.own_m},
+                 {"bias_depth", p.bias_depth},
+                 {"bias_texels", p.bias_texels},
+                 {"bias_m", p.bias_m},
+                 {"normal_offset_m", p.normal_offset_m},
+                 {"texel_m", p.texel_m},
+                 {"compared", p.compared},
+                 {"visibility", p.visibility},
+                 {"where", p.where},
+                 {"verdict", p.verdict}};
+    if (!p.casts) return json;
+    json["bias"] = account_json(p.account);
+    json["taps_across"] = p.taps_across;
+    json["taps"] = taps_json(p);
+    return json;
+}
+
+Json dossier_json(const Dossier& d) {
+    Json json = {{"verdict", d.verdict},
+                 {"right", d.right},
+                 {"artefact", "none"},
+                 {"truth",
+                  {{"state", state_key(d.truth.state)},
+                   {"lit", d.truth.lit},
+                   {"area_share", d.truth.share},
+                   {"area_noise", d.truth.noise},
+                   {"gap_m", d.truth.gap_m}}},
+                 {"window",
+                  {{"least", amount_json(d.least)},
+                   {"occluder", amount_json(d.occluder)},
+                   {"open", d.window_open()},
+                   {"opening_resolution", d.opening_resolution}}},
+                 {"remedy", nullptr}};
+    for (const ArtefactStyle& style : artefact_styles())
+        if (style.artefact == d.truth.cause.artefact) json["artefact"] = style.key;
+    if (d.remedy) {
+        const auto& [key, value] = d.remedy->settings.front();
+        json["remedy"] = {{"key", key}, {"value", value}, {"text", d.remedy->text}, {"settings", Json::object()}};
+        for (const auto& [k, v] : d.remedy->settings) json["remedy"]["settings"][k] = v;
+    }
+    json["also"] = Json::array();
+    for (const ArtefactStyle& style : artefact_styles())
+        if (d.cause().also >> int(style.artefact) & 1) json["also"].push_back(style.key);
+    if (d.cause().artefact == Artefact::OutsideMap) json["kind"] = d.cause().seam ? "seam" : "outside";
+    return json;
+}
+
+}  // namespace
+
+Json probe_json(const Probe& probe, std::span<const Dossier> dossiers) {
+    Json json = {{"hit", probe.hit}, {"x", probe.x}, {"y", probe.y}};
+    if (!probe.hit) return json;
+    json["object"] = probe.object;
+    json["position_ws"] = vector_json(probe.position_ws);
+    json["normal_ws"] = vector_json(probe.normal_ws);
+    json["lights"] = Json::array();
+    for (const auto& light : probe.lights) {
+        json["lights"].push_back(per_light_json(light));
+        for (const Dossier& d : dossiers)
+            if (d.light == light.light) json["lights"].back()["dossier"] = dossier_json(d);
+    }
+    return json;
+}
+
+}  // namespace si

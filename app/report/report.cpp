@@ -1,0 +1,152 @@
+#include "app/report/report.h"
+
+#include <algorithm>
+
+#include "app/session/setting_json.h"
+#include "renderer/inspect/lost_casters.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json scene_json(const Session& session) {
+    const Scene& s = session.scene;
+    Json bounds = nullptr;
+    if (!s.bounds.empty()) bounds = {{"min", vector_json(s.bounds.lo)}, {"max", vector_json(s.bounds.hi)}};
+    return {{"name", session.scene_name},    {"triangles", s.triangle_count()},
+            {"meshes", s.meshes.size()},     {"nodes", s.nodes.size()},
+            {"objects", s.objects.size()},   {"materials", s.materials.size()},
+            {"textures", s.textures.size()}, {"bounds", bounds},
+            {"warnings", s.warnings}};
+}
+
+/// Every setting that acts on this frame: lights that are on, objects with an override.
+Json settings_json(const Settings& settings) {
+    Json json = Json::object();
+    for (const SettingRef& ref : all_settings(settings)) {
+        if (ref.param->scope == Scope::Light && ref.light >= settings.light_count) continue;
+        json[setting_key(ref)] = setting_to_json(ref, get_value(settings, ref));
+    }
+    return json;
+}
+
+Json view_json(const LightView& view) {
+    const glm::dmat4 clip_from_world = view.clip_from_relative(glm::dvec3(0));
+    glm::dmat4 light_from_world(glm::transpose(view.axes));
+    light_from_world[3] = glm::dvec4(-(glm::transpose(view.axes) * view.eye), 1);
+    return {{"view", matrix_json(light_from_world)},
+            {"projection", matrix_json(view.projection)},
+            {"clip_from_world", matrix_json(clip_from_world)}};
+}
+
+Json light_json(const Session& session, const FrameResult& frame, std::size_t i) {
+    static constexpr const char* kTypes[] = {"directional", "spot", "point"};
+    const FittedLight& light = frame.lights[i];
+    Json json = {{"light", i},
+                 {"type", kTypes[std::size_t(light.type)]},
+                 {"casts", light.casts},
+                 {"reason", light.reason},
+                 {"notes", light.notes},
+                 {"clipped_casters", light.clipped_casters},
+                 {"position", vector_json(light.position)},
+                 {"to_light", vector_json(light.to_light)}};
+    json["lost_casters"] = Json::array();
+    for (const LostCaster& lost : lost_casters(session.scene, session.settings, light)) {
+        const Object& object = session.scene.objects[std::size_t(lost.object)];
+        json["lost_casters"].push_back({{"object", session.scene.nodes[std::size_t(object.node)].path},
+                                        {"culled", lost.cull == int(Cull::Front) ? "front" : "back"},
+                                        {"triangles", lost.triangles}});
+    }
+    if (light.views.empty()) return json;
+    const LightView& first = light.views.front();
+    const double centre_m = glm::dot(first.axes[2], first.eye - session.scene.bounds.centre());
+    const double at = first.curve.perspective ? std::clamp(centre_m, first.curve.near, first.curve.far) : centre_m;
+    json["projection"] = first.curve.perspective ? "perspective" : "orthographic";
+    json["matrices"] = view_json(first);
+    json["texel_size_m"] = first.texel_size(at, frame.map_resolution);
+    json["texel_size_at_m"] = at;
+    json["depth_range_m"] = {first.curve.near, first.curve.far};
+    json["depth_zero_to_one"] = first.curve.convention.zero_to_one;
+    json["depth_reversed"] = first.curve.convention.reversed;
+    if (light.views.size() > 1) {
+        for (const LightView& view : light.views) json["faces"].push_back(view_json(view));
+    }
+    return json;
+}
+
+Json pass_json(const PassInfo& pass) {
+    static constexpr const char* kStates[] = {"ran", "reused", "skipped"};
+    return {{"name", pass.name},          {"state", kStates[std::size_t(pass.state)]},
+            {"reason", pass.reason},      {"gpu_ms", pass.gpu_ms},
+            {"cpu_ms", pass.cpu_ms},      {"draws", pass.draws},
+            {"triangles", pass.triangles}};
+}
+
+}  // namespace
+
+Json matrix_json(const glm::dmat4& m) {
+    Json rows = Json::array();
+    for (int r = 0; r < 4; ++r) rows.push_back({m[0][r], m[1][r], m[2][r], m[3][r]});
+    return rows;
+}
+
+Json vector_json(const glm::dvec3& v) {
+    return Json::array({v.x, v.y, v.z});
+}
+
+Json driver_json(const DriverInfo& d) {
+    Json offsets = Json::object();
+    const auto formats = find_setting("map.format")->param->choices();
+    for (std::size_t i = 0; i < formats.size(); ++i) {
+        const PolygonOffset& o = d.offset[i];
+        offsets[std::string(formats[i].key)] = {{"unit_depth", o.unit_depth},
+                                                {"unit_steps", o.unit_steps},
+                                                {"slope", o.slope_is_length ? "length" : "larger"},
+                                                {"slope_gain", o.slope_gain}};
+    }
+    return {{"vendor", d.vendor},
+            {"renderer", d.renderer},
+            {"version", d.version},
+            {"glsl", d.glsl},
+            {"software", d.software},
+            {"max_texture_size", d.max_texture_size},
+            {"subpixel_bits", d.subpixel_bits},
+            {"max_samples", d.max_samples},
+            {"polygon_offset_clamp", d.polygon_offset_clamp},
+            {"polygon_offset", offsets},
+            {"anisotropy", d.anisotropy},
+            {"clock", d.clock},
+            {"query_share", d.query_share}};
+}
+
+Json report_json(const Session& session, const std::string& view, const FrameRequest& request, const FrameResult& frame,
+                 const DriverInfo& driver) {
+    Json json;
+    json["format"] = "shadow-inspector-report";
+    json["version"] = 1;
+    json["scene"] = scene_json(session);
+    json["picture"] = {{"view", view}, {"width", request.width}, {"height", request.height}};
+    json["settings"] = settings_json(session.settings);
+    json["camera"] = {{"eye", vector_json(frame.camera.eye)},
+                      {"near", frame.camera.curve.near},
+                      {"far", frame.camera.curve.far},
+                      {"clip_from_world", matrix_json(frame.camera.clip_from_relative(glm::dvec3(0)))}};
+    json["map_resolution"] = frame.map_resolution;
+    json["fit"] = Json::array();
+    for (std::size_t i = 0; i < frame.lights.size(); ++i) json["fit"].push_back(light_json(session, frame, i));
+    json["passes"] = Json::array();
+    for (const PassInfo& pass : frame.passes) json["passes"].push_back(pass_json(pass));
+    json["notes"] = frame.notes;
+    json["clock"] = frame.clock;
+    json["driver"] = driver_json(driver);
+    return json;
+}
+
+std::string json_text(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace si

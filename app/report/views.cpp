@@ -1,0 +1,154 @@
+#include "app/report/views.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "app/base/output.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
+#include "renderer/reference/truth_picture.h"
+#include "renderer/settings/techniques.h"
+
+namespace si {
+namespace {
+
+constexpr int kPaneGap = 2;  ///< pixels between two panes
+
+void require_map(const Settings& settings, const FrameResult& frame) {
+    const std::size_t light = std::size_t(settings.view.light);
+    if (light >= frame.lights.size()) {
+        throw Error(fmt::format("view.light is {}, but light.count is {}", light, frame.lights.size()));
+    }
+    if (!frame.lights[light].casts) {
+        throw Error(fmt::format("light {} has no shadow map: {}", light, frame.lights[light].reason));
+    }
+}
+
+void write_depth(Renderer& renderer, const Settings& settings, const FrameResult& frame, const std::string& path) {
+    if (lower_extension(path) == ".png") return write_png(path, renderer.read_colour(frame.map_view));
+    FloatImage depth = renderer.read_map_view_depth();
+    if (settings.view.map == static_cast<int>(MapView::Linear)) {
+        for (float& v : depth.data) v = float(frame.map_view_curve.distance(v));
+    }
+    write_pfm(path, depth);
+}
+
+/// The panes as one picture, with dark gaps between them.
+ByteImage joined(Renderer& renderer, const FrameResult& frame, const PaneGrid& grid, int width, int height) {
+    ByteImage out{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4, 22)};
+    for (int pane = 0; pane < grid.count(); ++pane) {
+        const ByteImage picture = renderer.read_colour(frame.panes[std::size_t(pane)].picture);
+        const glm::ivec2 corner = grid.corner(pane);
+        const int rows = std::min(picture.height, height - corner.y),
+                  columns = std::min(picture.width, width - corner.x);
+        for (int y = 0; y < rows; ++y)
+            std::copy_n(&picture.data[std::size_t(y) * std::size_t(picture.width) * 4], std::max(columns, 0) * 4,
+                        &out.data[(std::size_t(corner.y + y) * std::size_t(width) + std::size_t(corner.x)) * 4]);
+    }
+    return out;
+}
+
+FloatImage overlay_values(Renderer& renderer, const FrameResult& frame) {
+    const FloatImage rgba = renderer.read_float(frame.overlay, 4);
+    FloatImage values{rgba.width, rgba.height, 1, {}};
+    values.data.resize(rgba.data.size() / 4);
+    for (std::size_t i = 0; i < values.data.size(); ++i) {
+        const bool drawn = rgba.data[4 * i + 3] != 0;
+        values.data[i] = drawn ? rgba.data[4 * i] : std::numeric_limits<float>::quiet_NaN();
+    }
+    return values;
+}
+
+}  // namespace
+
+std::vector<View> views() {
+    std::vector<View> list = {
+        {"shaded", "Shaded", "The scene lit and shadowed.", false, 0},
+        {"visibility", "Visibility", "How much of the light of view.light reaches each pixel: 1 lit, 0 in shadow.",
+         true, 0},
+        {"shadow-map", "Shadow map",
+         "The depth map of view.light as view.map shows it; as floats the stored depth, or "
+         "metres when view.map is linear.",
+         true, 0},
+        {"camera-depth", "Camera depth",
+         "The camera's own depth as view.map shows it; as floats the stored depth (reversed: 1 near, 0 far and where "
+         "nothing was drawn), or metres when view.map is linear.",
+         true, 0},
+    };
+    int index = 0;
+    for (const Overlay& overlay : overlays()) {
+        ++index;
+        if (overlay.key == "visibility") continue;
+        list.push_back(
+            {std::string(overlay.key), std::string(overlay.label), std::string(overlay.help), overlay.scalar, index});
+    }
+    return list;
+}
+
+View find_view(const std::string& key) {
+    std::vector<std::string> keys;
+    for (const View& view : views()) {
+        if (view.key == key) return view;
+        keys.push_back(view.key);
+    }
+    throw UsageError(fmt::format("no view '{}': it is one of {}; did you mean {}?", key, fmt::join(keys, ", "),
+                                 nearest_name(key, keys)));
+}
+
+void check_view_file(const View& view, const std::string& path) {
+    const std::string extension = lower_extension(path);
+    if (extension != ".png" && extension != ".pfm") {
+        throw UsageError(fmt::format("{}: the file must end in .png (8 bit) or .pfm (float)", path));
+    }
+    if (extension == ".pfm" && !view.scalar) {
+        throw UsageError(
+            fmt::format("{}: the view '{}' is a picture, not one number a pixel; write it as .png", path, view.key));
+    }
+}
+
+PaneGrid picture_grid(const Settings& settings, int width, int height) {
+    return pane_grid(settings.view.panes, width, height, kPaneGap);
+}
+
+void write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request, const View& view,
+                const std::string& path, FrameResult* frame, const Workers& workers) {
+    const bool floats = lower_extension(path) == ".pfm";
+    if (view.overlay > 0) settings.view.overlay = view.overlay;
+    // Only the picture itself has panes: whatever is asked for by another name is one picture.
+    if (view.key != "shaded") settings.view.panes = static_cast<int>(Panes::One);
+    const bool depth = view.key == "shadow-map" || view.key == "camera-depth";
+    if (depth)
+        settings.view.map_source = static_cast<int>(view.key == "camera-depth" ? MapSource::Camera : MapSource::Light);
+    request.outputs = {.colour = false};
+    if (view.key == "visibility") {
+        request.outputs.visibility = true;
+    } else if (depth) {
+        request.outputs.shadow_map = true;
+    } else {
+        (floats ? request.outputs.overlay : request.outputs.colour) = true;
+    }
+    const int width = request.width, height = request.height;
+    const PaneGrid grid = picture_grid(settings, width, height);
+    if (grid.count() > 1) request.width = grid.width, request.height = grid.height;
+    TruthCache truths;
+    // The renderer's frame may lack what overlays judge by.
+    const FrameResult result = render_with_truth(renderer, scene, settings, request, truths, workers);
+    if (frame) *frame = result;
+    if (depth) {
+        if (view.key == "shadow-map") require_map(settings, result);
+        write_depth(renderer, settings, result, path);
+    } else if (view.key == "visibility") {
+        const FloatImage visibility = renderer.read_float(result.visibility, 1);
+        floats ? write_pfm(path, visibility) : write_grey_png(path, visibility);
+    } else if (floats) {
+        write_pfm(path, overlay_values(renderer, result));
+    } else if (grid.count() > 1) {
+        write_png(path, joined(renderer, result, grid, width, height));
+    } else {
+        write_png(path, renderer.read_colour(result.colour));
+    }
+}
+
+}  // namespace si

@@ -1,0 +1,123 @@
+#include "app/session/autosave.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "renderer/base/error.h"
+#include "renderer/scenes/builtin.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kExtension = ".json";
+
+fs::path lock_of(fs::path file) {
+    return file.replace_extension(".lock");
+}
+
+void remove_session(const fs::path& file) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    fs::remove(lock_of(file), ignored);
+}
+
+/// The scene as another working directory finds it.
+std::string lasting_name(const std::string& scene) {
+    for (const BuiltinScene& row : builtin_scenes())
+        if (row.key == scene) return scene;
+    std::error_code error;
+    const fs::path absolute = fs::absolute(scene, error);
+    return error ? scene : absolute.string();
+}
+
+}  // namespace
+
+Autosave::Autosave(const fs::path& folder) : folder_(folder.empty() ? fs::path() : folder / "sessions") {
+    find_lost();
+}
+
+void Autosave::find_lost() {
+    std::vector<std::pair<fs::file_time_type, fs::path>> files;
+    std::error_code error;
+    if (folder_.empty() || !fs::is_directory(folder_, error)) return;
+    for (const auto& entry : fs::directory_iterator(folder_, error))
+        if (entry.path().extension() == kExtension && entry.is_regular_file(error))
+            files.emplace_back(entry.last_write_time(error), entry.path());
+    std::sort(files.rbegin(), files.rend());
+    for (const auto& [time, file] : files) {
+        if (file == file_ || std::find(settled_.begin(), settled_.end(), file) != settled_.end()) continue;
+        LockFile lock(lock_of(file), false);
+        if (!lock || !fs::exists(file, error)) continue;  // its editor runs, or another editor settled it
+        try {
+            Lost lost{load_preset(file.string()), 0, file, std::move(lock)};
+            lost.age_s = std::chrono::duration<double>(fs::file_time_type::clock::now() - time).count();
+            lost_ = std::move(lost);
+            return;
+        } catch (const std::exception& e) {
+            remarks_.push_back(fmt::format("a lost session cannot be restored: {}", e.what()));
+            fs::path aside = file;
+            fs::rename(file, aside.replace_extension(".unreadable"), error);
+            fs::remove(lock_of(file), error);
+        }
+    }
+}
+
+void Autosave::forget_lost() {
+    if (!lost_) return;
+    remove_session(lost_->file);
+    settled_.push_back(lost_->file);
+    lost_.reset();
+    find_lost();
+}
+
+bool Autosave::claim() {
+    if (lock_) return true;
+    fs::create_directories(folder_);
+    for (int n = 0; n < 100 && !lock_; ++n) {
+        file_ = folder_ / fmt::format("{}-{}{}", ::getpid(), n, kExtension);
+        std::error_code error;
+        if (fs::exists(file_, error)) continue;  // of an earlier process with this number
+        lock_ = LockFile(lock_of(file_), false);
+    }
+    return bool(lock_);
+}
+
+void Autosave::write(const std::string& scene, const Settings& settings) {
+    try {
+        if (!claim()) throw Error(fmt::format("{}: files cannot be locked there", folder_.string()));
+        Preset preset;
+        preset.scene = lasting_name(scene);
+        preset.settings = settings;
+        save_preset(preset, file_);
+    } catch (const std::exception& e) {
+        remarks_.push_back(fmt::format("a crash would lose the present settings: {}", e.what()));
+        folder_.clear();
+    }
+}
+
+void Autosave::follow(const std::string& scene, const Settings& settings, double now_s) {
+    if (folder_.empty() || now_s < next_write_s_) return;
+    if (!known_) known_.emplace(scene, settings);
+    if (known_->first == scene && known_->second == settings) return;
+    write(scene, settings);
+    known_.emplace(scene, settings);
+    next_write_s_ = now_s + kSeconds;
+}
+
+void Autosave::end() {
+    if (lock_) remove_session(file_);
+    lock_.release();
+    folder_.clear();
+}
+
+std::vector<std::string> Autosave::take_remarks() {
+    return std::exchange(remarks_, {});
+}
+
+}  // namespace si

@@ -1,0 +1,50 @@
+#include "app/session/command_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+/// Quoted for a POSIX shell where it needs to be.
+std::string shell_word(const std::string& text) {
+    const auto plain = [](unsigned char c) {
+        return std::isalnum(c) || std::string_view("-_./=+:,@%").find(char(c)) != std::string_view::npos;
+    };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+}  // namespace
+
+Settings base_settings(const Scene& scene) {
+    Settings s;
+    apply_suggested(scene, s);
+    return s;
+}
+
+SessionPlan session_plan(const std::string& scene_name, const Scene& scene, const Settings& settings) {
+    SessionPlan plan{.scene_name = scene_name, .preset = {}, .preset_path = {}, .sets = {}, .settings = {}};
+    for (const SettingRef& ref : differing_settings(base_settings(scene), settings)) {
+        plan.sets.push_back(setting_key(ref) + "=" + value_text(*ref.param, get_value(settings, ref)));
+        apply_set(plan.settings, plan.sets.back());
+    }
+    return plan;
+}
+
+std::string command_line(const std::string& scene_name, const Scene& scene, const Settings& settings, int width,
+                         int height) {
+    std::string text =
+        fmt::format("shadow-inspector render {} -o out.png --size {}x{}", shell_word(scene_name), width, height);
+    for (const std::string& set : session_plan(scene_name, scene, settings).sets) text += " --set " + shell_word(set);
+    return text;
+}
+
+}  // namespace si

@@ -1,0 +1,188 @@
+#include "app/session/presets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/base/output.h"
+#include "app/session/setting_json.h"
+#include "renderer/base/embedded.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kFormat = "shadow-inspector-preset";
+constexpr int kVersion = 1;
+constexpr std::string_view kFolder = "assets/presets/", kExtension = ".json";
+
+[[noreturn]] void refuse(const std::string& name, const std::string& why) {
+    throw Error(fmt::format("{}: {}", name, why));
+}
+
+std::string line_and_column(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
+    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    const auto start = before.rfind('\n');
+    const auto column = before.size() - (start == std::string_view::npos ? 0 : start + 1) + 1;
+    return fmt::format("line {}, column {}", line, column);
+}
+
+/// The library's message without its own prefix and place, which count differently.
+std::string plain_message(std::string message) {
+    if (const auto at = message.find("] "); at != std::string::npos) message.erase(0, at + 2);
+    if (const auto at = message.find(": "); message.starts_with("parse error at") && at != std::string::npos) {
+        message.erase(0, at + 2);
+    }
+    return message;
+}
+
+Json parse_json(std::string_view text, const std::string& name) {
+    std::vector<std::set<std::string>> open;  // keys seen in each open object
+    std::string duplicate;
+    const auto watch = [&](int, nlohmann::detail::parse_event_t event, Json& value) {
+        using Event = nlohmann::detail::parse_event_t;
+        if (event == Event::object_start) open.emplace_back();
+        if (event == Event::object_end) open.pop_back();
+        if (event == Event::key && !open.back().insert(value.get<std::string>()).second && duplicate.empty()) {
+            duplicate = value.get<std::string>();
+        }
+        return true;
+    };
+    try {
+        Json json = Json::parse(text, watch);
+        if (!duplicate.empty()) refuse(name, fmt::format("\"{}\" stands there twice; keep one", duplicate));
+        return json;
+    } catch (const Json::parse_error& e) {
+        refuse(name, fmt::format("{}: not JSON: {}", line_and_column(text, e.byte), plain_message(e.what())));
+    } catch (const Json::out_of_range& e) {
+        // Only a number beyond all range comes here; the message quotes it and gives no place.
+        const std::string message = plain_message(e.what());
+        const auto quote = message.find('\'');
+        const std::string number =
+            quote == std::string::npos ? "" : message.substr(quote + 1, message.size() - quote - 2);
+        refuse(name, fmt::format("{}: {} is beyond the range of numbers", line_and_column(text, text.find(number) + 1),
+                                 number));
+    }
+}
+
+std::string text_member(const Json& json, const char* key, const std::string& name) {
+    const auto it = json.find(key);
+    if (it == json.end()) return {};
+    if (!it->is_string()) refuse(name, fmt::format("\"{}\" must be a text", key));
+    return it->get<std::string>();
+}
+
+void check_header(const Json& json, const std::string& name) {
+    static const std::vector<std::string> known = {"format", "version", "title", "topic", "about", "scene", "settings"};
+    if (!json.is_object()) refuse(name, "not a preset: an object {\"format\": ...} is wanted");
+    const auto format = json.find("format");
+    if (format == json.end() || *format != kFormat) {
+        refuse(name, fmt::format("not a preset: \"format\" must be \"{}\"", kFormat));
+    }
+    const auto version = json.find("version");
+    if (version == json.end() || *version != kVersion) {
+        refuse(name, fmt::format("\"version\" is {}, but this program reads version {}",
+                                 version == json.end() ? "missing" : version->dump(), kVersion));
+    }
+    for (const auto& [key, value] : json.items()) {
+        if (std::find(known.begin(), known.end(), key) == known.end()) {
+            refuse(name, fmt::format("\"{}\": unknown member; did you mean \"{}\"?", key, nearest_name(key, known)));
+        }
+    }
+    const auto settings = json.find("settings");
+    if (settings == json.end() || !settings->is_object()) refuse(name, "\"settings\" must be an object of key: value");
+}
+
+/// The presets inside the program, by file name.
+std::vector<const EmbeddedFile*> preset_files() {
+    std::vector<const EmbeddedFile*> files;
+    for (const EmbeddedFile& file : embedded_files())
+        if (file.path.starts_with(kFolder) && file.path.ends_with(kExtension)) files.push_back(&file);
+    std::sort(files.begin(), files.end(), [](const auto* a, const auto* b) { return a->path < b->path; });
+    return files;
+}
+
+/// The file's name without the number that orders it.
+std::string preset_key(const EmbeddedFile& file) {
+    const std::string stem = std::filesystem::path(file.path).stem().string();
+    const auto digits = stem.find_first_not_of("0123456789");
+    return digits != 0 && digits != std::string::npos && stem[digits] == '-' ? stem.substr(digits + 1) : stem;
+}
+
+}  // namespace
+
+Preset parse_preset(std::string_view text, const std::string& name) {
+    const Json json = parse_json(text, name);
+    check_header(json, name);
+    Preset preset;
+    preset.title = text_member(json, "title", name);
+    preset.topic = text_member(json, "topic", name);
+    preset.about = text_member(json, "about", name);
+    preset.scene = text_member(json, "scene", name);
+    std::map<std::string, std::string> written;  // canonical key -> key as written
+    for (const auto& [key, value] : json["settings"].items()) {
+        const std::string place = fmt::format("settings.\"{}\": ", key);
+        const auto ref = find_setting(key);
+        if (!ref) refuse(name, place + fmt::format("unknown setting; did you mean {}?", nearest_key(key)));
+        const auto [earlier, is_new] = written.emplace(setting_key(*ref), key);
+        if (!is_new) refuse(name, place + fmt::format("the same setting as \"{}\"; keep one", earlier->second));
+        try {
+            set_value(preset.settings, *ref, setting_from_json(*ref, value));
+        } catch (const UsageError& e) {
+            refuse(name, place + e.what());
+        }
+    }
+    return preset;
+}
+
+std::string preset_text(const Preset& preset) {
+    Json json;
+    json["format"] = kFormat;
+    json["version"] = kVersion;
+    for (const auto& [key, text] : {std::pair{"title", &preset.title},
+                                    {"topic", &preset.topic},
+                                    {"about", &preset.about},
+                                    {"scene", &preset.scene}})
+        if (!text->empty()) json[key] = *text;
+    json["settings"] = Json::object();
+    for (const SettingRef& ref : changed_settings(preset.settings)) {
+        json["settings"][setting_key(ref)] = setting_to_json(ref, get_value(preset.settings, ref));
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Preset load_preset(const std::string& name_or_path) {
+    std::vector<std::string> keys;
+    for (const EmbeddedFile* file : preset_files()) {
+        keys.push_back(preset_key(*file));
+        if (keys.back() == name_or_path) return parse_preset(file->text, name_or_path);
+    }
+    std::error_code error;
+    if (!std::filesystem::exists(name_or_path, error) && lower_extension(name_or_path) != kExtension && !keys.empty()) {
+        throw Error(fmt::format("no preset '{}': the nearest built-in preset is '{}', and files end in .json",
+                                name_or_path, nearest_name(name_or_path, keys)));
+    }
+    return parse_preset(read_text_file(name_or_path), name_or_path);
+}
+
+void save_preset(const Preset& preset, const std::filesystem::path& path) {
+    write_file(path, preset_text(preset));
+}
+
+std::vector<BuiltinPreset> builtin_presets() {
+    std::vector<BuiltinPreset> list;
+    for (const EmbeddedFile* file : preset_files()) {
+        Preset preset = parse_preset(file->text, std::string(file->path));
+        list.push_back({preset_key(*file), preset.title, preset.topic, preset.about, preset.scene});
+    }
+    return list;
+}
+
+}  // namespace si

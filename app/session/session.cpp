@@ -1,0 +1,163 @@
+#include "app/session/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "renderer/scene/animation.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
+#include "renderer/scenes/builtin.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The scene a preset was made for: a relative path counts from here, else from the preset's folder.
+std::string scene_of_preset(const Preset& preset, const std::string& preset_path) {
+    std::error_code error;
+    if (preset.scene.empty() || fs::exists(preset.scene, error)) return preset.scene;
+    const fs::path beside = fs::path(preset_path).parent_path() / preset.scene;
+    return fs::exists(beside, error) ? beside.string() : preset.scene;
+}
+
+/// @throws UsageError when the scene lacks the chosen camera; with `left_out`, the first one is chosen instead.
+void check_camera(const Scene& scene, CameraSettings& camera, std::vector<std::string>* left_out) {
+    const int count = int(scene.cameras.size());
+    if (camera.index <= 0 || camera.index < count) return;
+    const std::string text = fmt::format(
+        "camera.index {}: {} has {} camera{}; {}", camera.index, scene.name, count, count == 1 ? "" : "s",
+        count == 0 ? "leave it out" : fmt::format("choose 0 to {}, or -1 to show everything", count - 1));
+    if (!left_out) throw UsageError(text);
+    left_out->push_back(text);
+    camera.index = 0;
+}
+
+}  // namespace
+
+GltfOptions scene_options(const SessionPlan& plan) {
+    GltfOptions options;
+    options.scene = plan.settings.scene.index;
+    return options;
+}
+
+void check_objects(const Scene& scene, Settings& settings, const std::string& preset,
+                   std::vector<std::string>* left_out) {
+    if (settings.objects.empty()) return;
+    std::vector<std::string> paths;
+    for (const Node& node : scene.nodes) paths.push_back(node.path);
+    std::erase_if(settings.objects, [&](const auto& entry) {
+        const std::string& path = entry.first;
+        if (std::find(paths.begin(), paths.end(), path) != paths.end()) return false;
+        const std::string nearest = nearest_name(path, paths);
+        const std::string text = fmt::format("object.{}: {} has no such node{}", path, scene.name,
+                                             nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
+        if (left_out)
+            left_out->push_back(text);
+        else if (preset.empty())
+            throw UsageError(text);
+        else
+            throw Error(fmt::format("{}: {}", preset, text));
+        return true;
+    });
+}
+
+void apply_set(Settings& settings, const std::string& assignment) {
+    // Node paths may hold '='; values never do.
+    const auto equals = assignment.rfind('=');
+    if (equals == std::string::npos) {
+        throw UsageError(fmt::format("--set \"{}\": KEY=VALUE is wanted, such as bias.slope=2", assignment));
+    }
+    set_setting(settings, assignment.substr(0, equals), assignment.substr(equals + 1));
+}
+
+void apply_suggested(const Scene& scene, Settings& settings) {
+    for (const auto& [key, value] : scene.suggested) {
+        try {
+            set_setting(settings, key, value);
+        } catch (const UsageError& e) {
+            throw Error(fmt::format("{}: its suggested settings: {}", scene.name, e.what()));
+        }
+    }
+}
+
+std::string pose_scene(Scene& scene, const SceneSettings& settings) {
+    if (!scene.rig || scene.rig->animations.empty()) {
+        const SceneSettings still{.index = settings.index};
+        return settings == still
+                   ? ""
+                   : fmt::format("{} has no animation: scene.animation and scene.time have no effect", scene.name);
+    }
+    const int count = int(scene.rig->animations.size());
+    if (settings.animation < -1 || settings.animation >= count) {
+        throw UsageError(
+            fmt::format("scene.animation {}: {} has {} animation{}; choose 0 to {}, or -1 for the rest pose",
+                        settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
+    }
+    pose(scene, settings.animation, settings.time);
+    return "";
+}
+
+SessionPlan plan_session(const SessionOptions& options) {
+    SessionPlan plan;
+    plan.sets = options.sets;
+    Settings trial;  // before a preset is looked for, so that a wrong --set is what is told first
+    for (const std::string& assignment : plan.sets) apply_set(trial, assignment);
+    plan.scene_name = options.scene;
+    if (!options.preset.empty()) {
+        plan.preset = load_preset(options.preset);
+        plan.preset_path = options.preset;
+        if (plan.scene_name.empty()) plan.scene_name = scene_of_preset(*plan.preset, options.preset);
+    }
+    if (plan.scene_name.empty()) plan.scene_name = std::string(builtin_scenes().front().key);
+    if (plan.preset) plan.settings = plan.preset->settings;
+    for (const std::string& assignment : plan.sets) apply_set(plan.settings, assignment);
+    return plan;
+}
+
+ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, const SceneSettings& moment,
+                                  std::vector<std::string>* left_out) {
+    ComposedSettings out;
+    if (plan.preset) {
+        out.settings = plan.preset->settings;
+        check_objects(scene, out.settings, plan.preset_path, left_out);
+    } else {
+        apply_suggested(scene, out.settings);
+    }
+    for (const std::string& assignment : plan.sets) apply_set(out.settings, assignment);
+    out.settings.scene = moment;
+    check_objects(scene, out.settings, {}, left_out);
+    check_camera(scene, out.settings.camera, left_out);
+    out.notes = sanitise(out.settings);
+    if (moment.index >= 0 && scene.file_scenes.empty())
+        out.notes.push_back(fmt::format("{} is no glTF file: scene.index has no effect", scene.name));
+    return out;
+}
+
+Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::string>* left_out) {
+    // First of all, since what the scene suggests depends on where things are.
+    SceneSettings moment = plan.settings.scene;
+    std::string remark;
+    try {
+        remark = pose_scene(scene, moment);
+    } catch (const UsageError& e) {
+        if (!left_out) throw;
+        left_out->push_back(e.what());
+        moment = {.index = moment.index};
+        pose_scene(scene, moment);
+    }
+    ComposedSettings composed = compose_settings(plan, scene, moment, left_out);
+    if (!remark.empty()) composed.notes.push_back(remark);
+    for (const std::string& warning : scene.warnings)
+        composed.notes.push_back(fmt::format("{}: {}", plan.scene_name, warning));
+    return {plan.scene_name, std::move(scene), std::move(composed.settings), std::move(composed.notes)};
+}
+
+Session open_session(const SessionOptions& options) {
+    const SessionPlan plan = plan_session(options);
+    return compose_session(plan, load_scene(plan.scene_name, scene_options(plan)));
+}
+
+}  // namespace si

@@ -1,0 +1,183 @@
+#include "app/session/workspace.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/base/output.h"
+#include "renderer/base/error.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kFormat = "shadow-inspector-workspace";
+constexpr int kVersion = 1;
+constexpr std::size_t kMostRecent = 12;
+constexpr const char* kFile = "workspace.json";
+
+/// A number within its bounds; else `value` stays.
+template <class T>
+void take(const Json& json, const char* key, T& value, double least, double most) {
+    const auto it = json.find(key);
+    if (it == json.end() || !it->is_number()) return;
+    const double number = it->get<double>();
+    if (number >= least && number <= most) value = T(number);
+}
+
+void take(const Json& json, const char* key, std::vector<std::string>& list) {
+    const auto it = json.find(key);
+    if (it == json.end() || !it->is_array()) return;
+    list.clear();
+    for (const Json& entry : *it)
+        if (entry.is_string() && list.size() < kMostRecent) list.push_back(entry.get<std::string>());
+}
+
+WorkspaceData from_json(const Json& json) {
+    WorkspaceData d;
+    const Json none = Json::object();
+    const auto part = [&](const char* key) -> const Json& {
+        const auto it = json.find(key);
+        return it != json.end() && it->is_object() ? *it : none;
+    };
+    const Json& layout = part("layout");
+    take(layout, "settings_width", d.layout.settings_width, 4, 400);
+    take(layout, "bottom_height", d.layout.bottom_height, 2, 400);
+    take(layout, "map_share", d.layout.map_share, 0.05, 0.95);
+    d.layout.map_plots = layout.value("map_plots", Json()) != Json(false);
+    const Json& window = part("window");
+    take(window, "width", d.window_width, 200, 32768);
+    take(window, "height", d.window_height, 150, 32768);
+    if (d.window_width == 0 || d.window_height == 0) d.window_width = d.window_height = 0;
+    d.maximised = window.value("maximised", Json()) == Json(true);
+    take(json, "recent_scenes", d.recent_scenes);
+    take(json, "recent_presets", d.recent_presets);
+    return d;
+}
+
+std::string to_text(const WorkspaceData& d) {
+    const Json json{{"format", kFormat},
+                    {"version", kVersion},
+                    {"layout",
+                     {{"settings_width", d.layout.settings_width},
+                      {"bottom_height", d.layout.bottom_height},
+                      {"map_share", d.layout.map_share},
+                      {"map_plots", d.layout.map_plots}}},
+                    {"window", {{"width", d.window_width}, {"height", d.window_height}, {"maximised", d.maximised}}},
+                    {"recent_scenes", d.recent_scenes},
+                    {"recent_presets", d.recent_presets}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+fs::path state_folder() {
+    const auto absolute = [](const char* name) -> fs::path {
+        const char* value = std::getenv(name);
+        // The specification has relative paths ignored.
+        return value && *value == '/' ? fs::path(value) : fs::path();
+    };
+    if (const fs::path state = absolute("XDG_STATE_HOME"); !state.empty()) return state / "shadow-inspector";
+    if (const fs::path home = absolute("HOME"); !home.empty()) return home / ".local/state/shadow-inspector";
+    return {};
+}
+
+LockFile::LockFile(const fs::path& path, bool wait) {
+    for (;;) {
+        const int fd = ::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+        if (fd < 0) return;
+        struct stat locked {
+        }, named{};
+        if (::flock(fd, wait ? LOCK_EX : LOCK_EX | LOCK_NB) != 0 || ::fstat(fd, &locked) != 0) {
+            ::close(fd);
+            return;
+        }
+        // Another process may have removed the file between opening and locking: then the lock guards nothing.
+        if (::stat(path.c_str(), &named) == 0 && named.st_ino == locked.st_ino && named.st_dev == locked.st_dev) {
+            fd_ = fd;
+            return;
+        }
+        ::close(fd);
+    }
+}
+
+LockFile::LockFile(LockFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+
+LockFile& LockFile::operator=(LockFile&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+}
+
+void LockFile::release() {
+    if (fd_ >= 0) ::close(std::exchange(fd_, -1));
+}
+
+Workspace::Workspace(fs::path folder) : folder_(std::move(folder)) {
+    if (!folder_.empty()) read(data_);
+}
+
+/// Returns whether the file may be written.
+bool Workspace::read(WorkspaceData& data) {
+    const fs::path path = folder_ / kFile;
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(path, error))) return true;
+    try {
+        const Json json = Json::parse(read_text_file(path), nullptr, false);
+        if (!json.is_object() || json.value("format", Json()) != kFormat || json.value("version", Json()) != kVersion)
+            throw Error(
+                fmt::format("{}: not a workspace of this version; move it away to have layout and recent files "
+                            "remembered again",
+                            path.string()));
+        data = from_json(json);
+        return true;
+    } catch (const std::exception& e) {
+        if (!foreign_) remarks_.emplace_back(e.what());
+        foreign_ = true;
+        return false;
+    }
+}
+
+void Workspace::change(const std::function<void(WorkspaceData&)>& edit) {
+    WorkspaceData wanted = data_;
+    edit(wanted);
+    if (wanted == data_) return;
+    if (folder_.empty() || foreign_) {
+        data_ = std::move(wanted);
+        return;
+    }
+    try {
+        fs::create_directories(folder_);
+        const LockFile lock(folder_ / "workspace.lock", true);
+        WorkspaceData stored = data_;
+        const bool ours = read(stored);
+        edit(stored);
+        data_ = std::move(stored);
+        if (ours) write_file(folder_ / kFile, to_text(data_));
+    } catch (const std::exception& e) {
+        data_ = std::move(wanted);
+        remarks_.push_back(fmt::format("layout and recent files are not remembered: {}", e.what()));
+        foreign_ = true;  // once is enough
+    }
+}
+
+std::vector<std::string> Workspace::take_remarks() {
+    return std::exchange(remarks_, {});
+}
+
+void put_first(std::vector<std::string>& recent, const std::string& path) {
+    std::erase(recent, path);
+    recent.insert(recent.begin(), path);
+    if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+}
+
+}  // namespace si

@@ -1,0 +1,60 @@
+#include "app/sweep/tuning.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "renderer/base/error.h"
+#include "renderer/measure/axes.h"
+#include "renderer/measure/measure.h"
+
+namespace si {
+namespace {
+
+/// The settings as a frame draws them: repairs, such as of a resolution beyond the driver's, are the start of the search.
+Settings as_drawn(Renderer& renderer, const Scene& scene, const TuningJob& job) {
+    Settings s = measured_settings(job.settings);
+    const FrameResult frame = renderer.render(
+        scene, s, {.width = job.width, .height = job.height, .outputs = {.colour = false, .visibility = true}});
+    s.map.resolution = frame.map_resolution;
+    const auto light = std::size_t(std::max(s.view.light, 0));
+    if (light >= frame.lights.size()) throw Error(fmt::format("there is no light {}: there is no bias to find", light));
+    if (!frame.lights[light].casts)
+        throw Error(fmt::format("light {} draws no shadow map ({}): there is no bias to find", light, frame.lights[light].reason));
+    return s;
+}
+
+}  // namespace
+
+Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, const Workers& workers,
+                 const std::function<void(const Tuner&)>& report) {
+    const Settings start = as_drawn(renderer, scene, job);
+    const FrameRequest request{.width = job.width, .height = job.height};
+    TuneGoals goals = job.goals;
+    goals.most_resolution = std::min(goals.most_resolution, renderer.driver().max_texture_size);
+    Tuner tuner(start, goals);
+    TruthCache cache;
+    const TruthOptions truth = truth_options(start);
+    Measurer clock(renderer, job.width, job.height);
+    while (tuner.ask() != Tuner::Ask::Nothing) {
+        report(tuner);
+        if (workers.stop.stop_requested()) throw Cancelled();
+        const Settings s = tuner.settings();
+        if (tuner.ask() == Tuner::Ask::Time) {
+            tuner.timed(clock.time(scene, s, {.bursts = kLeastBursts, .over_s = 0.3}).total_ms.median);
+            continue;
+        }
+        const MeasuredError measured =
+            measure_error(renderer, scene, s, request, start.view.light, truth, cache, workers);
+        tuner.judged(judge_bias(measured, s, renderer.driver()));
+    }
+    return tuner;
+}
+
+void apply_tuning(Settings& settings, const Settings& found) {
+    settings.bias = found.bias;
+    settings.filter.kernel = found.filter.kernel;
+    settings.map.resolution = found.map.resolution;
+}
+
+}  // namespace si

@@ -1,0 +1,62 @@
+#include "renderer/bias/light_receiver.h"
+
+#include <algorithm>
+
+namespace si {
+
+LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, int resolution,
+                             const glm::dvec3& position_ws, const glm::dvec3& geometric_normal,
+                             const glm::dvec3& bias_normal) {
+    LightReceiver r;
+    const glm::dvec3 away = light.position - position_ws;
+    const double distance = glm::length(away);
+    r.to_light = light.type == LightType::Directional || !(distance > 0) ? light.to_light : away / distance;
+    r.n_dot_l = glm::dot(geometric_normal, r.to_light);
+    r.view = view_index(-away, light.views.size());
+    const LightView& view = light.views[r.view];
+    const auto to_unit = [&](const glm::dvec3& ndc) {
+        const double z = view.curve.convention.zero_to_one ? ndc.z : ndc.z * 0.5 + 0.5;
+        return glm::dvec3(ndc.x * 0.5 + 0.5, ndc.y * 0.5 + 0.5, z);
+    };
+    r.clip = view.clip_from_relative(position_ws) * glm::dvec4(0, 0, 0, 1);
+    const double w = r.clip.w;
+    r.ndc = glm::dvec3(r.clip) / w;
+    r.uvd = to_unit(r.ndc);
+    r.texel_m = view.texel_size(view.curve.perspective ? w : 1.0, resolution);
+    r.own_m = view.curve.distance(r.uvd.z);
+    r.axis_per_ray = std::max(glm::dot(r.to_light, view.axes[2]), 1e-6);
+    r.normal_offset_m = bias.normal * r.texel_m;
+    const glm::dvec4 moved =
+        view.clip_from_relative(position_ws + bias_normal * r.normal_offset_m) * glm::dvec4(0, 0, 0, 1);
+    r.tap = to_unit(glm::dvec3(moved) / moved.w);
+    const double slope = bias.slope * (1 - std::clamp(glm::dot(bias_normal, r.to_light), 0.0, 1.0));
+    const double amount = std::max(slope, bias.constant);
+    if (bias.unit == int(BiasUnit::Depth)) {
+        r.bias_depth = amount;
+        r.bias_m = view.curve.metres_nearer(r.own_m, amount);
+    } else {
+        r.bias_m = bias.unit == int(BiasUnit::Texels) ? amount * r.texel_m : amount;
+        // From where the normal offset has moved the point to, so that the compared depth moves by just these metres.
+        r.bias_depth = view.curve.depth_nearer(std::max(moved.w, 1e-3 * view.curve.near), r.bias_m);
+    }
+    const bool reversed = view.curve.convention.reversed;
+    r.compared = r.tap.z - (reversed ? -r.bias_depth : r.bias_depth);
+    const bool beyond = reversed ? r.uvd.z < 0 : r.uvd.z > 1;
+    const bool sides = r.uvd.x < 0 || r.uvd.x > 1 || r.uvd.y < 0 || r.uvd.y > 1;
+    r.place = w <= 0                           ? MapPlace::Behind
+              : beyond                         ? MapPlace::BeyondFar
+              : sides                          ? MapPlace::Sides
+              : r.own_m < view.curve.near      ? MapPlace::BeforeNear
+                                               : MapPlace::Inside;
+    return r;
+}
+
+std::size_t view_index(const glm::dvec3& d, std::size_t views) {
+    if (views != 6) return 0;
+    const glm::dvec3 a = glm::abs(d);
+    if (a.x >= a.y && a.x >= a.z) return d.x >= 0 ? 0 : 1;
+    if (a.y >= a.z) return d.y >= 0 ? 2 : 3;
+    return d.z >= 0 ? 4 : 5;
+}
+
+}  // namespace si

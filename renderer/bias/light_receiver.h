@@ -1,0 +1,48 @@
+// A surface point as a light's map sees it, with the bias that the settings give it: shaders/lib/receiver.glsl in double.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "renderer/view/light_fit.h"
+#include "renderer/settings/settings.h"
+#include "shaders/shared/facing.h"
+
+namespace si {
+
+/// Whether a surface faces the light. @param n_dot_l of its triangle's normal
+inline bool faces_light(double n_dot_l) {
+    return n_dot_l > double(shared::FACES_AWAY_COSINE);
+}
+
+enum class MapPlace { Inside, BeforeNear, Sides, BeyondFar, Behind };
+
+struct LightReceiver {
+    std::size_t view = 0;      ///< of the light's
+    glm::dvec4 clip{0};
+    glm::dvec3 ndc{0};
+    glm::dvec3 uvd{0};         ///< map coordinates and depth in [0,1], before any bias
+    glm::dvec3 to_light{0};    ///< unit
+    double n_dot_l = 0;        ///< of the geometric normal
+    double texel_m = 0;        ///< world size of a texel here
+    double own_m = 0;          ///< metres along the view's axis
+    double axis_per_ray = 1;   ///< cosine between the ray to the light and the view's axis, at least 1e-6
+    double bias_depth = 0;     ///< depth-buffer units, >= 0 brings the point nearer to the light
+    double bias_m = 0;         ///< the same in metres along the axis
+    double normal_offset_m = 0;
+    glm::dvec3 tap{0};         ///< uvd after the normal offset, before the depth bias
+    double compared = 0;       ///< the depth that is compared
+    MapPlace place = MapPlace::Inside;
+    bool in_map() const { return place == MapPlace::Inside || place == MapPlace::BeforeNear; }
+};
+
+/// @param bias_normal unit, the one that bias.normal_source chooses
+/// @param resolution of the map
+LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, int resolution,
+                             const glm::dvec3& position_ws, const glm::dvec3& geometric_normal,
+                             const glm::dvec3& bias_normal);
+
+/// The view whose map a point falls into: the only one, or of six the one of the largest coordinate.
+/// @param from_light the point relative to the light's place
+std::size_t view_index(const glm::dvec3& from_light, std::size_t views);
+
+}  // namespace si

@@ -1,0 +1,79 @@
+#include "renderer/bias/theory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "shaders/shared/facing.h"
+
+namespace si {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// (u, v, d, w), all in [0,w], from positions relative to `origin`.
+glm::dmat4 uvd_from_relative(const LightView& view, const glm::dvec3& origin) {
+    glm::dmat4 half(1.0);
+    half[0][0] = half[1][1] = half[3][0] = half[3][1] = 0.5;
+    if (!view.curve.convention.zero_to_one) half[2][2] = half[3][2] = 0.5;
+    return half * view.clip_from_relative(origin);
+}
+
+}  // namespace
+
+ReceiverPlane receiver_plane(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws) {
+    // Relative to the point, the plane is (n, 0) and nothing cancels.
+    const glm::dmat4 t = uvd_from_relative(view, point_ws);
+    const glm::dvec4 plane = glm::transpose(glm::inverse(t)) * glm::dvec4(normal_ws, 0.0);
+    ReceiverPlane r;
+    r.w = t[3][3];
+    r.uvd = glm::dvec3(t[3]) / r.w;
+    const glm::dvec3 to_light = view.curve.perspective ? view.eye - point_ws : view.axes[2];
+    const double cosine = glm::dot(normal_ws, to_light) / (glm::length(normal_ws) * glm::length(to_light));
+    const bool edge_on = !(std::abs(cosine) > shared::FACES_AWAY_COSINE);
+    const auto component = [&](double across) {
+        return !edge_on ? -across / plane.z : across == 0 ? 0 : std::copysign(kInfinite, -across / plane.z);
+    };
+    r.gradient = {component(plane.x), component(plane.y)};
+    if (edge_on && r.gradient == glm::dvec2(0)) r.gradient = glm::dvec2(kInfinite);  // the normal is none
+    return r;
+}
+
+double depth_quantum(MapFormat format, double depth) {
+    if (format == MapFormat::D16) return 1.0 / ((1 << 16) - 1);
+    if (format == MapFormat::D24) return 1.0 / ((1 << 24) - 1);
+    const float d = std::clamp(float(depth), 0.0f, 1.0f);
+    if (d == 0) return 0x1p-149;
+    return std::ldexp(1.0, std::max(std::ilogb(d), -126) - 23);
+}
+
+LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum, int subpixel_bits,
+                     double rounding) {
+    const double per_texel = (std::abs(gradient.x) + std::abs(gradient.y)) / resolution;
+    LeastBias b;
+    b.kernel = kappa_texels * per_texel;
+    b.quantum = quantum;
+    b.rounding = rounding;
+    b.snapping = subpixel_bits > 0 ? std::ldexp(per_texel, -(subpixel_bits + 1)) : 0;
+    return b;
+}
+
+double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m) {
+    const double z = glm::dot(view.eye - point_ws, view.axes[2]);
+    return 4 * 0x1p-23 * std::max(extent_m * view.curve.slope(z), view.curve.depth(z));
+}
+
+double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws,
+                           double b_min) {
+    const glm::dvec3 relative = point_ws - view.eye;
+    const double z = -glm::dot(relative, view.axes[2]);
+    // The ray to the point, one metre long along the axis.
+    const glm::dvec3 ray = view.curve.perspective ? relative / z : -view.axes[2];
+    return view.curve.metres_nearer(z, b_min) * std::abs(glm::dot(glm::normalize(normal_ws), ray));
+}
+
+double contact_gap(double bias_m, double theta_rad) {
+    return bias_m * std::sin(theta_rad);
+}
+
+}  // namespace si

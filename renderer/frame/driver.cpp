@@ -1,0 +1,53 @@
+#include "renderer/frame/driver.h"
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+
+namespace si {
+namespace {
+
+std::string text(GLenum name) {
+    const auto* s = reinterpret_cast<const char*>(glGetString(name));
+    return s ? s : "";
+}
+
+int integer(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+}  // namespace
+
+DriverInfo query_driver() {
+    if (epoxy_gl_version() < 45)
+        throw Error(fmt::format("OpenGL 4.5 is needed, the driver offers {}; update it, or use Mesa's software driver "
+                                "with LIBGL_ALWAYS_SOFTWARE=1",
+                                text(GL_VERSION)));
+    DriverInfo d;
+    d.vendor = text(GL_VENDOR);
+    d.renderer = text(GL_RENDERER);
+    d.version = text(GL_VERSION);
+    d.glsl = text(GL_SHADING_LANGUAGE_VERSION);
+    d.max_texture_size = integer(GL_MAX_TEXTURE_SIZE);
+    d.subpixel_bits = integer(GL_SUBPIXEL_BITS);
+    d.max_samples = integer(GL_MAX_SAMPLES);
+    d.polygon_offset_clamp = epoxy_has_gl_extension("GL_EXT_polygon_offset_clamp");
+    d.anisotropy = epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic");
+    for (const char* name : {"llvmpipe", "softpipe", "SwiftShader", "swr"})
+        d.software |= d.renderer.find(name) != std::string::npos;
+    return d;
+}
+
+GLenum map_internal_format(MapFormat format) {
+    switch (format) {
+        case MapFormat::D16: return GL_DEPTH_COMPONENT16;
+        case MapFormat::D24: return GL_DEPTH_COMPONENT24;
+        case MapFormat::D32F: return GL_DEPTH_COMPONENT32F;
+        case MapFormat::Colour: return GL_R32F;
+    }
+    return GL_DEPTH_COMPONENT32F;
+}
+
+}  // namespace si

@@ -1,0 +1,16 @@
+// What the current context can do.
+#pragma once
+
+#include "renderer/gl/timer.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/settings/settings.h"
+
+namespace si {
+
+/// @throws Error when the context is older than OpenGL 4.5, naming what it has.
+DriverInfo query_driver();
+
+/// The texture format of a map.
+GLenum map_internal_format(MapFormat format);
+
+}  // namespace si

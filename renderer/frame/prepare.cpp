@@ -1,0 +1,272 @@
+// From settings to the facts of a frame: repaired settings, camera, fitted lights, map layout, uniform blocks.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "renderer/frame/driver.h"
+#include "renderer/settings/param.h"
+#include "renderer/reference/truth_picture.h"
+#include "renderer/frame/renderer_impl.h"
+#include "renderer/frame/settings_block.h"
+
+namespace si {
+namespace {
+
+constexpr double kMapBudgetBytes = 2.0 * 1024 * 1024 * 1024;
+
+/// Homogeneous map coordinates from clip space: xy from [-w,w] to [0,w], z likewise where the convention needs it.
+glm::dmat4 uvd_from_clip(const DepthConvention& convention) {
+    glm::dmat4 m(1.0);
+    m[0][0] = m[1][1] = 0.5;
+    m[3][0] = m[3][1] = 0.5;
+    if (!convention.zero_to_one) m[2][2] = m[3][2] = 0.5;
+    return m;
+}
+
+void fit(FrameState& f) {
+    Key key;
+    key.add(f.scene.id).add(f.settings.light_count).add(f.settings.map.resolution).add(f.settings.map.reversed_z);
+    key.add(f.settings.filter.kernel);
+    for (const Param& p : params())
+        if (p.scope == Scope::Light)
+            for (int i = 0; i < std::min(f.settings.light_count, kMaxLights); ++i)
+                std::visit([&](auto v) { key.add(v); }, get_value(f.settings, {&p, i, {}}));
+    for (const auto& [path, o] : f.settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
+    if (key.value() != f.gl.fit_key) {
+        f.gl.fitted = fit_lights(f.scene, f.settings, f.driver.max_texture_size);
+        f.gl.fit_key = key.value();
+    }
+    f.view_count = 0;
+    f.first_view.clear();
+    for (const FittedLight& light : f.gl.fitted) {
+        f.first_view.push_back(f.view_count);
+        if (light.casts) f.view_count += int(light.views.size());
+    }
+}
+
+/// Fits the lights at the asked resolution, then halves it until all maps fit into memory.
+void fit_within_limits(FrameState& f) {
+    int& n = f.settings.map.resolution;
+    const int asked = n;
+    n = std::clamp(n, 1, f.driver.max_texture_size);
+    if (n != asked)
+        f.notes.push_back(fmt::format("map.resolution {} is beyond the driver's limit; {} is used", asked, n));
+    fit(f);
+    const int before = n;
+    const int copies = f.settings.map.blur_texels > 0 ? 2 : 1;
+    while (n > 1 && 4.0 * n * n * copies * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
+    if (n != before) {
+        f.notes.push_back(
+            fmt::format("{} shadow map images of {}² need more than 2 GiB; {}² is used", f.view_count, before, n));
+        fit(f);
+    }
+    f.map_resolution = n;
+    for (const FittedLight& light : f.gl.fitted) f.notes.insert(f.notes.end(), light.notes.begin(), light.notes.end());
+}
+
+/// Facts about the lights as GLSL constants; at least one element, since GLSL knows no empty arrays.
+std::string light_constants(const FrameState& f) {
+    const std::size_t count = f.gl.fitted.size();
+    const auto array = [&](std::string_view name, auto value) {
+        std::string out = fmt::format("const int {}[{}] = int[](", name, std::max<std::size_t>(count, 1));
+        for (std::size_t i = 0; i < std::max<std::size_t>(count, 1); ++i)
+            out += fmt::format("{}{}", i ? ", " : "", i < count ? value(i) : 0);
+        return out + ");\n";
+    };
+    const auto& lights = f.gl.fitted;
+    const auto view = [&](std::size_t i) { return lights[i].casts ? &lights[i].views.front() : nullptr; };
+    // Written out per light: a loop that the compiler does not unroll would index uniforms per pixel.
+    std::string each = "#define EACH_LIGHT(DO)";
+    for (std::size_t i = 0; i < count; ++i) each += fmt::format(" DO({})", i);
+    return each + "\n" +
+           array("LIGHT_TYPE", [&](std::size_t i) { return int(lights[i].type); }) +
+           array("LIGHT_RANGED", [&](std::size_t i) { return int(lights[i].range_m > 0); }) +
+           array("LIGHT_CASTS", [&](std::size_t i) { return int(lights[i].casts); }) +
+           array("LIGHT_FIRST_VIEW", [&](std::size_t i) { return f.first_view[i]; }) +
+           array("LIGHT_VIEWS", [&](std::size_t i) { return lights[i].casts ? int(lights[i].views.size()) : 0; }) +
+           array("LIGHT_PERSPECTIVE", [&](std::size_t i) { return view(i) ? int(view(i)->curve.perspective) : 0; });
+}
+
+bool needs_surface_flags(const FrameState& f) {
+    for (const auto& [path, object] : f.settings.objects)
+        if (!object.receive) return true;
+    return std::any_of(f.scene.materials.begin(), f.scene.materials.end(), [](const Material& m) { return m.unlit; });
+}
+
+void choose_kernel(FrameState& f) {
+    const Filter& filter = filters()[std::size_t(f.settings.filter.kernel)];
+    f.filter_sampler = uses_sampler(f.settings);
+    if (f.settings.filter.method == int(FilterMethod::Sampler) && !f.filter_sampler)
+        f.notes.push_back("filter.method sampler cannot compare a colour map; gather is used");
+    f.defines = settings_defines(f.settings);
+    f.defines.push_back({"KERNEL_SIZE", std::to_string(filter.size)});
+    f.defines.push_back({"KERNEL_REACH", fmt::format("{:.1f}", filter.reach_texels)});
+    f.defines.push_back({"SUBPIXEL_BITS", std::to_string(f.driver.subpixel_bits)});
+    f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
+    f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
+    if (f.gl.scene->coloured()) f.defines.push_back({"VERTEX_COLOURS", "1"});
+    f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
+    f.preamble = settings_block_text() + light_constants(f);
+    f.surface_flags = needs_surface_flags(f);
+    const auto& batches = f.gl.scene->batches();
+    f.mask_levels = std::any_of(batches.begin(), batches.end(), [&](const Batch& b) {
+        const bool masked = b.masked || (b.blend && f.settings.caster.blend == int(BlendCasters::Mask));
+        return b.cast && masked && b.texture != b.finest_texture;
+    });
+}
+
+/// What truth the frame needs, and whether the request brings it.
+void find_truth(FrameState& f, std::span<const int> shown_overlays) {
+    const Outputs& o = f.request.outputs;
+    bool asked = o.error || o.true_colour || o.judged || o.evidence;
+    if (o.colour || o.overlay)
+        for (const int overlay : shown_overlays) asked |= overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_truth;
+    if (!asked) return;
+    const int light = f.settings.view.light;
+    f.truth.key = truth_key(f.scene, f.settings, f.camera, f.request.width, f.request.height, f.gl.fitted, light,
+                            f.request.truth && f.request.truth->options ? *f.request.truth->options
+                                                                       : truth_options(f.settings));
+    if (f.truth.key == 0) {
+        f.notes.push_back("there is no light to trace the truth of");
+        return;
+    }
+    const TruthPicture* truth = f.request.truth.get();
+    f.truth.met = truth && truth->key == f.truth.key;
+    if (!f.truth.met) return;
+    f.truth_content = truth->version;
+}
+
+/// Which panes there are and what they need.
+void arrange_panes(FrameState& f) {
+    const ViewSettings& v = f.settings.view;
+    const int chosen[kMaxPanes] = {v.overlay, v.overlay_2, v.overlay_3, v.overlay_4};
+    const int count = v.panes == int(Panes::Four) ? 4 : v.panes == int(Panes::Two) ? 2 : 1;
+    const Outputs& o = f.request.outputs;
+    find_truth(f, {chosen, std::size_t(count)});
+    f.separate_visibility = o.visibility || f.settings.shading.separate_visibility ||
+                            (f.truth.met && (o.error || o.judged || o.true_colour));
+    int shown[kMaxPanes];
+    bool lacks[kMaxPanes];
+    for (int i = 0; i < count; ++i) {
+        lacks[i] = chosen[i] > 0 && overlays()[std::size_t(chosen[i] - 1)].reads_truth && !f.truth.met;
+        shown[i] = lacks[i] ? 0 : chosen[i];
+        const int slot = int(std::find(shown, shown + i, shown[i]) - shown);
+        f.panes.push_back({shown[i], slot, lacks[i]});
+        const Overlay* row = f.panes.back().row();
+        f.separate_visibility |= row && (row->reads_visibility || row->reads_truth) && (o.overlay || o.colour);
+    }
+    f.slabs_shown = v.slabs != int(Slabs::None) && f.shown_view();
+}
+
+void set_samplers(const FrameState& f) {
+    const MapSettings& m = f.settings.map;
+    const bool bilinear = filters()[std::size_t(f.settings.filter.kernel)].bilinear;
+    const float far_depth = m.reversed_z ? 0.f : 1.f;
+    const float border = m.outside == int(Outside::Lit) ? far_depth : 1.f - far_depth;
+    const glm::vec4 border_colour(border);
+    const GLint wrap = m.wrap == int(MapWrap::Border)   ? GL_CLAMP_TO_BORDER
+                       : m.wrap == int(MapWrap::Repeat) ? GL_REPEAT
+                                                        : GL_CLAMP_TO_EDGE;
+    for (const GLuint sampler : {f.gl.map_nearest.id(), f.gl.map_compare.id()}) {
+        glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, wrap);
+        glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, wrap);
+        glSamplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, &border_colour.x);
+        const bool compare = sampler == f.gl.map_compare.id();
+        glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);
+        glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);
+    }
+    const bool less = m.compare == int(Compare::Less);
+    const GLint function = m.reversed_z ? (less ? GL_GREATER : GL_GEQUAL) : (less ? GL_LESS : GL_LEQUAL);
+    glSamplerParameteri(f.gl.map_compare.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glSamplerParameteri(f.gl.map_compare.id(), GL_TEXTURE_COMPARE_FUNC, function);
+}
+
+shared::LightBlock light_block(const FrameState& f, std::size_t i) {
+    const FittedLight& light = f.gl.fitted[i];
+    shared::LightBlock b{};
+    b.position = glm::vec4(glm::vec3(light.position - f.origin), float(light.range_m));
+    b.to_light = glm::vec4(glm::vec3(light.to_light), float(light.cos_cone_outer));
+    b.radiance = glm::vec4(glm::vec3(light.radiance), float(light.cos_cone_inner));
+    if (light.casts) {
+        const LightView& v = light.views.front();  // a point light's faces share their range and size
+        b.curve = glm::vec4(v.curve.near, v.curve.far, v.half_width, 1.0 / f.map_resolution);
+    }
+    return b;
+}
+
+}  // namespace
+
+Renderer::Impl::Impl() : driver(query_driver()) {
+    resources.frame_block = gl::Buffer::create("frame uniforms");
+    glNamedBufferStorage(resources.frame_block.id(), sizeof(shared::FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    resources.settings_block = gl::Buffer::create("settings uniforms");
+    resources.empty_vao = gl::VertexArray::create("no vertices");
+    resources.map_nearest = gl::Sampler::create("shadow map, nearest");
+    resources.map_compare = gl::Sampler::create("shadow map, comparison");
+    resources.map_keys.assign(kMaxLights, 0);
+}
+
+gl::PassClock& Renderer::Impl::pass_clock() {
+    if (!clock) {
+        clock = std::make_unique<gl::PassClock>();
+        driver.clock = clock->name();
+        driver.query_share = clock->query_share();
+    }
+    return *clock;
+}
+
+void Renderer::Impl::calibrate_offset(int map_format) {
+    PolygonOffset& offset = driver.offset[std::size_t(map_format)];
+    if (!offset.measured) offset = measure_polygon_offset(map_format);
+}
+
+FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+    FrameState f{.scene = scene, .settings = settings, .request = request, .gl = resources, .driver = driver};
+    f.notes = sanitise(f.settings);
+    fit_within_limits(f);
+    if (f.settings.bias.raster_slope != 0 || f.settings.bias.raster_units != 0) calibrate_offset(f.settings.map.format);
+    if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)
+        f.notes.push_back("bias.raster_clamp needs GL_EXT_polygon_offset_clamp, which this driver lacks; it is ignored");
+
+    f.camera = make_camera(scene, f.settings, double(request.width) / request.height, resources.fitted);
+    if (f.settings.camera.source == int(CameraSource::Light) && resources.fitted.empty())
+        f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
+    f.origin = f.camera.origin();
+    if (!resources.scene || resources.scene->scene_id() != scene.id)
+        resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
+    resources.scene->arrange(scene, f.settings);
+
+    f.geometry_key = resources.scene->key();
+    f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);
+    f.lights_key.add(resources.fit_key).add(f.map_resolution).add(request.no_skip);
+    add_shader_settings(f.lights_key, f.settings);
+    arrange_panes(f);
+    choose_kernel(f);
+    return f;
+}
+
+void Renderer::Impl::upload_blocks(const FrameState& f) {
+    shared::FrameBlock block{};
+    block.clip_from_relative = glm::mat4(f.camera.clip_from_relative(f.origin));
+    block.eye = glm::vec4(glm::vec3(f.camera.eye - f.origin), f.camera.orthographic ? 1.f : 0.f);
+    block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), 0.f);
+    block.map_origin = glm::vec4(glm::vec3(f.scene.bounds.centre() - f.origin), 0.f);
+    const PolygonOffset& offset = driver.offset[std::size_t(f.settings.map.format)];
+    block.offset = glm::vec4(offset.unit_depth, offset.unit_steps, offset.slope_gain, offset.slope_is_length ? 1 : 0);
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
+        block.lights[i] = light_block(f, i);
+        const FittedLight& light = f.gl.fitted[i];
+        if (!light.casts) continue;
+        for (std::size_t v = 0; v < light.views.size(); ++v)
+            block.uvd_from_relative[std::size_t(f.first_view[i]) + v] =
+                glm::mat4(uvd_from_clip(light.views[v].curve.convention) * light.views[v].clip_from_relative(f.origin));
+    }
+    glNamedBufferSubData(resources.frame_block.id(), 0, sizeof block, &block);
+    const auto bytes = settings_block_bytes(f.settings);
+    glNamedBufferData(resources.settings_block.id(), GLsizeiptr(bytes.size()), bytes.data(), GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, resources.frame_block.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, resources.settings_block.id());
+    set_samplers(f);
+}
+
+}  // namespace si

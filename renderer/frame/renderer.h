@@ -1,0 +1,60 @@
+// Draws frames: a function of scene, settings and request. Needs a current OpenGL 4.5 core context.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "renderer/frame/frame.h"
+#include "renderer/bias/polygon_offset.h"
+
+namespace si {
+
+struct Probe;
+
+/// What this driver can do, and what was measured on it.
+struct DriverInfo : RasterTraits {
+    std::string vendor, renderer, version, glsl;
+    int max_texture_size = 0, max_samples = 0;
+    bool polygon_offset_clamp = false, anisotropy = false;
+    bool software = false;      ///< a CPU rasteriser
+    std::string clock;          ///< "GPU timer queries" or "finished wall time (CPU rasteriser)"
+    double query_share = 0;     ///< query time / wall time of a known pass
+};
+
+class Renderer {
+public:
+    /// @throws Error when the context lacks OpenGL 4.5.
+    Renderer();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Draws what `request` asks for. @throws Error (out of memory, shader compile errors in release builds).
+    FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
+
+    ByteImage read_colour(const Image& image);
+    FloatImage read_float(const Image& image, int channels);
+    SurfaceIds read_surface_ids(const Image& image);
+    /// The stored depth of a light's map from the last frame that asked for shadows, raw, in [0,1].
+    FloatImage read_shadow_map(int light, int face);
+    /// The depth image behind the last frame's `map_view`, as stored, in [0,1]. @throws Error when there is none.
+    FloatImage read_map_view_depth();
+    /// Evaluates the shadow test at a pixel of the last frame (row 0 at the top).
+    Probe probe(const Scene& scene, const Settings& settings, const FrameRequest& request, int x, int y);
+
+    /// Measures on the first call what only drawing tells: the clock, and polygon offsets of every map format.
+    const DriverInfo& driver() const;
+    /// Errors and high-severity messages of the driver since the last call; tests demand none.
+    std::vector<std::string> take_gl_messages();
+    /// The last compile error of hot-reloaded shaders; empty when all compiled.
+    std::string shader_log() const;
+    /// True when a shader file on disk changed since the last frame (dev builds).
+    bool shaders_changed();
+
+    struct Impl;
+private:
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace si

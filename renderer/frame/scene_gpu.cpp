@@ -1,0 +1,327 @@
+#include "renderer/frame/scene_gpu.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "renderer/scene/face_normals.h"
+
+namespace si {
+namespace {
+
+struct Attributes {
+    glm::vec3 normal;
+    glm::vec2 uv;
+};
+
+/// What only normal-mapped materials need.
+struct NormalMapAttributes {
+    glm::vec2 uv;
+    float scale;
+    glm::vec4 tangent;
+};
+
+struct InstanceData {
+    glm::vec4 rows[3];
+    glm::vec4 base_colour;
+    glm::vec4 surface;  // receives, alpha cutoff, unlit, object number
+    glm::vec3 normal_rows[3];
+};
+
+/// The matrix that keeps normals perpendicular, up to length: the cofactors, right for any scale (singular ones too) and
+/// without a division. A mirroring turns their sign, which is undone. Scaled to 1 so that floats hold it at any size.
+glm::dmat3 normal_matrix(const glm::dmat3& m) {
+    glm::dmat3 c(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(c[i][k]));
+    if (!(largest > 0)) return glm::dmat3(0.0);
+    return c * ((glm::dot(m[0], c[0]) < 0 ? -1.0 : 1.0) / largest);
+}
+
+const Material& material_of(const Scene& scene, const Mesh& mesh) {
+    static const Material fallback{};
+    return mesh.material < 0 ? fallback : scene.materials[std::size_t(mesh.material)];
+}
+
+ObjectSettings object_settings(const Scene& scene, const Settings& settings, const Object& object) {
+    const auto it = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
+    return it == settings.objects.end() ? ObjectSettings{} : it->second;
+}
+
+template <typename T>
+void store(gl::Buffer& buffer, const std::vector<T>& data) {
+    glNamedBufferStorage(buffer.id(), GLsizeiptr(std::max<std::size_t>(data.size() * sizeof(T), 16)),
+                         data.empty() ? nullptr : data.data(), data.size() * sizeof(T) >= 16 ? 0 : GL_DYNAMIC_STORAGE_BIT);
+}
+
+GLenum wrap_mode(TextureWrap wrap) {
+    return wrap == TextureWrap::Repeat ? GL_REPEAT : wrap == TextureWrap::Clamp ? GL_CLAMP_TO_EDGE : GL_MIRRORED_REPEAT;
+}
+
+}  // namespace
+
+SceneGpu::SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before)
+    : scene_id_(scene.id), rig_(scene.rig) {
+    if (before && rig_ && before->rig_ == rig_) textures_ = std::move(before->textures_);
+    before.reset();
+    upload_geometry(scene);
+    if (textures_.size() != scene.textures.size()) upload_textures(scene, anisotropy);
+}
+
+void SceneGpu::upload_geometry(const Scene& scene) {
+    std::size_t vertex_count = 0, index_count = 0;
+    bool coloured = false;
+    std::vector<FacedMesh> faced(scene.meshes.size());
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+        const Mesh& m = scene.meshes[i];
+        faced[i] = face_normals(m.positions, m.indices);
+        vertex_count += faced[i].normals.size();
+        index_count += m.indices.size();
+        coloured |= !m.colours.empty();
+    }
+    positions_ = gl::Buffer::create("positions");
+    attributes_ = gl::Buffer::create("normals and uv");
+    faces_ = gl::Buffer::create("normals of triangles");
+    indices_ = gl::Buffer::create("indices");
+    faced_indices_ = gl::Buffer::create("indices that end with the triangle's normal");
+    const auto allocate = [](gl::Buffer& b, std::size_t bytes) {
+        glNamedBufferStorage(b.id(), GLsizeiptr(std::max<std::size_t>(bytes, 16)), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    };
+    allocate(positions_, vertex_count * sizeof(glm::vec3));
+    allocate(attributes_, vertex_count * sizeof(Attributes));
+    allocate(faces_, vertex_count * sizeof(glm::vec3));
+    allocate(indices_, index_count * sizeof(std::uint32_t));
+    allocate(faced_indices_, index_count * sizeof(std::uint32_t));
+    std::vector<glm::u8vec4> colours(coloured ? vertex_count : 0, glm::u8vec4(255));
+    std::size_t vertex = 0, index = 0;
+    std::vector<glm::vec3> positions;
+    std::vector<Attributes> attributes;
+    for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+        const Mesh& m = scene.meshes[mesh];
+        const FacedMesh& f = faced[mesh];
+        const std::size_t n = f.normals.size();
+        ranges_.push_back({index, GLsizei(m.indices.size()), GLint(vertex), f.copies});
+        if (n == 0 || m.indices.empty()) continue;
+        attributes.resize(n), positions.resize(n);
+        const auto source = [&](std::size_t i) { return ranges_.back().source(m.positions.size(), i); };
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t from = source(i);
+            positions[i] = m.positions[from];
+            attributes[i] = {m.normals.empty() ? glm::vec3(0, 1, 0) : m.normals[from],
+                             m.uv.empty() ? glm::vec2(0) : m.uv[from]};
+            if (!m.colours.empty())
+                colours[vertex + i] = glm::u8vec4(glm::round(glm::clamp(m.colours[from], 0.f, 1.f) * 255.f));
+        }
+        const auto put = [](const gl::Buffer& buffer, std::size_t first, const auto& data) {
+            glNamedBufferSubData(buffer.id(), GLintptr(first * sizeof data[0]), GLsizeiptr(data.size() * sizeof data[0]),
+                                 data.data());
+        };
+        put(positions_, vertex, positions);
+        put(attributes_, vertex, attributes);
+        put(faces_, vertex, f.normals);
+        put(indices_, index, m.indices);
+        put(faced_indices_, index, f.indices);
+        vertex += n;
+        index += m.indices.size();
+    }
+    vao_ = gl::VertexArray::create("scene");
+    const GLuint vao = vao_.id();
+    const auto attribute = [&](GLuint location, GLuint binding, GLint size, GLuint offset) {
+        glEnableVertexArrayAttrib(vao, location);
+        glVertexArrayAttribFormat(vao, location, size, GL_FLOAT, GL_FALSE, offset);
+        glVertexArrayAttribBinding(vao, location, binding);
+    };
+    attribute(0, 0, 3, 0);
+    attribute(1, 1, 3, 0);
+    attribute(2, 1, 2, offsetof(Attributes, uv));
+    attribute(14, 5, 3, 0);
+    for (GLuint row = 0; row < 3; ++row) attribute(4 + row, 3, 4, row * 16);
+    attribute(7, 3, 4, offsetof(InstanceData, base_colour));
+    attribute(8, 3, 4, offsetof(InstanceData, surface));
+    for (GLuint row = 0; row < 3; ++row) attribute(9 + row, 3, 3, GLuint(offsetof(InstanceData, normal_rows)) + row * 12);
+    glVertexArrayBindingDivisor(vao, 3, 1);
+    glVertexArrayVertexBuffer(vao, 0, positions_.id(), 0, sizeof(glm::vec3));
+    glVertexArrayVertexBuffer(vao, 1, attributes_.id(), 0, sizeof(Attributes));
+    glVertexArrayVertexBuffer(vao, 5, faces_.id(), 0, sizeof(glm::vec3));
+    if (coloured) {
+        colours_ = gl::Buffer::create("vertex colours");
+        store(colours_, colours);
+        glEnableVertexArrayAttrib(vao, 3);
+        glVertexArrayAttribFormat(vao, 3, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
+        glVertexArrayAttribBinding(vao, 3, 2);
+        glVertexArrayVertexBuffer(vao, 2, colours_.id(), 0, 4);
+    }
+    upload_normal_map_attributes(scene, vertex_count);
+}
+
+void SceneGpu::upload_normal_map_attributes(const Scene& scene, std::size_t vertex_count) {
+    const auto mapped = [&](const Mesh& m) { return !m.indices.empty() && material_of(scene, m).normal_texture >= 0; };
+    if (std::none_of(scene.meshes.begin(), scene.meshes.end(), mapped)) return;
+    std::vector<NormalMapAttributes> data(vertex_count);
+    for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+        const Mesh& m = scene.meshes[mesh];
+        if (!mapped(m)) continue;
+        const std::vector<glm::vec2>& uv = m.uv_normal.empty() ? m.uv : m.uv_normal;
+        const MeshRange& range = ranges_[mesh];
+        NormalMapAttributes* out = data.data() + range.base_vertex;
+        for (std::size_t i = 0; i < m.positions.size() + range.copies.size(); ++i) {
+            const std::size_t from = range.source(m.positions.size(), i);
+            out[i] = {uv.empty() ? glm::vec2(0) : uv[from], material_of(scene, m).normal_scale,
+                      m.tangents.empty() ? glm::vec4(0) : m.tangents[from]};
+        }
+    }
+    normal_map_ = gl::Buffer::create("normal map coordinates");
+    store(normal_map_, data);
+    const GLuint vao = vao_.id();
+    glEnableVertexArrayAttrib(vao, 12);
+    glVertexArrayAttribFormat(vao, 12, 3, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(vao, 12, 4);
+    glEnableVertexArrayAttrib(vao, 13);
+    glVertexArrayAttribFormat(vao, 13, 4, GL_FLOAT, GL_FALSE, offsetof(NormalMapAttributes, tangent));
+    glVertexArrayAttribBinding(vao, 13, 4);
+    glVertexArrayVertexBuffer(vao, 4, normal_map_.id(), 0, sizeof(NormalMapAttributes));
+}
+
+void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
+    for (const Texture& t : scene.textures) {
+        if (t.width <= 0 || t.height <= 0 || t.rgba.empty()) {
+            textures_.emplace_back();
+            continue;
+        }
+        auto texture = gl::Texture::create(t.name.empty() ? "texture" : t.name, GLenum(GL_TEXTURE_2D));
+        const int levels = t.mipmaps ? int(std::floor(std::log2(std::max(t.width, t.height)))) + 1 : 1;
+        glTextureStorage2D(texture.id(), levels, t.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, t.width, t.height);
+        glTextureSubImage2D(texture.id(), 0, 0, 0, t.width, t.height, GL_RGBA, GL_UNSIGNED_BYTE, t.rgba.data());
+        if (levels > 1) glGenerateTextureMipmap(texture.id());
+        const GLint mag_filter = t.nearest_mag ? GL_NEAREST : GL_LINEAR;
+        const auto set = [&](GLuint id, GLint min_filter) {
+            glTextureParameteri(id, GL_TEXTURE_WRAP_S, GLint(wrap_mode(t.wrap_s)));
+            glTextureParameteri(id, GL_TEXTURE_WRAP_T, GLint(wrap_mode(t.wrap_t)));
+            glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, mag_filter);
+            glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, min_filter);
+        };
+        const GLint min_filter = levels > 1 ? (t.nearest_min ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR)
+                                            : (t.nearest_min ? GL_NEAREST : GL_LINEAR);
+        set(texture.id(), min_filter);
+        if (anisotropy && levels > 1 && !t.nearest_min)
+            glTextureParameterf(texture.id(), GL_TEXTURE_MAX_ANISOTROPY_EXT, 4.0f);
+        gl::Texture finest;
+        if (levels > 1) {
+            GLuint id = 0;
+            glGenTextures(1, &id);
+            glTextureView(id, GL_TEXTURE_2D, texture.id(), t.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, 0, 1, 0, 1);
+            finest = gl::Texture::adopt("finest level", id);
+            set(id, mag_filter);  // however small it is drawn, as where it is magnified
+        }
+        textures_.push_back({std::move(texture), std::move(finest)});
+    }
+}
+
+void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
+    Key key;
+    const bool blend_casts = settings.caster.blend == int(BlendCasters::Mask);
+    key.add(scene.id).add(settings.shading.textures).add(blend_casts);
+    for (const auto& [path, o] : settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
+    if (key.value() == arrangement_.value()) return;
+    arrangement_ = key;
+
+    struct Entry {
+        std::uint32_t object;
+        bool blend, masked;
+        GLuint texture, finest_texture, normal_texture;
+        int mesh, cull;
+        bool cast, mirrored;
+        /// What instances of one batch have in common.
+        auto batch() const { return std::tuple(blend, masked, texture, normal_texture, mesh, cull, cast, mirrored); }
+        auto rank() const { return std::tuple_cat(batch(), std::tuple(object)); }
+    };
+    std::vector<Entry> entries;
+    entries.reserve(scene.objects.size());
+    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& o = scene.objects[i];
+        const Mesh& mesh = scene.meshes[std::size_t(o.mesh)];
+        if (mesh.indices.empty()) continue;
+        const Material& material = material_of(scene, mesh);
+        const ObjectSettings own = settings.objects.empty() ? ObjectSettings{} : object_settings(scene, settings, o);
+        GLuint texture = 0, finest_texture = 0;
+        const bool masked = material.alpha == AlphaMode::Mask;
+        // A mask lives in its texture, so it stays even where textures are switched off.
+        const bool blend = material.alpha == AlphaMode::Blend;
+        if (material.base_colour_texture >= 0 && (settings.shading.textures || masked || (blend && blend_casts))) {
+            const SceneTexture& t = textures_[std::size_t(material.base_colour_texture)];
+            texture = t.whole.id(), finest_texture = t.finest_id();
+        }
+        GLuint normal_texture = 0;
+        if (material.normal_texture >= 0 && settings.shading.textures && !material.unlit)
+            normal_texture = textures_[std::size_t(material.normal_texture)].whole.id();
+        entries.push_back({i, blend, masked, texture, finest_texture, normal_texture, o.mesh, own.cull, own.cast,
+                           glm::determinant(glm::dmat3(o.world)) < 0});
+    }
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank() < b.rank(); });
+    order_.clear();
+    batches_.clear();
+    const Entry* previous = nullptr;
+    for (const Entry& e : entries) {
+        const Mesh& mesh = scene.meshes[std::size_t(e.mesh)];
+        // Blended instances are drawn one by one, back to front.
+        const bool joins = previous && !e.blend && previous->batch() == e.batch();
+        if (joins) {
+            ++batches_.back().instances;
+        } else {
+            const MeshRange& r = ranges_[std::size_t(e.mesh)];
+            Batch b;
+            b.index_count = r.index_count, b.first_index = r.first_index, b.base_vertex = r.base_vertex;
+            b.first_instance = GLuint(order_.size()), b.instances = 1;
+            b.texture = e.texture, b.finest_texture = e.finest_texture, b.normal_texture = e.normal_texture;
+            b.mirrored = e.mirrored, b.masked = e.masked, b.blend = e.blend;
+            b.double_sided = material_of(scene, mesh).double_sided;
+            b.tangents = !mesh.tangents.empty();
+            b.cast = e.cast, b.cull = e.cull;
+            b.centre_ws = glm::dvec3(scene.objects[e.object].world * glm::dvec4(mesh.bounds.centre(), 1));
+            batches_.push_back(b);
+        }
+        order_.push_back(e.object);
+        previous = &e;
+    }
+}
+
+void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, int slot_index) {
+    Slot& slot = slots_[std::size_t(slot_index)];
+    Key key = arrangement_;
+    key.add(origin);
+    if (slot.key != key.value()) {
+        std::vector<InstanceData> data(order_.size());
+        for (std::size_t i = 0; i < order_.size(); ++i) {
+            const Object& o = scene.objects[order_[i]];
+            const Material& material = material_of(scene, scene.meshes[std::size_t(o.mesh)]);
+            glm::dmat4 m = o.world;
+            m[3] -= glm::dvec4(origin, 0);  // in double: what is left is small
+            for (int r = 0; r < 3; ++r) data[i].rows[r] = glm::vec4(m[0][r], m[1][r], m[2][r], m[3][r]);
+            const glm::dmat3 normal = normal_matrix(glm::dmat3(o.world));
+            for (int r = 0; r < 3; ++r) data[i].normal_rows[r] = glm::vec3(normal[0][r], normal[1][r], normal[2][r]);
+            data[i].base_colour = material.base_colour;
+            const bool receives = settings.objects.empty() || object_settings(scene, settings, o).receive;
+            // Blended ones have a cutoff for the light's depth only.
+            const float cutoff = material.alpha == AlphaMode::Mask    ? material.alpha_cutoff
+                                 : material.alpha == AlphaMode::Blend ? 0.5f
+                                                                      : -1.f;
+            data[i].surface = {receives ? 1.f : 0.f, cutoff,
+                               material.unlit ? 1.f : 0.f, float(order_[i])};
+        }
+        slot.buffer = gl::Buffer::create(slot_index == 0 ? "instances for the camera" : "instances for the lights");
+        store(slot.buffer, data);
+        slot.key = key.value();
+    }
+    glBindVertexArray(vao_.id());
+    glVertexArrayElementBuffer(vao_.id(), slot_index == 0 ? faced_indices_.id() : indices_.id());
+    glVertexArrayVertexBuffer(vao_.id(), 3, slot.buffer.id(), 0, sizeof(InstanceData));
+}
+
+void SceneGpu::draw(const Batch& b) const {
+    glDrawElementsInstancedBaseVertexBaseInstance(
+        GL_TRIANGLES, b.index_count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(b.first_index * 4), b.instances,
+        b.base_vertex, b.first_instance);
+}
+
+}  // namespace si

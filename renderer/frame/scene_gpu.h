@@ -1,0 +1,87 @@
+// A scene on the GPU: geometry once, instance transforms relative to an origin, draws in batches.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "renderer/gl/handle.h"
+#include "renderer/base/key.h"
+#include "renderer/scene/scene.h"
+#include "renderer/settings/settings.h"
+
+namespace si {
+
+/// Instances that one draw call covers.
+struct Batch {
+    GLsizei index_count = 0;
+    std::size_t first_index = 0;
+    GLint base_vertex = 0;
+    GLuint first_instance = 0;
+    GLsizei instances = 0;
+    GLuint texture = 0;         ///< base colour; 0: none
+    GLuint finest_texture = 0;  ///< its finest mip level alone
+    GLuint normal_texture = 0;  ///< 0: none
+    bool tangents = false;      ///< the mesh brings its tangents
+    bool mirrored = false, masked = false, blend = false, double_sided = false, cast = true;
+    int cull = 0;             ///< ObjectCull
+    glm::dvec3 centre_ws{0};  ///< of the first instance, to order blended batches
+    std::uint64_t triangles() const { return std::uint64_t(index_count) / 3 * std::uint64_t(instances); }
+};
+
+class SceneGpu {
+public:
+    /// @param before what was there; another pose of the same scene hands on its textures, all else is freed first
+    explicit SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before = {});
+    std::uint64_t scene_id() const { return scene_id_; }
+
+    /// Sorts the objects into batches under the object settings; cheap when nothing changed.
+    void arrange(const Scene& scene, const Settings& settings);
+    const std::vector<Batch>& batches() const { return batches_; }
+    /// Whether vertices bring colours (define VERTEX_COLOURS); else each object has one.
+    bool coloured() const { return bool(colours_); }
+    /// Key of the arrangement: scene, casts, culls, receives.
+    const Key& key() const { return arrangement_; }
+
+    /// Binds the vertex array with instance transforms relative to `origin`. Slot 0 is the camera's, whose triangles
+    /// bring their normals, 1 the lights'.
+    void bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, int slot);
+    void draw(const Batch& batch) const;
+
+private:
+    std::uint64_t scene_id_ = 0;
+    std::shared_ptr<const Rig> rig_;  ///< what poses of one scene have in common; null: the scene has no other pose
+    gl::VertexArray vao_;
+    gl::Buffer positions_, attributes_, faces_, colours_, normal_map_;
+    gl::Buffer indices_, faced_indices_;  ///< as the lights draw, and as the camera does: see face_normals.h
+    struct SceneTexture {
+        gl::Texture whole;
+        gl::Texture finest;  ///< a view of its finest mip level; none where that is all
+        GLuint finest_id() const { return finest ? finest.id() : whole.id(); }
+    };
+    std::vector<SceneTexture> textures_;
+    struct MeshRange {
+        std::size_t first_index = 0;
+        GLsizei index_count = 0;
+        GLint base_vertex = 0;
+        std::vector<std::uint32_t> copies;  ///< of vertices, after the mesh's own: see face_normals.h
+        /// The mesh's vertex that vertex i of the range is or repeats. @param own how many the mesh has
+        std::size_t source(std::size_t own, std::size_t i) const { return i < own ? i : copies[i - own]; }
+    };
+    std::vector<MeshRange> ranges_;
+    std::vector<std::uint32_t> order_;  // objects in instance order
+    std::vector<Batch> batches_;
+    Key arrangement_;
+    struct Slot {
+        gl::Buffer buffer;
+        std::uint64_t key = 0;
+    };
+    std::array<Slot, 2> slots_;
+
+    void upload_geometry(const Scene& scene);
+    void upload_normal_map_attributes(const Scene& scene, std::size_t vertex_count);
+    void upload_textures(const Scene& scene, bool anisotropy);
+};
+
+}  // namespace si

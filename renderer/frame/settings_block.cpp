@@ -1,0 +1,83 @@
+#include "renderer/frame/settings_block.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+std::string identifier(std::string_view key) {
+    std::string out(key);
+    std::replace_if(out.begin(), out.end(), [](char c) { return c == '.' || c == '-'; }, '_');
+    return out;
+}
+
+template <typename F>
+void for_shader_params(F&& f) {
+    for (const Param& p : params())
+        if (p.shader && p.scope == Scope::Scene) f(p);
+}
+
+int as_int(const Value& v) {
+    return std::visit([](auto x) { return int(x); }, v);
+}
+
+}  // namespace
+
+std::vector<gl::Define> settings_defines(const Settings& s) {
+    std::vector<gl::Define> out;
+    for_shader_params([&](const Param& p) {
+        const std::string name = identifier(p.key);
+        if (p.choices) {
+            const auto choices = p.choices();
+            for (std::size_t i = 0; i < choices.size(); ++i)
+                out.push_back({name + "_" + identifier(choices[i].key), std::to_string(i)});
+        }
+        if (p.cost == Cost::Program || p.choices)
+            out.push_back({name, std::to_string(as_int(get_value(s, {&p, 0, {}})))});
+    });
+    return out;
+}
+
+std::string settings_block_text() {
+    static const std::string text = [] {
+        std::string out = "layout(std140, binding = 1) uniform SettingsUniforms {\n";
+        for_shader_params([&](const Param& p) {
+            if (p.cost == Cost::Program || p.choices) return;
+            Settings probe;
+            const bool real = std::holds_alternative<double*>(p.field(probe, 0, nullptr));
+            out += fmt::format("    {} {};\n", real ? "float" : "int", identifier(p.key));
+        });
+        return out + "};\n";
+    }();
+    return text;
+}
+
+std::vector<std::byte> settings_block_bytes(const Settings& s) {
+    std::vector<std::byte> out;
+    for_shader_params([&](const Param& p) {
+        if (p.cost == Cost::Program || p.choices) return;
+        const Value v = get_value(s, {&p, 0, {}});
+        std::byte bytes[4];
+        if (const double* real = std::get_if<double>(&v)) {
+            const float f = float(*real);
+            std::memcpy(bytes, &f, 4);
+        } else {
+            const int i = as_int(v);
+            std::memcpy(bytes, &i, 4);
+        }
+        out.insert(out.end(), bytes, bytes + 4);
+    });
+    out.resize((out.size() + 15) / 16 * 16);
+    return out;
+}
+
+void add_shader_settings(Key& key, const Settings& s) {
+    for_shader_params([&](const Param& p) { std::visit([&](auto v) { key.add(v); }, get_value(s, {&p, 0, {}})); });
+}
+
+}  // namespace si

@@ -1,0 +1,23 @@
+// The settings as shaders see them, made from the table: defines for what chooses code, a uniform block for the rest.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "renderer/gl/program_cache.h"
+#include "renderer/base/key.h"
+#include "renderer/settings/settings.h"
+
+namespace si {
+
+/// One define per Cost::Program row that shaders see ("map_wrap" 3) and one per choice ("map_wrap_range" 3).
+std::vector<gl::Define> settings_defines(const Settings& s);
+/// GLSL text of the std140 block at binding 1 with every other row that shaders see.
+std::string settings_block_text();
+/// The bytes of that block.
+std::vector<std::byte> settings_block_bytes(const Settings& s);
+/// Adds the value of every setting that shaders see.
+void add_shader_settings(Key& key, const Settings& s);
+
+}  // namespace si

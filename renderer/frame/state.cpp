@@ -1,0 +1,133 @@
+#include "renderer/frame/state.h"
+
+#include <algorithm>
+
+#include "renderer/frame/settings_block.h"
+
+namespace si {
+
+GLuint FrameState::program(std::string_view vertex, std::string_view fragment, std::vector<gl::Define> extra) const {
+    gl::ProgramRequest wanted;
+    wanted.vertex = vertex;
+    wanted.fragment = fragment;
+    wanted.includes["FILTER_FILE"] = filters()[std::size_t(settings.filter.kernel)].file;
+    wanted.defines = defines;
+    for (gl::Define& d : extra) {
+        if (d.name.ends_with("_FILE"))
+            wanted.includes[d.name] = d.value;
+        else if (const auto known = std::find_if(wanted.defines.begin(), wanted.defines.end(),
+                                                 [&](const gl::Define& k) { return k.name == d.name; });
+                 known != wanted.defines.end())
+            known->value = std::move(d.value);
+        else
+            wanted.defines.push_back(std::move(d));
+    }
+    wanted.preamble = preamble;
+    return gl.programs.get(wanted);
+}
+
+void FrameState::bind_maps() const {
+    const gl::Target& map = gl.compared_map();
+    if (!map.texture) return;
+    glBindTextureUnit(kShadowMap, map.texture.id());
+    glBindSampler(kShadowMap, gl.map_nearest.id());
+    if (settings.map.format != int(MapFormat::Colour)) {
+        glBindTextureUnit(kShadowMapCompare, map.texture.id());
+        glBindSampler(kShadowMapCompare, gl.map_compare.id());
+    }
+}
+
+void FrameState::begin_camera_pass(GLuint framebuffer) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, request.width, request.height);
+    glClipControl(GL_LOWER_LEFT, camera.curve.convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    // Of coplanar surfaces the last drawn wins, in the first pass as in those that find its depth already there.
+    glDepthFunc(camera.curve.convention.reversed ? GL_GEQUAL : GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_BLEND);
+    const std::uint64_t depth = camera_depth_key().value();
+    if (gl.depth_key != depth) {
+        const float far_depth = float(camera.curve.convention.far_depth());
+        glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far_depth);
+        gl.depth_key = depth;
+    }
+    bind_maps();
+}
+
+bool FrameState::draws_unfiltered() const {
+    return settings.bias.raster_slope != 0 || settings.bias.raster_units != 0 || mask_levels;
+}
+
+Key FrameState::camera_depth_key() const {
+    Key key = geometry_key;
+    key.add(camera_key).add(gl.programs.source().generation());
+    return key;
+}
+
+const LightView* FrameState::shown_view(int* layer) const {
+    const auto light = std::size_t(settings.view.light);
+    if (light >= gl.fitted.size() || !gl.fitted[light].casts) return nullptr;
+    const auto& views = gl.fitted[light].views;
+    const int face = std::min(settings.view.face, int(views.size()) - 1);
+    if (layer) *layer = first_view[light] + face;
+    return &views[std::size_t(face)];
+}
+
+void FrameState::begin_fullscreen_pass(GLuint framebuffer, int width, int height) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, width, height);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glBindVertexArray(gl.empty_vao.id());
+}
+
+void FrameState::draw_fullscreen(PassInfo& info) {
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    ++info.draws;
+    ++info.triangles;
+}
+
+GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragment,
+                                 const std::vector<gl::Define>& extra, const Batch& batch, bool alpha_only) const {
+    std::vector<gl::Define> wanted = extra;
+    if (batch.masked) wanted.push_back({"MASKED", "1"});
+    if (batch.texture && (batch.masked || !alpha_only)) wanted.push_back({"TEXTURED", "1"});
+    if (batch.masked || (surface_flags && !alpha_only)) wanted.push_back({"SURFACE_FLAGS", "1"});
+    if (batch.normal_texture && !alpha_only) {
+        wanted.push_back({"NORMAL_MAPPED", "1"});
+        if (batch.tangents) wanted.push_back({"TANGENTS", "1"});
+    }
+    return program(vertex, fragment, std::move(wanted));
+}
+
+void FrameState::bind_textures(const Batch& batch) const {
+    if (batch.texture) glBindTextureUnit(kBaseColour, batch.texture);
+    if (batch.normal_texture) glBindTextureUnit(kNormalMap, batch.normal_texture);
+}
+
+void FrameState::draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra,
+                                  PassInfo& info) const {
+    gl.scene->bind(scene, settings, origin, 0);
+    const Batch* previous = nullptr;
+    for (const Batch& batch : gl.scene->batches()) {
+        if (batch.blend) continue;
+        if (!previous || previous->masked != batch.masked || !previous->texture != !batch.texture ||
+            !previous->normal_texture != !batch.normal_texture || previous->tangents != batch.tangents)
+            glUseProgram(batch_program("passes/scene.vert.glsl", fragment, extra, batch, false));
+        if (!previous || previous->texture != batch.texture || previous->normal_texture != batch.normal_texture)
+            bind_textures(batch);
+        if (!previous || previous->double_sided != batch.double_sided)
+            batch.double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+        if (!previous || previous->mirrored != batch.mirrored) glFrontFace(batch.mirrored ? GL_CW : GL_CCW);
+        if (!previous) glCullFace(GL_BACK);
+        gl.scene->draw(batch);
+        ++info.draws;
+        info.triangles += batch.triangles();
+        previous = &batch;
+    }
+}
+
+}  // namespace si

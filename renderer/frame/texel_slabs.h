@@ -1,0 +1,41 @@
+// Texels of a shadow map as quads in the scene. Pure CPU, double precision, no GL.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "renderer/frame/frame.h"
+
+namespace si {
+
+/// A rectangle of texels: x to the right, y up.
+struct TexelRegion {
+    glm::ivec2 first{0}, size{0};
+    bool operator==(const TexelRegion&) const = default;
+};
+
+/// The square of view.slabs_texels around view.slabs_u, view.slabs_v, cut to the map.
+TexelRegion slab_region(const ViewSettings& view, int resolution);
+
+struct TexelSlab {
+    glm::ivec2 texel{0};
+    bool biased = false;
+    std::array<glm::dvec3, 4> corners;  ///< world; (u, v) = (0,0), (1,0), (0,1), (1,1) of the texel
+};
+
+/// Distance along the light's axis (metres) at which a fragment compares equal to a texel under bias.constant: the z
+/// with depth(z) - b(z) = stored (+ b under reversed depth). With z0 the stored distance and c the constant that is
+///   depth:  distance(stored + c)
+///   metres: z0 + c,              perspective z0/2 (1 + sqrt(1 + 4 c / z0)), as b(z) = c |d depth / d z|
+///   texels: z0 + c texel(z0),    perspective likewise z0 (1 + c texel(1 m) / 1 m), as a texel grows with z
+/// @return nothing when no fragment compares equal: everything that far along the ray is nearer
+std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, int resolution, double stored);
+
+/// The slabs of a region as view.slabs (a Slabs value) asks; texels that hold the far plane make none.
+/// @param depths one channel, the region's stored depths, bottom row first
+std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bias, int resolution,
+                                   const TexelRegion& region, const std::vector<float>& depths, Slabs which);
+
+}  // namespace si

@@ -1,0 +1,157 @@
+#include "renderer/inspect/comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/inspect/kernel_taps.h"
+
+namespace si {
+namespace {
+
+std::string_view place_name(MapPlace place) {
+    switch (place) {
+        case MapPlace::Inside: return "inside";
+        case MapPlace::BeforeNear: return "before near";
+        case MapPlace::Sides: return "sides";
+        case MapPlace::BeyondFar: return "beyond far";
+        case MapPlace::Behind: return "behind";
+    }
+    return "";
+}
+
+/// Why no light comes to a place, whatever stands between; empty when some does.
+std::string unreached(const FittedLight& light, const glm::dvec3& position_ws) {
+    if (light.type == LightType::Directional) return {};
+    const glm::dvec3 away = light.position - position_ws;
+    const double distance = glm::length(away);
+    if (light.type == LightType::Spot && !(glm::dot(away, light.to_light) > light.cos_cone_outer * distance))
+        return "no light: outside of the light's cone";
+    if (within_range(distance, light.range_m)) return {};
+    return fmt::format("no light: {:.4g} m away, beyond the light's range of {:.4g} m", distance, light.range_m);
+}
+
+std::string verdict(const Settings& settings, const Probe::PerLight& p) {
+    if (!p.receives) return "lit: this object receives no shadows";
+    if (!faces_light(p.n_dot_l)) return "in shadow: the surface faces away from the light";
+    if (p.where == "behind") return "outside the map: behind the light";
+    if (p.where == "beyond far" && settings.map.far_guard)
+        return fmt::format("{}: beyond the light's far plane, the far guard decides", p.visibility > 0.5 ? "lit" : "unlit");
+    const double gap = p.gap_m;
+    const DepthAmount all = p.account.amount(p.account.clears());
+    const std::string bias = std::isfinite(all.texels)
+                                 ? fmt::format("bias and normal offset are worth {:.4g} m ({:.3g} texels)", all.metres, all.texels)
+                                 : "bias and normal offset lift it past everything, as the map sees it edge-on";
+    const std::string texel = gap > 0 ? fmt::format("its texel stores a surface {:.4g} m nearer to the light", gap)
+                                      : fmt::format("its texel stores nothing nearer (own depth is {:.4g} m before it)", -gap);
+    if (p.visibility >= 1) return fmt::format("lit: {}, {}", texel, bias);
+    if (p.visibility <= 0) return fmt::format("in shadow: {}, {}", texel, bias);
+    return fmt::format("partly lit ({:.0f} %): {}, {}; the kernel's taps disagree", p.visibility * 100, texel, bias);
+}
+
+/// What look-ups find in a map.
+class StoredDepths {
+public:
+    StoredDepths(const FloatImage& map, const Settings& settings, int resolution, const DepthCurve& curve)
+        : map_(map), wrap_(MapWrap(settings.map.wrap)), n_(resolution) {
+        const double far_depth = curve.convention.far_depth();
+        border_ = settings.map.outside == int(Outside::Lit) ? far_depth : 1 - far_depth;
+    }
+    double at(glm::ivec2 texel) const {
+        if (wrap_ == MapWrap::Repeat) texel = ((texel % n_) + n_) % n_;
+        if (wrap_ == MapWrap::Border && !inside(texel)) return border_;
+        texel = glm::clamp(texel, glm::ivec2(0), glm::ivec2(n_ - 1));
+        return map_.at(texel.x, n_ - 1 - texel.y);  // the image's first row is the map's top
+    }
+    double border() const { return border_; }
+    /// Whether the texel holds a depth of the place that its number stands for.
+    bool inside(glm::ivec2 t) const { return t.x >= 0 && t.y >= 0 && t.x < n_ && t.y < n_; }
+
+private:
+    const FloatImage& map_;
+    MapWrap wrap_;
+    int n_;
+    double border_ = 1;
+};
+
+/// A depth as it is compared: with formats that hold nothing else, within [0,1] as samplers do.
+double as_compared(const Settings& s, double depth) {
+    const bool fixed = s.map.format == int(MapFormat::D16) || s.map.format == int(MapFormat::D24);
+    return fixed ? std::clamp(depth, 0.0, 1.0) : depth;
+}
+
+bool passes(const Settings& s, double own, double stored) {
+    // In single precision, as shaders compare; the map's depths are such numbers.
+    const float a = float(own), b = float(stored);
+    const bool nearer = s.map.reversed_z ? a > b : a < b;
+    return nearer || (s.map.compare == int(Compare::LessEqual) && a == b);
+}
+
+KernelTap::Meets met(const BiasAccount& account, const DepthConvention& convention, double stored, double plane) {
+    if (stored == convention.far_depth()) return KernelTap::Meets::Nothing;
+    if (account.plane.edge_on()) return KernelTap::Meets::Own;
+    const double behind = (convention.reversed ? -1 : 1) * (stored - plane);
+    const double slack = account.least.quantum + account.least.snapping + account.least.rounding;
+    // In float formats a unit goes by the farthest depth of a triangle, which is more than at its nearer points.
+    if (behind < -slack + std::min(2 * account.raster, 0.0)) return KernelTap::Meets::Nearer;
+    if (behind > slack + std::max(2 * account.raster, 0.0)) return KernelTap::Meets::Farther;
+    return KernelTap::Meets::Own;
+}
+
+}  // namespace
+
+Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, const Settings& settings, int n,
+                           const FloatImage& map, const RasterTraits& driver) {
+    Probe::PerLight p;
+    p.light = pixel.light;
+    p.fitted = light;
+    p.point = pixel.point;
+    p.casts = light.casts;
+    p.receives = pixel.receives;
+    p.visibility = pixel.visibility;
+    const std::string dark = unreached(light, p.point.position_ws);
+    if (!light.casts) {
+        p.where = "no map";
+        p.verdict = dark.empty() ? "lit: " + light.reason : dark;
+        return p;
+    }
+    p.account = bias_account(light, settings, n, p.point, driver);
+    const LightReceiver& r = p.account.receiver;
+    const LightView& view = light.views[r.view];
+    const auto linear = [&](double metres) { return (metres - view.curve.near) / (view.curve.far - view.curve.near); };
+    p.face = int(r.view);
+    p.n_dot_l = r.n_dot_l;
+    p.clip = r.clip, p.ndc = r.ndc, p.uvd = r.uvd, p.tap = r.tap;
+    p.texel_m = r.texel_m;
+    p.own = r.uvd.z, p.own_m = r.own_m, p.own_linear = linear(r.own_m);
+    p.bias_depth = r.bias_depth, p.bias_m = r.bias_m, p.bias_texels = r.bias_m / r.texel_m;
+    p.normal_offset_m = r.normal_offset_m;
+    p.offset_position_ws = p.point.position_ws + p.point.bias_normal * p.normal_offset_m;
+    p.compared = as_compared(settings, r.compared);
+    const glm::dvec2 centre = glm::dvec2(r.tap) * double(n);
+    p.texel = glm::ivec2(glm::clamp(glm::floor(centre), glm::dvec2(-1e9), glm::dvec2(1e9)));
+    p.where = place_name(r.place);
+    const StoredDepths depths(map, settings, n, view.curve);
+    const bool guarded = settings.map.wrap == int(MapWrap::Range) && !depths.inside(p.texel);
+    p.stored = guarded ? depths.border() : depths.at(p.texel);
+    p.stored_m = view.curve.distance(p.stored), p.stored_linear = linear(p.stored_m);
+    p.gap_m = (p.own_m - p.stored_m) / r.axis_per_ray;
+    const Filter& filter = filters()[std::size_t(settings.filter.kernel)];
+    if (r.place != MapPlace::Behind) {
+        p.taps_across = footprint_width(filter);
+        for (const KernelTexel& k : kernel_texels(filter, centre)) {
+            KernelTap tap{.texel = k.texel, .weight = k.weight, .stored = depths.at(k.texel)};
+            tap.stored_m = view.curve.distance(tap.stored);
+            tap.plane = p.account.plane.at((glm::dvec2(k.texel) + 0.5) / double(n));
+            tap.lit = passes(settings, p.compared, tap.stored);
+            tap.meets = depths.inside(k.texel) ? met(p.account, view.curve.convention, tap.stored, tap.plane)
+                                               : KernelTap::Meets::Nothing;
+            p.taps.push_back(tap);
+        }
+    }
+    p.verdict = dark.empty() ? verdict(settings, p) : dark;
+    return p;
+}
+
+}  // namespace si

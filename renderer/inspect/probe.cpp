@@ -1,0 +1,144 @@
+// The surface of one pixel from the GPU, and the depths that its kernels compare.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+#include "renderer/base/error.h"
+#include "renderer/reference/error_task.h"
+#include "renderer/frame/renderer_impl.h"
+#include "renderer/inspect/comparison.h"
+
+namespace si {
+namespace {
+
+struct PixelFacts {
+    std::array<glm::vec4, 4> values{};  // the outputs of probe.frag.glsl
+    bool hit() const { return values[0].w > 0.5f; }
+    glm::uvec2 id() const {
+        return {std::uint32_t(values[0].w + 0.5f), std::uint32_t(values[2].w) << 16 | std::uint32_t(values[1].w) >> 1};
+    }
+    bool receives() const { return (std::uint32_t(values[1].w) & 1) != 0; }
+};
+
+/// The 2x2 block that holds a pixel, so that derivatives are those of the whole picture.
+template <std::size_t Count>
+class Block {
+public:
+    Block(FrameState& f, int x, int y_bottom) : f_(f), x_(x), y_(y_bottom) {
+        std::array<GLenum, Count> buffers{};
+        for (std::size_t i = 0; i < Count; ++i) {
+            targets_[i].ensure("probe", GL_RGBA32F, 2, 2);
+            buffers[i] = GL_COLOR_ATTACHMENT0 + GLenum(i);
+            glNamedFramebufferTexture(framebuffer_.id(), buffers[i], targets_[i].texture.id(), 0);
+        }
+        depth_.ensure("probe depth", GL_DEPTH_COMPONENT32F, 2, 2);
+        glNamedFramebufferTexture(framebuffer_.id(), GL_DEPTH_ATTACHMENT, depth_.texture.id(), 0);
+        glNamedFramebufferDrawBuffers(framebuffer_.id(), GLsizei(Count), buffers.data());
+        const std::uint64_t pictures = std::exchange(f.gl.depth_key, 0);  // this depth is fresh, and not the picture's
+        f.begin_camera_pass(framebuffer_.id());
+        f.gl.depth_key = pictures;
+        glViewport(-(x & ~1), -(y_bottom & ~1), f.request.width, f.request.height);
+        const glm::vec4 nothing(0);
+        for (GLint i = 0; i < GLint(Count); ++i) glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, i, &nothing.x);
+    }
+    glm::vec4 value(std::size_t i) const {
+        std::array<glm::vec4, 4> block;
+        glGetTextureImage(targets_[i].texture.id(), 0, GL_RGBA, GL_FLOAT, sizeof block, block.data());
+        return block[std::size_t((y_ & 1) * 2 + (x_ & 1))];
+    }
+
+private:
+    FrameState& f_;
+    int x_, y_;
+    std::array<gl::Target, Count> targets_;
+    gl::Target depth_;
+    gl::Framebuffer framebuffer_ = gl::Framebuffer::create("probe");
+};
+
+PixelFacts draw_pixel(FrameState& f, int x, int y_bottom, int light) {
+    const Block<4> block(f, x, y_bottom);
+    PassInfo info;
+    f.surface_flags = true;  // the object's number is asked for
+    f.draw_from_camera("passes/probe.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);
+    PixelFacts facts;
+    for (std::size_t i = 0; i < 4; ++i) facts.values[i] = block.value(i);
+    return facts;
+}
+
+CauseEvidence draw_trials(FrameState& f, int x, int y_bottom, int light) {
+    const Block<kEvidenceImages> block(f, x, y_bottom);
+    PassInfo info;
+    draw_evidence(f, light, false, info);
+    std::array<glm::vec4, kEvidenceImages> values;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = block.value(i);
+    return std::bit_cast<CauseEvidence>(values);
+}
+
+/// @param[out] at where its top left pixel is
+SurfaceIds part_of(const SurfaceIds& all, glm::ivec2 pixel, glm::ivec2& at) {
+    at = glm::max(pixel - kRunReach, glm::ivec2(0));
+    const glm::ivec2 end = glm::min(pixel + kRunReach + 1, glm::ivec2(all.width, all.height));
+    SurfaceIds out{end.x - at.x, end.y - at.y, {}};
+    for (int y = at.y; y < end.y; ++y) {
+        const auto row = all.data.begin() + std::ptrdiff_t(y) * all.width;
+        out.data.insert(out.data.end(), row + at.x, row + end.x);
+    }
+    return out;
+}
+
+}  // namespace
+
+Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameRequest& request, int x, int y) {
+    if (x < 0 || y < 0 || x >= request.width || y >= request.height)
+        throw UsageError(fmt::format("pixel {},{} lies outside the picture of {} x {} pixels", x, y, request.width,
+                                     request.height));
+    FrameRequest maps = request;
+    maps.outputs = {.colour = false, .shadow_map = true, .surface_ids = true, .unfiltered_map = true};
+    maps.force = maps.timing = false;
+    const SurfaceIds ids = read_surface_ids(render(scene, settings, maps).surface_ids);
+    FrameState f = impl_->prepare(scene, settings, maps);
+    impl_->upload_blocks(f);
+    Probe out;
+    out.x = x, out.y = y;
+    out.width = request.width, out.height = request.height;
+    out.camera = f.camera;
+    out.map_resolution = f.map_resolution;
+    out.around = part_of(ids, {x, y}, out.around_at);
+    const int y_bottom = request.height - 1 - y;
+    for (std::size_t i = 0; i < std::max<std::size_t>(f.gl.fitted.size(), 1); ++i) {
+        const PixelFacts facts = draw_pixel(f, x, y_bottom, int(i));
+        out.hit = facts.hit();
+        if (!out.hit) return out;
+        out.position_ws = glm::dvec3(facts.values[0]) + f.origin;
+        out.normal_ws = glm::dvec3(facts.values[1]);
+        out.id = facts.id();
+        const auto object = std::size_t(out.id.x - 1);
+        if (object < scene.objects.size())
+            out.object = scene.nodes[std::size_t(scene.objects[object].node)].path;
+        if (i >= f.gl.fitted.size()) break;
+        FloatImage map;
+        if (f.gl.fitted[i].casts) {
+            const glm::dvec3 d = out.position_ws - f.gl.fitted[i].position;
+            map = read_shadow_map(int(i), int(view_index(d, f.gl.fitted[i].views.size())));
+        }
+        TestedPixel pixel{.light = int(i),
+                          .point = {.position_ws = out.position_ws, .geometric = out.normal_ws},
+                          .receives = facts.receives(),
+                          .visibility = facts.values[3].x};
+        const int source = f.settings.bias.normal_source;
+        const glm::dvec3 mapped(facts.values[2]), vertex(facts.values[3].y, facts.values[3].z, facts.values[3].w);
+        pixel.point.bias_normal = source == int(NormalSource::Mapped)    ? mapped
+                                  : source == int(NormalSource::Shading) ? vertex
+                                                                         : out.normal_ws;
+        pixel.point.origin_ws = f.origin;
+        out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
+        out.lights.back().evidence = draw_trials(f, x, y_bottom, int(i));
+        out.lights.back().causes = cause_context(f.settings, f.mask_levels);
+    }
+    return out;
+}
+
+}  // namespace si

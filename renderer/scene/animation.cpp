@@ -1,0 +1,242 @@
+#include "renderer/scene/animation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "renderer/base/error.h"
+#include "renderer/view/scene_lights.h"
+
+namespace si {
+namespace {
+
+glm::dquat quaternion(const float* xyzw) {
+    return glm::dquat(static_cast<double>(xyzw[3]), static_cast<double>(xyzw[0]), static_cast<double>(xyzw[1]),
+                      static_cast<double>(xyzw[2]));
+}
+
+glm::dquat normalised(const glm::dquat& q) {
+    const double length = glm::length(q);
+    return length > 1e-12 ? q / length : glm::dquat(1, 0, 0, 0);
+}
+
+void store(const glm::dquat& q, std::vector<float>& out) {
+    out = {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
+}
+
+/// The key values of a channel without the tangents of Cubic.
+const float* value_of_key(const AnimationChannel& c, std::size_t key) {
+    return c.values.data() + (c.interpolation == Interpolation::Cubic ? 3 * key + 1 : key) * c.width;
+}
+
+// glTF 2.0, appendix C.5: a Hermite spline whose tangents are scaled by the key distance.
+std::vector<float> cubic(const AnimationChannel& c, std::size_t key, double t, double length_s) {
+    const float* v0 = value_of_key(c, key);
+    const float* out_tangent = v0 + c.width;
+    const float* v1 = value_of_key(c, key + 1);
+    const float* in_tangent = v1 - c.width;
+    const double t2 = t * t, t3 = t2 * t;
+    std::vector<float> out(c.width);
+    for (std::size_t i = 0; i < c.width; ++i) {
+        out[i] = static_cast<float>((2 * t3 - 3 * t2 + 1) * v0[i] + length_s * (t3 - 2 * t2 + t) * out_tangent[i] +
+                                    (-2 * t3 + 3 * t2) * v1[i] + length_s * (t3 - t2) * in_tangent[i]);
+    }
+    if (c.property == AnimatedProperty::Rotation) store(normalised(quaternion(out.data())), out);
+    return out;
+}
+
+std::vector<float> linear(const AnimationChannel& c, std::size_t key, double t) {
+    const float *v0 = value_of_key(c, key), *v1 = value_of_key(c, key + 1);
+    std::vector<float> out(c.width);
+    if (c.property == AnimatedProperty::Rotation) {
+        store(glm::slerp(normalised(quaternion(v0)), normalised(quaternion(v1)), t), out);
+        return out;
+    }
+    for (std::size_t i = 0; i < c.width; ++i) out[i] = static_cast<float>((1 - t) * v0[i] + t * v1[i]);
+    return out;
+}
+
+glm::dvec3 vec3_of(const std::vector<float>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+glm::dmat4 matrix_of(const NodeRest& n) {
+    return glm::scale(glm::translate(glm::dmat4(1.0), n.translation) * glm::mat4_cast(n.rotation), n.scale);
+}
+
+/// Node locals and worlds of this pose; returns the weights of each node.
+std::vector<NodeRest> move_nodes(Scene& scene, const Rig& rig, int animation, double time_s) {
+    std::vector<NodeRest> now = rig.rest;
+    if (animation >= 0) {
+        for (const AnimationChannel& channel : rig.animations[static_cast<std::size_t>(animation)].channels) {
+            NodeRest& node = now[static_cast<std::size_t>(channel.node)];
+            const std::vector<float> value = sample(channel, time_s);
+            switch (channel.property) {
+                case AnimatedProperty::Translation:
+                    node.translation = vec3_of(value);
+                    break;
+                case AnimatedProperty::Rotation:
+                    node.rotation = normalised(quaternion(value.data()));
+                    break;
+                case AnimatedProperty::Scale:
+                    node.scale = vec3_of(value);
+                    break;
+                case AnimatedProperty::Weights:
+                    node.weights = value;
+                    break;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        Node& node = scene.nodes[i];
+        if (i < now.size() && now[i].has_trs) node.local = matrix_of(now[i]);
+        node.world =
+            node.parent < 0 ? node.local : scene.nodes[static_cast<std::size_t>(node.parent)].world * node.local;
+    }
+    return now;
+}
+
+struct JointMatrix {
+    glm::mat4 point;
+    glm::mat3 normal;
+};
+
+std::vector<JointMatrix> joint_matrices(const Scene& scene, const Skin& skin, const glm::dvec3& origin) {
+    const glm::dmat4 to_placement = glm::translate(glm::dmat4(1.0), -origin);
+    std::vector<JointMatrix> out(skin.joints.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const glm::dmat4 m =
+            to_placement * scene.nodes[static_cast<std::size_t>(skin.joints[i])].world * skin.inverse_bind[i];
+        const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+        // Inverse transpose by cofactors, without the division: only its direction counts, and no scale of 0 harms it.
+        const double side = glm::dot(x, glm::cross(y, z)) < 0 ? -1 : 1;
+        out[i] = {glm::mat4(m), glm::mat3(glm::dmat3(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y)) * side)};
+    }
+    return out;
+}
+
+glm::vec3 direction(const glm::vec3& v, const glm::vec3& otherwise) {
+    const glm::dvec3 d(v);
+    const double length = glm::length(d);
+    return length > 0 && std::isfinite(length) ? glm::vec3(d / length) : otherwise;
+}
+
+void morph(const DeformSource& source, const std::vector<float>& weights, Mesh& mesh) {
+    for (std::size_t t = 0; t < source.targets.size() && t < weights.size(); ++t) {
+        const float w = weights[t];
+        if (w == 0) continue;
+        const DeformSource::Target& target = source.targets[t];
+        for (std::size_t i = 0; i < target.positions.size(); ++i) mesh.positions[i] += w * target.positions[i];
+        if (!source.normals.empty()) {
+            for (std::size_t i = 0; i < target.normals.size(); ++i) mesh.normals[i] += w * target.normals[i];
+        }
+        if (!mesh.tangents.empty()) {
+            for (std::size_t i = 0; i < target.tangents.size(); ++i)
+                mesh.tangents[i] += glm::vec4(w * target.tangents[i], 0);
+        }
+    }
+}
+
+void skin_vertices(const DeformSource& source, const std::vector<JointMatrix>& joints, Mesh& mesh) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        glm::mat4 point(0.0f);
+        glm::mat3 normal(0.0f);
+        for (std::size_t s = 0; s < source.influence_sets; ++s) {
+            const DeformSource::Influence& influence = source.influences[i * source.influence_sets + s];
+            for (int k = 0; k < 4; ++k) {
+                const float w = influence.weights[k];
+                if (w == 0) continue;
+                const JointMatrix& joint = joints[influence.joints[static_cast<std::size_t>(k)]];
+                point += w * joint.point;
+                normal += w * joint.normal;
+            }
+        }
+        mesh.positions[i] = glm::vec3(point * glm::vec4(mesh.positions[i], 1.0f));
+        if (!source.normals.empty()) mesh.normals[i] = normal * mesh.normals[i];
+        if (!mesh.tangents.empty())
+            mesh.tangents[i] = glm::vec4(glm::mat3(point) * glm::vec3(mesh.tangents[i]), mesh.tangents[i].w);
+    }
+}
+
+void flatten_normals(Mesh& mesh) {
+    mesh.normals.assign(mesh.positions.size(), glm::vec3(0, 1, 0));
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const std::uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
+        const glm::dvec3 p(mesh.positions[a]);
+        const glm::vec3 n(glm::cross(glm::dvec3(mesh.positions[b]) - p, glm::dvec3(mesh.positions[c]) - p));
+        mesh.normals[a] = mesh.normals[b] = mesh.normals[c] = direction(n, {0, 1, 0});
+    }
+}
+
+void deform(Scene& scene, Mesh& mesh, const std::vector<NodeRest>& now) {
+    const Deformer& deformer = *mesh.deformer;
+    const DeformSource& source = *deformer.source;
+    mesh.positions = source.positions;
+    mesh.normals = source.normals;
+    if (!mesh.tangents.empty()) mesh.tangents = source.tangents;
+    mesh.indices = source.indices;
+    morph(source, now[static_cast<std::size_t>(deformer.node)].weights, mesh);
+    if (deformer.skin) {
+        const glm::dvec3 origin(scene.nodes[static_cast<std::size_t>(deformer.skin->joints[0])].world[3]);
+        Node& placement = scene.nodes[static_cast<std::size_t>(deformer.placement)];
+        placement.local = placement.world = glm::translate(glm::dmat4(1.0), origin);
+        skin_vertices(source, joint_matrices(scene, *deformer.skin, origin), mesh);
+    }
+    if (source.normals.empty()) {
+        flatten_normals(mesh);
+    } else {
+        for (glm::vec3& n : mesh.normals) n = direction(n, {0, 1, 0});
+    }
+    for (glm::vec4& t : mesh.tangents) t = glm::vec4(direction(glm::vec3(t), {1, 0, 0}), t.w);
+}
+
+}  // namespace
+
+std::vector<float> sample(const AnimationChannel& c, double time_s) {
+    const auto hold = [&](std::size_t key) {
+        return std::vector<float>(value_of_key(c, key), value_of_key(c, key) + c.width);
+    };
+    // NaN counts as before the first key.
+    if (!(time_s > c.times_s.front())) return hold(0);
+    if (time_s >= c.times_s.back()) return hold(c.times_s.size() - 1);
+    const auto after = std::upper_bound(c.times_s.begin(), c.times_s.end(), time_s,
+                                        [](double t, float key) { return t < static_cast<double>(key); });
+    const auto key = static_cast<std::size_t>(after - c.times_s.begin()) - 1;
+    if (c.interpolation == Interpolation::Step) return hold(key);
+    const double length_s = static_cast<double>(c.times_s[key + 1]) - static_cast<double>(c.times_s[key]);
+    const double t = (time_s - static_cast<double>(c.times_s[key])) / length_s;
+    return c.interpolation == Interpolation::Cubic ? cubic(c, key, t, length_s) : linear(c, key, t);
+}
+
+void apply_pose(Scene& scene, int animation, double time_s) {
+    if (!scene.rig) return;
+    const Rig& rig = *scene.rig;
+    if (animation < -1 || animation >= static_cast<int>(rig.animations.size())) {
+        throw Error(
+            fmt::format("{}: animation {} does not exist, there are {}; choose one of them or -1 for the rest pose",
+                        scene.name, animation, rig.animations.size()));
+    }
+    const std::vector<NodeRest> now = move_nodes(scene, rig, animation, time_s);
+    for (Mesh& mesh : scene.meshes) {
+        if (mesh.deformer) deform(scene, mesh, now);
+    }
+    const auto follow = [&](auto& things, const std::vector<int>& nodes) {
+        // finalise() drops things whose place is not finite; the numbers would no longer fit.
+        if (things.size() != nodes.size()) return;
+        for (std::size_t i = 0; i < things.size(); ++i)
+            things[i].world = scene.nodes[static_cast<std::size_t>(nodes[i])].world;
+    };
+    follow(scene.cameras, rig.camera_nodes);
+    follow(scene.lights, rig.light_nodes);
+}
+
+void pose(Scene& scene, int animation, double time_s) {
+    if (!scene.rig) return;
+    apply_pose(scene, animation, time_s);
+    refresh(scene);
+    suggest_lights(scene);
+}
+
+}  // namespace si

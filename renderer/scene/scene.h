@@ -1,0 +1,138 @@
+// A scene as the renderer, the light fit and the ray-traced truth see it: flat lists of triangles, materials,
+// textures and placed objects. Positions in metres, y up, right-handed; transforms in double.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace si {
+
+struct Bounds {
+    glm::dvec3 lo{std::numeric_limits<double>::infinity()};
+    glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
+    bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
+    glm::dvec3 centre() const { return empty() ? glm::dvec3(0) : 0.5 * lo + 0.5 * hi; }
+    /// Half the diagonal; 0 when empty.
+    double radius() const { return empty() ? 0 : 0.5 * glm::length(hi - lo); }
+    void add(const glm::dvec3& p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
+    void add(const Bounds& b) { lo = glm::min(lo, b.lo), hi = glm::max(hi, b.hi); }
+    /// The box around this box's eight corners moved by `m`; empty stays empty.
+    Bounds transformed(const glm::dmat4& m) const;
+};
+
+enum class TextureWrap { Repeat, Clamp, Mirror };
+
+struct Texture {
+    std::string name;
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;  ///< width*height*4, row 0 is v = 0 (glTF: the top of the image)
+    bool srgb = true;
+    TextureWrap wrap_s = TextureWrap::Repeat, wrap_t = TextureWrap::Repeat;
+    bool nearest_mag = false, nearest_min = false, mipmaps = true;
+};
+
+enum class AlphaMode { Opaque, Mask, Blend };
+
+struct Material {
+    std::string name;
+    glm::vec4 base_colour{0.8f, 0.8f, 0.8f, 1.0f};  ///< linear
+    int base_colour_texture = -1;
+    int normal_texture = -1;
+    float normal_scale = 1;
+    AlphaMode alpha = AlphaMode::Opaque;
+    float alpha_cutoff = 0.5f;
+    bool double_sided = false;
+    bool unlit = false;
+};
+
+struct Deformer;  // renderer/scene/animation.h
+struct Rig;
+
+/// Triangles of one material. All attribute arrays are empty or as long as `positions`.
+struct Mesh {
+    std::string name;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;     ///< empty before finalise(): flat normals are made
+    std::vector<glm::vec2> uv;          ///< for the base colour texture, transforms applied
+    std::vector<glm::vec2> uv_normal;   ///< for the normal texture; empty: uv
+    std::vector<glm::vec4> tangents;    ///< xyz and handedness
+    std::vector<glm::vec4> colours;     ///< linear, multiplies the base colour
+    std::vector<std::uint32_t> indices; ///< triangle list
+    int material = -1;                  ///< -1: the default material
+    Bounds bounds;                      ///< local; set by finalise()
+    std::shared_ptr<const Deformer> deformer;  ///< morph targets and skin; null: rigid
+};
+
+struct Node {
+    std::string name;
+    std::string path;  ///< unique, "Parent/Child"; set by finalise()
+    int parent = -1;   ///< always smaller than the node's own index
+    glm::dmat4 local{1.0};
+    glm::dmat4 world{1.0};  ///< set by finalise()
+};
+
+/// One mesh placed once. Several objects may share node and mesh (primitives, instancing).
+struct Object {
+    int node = 0;
+    int mesh = 0;
+    glm::dmat4 instance{1.0};  ///< applied before the node's world transform
+    glm::dmat4 world{1.0};     ///< set by finalise()
+};
+
+struct SceneCamera {
+    std::string name;
+    glm::dmat4 world{1.0};  ///< looks along -z
+    bool orthographic = false;
+    double fov_y_deg = 45;
+    double height = 10;
+    double near = 0, far = 0;  ///< 0: automatic
+};
+
+struct SceneLight {
+    std::string name;
+    int type = 0;  ///< LightType
+    glm::dmat4 world{1.0};  ///< shines along -z
+    glm::dvec3 colour{1};
+    double intensity = 1;
+    double range = 0;  ///< 0: unlimited
+    double inner_cone_rad = 0, outer_cone_rad = 0.785398163397448;
+};
+
+struct Scene {
+    std::string name;    ///< built-in key, or the file's path
+    std::string about;   ///< a sentence
+    std::vector<std::string> file_scenes;  ///< names (or "") of the scenes in the file that this one is from
+    int file_scene = 0;                    ///< which of them this is
+    std::vector<Texture> textures;
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;
+    std::vector<Node> nodes;
+    std::vector<Object> objects;
+    std::vector<SceneCamera> cameras;
+    std::vector<SceneLight> lights;
+    /// Settings that suit this scene (key, value), used where the user set nothing.
+    std::vector<std::pair<std::string, std::string>> suggested;
+    std::vector<std::string> warnings;  ///< what was dropped or approximated, and why
+    Bounds bounds;                      ///< world; set by finalise()
+    std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys
+    std::size_t dropped_triangles = 0;  ///< degenerate, set by finalise()
+    std::shared_ptr<const Rig> rig;     ///< animations; null: nothing moves
+
+    std::size_t triangle_count() const;  ///< over objects, instances counted
+};
+
+/// Drops non-finite meshes and degenerate triangles (with warnings), makes missing normals flat, computes
+/// world transforms, unique node paths and bounds. Loaders and built-in scenes end with it.
+/// @throws Error when an index, material, node or mesh reference is out of range.
+void finalise(Scene& scene);
+
+/// After Node::local or vertices of deformed meshes changed: world transforms and bounds again, degenerate triangles of
+/// deformed meshes dropped, and a new id. Nothing else changes; no warnings are added.
+void refresh(Scene& scene);
+
+}  // namespace si

@@ -1,0 +1,211 @@
+// Settings by dotted key: finding, reading, writing and listing them. Text forms are in param_text.cpp.
+#include "renderer/settings/param.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace si {
+namespace {
+
+constexpr std::string_view kLightPrefix = "light.", kObjectPrefix = "object.";
+
+/// The row whose key is exactly `key` and whose scope is `scope`.
+const Param* find_row(std::string_view key, Scope scope) {
+    for (const Param& p : params()) {
+        if (p.scope == scope && p.key == key) return &p;
+    }
+    return nullptr;
+}
+
+std::optional<int> light_index(std::string_view digits) {
+    int i = -1;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), i);
+    const bool canonical =
+        error == std::errc() && end == digits.data() + digits.size() && (digits.size() == 1 || digits.front() != '0');
+    return canonical && i >= 0 && i < kMaxLights ? std::optional(i) : std::nullopt;
+}
+
+/// The ends of "object.<path>.<member>"; the path may hold dots itself.
+std::optional<std::pair<std::string_view, std::string_view>> split_object_key(std::string_view key) {
+    if (!key.starts_with(kObjectPrefix)) return std::nullopt;
+    const std::string_view rest = key.substr(kObjectPrefix.size());
+    const auto dot = rest.rfind('.');
+    if (dot == std::string_view::npos || dot == 0) return std::nullopt;
+    return std::pair{rest.substr(0, dot), rest.substr(dot + 1)};
+}
+
+FieldRef field_of(Settings& s, const SettingRef& ref, ObjectSettings* object) {
+    return ref.param->field(s, ref.light, object);
+}
+
+Value read(const FieldRef& field) {
+    return std::visit([](auto* p) { return Value(*p); }, field);
+}
+
+/// Damerau-Levenshtein distance (optimal string alignment): swapped neighbours count once.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                row[j] = std::min(row[j], before[j - 2] + 1);
+            }
+        }
+        before = last, last = row;
+    }
+    return last[b.size()];
+}
+
+/// Calls `use` with the range of rows of each run of one scope, in table order.
+template <class Use>
+void for_each_group(Use use) {
+    const auto rows = params();
+    for (std::size_t begin = 0; begin < rows.size();) {
+        std::size_t end = begin;
+        while (end < rows.size() && rows[end].scope == rows[begin].scope) ++end;
+        use(rows.subspan(begin, end - begin));
+        begin = end;
+    }
+}
+
+}  // namespace
+
+std::optional<SettingRef> find_setting(std::string_view key) {
+    if (const Param* p = find_row(key, Scope::Scene)) return SettingRef{p, 0, {}};
+    if (const Param* p = find_row(key, Scope::Light)) return SettingRef{p, 0, {}};
+    if (key.starts_with(kLightPrefix)) {
+        const std::string_view rest = key.substr(kLightPrefix.size());
+        const auto dot = rest.find('.');
+        if (dot == std::string_view::npos) return std::nullopt;
+        const auto light = light_index(rest.substr(0, dot));
+        const Param* p = find_row(std::string(kLightPrefix).append(rest.substr(dot + 1)), Scope::Light);
+        return light && p ? std::optional(SettingRef{p, *light, {}}) : std::nullopt;
+    }
+    if (const auto parts = split_object_key(key)) {
+        if (const Param* p = find_row(std::string(kObjectPrefix).append(parts->second), Scope::Object)) {
+            return SettingRef{p, 0, std::string(parts->first)};
+        }
+    }
+    return std::nullopt;
+}
+
+std::string setting_key(const SettingRef& ref) {
+    const std::string key(ref.param->key);
+    if (ref.param->scope == Scope::Light && ref.light > 0) {
+        return "light." + std::to_string(ref.light) + "." + key.substr(kLightPrefix.size());
+    }
+    if (ref.param->scope == Scope::Object) {
+        return std::string(kObjectPrefix) + ref.object + "." + key.substr(kObjectPrefix.size());
+    }
+    return key;
+}
+
+std::string nearest_name(std::string_view name, std::span<const std::string> names) {
+    const auto best = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
+        return edit_distance(name, a) < edit_distance(name, b);
+    });
+    return best == names.end() ? std::string() : *best;
+}
+
+std::string nearest_key(std::string_view key) {
+    // The key's own light or object stays as it is: only the rest is compared.
+    int light = 0;
+    std::string object = "PATH";
+    std::string plain(key);
+    if (key.starts_with(kLightPrefix)) {
+        const std::string_view rest = key.substr(kLightPrefix.size());
+        const auto dot = rest.find('.');
+        const auto digits = rest.substr(0, dot);
+        if (dot != std::string_view::npos && !digits.empty() &&
+            std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; })) {
+            light = light_index(digits).value_or(kMaxLights - 1);
+            plain = std::string(kLightPrefix).append(rest.substr(dot + 1));
+        }
+    } else if (const auto parts = split_object_key(key)) {
+        object = parts->first;
+        plain = std::string(kObjectPrefix).append(parts->second);
+    }
+    std::vector<std::string> keys;
+    for (const Param& p : params()) keys.emplace_back(p.key);
+    const std::string best = nearest_name(plain, keys);
+    for (const Param& p : params()) {
+        if (p.key == best) return setting_key({&p, light, object});
+    }
+    return best;
+}
+
+Value get_value(const Settings& s, const SettingRef& ref) {
+    // The rows hand out a pointer to write through; reading goes through the same pointer.
+    auto& mutable_settings = const_cast<Settings&>(s);
+    if (ref.param->scope != Scope::Object) return read(field_of(mutable_settings, ref, nullptr));
+    ObjectSettings object;
+    if (const auto it = s.objects.find(ref.object); it != s.objects.end()) object = it->second;
+    return read(field_of(mutable_settings, ref, &object));
+}
+
+void set_value(Settings& s, const SettingRef& ref, const Value& v) {
+    ObjectSettings object;
+    const bool is_object = ref.param->scope == Scope::Object;
+    if (is_object) {
+        if (const auto it = s.objects.find(ref.object); it != s.objects.end()) object = it->second;
+    }
+    std::visit(
+        [](auto* to, auto from) {
+            // A bool where a number belongs, or the reverse, converts as C++ does.
+            *to = static_cast<std::remove_reference_t<decltype(*to)>>(from);
+        },
+        field_of(s, ref, &object), v);
+    if (!is_object) return;
+    // Settings that say the same compare equal: an override equal to the defaults is none.
+    if (object == ObjectSettings{}) {
+        s.objects.erase(ref.object);
+    } else {
+        s.objects[ref.object] = object;
+    }
+}
+
+Value default_value(const SettingRef& ref) {
+    static const Settings defaults;
+    return get_value(defaults, ref);
+}
+
+std::vector<SettingRef> all_settings(const Settings& s) {
+    std::vector<SettingRef> all;
+    for_each_group([&](std::span<const Param> group) {
+        const auto add = [&](int light, const std::string& object) {
+            for (const Param& p : group) all.push_back({&p, light, object});
+        };
+        if (group.front().scope == Scope::Light) {
+            for (int i = 0; i < kMaxLights; ++i) add(i, {});
+        } else if (group.front().scope == Scope::Object) {
+            for (const auto& [path, object] : s.objects) add(0, path);
+        } else {
+            add(0, {});
+        }
+    });
+    return all;
+}
+
+std::vector<SettingRef> changed_settings(const Settings& s) {
+    std::vector<SettingRef> changed = all_settings(s);
+    std::erase_if(changed, [&](const SettingRef& ref) { return get_value(s, ref) == default_value(ref); });
+    return changed;
+}
+
+std::vector<SettingRef> differing_settings(const Settings& a, const Settings& b) {
+    Settings both = a;
+    both.objects.insert(b.objects.begin(), b.objects.end());
+    std::vector<SettingRef> differing = all_settings(both);
+    std::erase_if(differing, [&](const SettingRef& ref) { return get_value(a, ref) == get_value(b, ref); });
+    return differing;
+}
+
+std::string_view idle_reason(const Settings& s, const SettingRef& ref) {
+    if (ref.param->scope == Scope::Light && ref.light >= s.light_count) return "without effect: the light is off";
+    return ref.param->idle ? ref.param->idle(s, ref.light) : std::string_view();
+}
+
+}  // namespace si

@@ -1,0 +1,97 @@
+// The rows that describe each setting, and text access to settings by dotted key. Sliders, presets, --set,
+// sweeps, uniforms, defines and the documentation are loops over these rows.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "renderer/settings/settings.h"
+
+namespace si {
+
+/// What a change of the setting makes the renderer rebuild.
+enum class Cost { Uniform, Program, Target };
+
+using FieldRef = std::variant<bool*, int*, double*>;
+
+struct Choice {
+    std::string_view key, label, help;
+};
+
+/// What of a driver a setting needs beyond OpenGL 4.5.
+enum class DriverFeature { None, PolygonOffsetClamp };
+
+enum class Scope { Scene, Light, Object };
+
+struct Param {
+    std::string_view key;  ///< dotted; per-light rows read "light.X", per-object rows "object.X"
+    FieldRef (*field)(Settings&, int light, ObjectSettings*) = nullptr;
+    std::string_view label, unit;
+    double min = 0, max = 1;
+    bool logarithmic = false;
+    Cost cost = Cost::Uniform;
+    std::span<const Choice> (*choices)() = nullptr;
+    /// Why the setting is without effect under `s`; empty when it acts.
+    std::string_view (*idle)(const Settings& s, int light) = nullptr;
+    std::string_view help;
+    Scope scope = Scope::Scene;
+    DriverFeature needs = DriverFeature::None;
+    bool shader = false;  ///< the shaders see it, as a define (Cost::Program) or in the settings block
+};
+
+std::span<const Param> params();
+
+/// One setting of one Settings value: a row, and for per-light and per-object rows whose.
+struct SettingRef {
+    const Param* param = nullptr;
+    int light = 0;
+    std::string object;  ///< node path for Scope::Object
+};
+
+/// Finds a dotted key ("bias.slope", "light.2.azimuth", "light.azimuth", "object.Root/Fence.cull").
+std::optional<SettingRef> find_setting(std::string_view key);
+/// The canonical dotted key of a setting ("light.azimuth" is light 0).
+std::string setting_key(const SettingRef& ref);
+/// The known key most like `key`, by edit distance.
+std::string nearest_key(std::string_view key);
+
+/// The nearest of `names` to `name` by edit distance; empty when there are none.
+std::string nearest_name(std::string_view name, std::span<const std::string> names);
+
+using Value = std::variant<bool, int, double>;  ///< choices are int
+Value get_value(const Settings& s, const SettingRef& ref);
+/// Writes a value as it is, without range checks (sanitise() guards the renderer).
+void set_value(Settings& s, const SettingRef& ref, const Value& v);
+Value default_value(const SettingRef& ref);
+
+/// The value as presets and --set write it: choice keys, true/false, shortest round-trip numbers.
+std::string value_text(const Param& p, const Value& v);
+/// Parses and range-checks a value. @throws UsageError naming the key, the value and what is allowed.
+Value parse_value(const SettingRef& ref, std::string_view text);
+/// find_setting + parse_value + set_value. @throws UsageError (unknown key: names the nearest).
+void set_setting(Settings& s, std::string_view key, std::string_view text);
+
+/// Every setting that `s` has (lights 0..15, objects with an override), in table order.
+std::vector<SettingRef> all_settings(const Settings& s);
+/// The settings that differ from their defaults, in table order.
+std::vector<SettingRef> changed_settings(const Settings& s);
+/// The settings in which the two differ, in table order; a missing object override counts as its defaults.
+std::vector<SettingRef> differing_settings(const Settings& a, const Settings& b);
+/// Why the setting is without effect under `s`, or empty.
+std::string_view idle_reason(const Settings& s, const SettingRef& ref);
+
+/// What a number of this row counts in under `s`; a unit that names another setting is that setting's choice.
+std::string_view shown_unit(const Settings& s, const Param& p);
+/// The value for people: a choice's label, on or off, a number with its unit.
+std::string shown_value(const Settings& s, const Param& p, const Value& v);
+/// "0.1 → 0 texels": from what `a` has to what `b` has, the unit once where it is the same.
+std::string change_text(const Settings& a, const Settings& b, const SettingRef& ref);
+
+/// Clamps non-finite, out-of-range and reversed values in place. Returns one line per repair.
+std::vector<std::string> sanitise(Settings& s);
+
+}  // namespace si

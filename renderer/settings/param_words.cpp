@@ -1,0 +1,57 @@
+// Settings as people read them: labels, units, changes.
+#include <fmt/format.h>
+
+#include "renderer/settings/param.h"
+#include "renderer/settings/techniques.h"
+
+namespace si {
+namespace {
+
+std::string with_unit(std::string number, std::string_view unit) {
+    if (unit == "deg") return number + "°";
+    return unit.empty() ? number : fmt::format("{} {}", number, unit);
+}
+
+/// Without unit.
+std::string plain_value(const Param& p, const Value& v) {
+    if (const bool* b = std::get_if<bool>(&v)) return *b ? "on" : "off";
+    if (p.choices) {
+        const auto list = p.choices();
+        const auto i = std::size_t(std::get<int>(v));
+        if (i < list.size()) return std::string(list[i].label);
+    }
+    return value_text(p, v);
+}
+
+bool is_number(const Param& p, const Value& v) {
+    return !p.choices && !std::holds_alternative<bool>(v);
+}
+
+}  // namespace
+
+std::string_view shown_unit(const Settings& settings, const Param& p) {
+    if (p.unit == "lights") return {};  // the label says it, and "1 lights" reads badly
+    if (p.unit == "overlay's") {
+        const int overlay = settings.view.overlay - 1;
+        return overlay >= 0 && std::size_t(overlay) < overlays().size() ? overlays()[std::size_t(overlay)].unit : "";
+    }
+    if (p.unit.find('.') == std::string_view::npos) return p.unit;
+    const auto named = find_setting(p.unit);
+    if (!named || !named->param->choices) return p.unit;
+    const auto choices = named->param->choices();
+    const auto index = std::size_t(std::get<int>(get_value(settings, *named)));
+    return index < choices.size() ? choices[index].label : std::string_view();
+}
+
+std::string shown_value(const Settings& s, const Param& p, const Value& v) {
+    return is_number(p, v) ? with_unit(plain_value(p, v), shown_unit(s, p)) : plain_value(p, v);
+}
+
+std::string change_text(const Settings& a, const Settings& b, const SettingRef& ref) {
+    const Param& p = *ref.param;
+    const Value from = get_value(a, ref), to = get_value(b, ref);
+    const bool one_unit = is_number(p, from) && shown_unit(a, p) == shown_unit(b, p) && shown_unit(a, p) != "deg";
+    return fmt::format("{} → {}", one_unit ? plain_value(p, from) : shown_value(a, p, from), shown_value(b, p, to));
+}
+
+}  // namespace si

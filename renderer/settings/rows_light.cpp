@@ -1,0 +1,148 @@
+// Rows of the lights: light.count, and light.<i>.* for i below 16.
+#include "renderer/settings/rows.h"
+
+namespace si {
+namespace {
+
+using namespace rows;
+
+constexpr Choice kTypes[] = {
+    {"directional", "directional", "Parallel rays from infinitely far away, as the sun's."},
+    {"spot", "spot", "A cone from a point; falls with the square of the distance."},
+    {"point", "point", "All directions from a point, drawn as six map faces; falls with the square of the distance."},
+};
+constexpr Choice kFits[] = {
+    {"manual", "by hand", "near, far, extent and distance as given (0: as the scene fit finds them)."},
+    {"scene", "whole scene", "The frustum holds the bounds of the scene."},
+};
+constexpr Choice kProjections[] = {
+    {"auto", "automatic", "Orthographic for directional lights, perspective for the others."},
+    {"orthographic", "orthographic", "Parallel rays in the map."},
+    {"perspective", "perspective", "Rays from the light's place; on a directional light wrong on purpose, to compare."},
+};
+
+const LightSettings& of(const Settings& s, int i) {
+    return s.lights[std::size_t(i)];
+}
+bool has_type(const Settings& s, int i, LightType type) {
+    return of(s, i).type == at(type);
+}
+bool is_orthographic(const Settings& s, int i) {
+    if (has_type(s, i, LightType::Point)) return false;
+    const int projection = of(s, i).projection;
+    return projection == at(LightProjection::Orthographic) ||
+           (projection == at(LightProjection::Automatic) && has_type(s, i, LightType::Directional));
+}
+
+/// Nobody sees what the light's map covers: none is drawn, and the camera does not look through the light.
+bool has_no_use_for_map(const Settings& s, int i) {
+    return !of(s, i).cast && !(s.camera.source == at(CameraSource::Light) && s.view.light == i);
+}
+
+std::string_view planes_idle(const Settings& s, int i) {
+    if (has_no_use_for_map(s, i)) return "without effect: the light casts no shadow";
+    return of(s, i).fit != at(LightFit::Manual) ? "without effect: set light.fit to manual to choose it by hand" : "";
+}
+
+std::string_view extent_idle(const Settings& s, int i) {
+    const auto planes = planes_idle(s, i);
+    if (!planes.empty()) return planes;
+    return is_orthographic(s, i) ? "" : "without effect: only an orthographic map has an extent";
+}
+
+std::string_view projection_idle(const Settings& s, int i) {
+    if (has_no_use_for_map(s, i)) return "without effect: the light casts no shadow";
+    return has_type(s, i, LightType::Point) ? "without effect: a point light has six perspective faces" : "";
+}
+
+// A directional light shines along its angles wherever it stands, and an orthographic fit centres itself.
+std::string_view place_idle(const Settings& s, int i) {
+    return has_type(s, i, LightType::Directional) && is_orthographic(s, i) && of(s, i).fit != at(LightFit::Manual)
+               ? "without effect: the fit places the map of a directional light"
+               : "";
+}
+
+constexpr auto kCount = std::to_array<Param>({
+    {.key = "light.count",
+     .field = [](Settings& s, int, ObjectSettings*) -> FieldRef { return &s.light_count; },
+     .label = "Lights",
+     .unit = "lights",
+     .min = 0,
+     .max = kMaxLights,
+     .help = "How many lights shine: light.0 up to this many. Each has a shadow map of its own."},
+});
+
+constexpr auto kLight = with_scope(
+    std::to_array<Param>({
+        {SI_LIGHT_FIELD(type), .label = "Type", .unit = "", SI_CHOICES(kTypes), .help = "The kind of light."},
+        {SI_LIGHT_FIELD(azimuth), .label = "Azimuth", .unit = "deg", .min = -360, .max = 360,
+         .help = "Where the light stands as seen from its target, about the vertical axis: 0 is +z, 90 is +x."},
+        {SI_LIGHT_FIELD(elevation), .label = "Elevation", .unit = "deg", .min = -90, .max = 90,
+         .help = "Where the light stands as seen from its target, above the horizon: 90 is straight overhead."},
+        {SI_LIGHT_FIELD(distance), .label = "Distance", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
+         .idle = place_idle,
+         .help = "Distance of the light from its target; 0 lets the fit choose from the scene's size."},
+        {SI_LIGHT_FIELD(target_x), .label = "Target x", .unit = "m", .min = -1e8, .max = 1e8, .idle = place_idle,
+         .help = "What the light looks at, along x from the centre of the scene's bounds."},
+        {SI_LIGHT_FIELD(target_y), .label = "Target y", .unit = "m", .min = -1e8, .max = 1e8, .idle = place_idle,
+         .help = "What the light looks at, upwards from the centre of the scene's bounds."},
+        {SI_LIGHT_FIELD(target_z), .label = "Target z", .unit = "m", .min = -1e8, .max = 1e8, .idle = place_idle,
+         .help = "What the light looks at, along z from the centre of the scene's bounds."},
+        {SI_LIGHT_FIELD(size), .label = "Size", .unit = "deg or m", .min = 0, .max = 100, .logarithmic = true,
+         SI_IDLE(!s.truth.area, "without effect: kernels treat lights as points, and truth.area is off"),
+         .help = "How large the light is: angular radius in degrees for directional lights (the sun: 0.27), radius in "
+                 "metres for spot and point lights. Larger lights make wider penumbrae."},
+        {SI_LIGHT_FIELD(range), .label = "Range", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
+         SI_IDLE(has_type(s, i, LightType::Directional), "without effect: a directional light reaches everywhere"),
+         .help = "Distance at which the light has faded to nothing; 0 is unlimited. Within it the light falls with the "
+                 "square of the distance, times max(min(1 - (distance / range)^4, 1), 0), as glTF has it. The fitted "
+                 "map ends there too."},
+        {SI_LIGHT_FIELD(cone), .label = "Cone", .unit = "deg", .min = 0.2, .max = 360,
+         SI_IDLE(!has_type(s, i, LightType::Spot), "without effect: only a spot light has a cone"),
+         .help = "Full opening angle of a spot light. Above 171 degrees its map is drawn as six faces, as a point "
+                 "light's."},
+        {SI_LIGHT_FIELD(cone_blend), .label = "Cone blend", .unit = "", .min = 0, .max = 1,
+         SI_IDLE(!has_type(s, i, LightType::Spot), "without effect: only a spot light has a cone"),
+         .help =
+             "Share of the cone over which the light fades at its rim: 0 is a hard edge, 1 fades from the axis on."},
+        {SI_LIGHT_FIELD(intensity), .label = "Intensity", .unit = "", .min = 0, .max = 1e6, .logarithmic = true,
+         .help = "Brightness relative to the other lights. Directional lights: as given. Spot and point lights: scaled "
+                 "together so that the brightest of them is 1 at the scene's centre, their ranges left aside."},
+        {SI_LIGHT_FIELD(red), .label = "Red", .unit = "", .min = 0, .max = 1, .help = "Colour, linear red."},
+        {SI_LIGHT_FIELD(green), .label = "Green", .unit = "", .min = 0, .max = 1, .help = "Colour, linear green."},
+        {SI_LIGHT_FIELD(blue), .label = "Blue", .unit = "", .min = 0, .max = 1, .help = "Colour, linear blue."},
+        {SI_LIGHT_FIELD(cast), .label = "Casts shadows", .unit = "",
+         .help = "Whether the light has a shadow map. Off: everything it reaches is lit, and no map is drawn for it."},
+        {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", SI_CHOICES(kFits),
+         SI_IDLE(has_no_use_for_map(s, i), "without effect: the light casts no shadow"),
+         .help = "Who chooses what the shadow map covers."},
+        {SI_LIGHT_FIELD(projection), .label = "Projection", .unit = "", SI_CHOICES(kProjections),
+         .idle = projection_idle, .help = "The projection of the shadow map."},
+        {SI_LIGHT_FIELD(near), .label = "Near", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
+         .idle = planes_idle,
+         .help = "Distance of the map's near plane from the light; 0 is the fit's value. Casters nearer than this are "
+                 "lost."},
+        {SI_LIGHT_FIELD(far), .label = "Far", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
+         .idle = planes_idle,
+         .help = "Distance of the map's far plane from the light; 0 is the fit's value. A longer range makes coarser "
+                 "steps of depth."},
+        {SI_LIGHT_FIELD(extent), .label = "Extent", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
+         .idle = extent_idle,
+         .help = "Half the width of an orthographic map; 0 is the fit's value. A texel is 2 * extent / map.resolution "
+                 "wide."},
+    }),
+    Scope::Light);
+static_assert(kLight.size() == members<LightSettings>(), "a member of LightSettings has no row");
+
+}  // namespace
+
+std::span<const Param> light_rows() {
+    static const std::vector<Param> list = [] {
+        std::vector<Param> all(kCount.begin(), kCount.end());
+        all.insert(all.end(), kLight.begin(), kLight.end());
+        return all;
+    }();
+    return list;
+}
+
+}  // namespace si

@@ -1,0 +1,190 @@
+// Rows of the shadow technique: map, caster, bias and filter.
+#include "renderer/settings/rows.h"
+#include "renderer/settings/techniques.h"
+
+namespace si {
+namespace {
+
+using namespace rows;
+
+constexpr Choice kFormats[] = {
+    {"d16", "16-bit depth", "65536 equal steps of depth. Half the memory of d32f; a long depth range shows its steps."},
+    {"d24", "24-bit depth", "2^24 equal steps of depth, the usual choice of hardware."},
+    {"d32f", "32-bit float depth", "Floating point; finest when depth is reversed."},
+    {"colour", "depth as colour",
+     "The depth written to a 32-bit float colour target by the fragment shader, as before depth "
+     "textures were common. The sampler cannot compare it."},
+};
+constexpr Choice kWraps[] = {
+    {"border", "clamp to border", "Texels outside of the map count as map.outside says."},
+    {"clamp", "clamp to edge", "The outermost texels continue outwards: streaks along the map's edge."},
+    {"repeat", "repeat",
+     "The map tiles the world: copies of the shadow outside of the light's frustum (over-sampling)."},
+    {"range", "test the range", "The shader tests whether the coordinate lies in [0,1] and does not sample outside."},
+};
+constexpr Choice kOutside[] = {
+    {"lit", "lit", "Surfaces that the map does not reach count as lit."},
+    {"unlit", "unlit", "Surfaces that the map does not reach get ambient light only."},
+};
+constexpr Choice kCompares[] = {
+    {"less", "less", "Lit when the fragment's depth is strictly nearer to the light than the stored depth."},
+    {"lequal", "less or equal", "Lit when the fragment's depth is nearer than or equal to the stored depth."},
+};
+
+/// map.outside also answers for what lies behind the far plane or behind a light with a place.
+std::string_view outside_idle(const Settings& s, int) {
+    if (s.map.far_guard || s.map.wrap == at(MapWrap::Border) || s.map.wrap == at(MapWrap::Range)) return "";
+    for (int i = 0; i < s.light_count && i < kMaxLights; ++i) {
+        if (s.lights[std::size_t(i)].type != at(LightType::Directional)) return "";
+    }
+    return "without effect: map.wrap finds a texel everywhere and map.far_guard is off";
+}
+
+constexpr auto kMap = std::to_array<Param>({
+    {SI_FIELD(map.resolution), .label = "Resolution", .unit = "texels", .min = 1, .max = 16384, .logarithmic = true,
+     .cost = Cost::Target,
+     .help = "Width and height of each shadow map image. Twice the resolution halves the texel's size on the ground "
+             "and takes four times the memory. Clamped to what the driver can allocate.",
+     .shader = true},
+    {SI_FIELD(map.format), .label = "Format", .unit = "", .cost = Cost::Target, SI_CHOICES(kFormats),
+     .help = "How the map stores depth. Fewer bits make larger steps of depth, which call for more bias.",
+     .shader = true},
+    {SI_FIELD(map.wrap), .label = "Outside of the map", .unit = "", .cost = Cost::Program, SI_CHOICES(kWraps),
+     .help = "What a look-up outside of the map's square finds.", .shader = true},
+    {SI_FIELD(map.outside), .label = "Outside counts as", .unit = "", .cost = Cost::Program, SI_CHOICES(kOutside),
+     .idle = outside_idle,
+     .help = "Whether surfaces that the map does not hold (beside it, guarded behind its far plane, behind the light) "
+             "are lit or get ambient light only.",
+     .shader = true},
+    {SI_FIELD(map.far_guard), .label = "Far guard", .unit = "", .cost = Cost::Program,
+     .help = "Surfaces beyond the light's far plane count as map.outside says. Off: they are compared like all others, "
+             "farther away than anything stored, and turn dark.",
+     .shader = true},
+    {SI_FIELD(map.compare), .label = "Compare", .unit = "", .cost = Cost::Program, SI_CHOICES(kCompares),
+     .help = "The comparison of the fragment's depth with the stored one (greater, greater or equal under reversed "
+             "depth). They differ where both are equal, as on surfaces that cast onto themselves without bias.",
+     .shader = true},
+    {SI_FIELD(map.reversed_z), .label = "Reversed depth", .unit = "", .cost = Cost::Program,
+     .help = "The near plane maps to depth 1 and the far plane to 0. With d32f the fine steps of floating point near 0 "
+             "then offset the perspective's coarse steps far away.",
+     .shader = true},
+    {SI_FIELD(map.blur_texels), .label = "Depth blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
+     .help = "Wrong on purpose: each stored depth becomes the mean of those up to this many texels away, along x and y. "
+             "The comparison then meets slopes between occluder and receiver that are not there: shadows grow and lose "
+             "their corners, thin ones vanish, and every edge stays hard. Filter the comparisons instead "
+             "(filter.kernel). 0 is off."},
+});
+static_assert(kMap.size() == members<MapSettings>(), "a member of MapSettings has no row");
+
+constexpr Choice kCulls[] = {
+    {"none", "none", "Every triangle casts."},
+    {"back", "back faces", "Faces turned away from the light do not cast; single planes lose a side."},
+    {"front", "front faces",
+     "Faces turned to the light do not cast: less acne on lit sides, but floors, single planes "
+     "and close contacts lose their shadow."},
+};
+constexpr Choice kUnits[] = {
+    {"depth", "depth",
+     "Units of the map's depth range [0,1], as the lectures write it (0.005). Its size in metres "
+     "depends on near and far."},
+    {"texels", "texels",
+     "World size of one map texel at the fragment; grows and shrinks with resolution and distance."},
+    {"metres", "metres", "World units along the light's axis."},
+};
+constexpr Choice kNormals[] = {
+    {"geometric", "geometric", "The triangle's own plane normal: the surface that the map stores."},
+    {"shading", "shading",
+     "The interpolated vertex normal, as the lectures do; wrong where it leaves the triangle's plane."},
+    {"mapped", "normal-mapped",
+     "The interpolated normal with its normal map (shading.textures): bumps that the shadow map does not hold change the "
+     "bias from pixel to pixel, and the shadow test with it."},
+};
+constexpr Choice kMethods[] = {
+    {"auto", "automatic", "Gather: the quicker one where it was measured."},
+    {"gather", "gather",
+     "The shader fetches depths, four a call where the kernel allows (textureGather), and compares them itself."},
+    {"sampler", "sampler", "The texture unit compares, and blends 2x2 for bilinear kernels (sampler2DShadow)."},
+};
+
+constexpr Choice kBlends[] = {
+    {"none", "nothing", "Blended surfaces, such as glass, cast no shadow."},
+    {"mask", "as a mask", "Blended surfaces cast where their alpha is at least 0.5."},
+};
+
+constexpr auto kCaster = std::to_array<Param>({
+    {SI_FIELD(caster.cull), .label = "Cull casters", .unit = "", SI_CHOICES(kCulls),
+     .help = "Which faces are left out of the shadow map. Objects may differ (object.PATH.cull)."},
+    {SI_FIELD(caster.blend), .label = "Blended casters", .unit = "", SI_CHOICES(kBlends),
+     .help = "What materials whose alpha blends (glTF: BLEND) cast. A shadow map holds one depth a texel, so there is no "
+             "half shadow."},
+});
+static_assert(kCaster.size() == members<CasterSettings>(), "a member of CasterSettings has no row");
+
+constexpr auto kBias = std::to_array<Param>({
+    {SI_FIELD(bias.unit), .label = "Unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kUnits),
+     .help = "The unit of bias.constant and bias.slope.", .shader = true},
+    {SI_FIELD(bias.constant), .label = "Constant", .unit = "bias.unit", .min = 0, .max = 1000, .logarithmic = true,
+     .help = "Least bias. Bias = max(slope * (1 - n.l), constant), subtracted from the fragment's depth before the "
+             "comparison. Too little: acne. Too much: shadows come off their objects (peter-panning).",
+     .shader = true},
+    {SI_FIELD(bias.slope), .label = "Slope", .unit = "bias.unit", .min = 0, .max = 1000, .logarithmic = true,
+     SI_IDLE(s.bias.slope <= s.bias.constant,
+             "without effect: bias = max(slope * (1 - n.l), constant) and slope is not above constant"),
+     .help =
+         "Bias at grazing light. Bias = max(slope * (1 - n.l), constant), with n.l the cosine between surface normal "
+         "and light.",
+     .shader = true},
+    {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "texels", .min = 0, .max = 100, .logarithmic = true,
+     .help = "Moves the point that is looked up along its normal by this many texels (normal-offset shadows). Cures "
+             "acne at "
+             "any angle of light; too much lets light in at inner edges.",
+     .shader = true},
+    {SI_FIELD(bias.normal_source), .label = "Normal", .unit = "", .cost = Cost::Program, SI_CHOICES(kNormals),
+     SI_IDLE(s.bias.slope <= s.bias.constant && s.bias.normal == 0,
+             "without effect: neither slope nor normal offset acts"),
+     .help = "The normal that slope bias and normal offset use.", .shader = true},
+    {SI_FIELD(bias.raster_slope), .label = "Raster slope", .unit = "x depth slope", .min = -100, .max = 100,
+     .help = "glPolygonOffset factor while the map is drawn: depth per texel of the triangle's own slope, times this. "
+             "Towards the far plane when positive, under reversed depth too.",
+     .shader = true},
+    {SI_FIELD(bias.raster_units), .label = "Raster units", .unit = "depth steps", .min = -1e7, .max = 1e7,
+     .logarithmic = true,
+     .help = "glPolygonOffset units while the map is drawn: smallest steps of the depth format, as the driver defines "
+             "them. Towards the far plane when positive, under reversed depth too.",
+     .shader = true},
+    {SI_FIELD(bias.raster_clamp), .label = "Raster clamp", .unit = "depth", .min = 0, .max = 1,
+     SI_IDLE(s.bias.raster_slope == 0 && s.bias.raster_units == 0,
+             "without effect: bias.raster_slope and bias.raster_units are 0"),
+     .help = "Largest offset that raster slope and units may add, in depth [0,1]; 0 is no limit. Needs "
+             "glPolygonOffsetClamp.",
+     .needs = DriverFeature::PolygonOffsetClamp, .shader = true},
+});
+static_assert(kBias.size() == members<BiasSettings>(), "a member of BiasSettings has no row");
+
+constexpr auto kFilter = std::to_array<Param>({
+    {SI_FIELD(filter.kernel), .label = "Kernel", .unit = "", .cost = Cost::Program, .choices = filter_choices,
+     .help = "How the shadow test is filtered. Wider kernels blur the stair steps and call for more bias.",
+     .shader = true},
+    {SI_FIELD(filter.method), .label = "Method", .unit = "", .cost = Cost::Program, SI_CHOICES(kMethods),
+     SI_IDLE(s.map.format == at(MapFormat::Colour), "without effect: the sampler cannot compare map.format colour"),
+     .help = "How the kernel reads the map. Both give the same picture at different cost.", .shader = true},
+});
+static_assert(kFilter.size() == members<FilterSettings>(), "a member of FilterSettings has no row");
+
+}  // namespace
+
+std::span<const Param> map_rows() {
+    return kMap;
+}
+
+std::span<const Param> bias_rows() {
+    static const std::vector<Param> list = [] {
+        std::vector<Param> all(kCaster.begin(), kCaster.end());
+        all.insert(all.end(), kBias.begin(), kBias.end());
+        all.insert(all.end(), kFilter.begin(), kFilter.end());
+        return all;
+    }();
+    return list;
+}
+
+}  // namespace si

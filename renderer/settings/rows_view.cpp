@@ -1,0 +1,154 @@
+// Rows of shading, camera, scene and objects.
+#include "renderer/settings/rows.h"
+
+namespace si {
+namespace {
+
+using namespace rows;
+
+constexpr auto kShading = std::to_array<Param>({
+    {SI_FIELD(shading.ambient), .label = "Ambient", .unit = "", .min = 0, .max = 10,
+     .help = "Share of light that comes from everywhere and is never shadowed: colour = (ambient + visibility * "
+             "(diffuse + specular)) * base colour.",
+     .shader = true},
+    {SI_FIELD(shading.diffuse), .label = "Diffuse", .unit = "", .min = 0, .max = 10,
+     .help = "Weight of the diffuse term, which falls with the cosine to the light.", .shader = true},
+    {SI_FIELD(shading.specular), .label = "Specular", .unit = "", .min = 0, .max = 10,
+     .help = "Weight of the Blinn-Phong highlight.", .shader = true},
+    {SI_FIELD(shading.shininess), .label = "Shininess", .unit = "", .min = 1, .max = 1024, .logarithmic = true,
+     SI_IDLE(s.shading.specular == 0, "without effect: shading.specular is 0"),
+     .help = "Exponent of the Blinn-Phong highlight; larger is smaller and sharper.", .shader = true},
+    {SI_FIELD(shading.textures), .label = "Textures", .unit = "", .cost = Cost::Program,
+     .help = "Use base colour textures and normal maps. Off: plain material colours, so that shadows stand out. Alpha "
+             "masks cut out either way.",
+     .shader = true},
+    {SI_FIELD(shading.separate_visibility), .label = "Visibility as its own pass", .unit = "",
+     .help = "Draw visibility into a texture of its own even when nothing else reads it. The picture stays the same; "
+             "the cost of the filter shows by itself."},
+});
+static_assert(kShading.size() == members<ShadingSettings>(), "a member of ShadingSettings has no row");
+
+constexpr Choice kSources[] = {
+    {"auto", "automatic", "The scene's own camera (camera.index), or one that shows the whole scene."},
+    {"manual", "by hand", "As the settings below say."},
+    {"light", "through the light",
+     "What the map of view.light sees: its place, direction and projection (view.face of a point light), near and far "
+     "planes included. The map's square fills the picture's shorter side."},
+};
+
+std::string_view camera_idle(const Settings& s, int) {
+    return s.camera.source != at(CameraSource::Manual) ? "without effect: set camera.source to manual" : "";
+}
+std::string_view fov_idle(const Settings& s, int i) {
+    const auto reason = camera_idle(s, i);
+    return reason.empty() && s.camera.orthographic ? "without effect: the camera is orthographic" : reason;
+}
+std::string_view height_idle(const Settings& s, int i) {
+    const auto reason = camera_idle(s, i);
+    return reason.empty() && !s.camera.orthographic ? "without effect: the camera is a perspective one" : reason;
+}
+
+constexpr auto kCamera = std::to_array<Param>({
+    {SI_FIELD(camera.source), .label = "Camera", .unit = "", SI_CHOICES(kSources),
+     .help = "Where the camera comes from."},
+    {SI_FIELD(camera.index), .label = "Scene's camera", .unit = "", .min = -1, .max = 9999,
+     SI_IDLE(s.camera.source != at(CameraSource::Automatic), "without effect: set camera.source to auto"),
+     .help = "Which of the scene's own cameras is used, counted from 0; -1 is none of them: a camera that shows the "
+             "whole scene. Without effect on scenes without cameras."},
+    {SI_FIELD(camera.target_x), .label = "Target x", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
+     .help = "The point the camera looks at, world x."},
+    {SI_FIELD(camera.target_y), .label = "Target y", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
+     .help = "The point the camera looks at, world y (up)."},
+    {SI_FIELD(camera.target_z), .label = "Target z", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
+     .help = "The point the camera looks at, world z."},
+    {SI_FIELD(camera.azimuth), .label = "Azimuth", .unit = "deg", .min = -360, .max = 360, .idle = camera_idle,
+     .help = "Where the camera stands as seen from its target, about the vertical axis: 0 is +z, 90 is +x."},
+    {SI_FIELD(camera.elevation), .label = "Elevation", .unit = "deg", .min = -90, .max = 90, .idle = camera_idle,
+     .help = "Where the camera stands as seen from its target, above the horizon: 90 looks straight down."},
+    {SI_FIELD(camera.roll), .label = "Roll", .unit = "deg", .min = -360, .max = 360, .idle = camera_idle,
+     .help = "Turn of the camera about its own axis."},
+    {SI_FIELD(camera.distance), .label = "Distance", .unit = "m", .min = 1e-6, .max = 1e8, .logarithmic = true,
+     .idle = camera_idle, .help = "Distance of the camera from its target."},
+    {SI_FIELD(camera.fov), .label = "Field of view", .unit = "deg", .min = 0.1, .max = 170, .idle = fov_idle,
+     .help = "Vertical opening angle of a perspective camera."},
+    {SI_FIELD(camera.near), .label = "Near", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
+     .idle = camera_idle, .help = "Distance of the camera's near plane; 0 is automatic. Nearer surfaces are cut away."},
+    {SI_FIELD(camera.far), .label = "Far", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true, .idle = camera_idle,
+     .help = "Distance of the camera's far plane; 0 is automatic. Farther surfaces are cut away."},
+    {SI_FIELD(camera.orthographic), .label = "Orthographic", .unit = "", .idle = camera_idle,
+     .help = "Parallel instead of perspective projection of the camera."},
+    {SI_FIELD(camera.height), .label = "Height", .unit = "m", .min = 1e-6, .max = 1e8, .logarithmic = true,
+     .idle = height_idle, .help = "Height of what an orthographic camera shows."},
+});
+static_assert(kCamera.size() == members<CameraSettings>(), "a member of CameraSettings has no row");
+
+constexpr auto kScene = std::to_array<Param>({
+    {SI_FIELD(scene.index), .label = "Scene of the file", .unit = "", .min = -1, .max = 9999,
+     .help = "Which scene of a glTF file is shown, counted from 0; -1 is the file's default. Another one is read anew."},
+    {SI_FIELD(scene.animation), .label = "Animation", .unit = "", .min = -1, .max = 9999,
+     .help = "Which animation of the scene's file is shown, counted from 0; -1 is the rest pose. Without effect on scenes "
+             "without animations."},
+    {SI_FIELD(scene.time), .label = "Time", .unit = "s", .min = 0, .max = 1e6,
+     SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
+     .help = "The moment of the animation that is shown. After its last key the scene stands still."},
+});
+static_assert(kScene.size() == members<SceneSettings>(), "a member of SceneSettings has no row");
+
+std::string_view area_idle(const Settings& s, int) {
+    return s.truth.area ? "" : "without effect: truth.area is off";
+}
+
+constexpr auto kTruth = std::to_array<Param>({
+    {SI_FIELD(truth.area), .label = "Light with its size", .unit = "",
+     .help = "Compare with a light of its size (light.size), which casts penumbras. Off: with a point or a direction, which "
+             "casts hard shadows."},
+    {SI_FIELD(truth.samples), .label = "Most rays", .unit = "", .min = 1, .max = 1 << 20, .logarithmic = true, .idle = area_idle,
+     .help = "Most rays of a pixel to a light of size: 64 everywhere, then four times as many, and again, where the noise "
+             "demands it."},
+    {SI_FIELD(truth.noise), .label = "Noise", .unit = "", .min = 0, .max = 1, .logarithmic = true, .idle = area_idle,
+     .help = "Wanted standard error of a pixel's true visibility under a light of size."},
+    {SI_FIELD(truth.step), .label = "Pixel step", .unit = "px", .min = 1, .max = 8,
+     .help = "Every that many pixels, across and down, are traced and compared: 1 is every pixel, 2 one of four (half "
+             "resolution)."},
+});
+static_assert(kTruth.size() == members<TruthSettings>(), "a member of TruthSettings has no row");
+
+constexpr Choice kObjectCulls[] = {
+    {"inherit", "as the scene", "As caster.cull says."},
+    {"none", "none", "Every triangle of the object casts."},
+    {"back", "back faces", "Faces turned away from the light do not cast."},
+    {"front", "front faces", "Faces turned to the light do not cast."},
+};
+
+constexpr auto kObject = with_scope(
+    std::to_array<Param>({
+        {SI_OBJECT_FIELD(cull), .label = "Cull", .unit = "", SI_CHOICES(kObjectCulls),
+         .help = "Which faces of this object are left out of the shadow map; the way to keep single planes and floors "
+                 "under front-face culling."},
+        {SI_OBJECT_FIELD(cast), .label = "Casts", .unit = "", .help = "Whether this object casts shadows."},
+        {SI_OBJECT_FIELD(receive), .label = "Receives", .unit = "", .help = "Whether this object receives shadows."},
+    }),
+    Scope::Object);
+static_assert(kObject.size() == members<ObjectSettings>(), "a member of ObjectSettings has no row");
+
+}  // namespace
+
+std::span<const Param> shading_rows() {
+    return kShading;
+}
+std::span<const Param> camera_rows() {
+    return kCamera;
+}
+std::span<const Param> scene_rows() {
+    return kScene;
+}
+
+std::span<const Param> truth_rows() {
+    return kTruth;
+}
+
+std::span<const Param> object_rows() {
+    return kObject;
+}
+
+}  // namespace si

@@ -1,0 +1,157 @@
+// Rows of what is looked at: the map viewer, the panes with their overlays, the texel slabs.
+#include "renderer/settings/rows.h"
+#include "renderer/settings/techniques.h"
+
+namespace si {
+namespace {
+
+using namespace rows;
+
+constexpr Choice kMapSources[] = {
+    {"light", "the light's map", "The shadow map of view.light, face view.face."},
+    {"camera", "the camera's depth",
+     "The depth buffer of the picture itself. It is stored reversed: 1 at the camera's near plane, 0 at its far plane "
+     "and where nothing was drawn."},
+};
+constexpr Choice kMapViews[] = {
+    {"raw", "raw", "The depth as stored, 0 black to 1 white."},
+    {"linear", "linear", "Distance along the axis of the light or camera, near black to far white."},
+    {"bands", "bands",
+     "Depth bands: red below view.band_low, green from there, blue above view.band_high. Most of a "
+     "perspective map's depth is spent close to the near plane (the 90/10 rule)."},
+};
+constexpr Choice kPanes[] = {
+    {"one", "one", "The picture with view.overlay over it."},
+    {"two", "two", "view.overlay on the left, view.overlay_2 on the right."},
+    {"four", "four", "view.overlay and view.overlay_2 above, view.overlay_3 and view.overlay_4 below."},
+};
+constexpr Choice kRanges[] = {
+    {"declared", "its own", "The range that each overlay declares (`list overlays`)."},
+    {"fitted", "fitted",
+     "From the 1st to the 99th percentile of the values in each pane's picture; symmetric for scales centred on zero."},
+    {"manual", "by hand",
+     "From view.overlay_min to view.overlay_max wherever view.overlay is shown; other overlays, which have other "
+     "units, keep the range they declare."},
+};
+constexpr Choice kSlabs[] = {
+    {"none", "none", "No slabs."},
+    {"stored", "as stored", "Each texel at the depth that it stores (blue)."},
+    {"biased", "with bias",
+     "Each texel where a fragment has to lie to compare equal to it (orange): own depth minus bias against stored "
+     "depth is the same as the slab moved away from the light by the bias. Of the bias this is bias.constant, in "
+     "bias.unit; slope and normal offset depend on the surface."},
+    {"both", "both", "As stored (blue) and with bias (orange)."},
+};
+
+bool is_bands(const Settings& s) {
+    return s.view.map == at(MapView::Bands);
+}
+constexpr std::string_view kBandColours = "without effect: the band view has colours of its own";
+
+std::string_view grey_idle(const Settings& s, int) {
+    if (is_bands(s)) return kBandColours;
+    return s.view.map_fit ? "without effect: view.map_fit is on" : "";
+}
+
+bool no_overlay_shown(const Settings& s) {
+    const bool two = s.view.panes >= at(Panes::Two), four = s.view.panes == at(Panes::Four);
+    return s.view.overlay == 0 && !(two && s.view.overlay_2) && !(four && (s.view.overlay_3 || s.view.overlay_4));
+}
+constexpr std::string_view kNoOverlay = "without effect: no overlay is shown";
+
+std::string_view range_idle(const Settings& s, int) {
+    if (s.view.overlay == 0) return "without effect: view.overlay is none";
+    return s.view.overlay_range != at(OverlayRange::Manual) ? "without effect: set view.overlay_range to manual" : "";
+}
+
+const LightSettings& shown_light(const Settings& s) {
+    const int light = s.view.light < 0 || s.view.light >= kMaxLights ? 0 : s.view.light;
+    return s.lights[std::size_t(light)];
+}
+
+std::string_view face_idle(const Settings& s, int) {
+    const LightSettings& shown = shown_light(s);
+    // 1.5 rad is half the widest cone that light_fit.cpp draws as one map.
+    const bool faces = shown.type == at(LightType::Point) ||
+                       (shown.type == at(LightType::Spot) && shown.cone > 2 * 1.5 * 57.29577951308232);
+    return faces ? "" : "without effect: only a point light's map has six faces";
+}
+
+std::string_view slabs_idle(const Settings& s, int) {
+    return s.light_count > 0 && shown_light(s).cast ? "" : "without effect: the light shown has no shadow map";
+}
+std::string_view slabs_region_idle(const Settings& s, int i) {
+    return s.view.slabs == at(Slabs::None) ? "without effect: view.slabs is none" : slabs_idle(s, i);
+}
+
+constexpr auto kView = std::to_array<Param>({
+    {SI_FIELD(view.map_source), .label = "Map viewer shows", .unit = "", SI_CHOICES(kMapSources),
+     .help = "Whose depth the map viewer shows."},
+    {SI_FIELD(view.map), .label = "Map view", .unit = "", SI_CHOICES(kMapViews),
+     .help = "How the map viewer shows depth."},
+    {SI_FIELD(view.map_fit), .label = "Fit greys to what is drawn", .unit = "", SI_IDLE(is_bands(s), kBandColours),
+     .help = "Black and white lie at the smallest and the largest depth that was drawn, the empty background left out, "
+             "instead of at view.map_black and view.map_white."},
+    {SI_FIELD(view.map_black), .label = "Black at", .unit = "", .min = -1, .max = 2, .idle = grey_idle,
+     .help = "The value that the map viewer shows black, as a share of its range."},
+    {SI_FIELD(view.map_white), .label = "White at", .unit = "", .min = -1, .max = 2, .idle = grey_idle,
+     .help = "The value that the map viewer shows white, as a share of its range."},
+    {SI_FIELD(view.band_low), .label = "Lower band", .unit = "depth", .min = 0, .max = 1,
+     SI_IDLE(!is_bands(s), "without effect: view.map is not bands"),
+     .help = "Depths below this are red in the band view. Counted from the near plane, under reversed depth too."},
+    {SI_FIELD(view.band_high), .label = "Upper band", .unit = "depth", .min = 0, .max = 1,
+     SI_IDLE(!is_bands(s), "without effect: view.map is not bands"),
+     .help = "Depths above this are blue in the band view. Counted from the near plane, under reversed depth too."},
+    {SI_FIELD(view.light), .label = "Light shown", .unit = "", .min = 0, .max = kMaxLights - 1,
+     SI_IDLE(s.light_count < 2 && s.view.light == 0, "without effect: there is one light"),
+     .help = "Whose shadow map, visibility, overlays and slabs are shown; 0 is the first light."},
+    {SI_FIELD(view.face), .label = "Face shown", .unit = "", .min = 0, .max = 5, .idle = face_idle,
+     .help = "Which of a point light's six map faces is shown: 0 +x, 1 -x, 2 +y, 3 -y, 4 +z, 5 -z."},
+    {SI_FIELD(view.panes), .label = "Panes", .unit = "", SI_CHOICES(kPanes),
+     .help =
+         "How many pictures are drawn beside each other, all from the same camera, each with an overlay of its own."},
+    {SI_FIELD(view.overlay), .label = "Overlay", .unit = "", .cost = Cost::Program, .choices = overlay_choices,
+     .help = "A quantity of the shadow test drawn over the scene."},
+    {SI_FIELD(view.overlay_2), .label = "Overlay of pane 2", .unit = "", .cost = Cost::Program,
+     .choices = overlay_choices, SI_IDLE(s.view.panes < at(Panes::Two), "without effect: view.panes is one"),
+     .help = "What the second pane draws over the scene; none is the shaded picture."},
+    {SI_FIELD(view.overlay_3), .label = "Overlay of pane 3", .unit = "", .cost = Cost::Program,
+     .choices = overlay_choices, SI_IDLE(s.view.panes < at(Panes::Four), "without effect: view.panes is not four"),
+     .help = "What the third pane draws over the scene; none is the shaded picture."},
+    {SI_FIELD(view.overlay_4), .label = "Overlay of pane 4", .unit = "", .cost = Cost::Program,
+     .choices = overlay_choices, SI_IDLE(s.view.panes < at(Panes::Four), "without effect: view.panes is not four"),
+     .help = "What the fourth pane draws over the scene; none is the shaded picture."},
+    {SI_FIELD(view.overlay_opacity), .label = "Opacity", .unit = "", .min = 0, .max = 1,
+     SI_IDLE(no_overlay_shown(s), kNoOverlay), .help = "How much of the overlay covers the picture: 0 nothing, 1 all."},
+    {SI_FIELD(view.overlay_range), .label = "Scale", .unit = "", SI_CHOICES(kRanges),
+     SI_IDLE(no_overlay_shown(s), kNoOverlay), .help = "Which values the overlay's colour scale spans."},
+    {SI_FIELD(view.overlay_min), .label = "Scale from", .unit = "overlay's", .min = -1e8, .max = 1e8,
+     .idle = range_idle, .help = "The value at the low end of the colour scale, in the overlay's unit."},
+    {SI_FIELD(view.overlay_max), .label = "Scale to", .unit = "overlay's", .min = -1e8, .max = 1e8, .idle = range_idle,
+     .help = "The value at the high end of the colour scale, in the overlay's unit."},
+    {SI_FIELD(view.frustum), .label = "Light frustum", .unit = "",
+     .help = "Draw the lights' frusta and the handles of the shown one in the editor's view."},
+    {SI_FIELD(view.bounds), .label = "Caster bounds", .unit = "",
+     .help = "Draw the box of each object that casts in the editor's view, as the light fit sees it; at most 2000."},
+    {SI_FIELD(view.axes), .label = "Axes", .unit = "",
+     .help = "Draw the world's axes in a corner of the editor's view; a click on an end looks along it."},
+    {SI_FIELD(view.slabs), .label = "Texel slabs", .unit = "", SI_CHOICES(kSlabs), .idle = slabs_idle,
+     .help = "Draw texels of the shown light's map into the scene, each as a flat quad where its stored depth lies. A "
+             "surface is in shadow where it lies behind the slab of its texel: acne can be seen to come about. Texels "
+             "that hold nothing but the far plane are left out."},
+    {SI_FIELD(view.slabs_u), .label = "Slabs around u", .unit = "", .min = 0, .max = 1, .idle = slabs_region_idle,
+     .help = "Centre of the square of texels that are drawn as slabs, as a share of the map's width."},
+    {SI_FIELD(view.slabs_v), .label = "Slabs around v", .unit = "", .min = 0, .max = 1, .idle = slabs_region_idle,
+     .help = "Centre of the square of texels that are drawn as slabs, as a share of the map's height, upwards."},
+    {SI_FIELD(view.slabs_texels), .label = "Slabs across", .unit = "texels", .min = 1, .max = 256, .logarithmic = true,
+     .idle = slabs_region_idle, .help = "Side of the square of texels that are drawn as slabs."},
+});
+static_assert(kView.size() == members<ViewSettings>(), "a member of ViewSettings has no row");
+
+}  // namespace
+
+std::span<const Param> view_rows() {
+    return kView;
+}
+
+}  // namespace si

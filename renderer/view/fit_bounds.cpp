@@ -1,0 +1,99 @@
+#include "renderer/view/fit_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace si {
+namespace {
+
+constexpr std::size_t kMaxFitObjects = 20000;
+
+Box corners(const Bounds& b, const glm::dmat4& m) {
+    Box box;
+    for (int i = 0; i < 8; ++i)
+        box[i] =
+            glm::dvec3(m * glm::dvec4(i & 1 ? b.hi.x : b.lo.x, i & 2 ? b.hi.y : b.lo.y, i & 4 ? b.hi.z : b.lo.z, 1.0));
+    return box;
+}
+
+bool finite(const Box& box) {
+    return std::all_of(box.begin(), box.end(), [](const glm::dvec3& p) {
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    });
+}
+
+/// What the settings say of an object; the defaults where they say nothing.
+ObjectSettings settings_of(const Scene& scene, const Settings& settings, const Object& object) {
+    if (settings.objects.empty() || object.node < 0 || std::size_t(object.node) >= scene.nodes.size()) return {};
+    const auto it = settings.objects.find(scene.nodes[object.node].path);
+    return it == settings.objects.end() ? ObjectSettings() : it->second;
+}
+
+bool clipped(const Box& box, const LightView& view) {
+    const ViewExtent e = extent_of(box, view);
+    const double near = view.curve.near - 1e-9 * std::abs(view.curve.near);
+    if (view.curve.perspective) return e.hi.z > 0 && std::max(0.0, entry_into_pyramid(e, view.half_width)) < near;
+    return e.lo.z < near && e.lo.x <= view.half_width && e.hi.x >= -view.half_width && e.lo.y <= view.half_width &&
+           e.hi.y >= -view.half_width;
+}
+
+}  // namespace
+
+SceneShape scene_shape(const Scene& scene, const Settings& settings) {
+    SceneShape s;
+    for (const Object& o : scene.objects) {
+        const Mesh& mesh = scene.meshes[o.mesh];
+        if (mesh.indices.size() < 3 || mesh.bounds.empty()) continue;
+        s.triangles = true;
+        const ObjectSettings own = settings_of(scene, settings, o);
+        s.casters = s.casters || own.cast;
+        s.receivers = s.receivers || own.receive;
+        if (scene.objects.size() > kMaxFitObjects) continue;
+        const Box box = corners(mesh.bounds, o.world);
+        if (finite(box)) s.boxes.push_back(box), s.box_casts.push_back(own.cast);
+    }
+    Bounds bounds = scene.bounds;
+    if (bounds.empty() || !std::isfinite(bounds.radius())) {
+        bounds = Bounds();
+        for (const Box& box : s.boxes)
+            for (const glm::dvec3& p : box) bounds.add(p);
+    }
+    if (bounds.empty()) bounds = {glm::dvec3(-1), glm::dvec3(1)};
+    if (s.boxes.empty()) s.boxes.push_back(corners(bounds, glm::dmat4(1.0))), s.box_casts.push_back(s.casters);
+    s.centre = bounds.centre();
+    // A single point still needs a size: what a double resolves at its distance from the origin.
+    s.radius = std::max({bounds.radius(), 1e-7, glm::length(s.centre) * 0x1p-38});
+    return s;
+}
+
+ViewExtent extent_of(const Box& box, const LightView& view) {
+    const glm::dmat3 view_from_world = glm::transpose(view.axes);
+    ViewExtent e;
+    for (const glm::dvec3& p : box) {
+        const glm::dvec3 v = view_from_world * (p - view.eye);
+        e.add(glm::dvec3(v.x, v.y, -v.z));
+    }
+    return e;
+}
+
+ViewExtent extent_of(const SceneShape& shape, const LightView& view) {
+    ViewExtent all;
+    for (const Box& box : shape.boxes) all.add(extent_of(box, view));
+    return all;
+}
+
+double entry_into_pyramid(const ViewExtent& e, double tan_half) {
+    const double aside_x = std::max({0.0, e.lo.x, -e.hi.x}), aside_y = std::max({0.0, e.lo.y, -e.hi.y});
+    const double z = std::max(e.lo.z, std::max(aside_x, aside_y) / tan_half);
+    return z <= e.hi.z ? z : std::numeric_limits<double>::infinity();
+}
+
+int count_clipped(const SceneShape& shape, const std::vector<LightView>& views) {
+    int count = 0;
+    for (std::size_t i = 0; i < shape.boxes.size(); ++i)
+        count += shape.box_casts[i] && std::any_of(views.begin(), views.end(),
+                                                   [&](const LightView& v) { return clipped(shape.boxes[i], v); });
+    return count;
+}
+
+}  // namespace si

@@ -1,0 +1,48 @@
+// What the light fit needs to know of a scene's extent. Pure CPU, double precision.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <limits>
+#include <vector>
+
+#include "renderer/view/light_fit.h"
+#include "renderer/scene/scene.h"
+#include "renderer/settings/settings.h"
+
+namespace si {
+
+/// Eight corners of one object's box (or of the scene's), in world space.
+using Box = std::array<glm::dvec3, 8>;
+
+struct SceneShape {
+    glm::dvec3 centre{0};
+    double radius = 1;            ///< of the sphere around the bounds; never 0
+    std::vector<Box> boxes;       ///< never empty
+    std::vector<bool> box_casts;  ///< as long as `boxes`
+    bool triangles = false;       ///< the scene has any
+    bool casters = false;         ///< an object with triangles casts
+    bool receivers = false;       ///< an object with triangles receives shadows
+};
+
+/// Boxes of all objects; above 20000 objects the scene's box stands for them. Always finite, also for empty scenes.
+SceneShape scene_shape(const Scene& scene, const Settings& settings);
+
+/// Extent in a view: x and y across, z metres along the axis (positive in front).
+struct ViewExtent {
+    glm::dvec3 lo{std::numeric_limits<double>::infinity()};
+    glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
+    void add(const glm::dvec3& p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
+    void add(const ViewExtent& e) { lo = glm::min(lo, e.lo), hi = glm::max(hi, e.hi); }
+};
+
+ViewExtent extent_of(const Box& box, const LightView& view);
+ViewExtent extent_of(const SceneShape& shape, const LightView& view);
+
+/// The least distance along the axis at which a box can meet the pyramid |x|, |y| <= z tan; infinite when it cannot.
+double entry_into_pyramid(const ViewExtent& e, double tan_half);
+
+/// Casting objects of which a part lies in front of the near plane of any view. Boxes only: an upper estimate.
+int count_clipped(const SceneShape& shape, const std::vector<LightView>& views);
+
+}  // namespace si

@@ -1,0 +1,19 @@
+// Projection matrices whose depth follows a DepthCurve, for cameras and lights alike.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "renderer/view/light_fit.h"
+
+namespace si {
+
+/// Clip space of `curve.convention` from view space (the view looks along -z).
+/// @param half_x, half_y orthographic: half extents in metres; perspective: tangents of the half angles
+glm::dmat4 projection_matrix(const DepthCurve& curve, double half_x, double half_y);
+
+/// `projection` x view, for positions relative to `origin`. The subtraction origin - eye happens in double, so the
+/// result keeps its precision at any distance from the world's zero point.
+glm::dmat4 clip_from_relative(const glm::dmat4& projection, const glm::dmat3& axes, const glm::dvec3& eye,
+                              const glm::dvec3& origin);
+
+}  // namespace si

@@ -1,0 +1,43 @@
+// Marks over the map viewer's picture: texels, a kernel's footprint, numbers in texels, outlines of what a camera sees.
+#pragma once
+
+#include <imgui.h>
+
+#include <glm/glm.hpp>
+#include <span>
+#include <utility>
+
+#include "renderer/frame/frame.h"
+#include "renderer/inspect/texel_usage.h"
+
+namespace si {
+
+/// Where the depth image lies on the screen. Map coordinates: u to the right, v up, 0..1 over the image.
+struct MapRect {
+    ImVec2 lo{0, 0}, size{1, 1};
+    glm::ivec2 texels{1};
+    glm::dvec2 uv(ImVec2 p) const { return {(p.x - lo.x) / size.x, 1 - (p.y - lo.y) / size.y}; }
+    ImVec2 screen(const glm::dvec2& uv) const {
+        return {lo.x + float(uv.x) * size.x, lo.y + float(1 - uv.y) * size.y};
+    }
+    float texel_pixels() const { return size.x / float(texels.x); }
+    bool holds(glm::ivec2 texel) const {
+        return texel.x >= 0 && texel.y >= 0 && texel.x < texels.x && texel.y < texels.y;
+    }
+    /// The screen rectangle of `count` x `count` texels from `first` on.
+    std::pair<ImVec2, ImVec2> square(glm::ivec2 first, int count) const;
+};
+
+/// Outlines a square of texels; one that is too small to see gets a ring around it.
+void outline_texels(const MapRect& rect, glm::ivec2 first, int count, ImU32 colour);
+
+/// Writes each visible texel's stored value into it, when texels are large enough to hold one.
+/// @param values one channel, top row first, of the image shown
+void texel_numbers(const MapRect& rect, const FloatImage& values, ImVec2 clip_lo, ImVec2 clip_hi);
+/// Whether texels are drawn so large that texel_numbers() writes into them.
+bool shows_texel_numbers(const MapRect& rect);
+
+/// Segments in map coordinates.
+void map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, glm::dvec2>> lines, ImU32 colour);
+
+}  // namespace si

@@ -1,0 +1,306 @@
+// The depth image beside the scene: the light's map or the camera's own depth, how it is shown, zoom and pan, the exact
+// value of a texel, and which texels the picture reads.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "renderer/inspect/probe.h"
+#include "renderer/settings/techniques.h"
+#include "ui/scene_view/camera_outline.h"
+#include "ui/map_view/depth_plots.h"
+#include "ui/scene_view/kernel_marks.h"
+#include "ui/map_view/map_marks.h"
+#include "ui/map_view/map_readout.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+constexpr float kZoomPerStep = 1.25f, kMaxTexelPixels = 160;
+
+bool of_camera(const Settings& s) {
+    return s.view.map_source == int(MapSource::Camera);
+}
+
+void save_menu(EditorState& state, EditorActions& actions) {
+    menu_button("Save", "save map",
+                "Write the depth image: .pfm holds the stored values as floats (metres when the view is\n"
+                "linear), .png the picture as shown",
+                ImGui::GetFontSize() * 24);
+    if (!ImGui::BeginPopup("save map")) return;
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
+    const bool entered = ImGui::InputTextWithHint("##file", "file.pfm or file.png", &state.map_path,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::SameLine();
+    if ((ImGui::Button("Write") || entered) && !state.map_path.empty()) {
+        actions.save_map = state.map_path;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+void header(EditorState& state, const FrameResult* result, EditorActions& actions) {
+    Settings& s = state.settings;
+    const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
+    setting_widget(s, "view.map_source", em * 9.5f);
+    flow(em * 5.5f);
+    setting_widget(s, "view.map", em * 5.5f);
+    const auto labelled = [&](const char* label, const char* key, float width) {
+        flow(ImGui::CalcTextSize(label).x + gap + width);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", label);
+        ImGui::SameLine();
+        setting_widget(s, key, width);
+    };
+    if (!of_camera(s)) {
+        if (s.light_count > 1) labelled("Light", "view.light", em * 4);
+        const int light = shown_light(s);
+        const bool point = result && light >= 0 && std::size_t(light) < result->lights.size() &&
+                           result->lights[std::size_t(light)].views.size() > 1;
+        if (point) labelled("Face", "view.face", em * 4);
+    }
+    const bool bands = s.view.map == int(MapView::Bands);
+    const float end = em * 4.2f;
+    flow(ImGui::CalcTextSize("Range").x + 2 * (gap + end));
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled(bands ? "Bands" : "Range");
+    ImGui::SameLine();
+    setting_widget(s, bands ? "view.band_low" : "view.map_black", end);
+    ImGui::SameLine();
+    setting_widget(s, bands ? "view.band_high" : "view.map_white", end);
+    if (!bands) {
+        labelled("Fit", "view.map_fit", ImGui::GetFrameHeight());
+    }
+    flow(ImGui::CalcTextSize("Plots").x + ImGui::GetFrameHeight() + gap);
+    ImGui::Checkbox("Plots", &state.layout.map_plots);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Histogram of the depths, and depth over distance");
+    flow(ImGui::CalcTextSize("Save").x + em);
+    save_menu(state, actions);
+}
+
+/// What the image is, and what its texels mean.
+std::pair<std::string, std::string> title(const Settings& s, const FrameResult& result, const FittedLight* fitted) {
+    const DepthCurve& curve = result.map_view_curve;
+    const glm::ivec2 n = result.map_view_size;
+    const std::string range = fmt::format("depth {} to {}", metres_text(curve.near), metres_text(curve.far));
+    if (!fitted) return {fmt::format("camera   {}×{}   32-bit float, reversed", n.x, n.y), range};
+    std::string format = "?";
+    if (const auto ref = find_setting("map.format")) format = ref->param->choices()[std::size_t(s.map.format)].label;
+    const LightView& view = fitted->views[std::size_t(shown_face(s, result))];
+    const double near_texel = view.texel_size(curve.near, n.x), far_texel = view.texel_size(curve.far, n.x);
+    const std::string texel = curve.perspective
+                                  ? fmt::format("{} to {}", metres_text(near_texel), metres_text(far_texel))
+                                  : metres_text(far_texel);
+    constexpr const char* kFaces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+    return {fmt::format("light {}{}   {}×{}   {}", shown_light(s),
+                        fitted->views.size() > 1 ? fmt::format(" {}", kFaces[shown_face(s, result)]) : "", n.x, n.y,
+                        format),
+            fmt::format("texel {}   {}", texel, range)};
+}
+
+MapRect place(const MapWindow& window, ImVec2 origin, ImVec2 size, glm::ivec2 texels) {
+    const float fit = std::min(size.x / float(texels.x), size.y / float(texels.y)) * window.zoom;
+    const ImVec2 whole(fit * float(texels.x), fit * float(texels.y));
+    return {{origin.x + 0.5f * size.x - window.centre.x * whole.x,
+             origin.y + 0.5f * size.y - (1 - window.centre.y) * whole.y},
+            whole,
+            texels};
+}
+
+void steer(MapWindow& window, ImVec2 origin, ImVec2 size, glm::ivec2 texels) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const MapRect before = place(window, origin, size, texels);
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+        const glm::vec2 under(before.uv(io.MousePos));
+        const float most = std::max(1.0f, kMaxTexelPixels * window.zoom / before.texel_pixels());
+        window.zoom = std::clamp(window.zoom * std::pow(kZoomPerStep, io.MouseWheel), 1.0f, most);
+        window.centre += under - glm::vec2(place(window, origin, size, texels).uv(io.MousePos));
+    }
+    if (ImGui::IsItemActive()) {
+        window.centre.x -= io.MouseDelta.x / before.size.x;
+        window.centre.y += io.MouseDelta.y / before.size.y;
+    }
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) window = {};
+    window.centre = glm::clamp(window.centre, glm::vec2(0), glm::vec2(1));
+    if (window.zoom <= 1) window.centre = glm::vec2(0.5f);
+}
+
+/// Who reads the map: while the shadow camera is frozen its pixels, not those of the one that flies about.
+const TexelUsage* shown_usage(const EditorState& state, const EditorFrame& frame) {
+    return state.frozen ? frame.frozen_usage : frame.texel_usage;
+}
+
+/// The texels that the kernel at a pixel of the scene picture reads.
+void mark_pixels_texels(const EditorState& state, const EditorFrame& frame, const MapRect& rect, glm::ivec2 pixel,
+                        ImU32 colour) {
+    const FloatImage* c = frame.map_coordinates;
+    if (!c || pixel.x < 0 || pixel.y < 0 || pixel.x >= c->width || pixel.y >= c->height) return;
+    if (c->at(pixel.x, pixel.y, 3) <= 0 ||
+        int(c->at(pixel.x, pixel.y, 2)) != shown_face(state.settings, *frame.result))
+        return;
+    const auto kernels = filters();
+    const std::size_t kernel = std::size_t(std::clamp(state.settings.filter.kernel, 0, int(kernels.size()) - 1));
+    const KernelFootprint f = kernel_footprint(c->at(pixel.x, pixel.y, 0), c->at(pixel.x, pixel.y, 1), rect.texels.x,
+                                               kernels[kernel].reach_texels);
+    outline_texels(rect, f.first, f.count, colour);
+}
+
+/// The texels that a probed kernel compares, each in the colour of its result.
+void mark_taps(const MapRect& rect, const Probe::PerLight& p) {
+    if (p.taps.empty()) return;
+    const double heaviest = heaviest_tap(p);
+    if (rect.texel_pixels() > 4)
+        for (const KernelTap& t : p.taps) {
+            const auto [lo, hi] = rect.square(t.texel, 1);
+            ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, faded(tap_colour(t, heaviest), 110));
+        }
+    outline_texels(rect, p.taps.front().texel, p.taps_across, theme::kProbed);
+}
+
+std::string usage_text(const EditorState& state, const EditorFrame& frame) {
+    const TexelUsage* usage = shown_usage(state, frame);
+    if (!usage || usage->resolution() == 0) return {};
+    return fmt::format("{:.3g} % of texels read{}", 100 * usage->utilisation(), state.frozen ? " (frozen)" : "");
+}
+
+/// Puts `more` behind the shorter line.
+void append(std::pair<std::string, std::string>& lines, const std::string& more) {
+    const auto width = [](const std::string& text) {
+        ImFont* font = theme::small();
+        return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+    };
+    std::string& line = width(lines.first) <= width(lines.second) ? lines.first : lines.second;
+    line += "   " + more;
+}
+
+/// What stands between the user and a picture of the map; empty when there is one.
+std::string obstacle(const Settings& s, const EditorFrame& frame) {
+    const FrameResult& result = *frame.result;
+    if (!of_camera(s)) {
+        const int light = shown_light(s);
+        if (light < 0) return "No light: light.count is 0.";
+        if (std::size_t(light) >= result.lights.size()) return "...";  // a light was added a moment ago
+        const FittedLight& fitted = result.lights[std::size_t(light)];
+        if (!fitted.casts || fitted.views.empty())
+            return fmt::format("Light {} has no shadow map: {}.", light,
+                               fitted.reason.empty() ? "it casts no shadow" : fitted.reason);
+    }
+    if (result.map_view.texture == 0 || result.map_view_size.x <= 0 || result.map_view_size.y <= 0)
+        return "The depth image was not drawn.";
+    return {};
+}
+
+}  // namespace
+
+std::string metres_text(double metres) {
+    const double a = std::abs(metres);
+    if (!std::isfinite(metres)) return "no distance";
+    if (a == 0) return "0 m";
+    if (a < 1e-3) return fmt::format("{:.3g} µm", metres * 1e6);
+    if (a < 1) return fmt::format("{:.3g} mm", metres * 1e3);
+    if (a < 1e4) return fmt::format("{:.4g} m", metres);
+    return fmt::format("{:.4g} km", metres * 1e-3);
+}
+
+void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    state.hovered_texel.reset();
+    header(state, frame.result, actions);
+    actions.want_map = true;
+    if (!frame.result) return;
+    const FrameResult& result = *frame.result;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 available = ImGui::GetContentRegionAvail();
+    const float line = theme::small()->FontSize * 1.25f, caption = 2 * line + em * 0.5f;
+    const bool plots = state.layout.map_plots && available.y > em * 17;
+    const float plot_height = plots ? em * 6.5f : 0;
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const ImVec2 size(std::max(available.x, 16.0f), std::max(available.y - caption - plot_height, 16.0f));
+    const ImVec2 end(origin.x + size.x, origin.y + size.y);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(origin, end, theme::kWell);
+    if (const std::string text = obstacle(state.settings, frame); !text.empty()) {
+        ImGui::SetCursorScreenPos({origin.x + em, origin.y + em});
+        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - 2 * em);
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    const bool camera = of_camera(state.settings);
+    const FittedLight* fitted = camera ? nullptr : &result.lights[std::size_t(shown_light(state.settings))];
+    const glm::ivec2 n = result.map_view_size;
+    actions.want_map_facts = plots;
+    actions.want_frozen_usage = !camera && state.frozen && !state.dragging;
+
+    ImGui::InvisibleButton("map picture", size);
+    const bool hovered = ImGui::IsItemHovered();
+    if (ImGui::IsItemActive()) state.dragging = true;
+    steer(state.map_window, origin, size, n);
+    const MapRect rect = place(state.map_window, origin, size, n);
+    const ImVec2 rect_end(rect.lo.x + rect.size.x, rect.lo.y + rect.size.y);
+    list.PushClipRect(origin, end, true);
+    list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(result.map_view.texture)), rect.lo, rect_end, {0, 1},
+                  {1, 0});  // stored bottom row first
+    list.AddRect(rect.lo, rect_end, theme::kLine);
+    if (shows_texel_numbers(rect)) {
+        actions.want_map_values = true;
+        if (frame.map_values) texel_numbers(rect, *frame.map_values, origin, end);
+    }
+    if (camera) {
+        if (state.probe_pixel)
+            outline_texels(rect, {state.probe_pixel->x, n.y - 1 - state.probe_pixel->y}, 1, theme::kProbed);
+        if (state.hovered_pixel)
+            outline_texels(rect, {state.hovered_pixel->x, n.y - 1 - state.hovered_pixel->y}, 1, IM_COL32_WHITE);
+    } else {
+        // What the frozen camera sees of the map; the live one's outline stands beside it once it has moved away.
+        const LightView& light_view = fitted->views[std::size_t(shown_face(state.settings, result))];
+        if (state.frozen) {
+            map_lines(rect, camera_outline_in_map(result.camera, light_view), theme::kLive);
+            map_lines(rect, camera_outline_in_map(state.frozen->camera, light_view), theme::kFrozen);
+        }
+        if (frame.probe && frame.probe->hit)
+            for (const Probe::PerLight& p : frame.probe->lights)
+                if (p.casts && p.light == shown_light(state.settings) &&
+                    p.face == shown_face(state.settings, result) && p.where == "inside")
+                    mark_taps(rect, p);
+        if (state.hovered_pixel) mark_pixels_texels(state, frame, rect, *state.hovered_pixel, theme::kLinked);
+    }
+    auto text = title(state.settings, result, fitted);
+    std::optional<double> marked_m;
+    if (const std::string usage = usage_text(state, frame); !usage.empty() && !camera) append(text, usage);
+    if (hovered) {
+        actions.want_map_values = true;
+        actions.want_links |= !camera;
+        const glm::dvec2 uv = rect.uv(ImGui::GetIO().MousePos);
+        const glm::ivec2 texel(glm::floor(uv * glm::dvec2(n)));
+        if (rect.holds(texel)) {
+            state.hovered_texel = texel;
+            outline_texels(rect, texel, 1, IM_COL32_WHITE);
+            text = texel_readout(texel, n, frame.map_values, result.map_view_curve, shown_usage(state, frame),
+                                 state.frozen.has_value());
+            if (frame.map_values && frame.map_values->width == n.x && frame.map_values->height == n.y)
+                marked_m = result.map_view_curve.distance(frame.map_values->at(texel.x, n.y - 1 - texel.y));
+        }
+    }
+    if (fitted && fitted->clipped_casters > 0) {
+        const std::string lost = fmt::format("{} object(s) reach in front of the near plane", fitted->clipped_casters);
+        list.AddText({origin.x + em * 0.8f, origin.y + em * 0.6f}, theme::kWarning, lost.c_str());
+    }
+    list.PopClipRect();
+    ImFont* font = theme::small();
+    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.2f}, theme::kText, text.first.c_str());
+    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.2f + line}, theme::kMuted, text.second.c_str());
+    if (!plots) return;
+    const float top = end.y + caption, half = 0.5f * (size.x - em * 0.5f);
+    ImGui::SetCursorScreenPos({origin.x, top});
+    draw_histogram(state, frame, {half, plot_height});
+    ImGui::SetCursorScreenPos({origin.x + half + em * 0.5f, top});
+    draw_depth_curve(state, result, marked_m, {half, plot_height});
+}
+
+}  // namespace si

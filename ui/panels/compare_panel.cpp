@@ -1,0 +1,147 @@
+// What differs between the present state and a preset, with a button a row that takes the preset's value over.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "renderer/settings/param.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+std::string reference_label(const EditorState& state, const EditorFrame& frame) {
+    switch (state.compare.kind) {
+        case CompareKind::Scene:
+            return "the scene's own settings";
+        case CompareKind::Defaults:
+            return "the program's defaults";
+        case CompareKind::Preset:
+            break;
+    }
+    for (const PresetEntry& p : frame.presets)
+        if (p.key == state.compare.preset) return p.title.empty() ? p.key : p.title;
+    return scene_label(state.compare.preset);
+}
+
+void reference_combo(EditorState& state, const EditorFrame& frame) {
+    if (!ImGui::BeginCombo("##reference", reference_label(state, frame).c_str(), ImGuiComboFlags_HeightLarge)) return;
+    const auto item = [&](const std::string& label, const CompareWith& with, const std::string& hint) {
+        if (ImGui::Selectable(label.c_str(), state.compare == with)) state.compare = with;
+        if (!hint.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint.c_str());
+    };
+    item("the scene's own settings", {CompareKind::Scene, {}}, "Defaults with what the scene suggests over them");
+    item("the program's defaults", {CompareKind::Defaults, {}}, {});
+    if (!frame.recent_presets.empty()) ImGui::TextDisabled("Recent presets");
+    for (const std::string& path : frame.recent_presets)
+        item(scene_label(path) + "##" + path, {CompareKind::Preset, path}, path);
+    if (!frame.presets.empty()) ImGui::TextDisabled("Guided presets");
+    for (const PresetEntry& p : frame.presets)
+        item((p.title.empty() ? p.key : p.title) + "##" + p.key, {CompareKind::Preset, p.key}, p.about);
+    ImGui::EndCombo();
+}
+
+/// "Bias", "Light 2", "Root/Box": whose setting it is.
+std::string owner(const SettingRef& ref) {
+    if (ref.param->scope == Scope::Object) return ref.object;
+    if (ref.param->scope == Scope::Light) return fmt::format("Light {}", ref.light);
+    return std::string(setting_group_label(ref.param->key.substr(0, ref.param->key.find('.'))));
+}
+
+void cell(const std::string& text, ImU32 colour) {
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    // Long names are cut by the column; all of them under the mouse.
+    if (ImGui::IsItemHovered() && ImGui::GetItemRectSize().x > ImGui::GetContentRegionAvail().x)
+        ImGui::SetTooltip("%s", text.c_str());
+}
+
+void setting_line(EditorState& state, const Settings& reference, const SettingRef& ref) {
+    const Param& p = *ref.param;
+    const bool idle = !idle_reason(state.settings, ref).empty() && !idle_reason(reference, ref).empty();
+    const ImU32 colour = idle ? theme::kFaint : theme::kText;
+    cell(owner(ref), colour);
+    cell(std::string(p.label), colour);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", setting_key(ref).c_str());
+    cell(shown_value(state.settings, p, get_value(state.settings, ref)), idle ? theme::kFaint : theme::kAccent);
+    cell(shown_value(reference, p, get_value(reference, ref)), colour);
+    ImGui::TableNextColumn();
+    ImGui::PushID(setting_key(ref).c_str());
+    if (ImGui::Button("Take")) set_value(state.settings, ref, get_value(reference, ref));
+    ImGui::PopID();
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", idle ? "Without effect on both sides" : "Takes this value over; undo gives it back");
+}
+
+}  // namespace
+
+void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    const float em = ImGui::GetFontSize();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Shown against");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(em * 18);
+    reference_combo(state, frame);
+    ImGui::SameLine();
+    if (!frame.comparison || frame.comparison->with != state.compare) {
+        ImGui::TextDisabled("not read yet");
+        return;
+    }
+    if (!frame.comparison->problem.empty()) {
+        ImGui::TextDisabled("cannot be read");
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::TextWrapped("%s", frame.comparison->problem.c_str());
+        ImGui::PopStyleColor();
+        return;
+    }
+    const Settings& reference = frame.comparison->settings;
+    const std::string& scene = frame.comparison->scene;
+    const bool other_scene = !scene.empty() && scene != state.scene_name;
+    const std::vector<SettingRef> rows = differing_settings(state.settings, reference);
+    const std::size_t count = rows.size() + other_scene;
+    ImGui::TextDisabled("%s",
+                        count == 0 ? "equal" : fmt::format("{} difference{}", count, count == 1 ? "" : "s").c_str());
+    if (count == 0) return;
+    ImGui::SameLine(0, em);
+    if (ImGui::Button("Take all settings")) {
+        state.settings = reference;
+        return;
+    }
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
+                                      ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable("differences", 5, flags)) return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("Of", ImGuiTableColumnFlags_WidthStretch, 2);
+    ImGui::TableSetupColumn("Setting", ImGuiTableColumnFlags_WidthStretch, 2.4f);
+    ImGui::TableSetupColumn("Shown", ImGuiTableColumnFlags_WidthStretch, 2.4f);
+    ImGui::TableSetupColumn("There", ImGuiTableColumnFlags_WidthStretch, 2.4f);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, em * 3.2f);
+    ImGui::TableHeadersRow();
+    if (other_scene) {
+        ImGui::TableNextRow();
+        cell("Scene", theme::kText);
+        cell("Scene", theme::kText);
+        cell(scene_label(state.scene_name), theme::kAccent);
+        cell(scene_label(scene), theme::kText);
+        ImGui::TableNextColumn();
+        if (ImGui::Button("Take")) actions.load_scene = scene;
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Opens this scene under the present settings");
+    }
+    ImGuiListClipper clipper;
+    clipper.Begin(int(rows.size()));
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            ImGui::TableNextRow();
+            setting_line(state, reference, rows[std::size_t(i)]);
+        }
+    ImGui::EndTable();
+}
+
+}  // namespace si

@@ -1,0 +1,98 @@
+#include "ui/panels/cures_table.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <string>
+
+#include "renderer/measure/artefact_picture.h"
+#include "renderer/measure/cures.h"
+#include "renderer/settings/param.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+std::string about(const Cure& cure, const CureTable& table) {
+    std::string text;
+    for (const auto& [key, value] : cure.settings) text += fmt::format("{} = {}\n", key, value);
+    for (const ArtefactStyle& style : artefact_styles())
+        if (const std::size_t all = table.wrong_of[std::size_t(style.artefact)]; all > 0)
+            text += fmt::format("{}: {} of {} cured\n", style.label, cure.cured_of[std::size_t(style.artefact)], all);
+    if (cure.ms) text += fmt::format("time {:+.3g} ms, noise {:.2g} ms, of the passes that it changes\n", cure.ms->value, cure.ms->noise);
+    return text + "A click applies it; Ctrl+Z takes it back.";
+}
+
+void cell(const std::string& text, ImU32 colour) {
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+}
+
+void row(const Cure& cure, const CureTable& table, bool current, Settings& settings) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    if (!cure.untried.empty()) {
+        ImGui::TextDisabled("%s: not tried, %s", cure.name.c_str(), cure.untried.c_str());
+        return;
+    }
+    const std::string mark = !cure.pixel_right ? "" : *cure.pixel_right ? "" : "  (this pixel stays wrong)";
+    ImGui::BeginDisabled(!current);
+    if (ImGui::Selectable((cure.name + mark).c_str(), false, ImGuiSelectableFlags_SpanAllColumns))
+        for (const auto& [key, value] : cure.settings) set_setting(settings, key, value);
+    ImGui::EndDisabled();
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", about(cure, table).c_str());
+    const ImU32 plain = current ? theme::kText : theme::kMuted;
+    cell(std::to_string(cure.cured), plain);
+    cell(std::to_string(cure.broken), cure.broken == 0 ? theme::kMuted : plain);
+    cell(time_text(cure.ms), plain);
+    cell(map_bytes_text(cure.map_bytes), plain);
+}
+
+}  // namespace
+
+void cures_button(const EditorFrame& frame, EditorActions& actions, std::optional<glm::ivec2> pixel, bool wrong) {
+    const CureSearch& search = frame.cures;
+    if (search.running) {
+        const std::string text = fmt::format("{:.0f} %  {}", 100 * search.running->progress, search.running->about);
+        ImGui::ProgressBar(float(search.running->progress), {ImGui::GetFontSize() * 12, 0}, text.c_str());
+        ImGui::SameLine();
+        if (ImGui::Button("Cancel##cures")) actions.cancel_cures = true;
+        return;
+    }
+    ImGui::BeginDisabled(!frame.result || !frame.scene || !wrong);
+    if (ImGui::Button("Find cures")) actions.find_cures = CureWish{pixel};
+    ImGui::EndDisabled();
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", wrong ? "Draws and judges each change that may help: pixels cured, pixels broken, time and bytes of the maps."
+                                      : "Nothing is wrong here.");
+}
+
+void cures_table(EditorState& state, const EditorFrame& frame, EditorActions& actions, std::optional<glm::ivec2> pixel) {
+    const CureSearch& search = frame.cures;
+    if (!search.table || search.pixel != pixel) return;
+    if (search.current)
+        ImGui::TextDisabled("%zu pixels are wrong now", search.table->wrong);
+    else
+        ImGui::TextDisabled("of other settings: search again");
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Close##cures")) actions.forget_cures = true;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable("cures", 5, flags)) return;
+    ImGui::TableSetupColumn("cure");
+    ImGui::TableSetupColumn("cured");
+    ImGui::TableSetupColumn("broken");
+    ImGui::TableSetupColumn("time");
+    ImGui::TableSetupColumn("maps");
+    ImGui::TableHeadersRow();
+    int id = 0;
+    for (const Cure& cure : search.table->rows) {
+        ImGui::PushID(id++);
+        row(cure, *search.table, search.current, state.settings);
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace si

@@ -1,0 +1,343 @@
+// What accuracy costs: a sweep over settings, its cases on one plot, and what the frontier offers to the present ones.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "renderer/base/error.h"
+#include "renderer/measure/axes.h"
+#include "renderer/settings/param.h"
+#include "ui/panels/frontier_plot.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+constexpr int kLeastSide = 16, kMostSide = 4096;
+
+void tooltip(const char* text) {
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+
+/// The axis as it is typed, or why it is none.
+struct Checked {
+    std::string text;  ///< "KEY=VALUES"
+    std::size_t values = 0;
+    std::string problem;
+};
+
+Checked checked(const AxisText& axis) {
+    Checked c{axis.key + "=" + axis.values};
+    try {
+        c.values = parse_axis(c.text).values.size();
+    } catch (const UsageError& e) {
+        constexpr std::string_view kOption = "--vary ";
+        c.problem = e.what();
+        if (c.problem.starts_with(kOption)) c.problem.erase(0, kOption.size());
+    }
+    return c;
+}
+
+/// What to type for a setting that has just been chosen.
+std::string first_values(const Settings& settings, const SettingRef& ref) {
+    const Param& p = *ref.param;
+    if (p.choices || std::holds_alternative<bool>(default_value(ref))) return "*";
+    return value_text(p, get_value(settings, ref));
+}
+
+void choose_setting(EditorState& state, AxisText& axis) {
+    const auto known = find_setting(axis.key);
+    const std::string shown = known ? std::string(known->param->label) : axis.key.empty() ? "setting" : axis.key;
+    if (!ImGui::BeginCombo("##key", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
+        if (ImGui::IsItemHovered() && !axis.key.empty()) ImGui::SetTooltip("%s", axis.key.c_str());
+        return;
+    }
+    std::string_view group;
+    for (const Param& p : params()) {
+        if (p.scope == Scope::Object || p.key.starts_with("view.")) continue;  // what one looks with is not measured
+        const SettingRef ref{&p, 0, {}};
+        const std::string_view prefix = p.key.substr(0, p.key.find('.'));
+        if (prefix != group) ImGui::TextDisabled("%s", std::string(setting_group_label(prefix)).c_str());
+        group = prefix;
+        const std::string key = setting_key(ref);
+        if (ImGui::Selectable(fmt::format("{}##{}", p.label, key).c_str(), key == axis.key))
+            axis = {key, first_values(state.settings, ref)};
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n%s", key.c_str(), std::string(p.help).c_str());
+    }
+    ImGui::EndCombo();
+}
+
+/// The settings that are varied, a line each. Returns the number of combinations; 0 when something is wrong.
+std::size_t draw_axes(EditorState& state, std::vector<std::string>& axes) {
+    const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
+    std::size_t product = 1;
+    std::optional<std::size_t> removed;
+    for (std::size_t i = 0; i < state.sweep.axes.size(); ++i) {
+        AxisText& axis = state.sweep.axes[i];
+        ImGui::PushID(int(i));
+        const float width = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 2 * gap;
+        ImGui::SetNextItemWidth(width * 0.42f);
+        choose_setting(state, axis);
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(width * 0.58f);
+        const Checked c = checked(axis);
+        if (!c.problem.empty()) ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::InputTextWithHint("##values", "1,2,4 or 1:4:0.5", &axis.values);
+        if (!c.problem.empty()) ImGui::PopStyleColor();
+        tooltip(c.problem.empty()
+                    ? "V1,V2,... or from:to:step (step *2 doubles); * is every choice"
+                    : c.problem.c_str());
+        ImGui::SameLine();
+        if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0})) removed = i;
+        tooltip("Do not vary this setting");
+        ImGui::PopID();
+        product *= c.problem.empty() ? c.values : 0;
+        axes.push_back(c.text);
+    }
+    if (removed) state.sweep.axes.erase(state.sweep.axes.begin() + std::ptrdiff_t(*removed));
+    if (ImGui::Button("Vary another")) state.sweep.axes.push_back({});
+    ImGui::SameLine(0, em);
+    return state.sweep.axes.empty() ? 0 : product;
+}
+
+void draw_size(SweepPanel& panel) {
+    const float em = ImGui::GetFontSize();
+    const auto side = [&](const char* id, int& value) {
+        ImGui::SetNextItemWidth(em * 3.4f);
+        ImGui::InputInt(id, &value, 0);
+        tooltip("Size of the picture that is measured, in pixels");
+        if (!ImGui::IsItemActive()) value = std::clamp(value, kLeastSide, kMostSide);
+    };
+    side("##width", panel.width);
+    ImGui::SameLine(0, em * 0.2f);
+    ImGui::TextUnformatted("x");
+    ImGui::SameLine(0, em * 0.2f);
+    side("##height", panel.height);
+    ImGui::SameLine();
+    ImGui::Checkbox("area", &panel.area);
+    tooltip("Against a light that has its size (light.size), not a point or a direction");
+}
+
+void draw_running(const SweepFacts& facts, EditorActions& actions) {
+    if (ImGui::Button("Cancel")) actions.cancel_sweep = true;
+    tooltip("What is measured stays; sweep again to go on");
+    ImGui::SameLine();
+    std::string text = facts.timing ? "times" : "errors";
+    if (facts.seconds_left > 0) text += fmt::format(", {} left", seconds_text(facts.seconds_left));
+    progress_bar(facts.progress, text);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", facts.current.c_str());
+}
+
+void draw_controls(EditorState& state, const SweepFacts& facts, EditorActions& actions) {
+    SweepPanel& panel = state.sweep;
+    std::vector<std::string> axes;
+    const std::size_t product = draw_axes(state, axes);
+    draw_size(panel);
+    if (facts.running) {
+        draw_running(facts, actions);
+    } else {
+        ImGui::BeginDisabled(product == 0);
+        if (ImGui::Button(fmt::format("Sweep {} combinations###sweep", product).c_str()))
+            actions.start_sweep = SweepWish{axes, panel.width, panel.height, panel.area};
+        ImGui::EndDisabled();
+        tooltip("Error against ray-traced truth and time of every combination, in the background. Settings without "
+                "effect in a combination collapse. An interrupted sweep goes on.");
+    }
+    ImGui::Checkbox("Measure the present settings", &panel.follow);
+    tooltip("The diamond: measured anew when a setting, the camera or the scene changes");
+    const float buttons = ImGui::CalcTextSize("SaveOpen").x + 4 * ImGui::GetStyle().FramePadding.x +
+                          2 * ImGui::GetStyle().ItemSpacing.x;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttons);
+    ImGui::InputTextWithHint("##folder", "folder of a sweep", &panel.folder);
+    tooltip("Folder with results.csv, results.json, report.html and pictures");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(panel.folder.empty() || facts.cases.empty());
+    if (ImGui::Button("Save")) actions.save_sweep = panel.folder;
+    ImGui::EndDisabled();
+    tooltip("Write the sweep that is shown into this folder");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(panel.folder.empty());
+    if (ImGui::Button("Open")) actions.open_sweep = panel.folder;
+    ImGui::EndDisabled();
+    tooltip("Show the sweep in this folder, such as one of `shadow-inspector sweep`");
+}
+
+const MeasuredColumn* column_of(const SweepFacts& facts, const std::string& key) {
+    for (const MeasuredColumn& c : facts.columns)
+        if (c.key == key) return &c;
+    return nullptr;
+}
+
+/// A share or mean of visibilities, which is written without its unit.
+bool is_plain(const MeasuredColumn& c) {
+    return c.unit.empty() || c.unit.starts_with("of ") || c.unit.starts_with("share");
+}
+
+std::string column_title(const MeasuredColumn& c) {
+    return is_plain(c) ? c.label : c.label + " [" + c.unit + "]";
+}
+
+void choose_column(const SweepFacts& facts, const char* id, bool error, std::string& key) {
+    const MeasuredColumn* now = column_of(facts, key);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10.4f);
+    if (!ImGui::BeginCombo(id, now ? column_title(*now).c_str() : "", ImGuiComboFlags_HeightLarge)) {
+        if (now && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", now->help.c_str());
+        return;
+    }
+    for (const MeasuredColumn& c : facts.columns) {
+        if (c.error != error) continue;
+        if (ImGui::Selectable(column_title(c).c_str(), c.key == key)) key = c.key;
+        tooltip(c.help.c_str());
+    }
+    ImGui::EndCombo();
+}
+
+std::string number_text(double value, const MeasuredColumn& column) {
+    const std::string number = fmt::format("{:.3g}", value);
+    return is_plain(column) ? number : number + " " + column.unit;
+}
+
+/// Undoable: the settings that the case varied, as it had them.
+void take(EditorState& state, const MeasuredCase& c) {
+    for (const auto& [key, value] : c.settings) set_setting(state.settings, key, value);
+    state.sweep.chosen = c.number;
+}
+
+void case_tooltip(const SweepFacts& facts, const MeasuredCase& c) {
+    ImGui::BeginTooltip();
+    for (const std::string& text : c.setting_texts) ImGui::TextUnformatted(text.c_str());
+    ImGui::Separator();
+    for (std::size_t i = 0; i < facts.columns.size() && i < c.values.size(); ++i)
+        if (std::isfinite(c.values[i]))
+            ImGui::Text("%s: %s", facts.columns[i].label.c_str(), number_text(c.values[i], facts.columns[i]).c_str());
+    if (c.number >= 0) ImGui::TextDisabled("Click to use these settings");
+    ImGui::EndTooltip();
+}
+
+void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColumn& cost, const MeasuredColumn& error) {
+    if (!facts.present_problem.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::TextWrapped("The present settings cannot be measured: %s", facts.present_problem.c_str());
+        ImGui::PopStyleColor();
+        return;
+    }
+    const FrontierView& view = facts.view;
+    if (!view.present) {
+        if (facts.measuring_present) ImGui::TextDisabled("Measuring the present settings...");
+        return;
+    }
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
+    ImGui::Text("Now %s at %s", number_text(view.present->error, error).c_str(),
+                number_text(view.present->cost, cost).c_str());
+    ImGui::PopStyleColor();
+    if (facts.measuring_present) {
+        ImGui::SameLine();
+        ImGui::TextDisabled("(measuring)");
+    }
+    const auto offer = [&](const char* id, const std::string& text, std::size_t mark) {
+        const MeasuredCase& c = facts.cases[view.marks[mark].of];
+        const std::string button = text + "##" + id;
+        flow(ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x);
+        if (ImGui::Button(button.c_str())) take(state, c);
+        if (ImGui::IsItemHovered()) case_tooltip(facts, c);
+    };
+    if (view.advice.better)
+        offer("better", fmt::format("The next better costs +{}", number_text(view.advice.extra_cost, cost)),
+              *view.advice.better);
+    if (view.advice.cheaper)
+        offer("cheaper", fmt::format("The same error for -{}", number_text(view.advice.saved_cost, cost)),
+              *view.advice.cheaper);
+    if (!view.marks.empty() && !view.advice.better && !view.advice.cheaper) {
+        ImGui::SameLine();
+        ImGui::TextDisabled("nothing measured beats it");
+    }
+}
+
+void draw_state(const SweepFacts& facts, EditorActions& actions) {
+    if (!facts.problem.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::TextWrapped("The sweep ended: %s", facts.problem.c_str());
+        ImGui::PopStyleColor();
+    }
+    if (facts.other_scene) {
+        ImGui::TextDisabled("The sweep is of another scene.");
+    } else if (!facts.other_settings.empty()) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%zu other setting%s since the sweep.", facts.other_settings.size(),
+                            facts.other_settings.size() == 1 ? " changed" : "s changed");
+        if (ImGui::IsItemHovered()) {
+            std::string list;
+            for (const std::string& s : facts.other_settings) list += (list.empty() ? "" : "\n") + s;
+            ImGui::SetTooltip("%s", list.c_str());
+        }
+        flow(ImGui::CalcTextSize("Set them back").x + 2 * ImGui::GetStyle().FramePadding.x);
+        if (ImGui::Button("Set them back")) actions.take_sweep_base = true;
+        tooltip("To what all cases of the sweep share; undo gives the present ones back");
+    }
+}
+
+}  // namespace
+
+void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    static const SweepFacts kNothing;
+    const SweepFacts& facts = frame.sweep ? *frame.sweep : kNothing;
+    const float em = ImGui::GetFontSize();
+    actions.want_present = state.sweep.follow;
+    const float room = ImGui::GetContentRegionAvail().x, controls = std::clamp(room * 0.36f, em * 15, em * 24);
+    ImGui::BeginChild("controls", {controls, 0}, false);
+    draw_controls(state, facts, actions);
+    ImGui::EndChild();
+    ImGui::SameLine(0, em);
+    ImGui::BeginChild("plot and advice", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
+    choose_column(facts, "##error", true, state.sweep.error);
+    ImGui::SameLine();
+    ImGui::TextUnformatted("over");
+    ImGui::SameLine();
+    choose_column(facts, "##cost", false, state.sweep.cost);
+    if (facts.total > 0) {
+        const std::string count = facts.failed > 0 ? fmt::format("{} of {} cases, {} failed", facts.cases.size(),
+                                                                 facts.total, facts.failed)
+                                                   : fmt::format("{} of {} cases", facts.cases.size(), facts.total);
+        flow(ImGui::CalcTextSize(count.c_str()).x);
+        ImGui::TextDisabled("%s", count.c_str());
+        if (ImGui::IsItemHovered()) {
+            std::string text = facts.about;
+            if (facts.software) text += "\nThe times are a CPU rasteriser's, not a GPU's";
+            for (const MeasuredCase& c : facts.cases)
+                if (!c.failed.empty()) text += "\n" + c.name + ": " + c.failed;
+            ImGui::SetTooltip("%s", text.c_str());
+        }
+        if (facts.software) {
+            flow(ImGui::CalcTextSize("CPU rasteriser").x);
+            ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+            ImGui::TextUnformatted("CPU rasteriser");
+            ImGui::PopStyleColor();
+            tooltip("OpenGL runs on the processor here: times say nothing of a GPU. Costs in bytes and taps hold anywhere.");
+        }
+    }
+    const MeasuredColumn *cost = column_of(facts, state.sweep.cost), *error = column_of(facts, state.sweep.error);
+    if (cost && error) {
+        draw_state(facts, actions);
+        draw_advice(state, facts, *cost, *error);
+        if (facts.view.marks.empty() && !facts.view.present) {
+            ImGui::TextDisabled(facts.running ? "The first cases are being measured."
+                                              : "Sweep over settings to see which are worth their time.");
+        } else {
+            const ImVec2 size = ImGui::GetContentRegionAvail();
+            const FrontierPlotResult r =
+                draw_frontier_plot(facts, state.sweep.chosen, {size.x, std::max(size.y, em * 6)});
+            if (r.hovered) case_tooltip(facts, facts.cases[*r.hovered]);
+            if (r.present_hovered && facts.present) case_tooltip(facts, *facts.present);
+            if (r.clicked) take(state, facts.cases[*r.clicked]);
+        }
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace si

@@ -1,0 +1,47 @@
+// What happened so far, newest last, and the shader compiler's complaint while there is one.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+ImU32 colour_of(LogKind kind) {
+    return kind == LogKind::Error ? theme::kError : kind == LogKind::Warning ? theme::kWarning : theme::kText;
+}
+
+}  // namespace
+
+void draw_log(EditorState& state, const EditorFrame& frame) {
+    state.log.seen();
+    if (ImGui::SmallButton("Copy")) {
+        std::string all;
+        for (const LogLine& line : state.log.lines()) all += line.text + "\n";
+        ImGui::SetClipboardText(all.c_str());
+    }
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Clear")) state.log.clear();
+    ImGui::BeginChild("lines", {0, 0}, false);
+    ImGui::PushTextWrapPos(0);
+    for (const LogLine& line : state.log.lines()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, colour_of(line.kind));
+        const std::string text = line.count > 1 ? fmt::format("{}  (×{})", line.text, line.count) : line.text;
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopStyleColor();
+    }
+    if (!frame.shader_log.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::TextUnformatted(frame.shader_log.data(), frame.shader_log.data() + frame.shader_log.size());
+        ImGui::PopStyleColor();
+    }
+    if (state.log.lines().empty() && frame.shader_log.empty()) ImGui::TextDisabled("Nothing to report.");
+    ImGui::PopTextWrapPos();
+    if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) ImGui::SetScrollHereY(1);
+    ImGui::EndChild();
+}
+
+}  // namespace si

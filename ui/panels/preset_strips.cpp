@@ -1,0 +1,150 @@
+// Strips between the top bar and the pictures: what to look at in the open preset, and the session that a crash left.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cstring>
+#include <iterator>
+#include <vector>
+
+#include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+constexpr float kGap = 0.53f;  ///< between buttons, in text heights
+
+float button_width(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+float buttons_width(std::initializer_list<const char*> labels) {
+    float width = 0;
+    const float gap = ImGui::GetFontSize() * kGap;
+    for (const char* label : labels) width += button_width(label) + gap;
+    return width - gap;
+}
+
+struct Run {
+    std::string text;
+    ImFont* font;
+    ImU32 colour;
+};
+
+/// Runs of text one after the other, broken between words at `width`. Draws from `at` on, unless `draw` is null.
+/// Returns the height.
+float flow(const std::vector<Run>& runs, ImVec2 at, float width, ImDrawList* draw) {
+    const float size = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
+    float x = 0, y = 0;
+    for (const Run& run : runs) {
+        const auto wide = [&](const char* from, const char* to) {
+            return run.font->CalcTextSizeA(size, FLT_MAX, 0, from, to).x;
+        };
+        const float space = wide(" ", nullptr);
+        for (const char *word = run.text.c_str(), *end = word; *word; word = *end ? end + 1 : end) {
+            end = word + std::strcspn(word, " ");
+            const float w = wide(word, end);
+            if (x > 0 && x + w > width) x = 0, y += line;
+            if (draw) draw->AddText(run.font, size, {at.x + x, at.y + y}, run.colour, word, end);
+            x += w + space;
+        }
+    }
+    return y + line;
+}
+
+/// A band as high as the runs beside buttons of `buttons` pixels need; `draw` adds the buttons.
+void strip(const char* id, float width, float buttons, const std::vector<Run>& runs, const auto& draw) {
+    const float em = ImGui::GetFontSize(), pad_x = em * 0.67f, pad_y = em * 0.35f;
+    // Where there is little room the buttons stand below the text.
+    const bool below = width - buttons < em * 24;
+    const float wrap = std::max(width - 2 * pad_x - (below ? 0 : buttons + em), em * 8);
+    const float text = flow(runs, {}, wrap, nullptr), frame = ImGui::GetFrameHeight();
+    const float gap = em * 0.33f;
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kNote);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad_x, pad_y));
+    ImGui::BeginChild(
+        id, {width, (below ? text + gap + frame : std::max(text, frame)) + 2 * pad_y}, false,
+        ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float lower = !below && text < frame ? (frame - text) / 2 : 0;
+    flow(runs, {at.x, at.y + lower}, wrap, ImGui::GetWindowDrawList());
+    ImGui::Dummy({wrap, text});
+    ImGui::SetCursorScreenPos(below ? ImVec2(at.x, at.y + text + gap)
+                                    : ImVec2(at.x + width - 2 * pad_x - buttons, at.y));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em * kGap, gap));
+    draw();
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
+bool hint_button(const char* label, const char* hint, bool enabled = true) {
+    if (!enabled) ImGui::BeginDisabled();
+    const bool pressed = ImGui::Button(label);
+    if (!enabled) ImGui::EndDisabled();
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", hint);
+    return pressed;
+}
+
+void draw_guide(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
+    const GuideNote& guide = state.guide;
+    if (guide.about.empty() || state.hidden_guide == guide.key) return;
+    const auto at = std::find_if(frame.presets.begin(), frame.presets.end(),
+                                 [&](const PresetEntry& p) { return p.key == guide.key; });
+    const bool built_in = at != frame.presets.end();
+    std::vector<Run> runs;
+    if (built_in)
+        runs.push_back({fmt::format("{}/{}", at - frame.presets.begin() + 1, frame.presets.size()), ImGui::GetFont(),
+                        theme::kMuted});
+    if (!guide.title.empty()) runs.push_back({guide.title, theme::strong(), theme::kText});
+    runs.push_back({guide.about, ImGui::GetFont(), theme::kText});
+    const float buttons = built_in ? buttons_width({"Previous", "Next", "Hide"}) : buttons_width({"Hide"});
+    strip("guide", width, buttons, runs, [&] {
+        if (built_in) {
+            if (hint_button("Previous", "The guided preset before this (Page up)", at != frame.presets.begin()))
+                actions.load_preset = neighbour_preset(state, frame, -1);
+            ImGui::SameLine();
+            if (hint_button("Next", "The guided preset after this (Page down)", std::next(at) != frame.presets.end()))
+                actions.load_preset = neighbour_preset(state, frame, +1);
+            ImGui::SameLine();
+        }
+        if (hint_button("Hide", "Until another preset is opened")) state.hidden_guide = guide.key;
+    });
+}
+
+void draw_lost(const EditorFrame& frame, EditorActions& actions, float width) {
+    if (!frame.lost) return;
+    const std::string text = fmt::format("The editor did not end cleanly. It last kept {}, {}.",
+                                         scene_label(frame.lost->scene), frame.lost->when);
+    strip("lost session", width, buttons_width({"Restore", "Discard"}), {{text, ImGui::GetFont(), theme::kText}}, [&] {
+        if (hint_button("Restore", "Opens its scene with its settings; undo brings back what is shown now"))
+            actions.restore_lost = true;
+        ImGui::SameLine();
+        if (hint_button("Discard", "Forgets it for good")) actions.discard_lost = true;
+    });
+}
+
+}  // namespace
+
+std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step) {
+    const int count = int(frame.presets.size());
+    if (count == 0) return {};
+    int at = -1;
+    for (int i = 0; i < count; ++i)
+        if (frame.presets[std::size_t(i)].key == state.guide.key) at = i;
+    const int to = at < 0 ? (step > 0 ? 0 : count - 1) : at + step;
+    if (to < 0 || to >= count) return {};
+    return frame.presets[std::size_t(to)].key;
+}
+
+void draw_strips(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
+    ImGui::BeginGroup();
+    draw_lost(frame, actions, width);
+    draw_guide(state, frame, actions, width);
+    ImGui::EndGroup();
+}
+
+}  // namespace si

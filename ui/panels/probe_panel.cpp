@@ -1,0 +1,285 @@
+// The shadow test of one pixel written out, step by step.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/inspect/dossier.h"
+#include "renderer/settings/param.h"
+#include "ui/scene_view/kernel_marks.h"
+#include "ui/panels/cures_table.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+void row(const char* name, const std::string& value, const char* about = nullptr) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", name);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(value.c_str());
+    if (about && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
+}
+
+/// With that many digits after the point; never "-0".
+std::string fixed(double value, int digits) {
+    std::string text = fmt::format("{:.{}f}", value, digits);
+    if (text.find_first_not_of("-0.") == std::string::npos && text[0] == '-') text.erase(0, 1);
+    return text;
+}
+
+std::string vec(const glm::dvec3& v, int digits) {
+    return fmt::format("({}, {}, {})", fixed(v.x, digits), fixed(v.y, digits), fixed(v.z, digits));
+}
+
+bool begin_steps(const char* id) {
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
+    return ImGui::BeginTable(id, 2, flags);
+}
+
+void verdict(const std::string& text) {
+    ImGui::PushFont(theme::strong());
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
+/// Draws the texels around the probed one into the scene, or takes them away.
+void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
+    if (p.where != "inside" || resolution <= 0) return;
+    ViewSettings& v = s.view;
+    const double u = (p.texel.x + 0.5) / resolution, w = (p.texel.y + 0.5) / resolution;
+    const bool here = v.slabs != int(Slabs::None) && v.light == p.light && v.face == p.face && v.slabs_u == u &&
+                      v.slabs_v == w;
+    if (ImGui::SmallButton(here ? "Hide texel slabs" : "Texel slabs here")) {
+        if (here) {
+            v.slabs = int(Slabs::None);
+        } else {
+            if (v.slabs == int(Slabs::None)) v.slabs = int(Slabs::Both);
+            v.light = p.light, v.face = p.face;
+            v.slabs_u = u, v.slabs_v = w;
+        }
+    }
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Draw the texels around this one into the scene, each where its stored depth lies\n"
+                          "(view.slabs, %d texels across)",
+                          v.slabs_texels);
+}
+
+/// Text at the right end of the table's next column.
+void right_cell(const std::string& text) {
+    ImGui::TableNextColumn();
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+/// An amount of depth in its three currencies, as one row. @param endless what an infinite one is called
+void amount_row(const char* name, const DepthAmount& a, const char* about, const char* endless = "infinite") {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", name);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
+    if (!std::isfinite(a.depth)) return right_cell(endless);
+    right_cell(fmt::format("{:.3g}", a.texels));
+    right_cell(metres_text(a.metres));
+    right_cell(fmt::format("{:.3g}", a.depth));
+}
+
+bool begin_amounts(const char* id) {
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable(id, 4, flags)) return false;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
+    for (const char* name : {"texels", "metres", "depth"}) right_cell(name);
+    ImGui::PopStyleColor();
+    return true;
+}
+
+void bias_terms(const BiasAccount& a) {
+    if (!begin_amounts("terms")) return;
+    amount_row("constant", a.amount(a.constant), "bias.constant; 0 where the slope bias is larger");
+    amount_row("slope", a.amount(a.slope), "bias.slope times (1 - n.l); 0 where bias.constant is larger");
+    amount_row("normal offset", a.amount(a.normal),
+               "What bias.normal is worth along the light: offset / cos(angle of light), as the look-up moves along the "
+               "plane");
+    if (a.raster != 0)
+        amount_row("while drawing", a.amount(a.raster),
+                   "What bias.raster_* add to the stored depth of this plane: the least that a driver may make of them");
+    amount_row("worth in all", a.amount(a.clears()), "Against acne: it has to be as much as the least bias");
+    amount_row("least bias", a.amount(a.least.total()), "Less, and the triangle's plane shadows itself; the sum of the next");
+    amount_row("  kernel", a.amount(a.least.kernel), "The kernel compares texels beside the fragment, where the plane is higher");
+    amount_row("  format", a.amount(a.least.quantum), "One step of the depth format");
+    amount_row("  sub-pixel", a.amount(a.least.snapping), "The rasteriser snaps corners to parts of a texel");
+    amount_row("  rounding", a.amount(a.least.rounding), "Shaders compute in single precision");
+    ImGui::EndTable();
+}
+
+void depths(const Probe::PerLight& p) {
+    if (!begin_steps("depths")) return;
+    const auto depth = [](double raw, double linear, double metres) {
+        return fmt::format("{:.7f}   linear {:.5f}   {}", raw, linear, metres_text(metres));
+    };
+    row("stored depth", depth(p.stored, p.stored_linear, p.stored_m), "Nearest texel: as stored, from 0 at the near to 1 at the far plane, metres along the light's axis");
+    row("own depth", depth(p.own, p.own_linear, p.own_m), "Before any bias");
+    row("compared depth", fmt::format("{:.7f}", p.compared), "Own depth after bias and normal offset");
+    row("nearer by", metres_text(p.gap_m), "How much nearer to the light the stored surface is, along the light's ray");
+    row("visibility", fmt::format("{:.4f}", p.visibility), "What the renderer's filter computed: 1 lit, 0 in shadow");
+    ImGui::EndTable();
+}
+
+void space(const Probe::PerLight& p) {
+    if (!begin_steps("space")) return;
+    row("light clip space", fmt::format("({:.5f}, {:.5f}, {:.5f}, {:.5f})", p.clip.x, p.clip.y, p.clip.z, p.clip.w),
+        "Position times the light's view and projection");
+    row("divided by w", vec(p.ndc, 5));
+    row("map coordinates and depth", vec(p.uvd, 5), "From clip range to [0,1]");
+    row("place in the map", p.where);
+    row("texel", fmt::format("{}, {}   {} wide", p.texel.x, p.texel.y, metres_text(p.texel_m)));
+    row("N·L", fmt::format("{:.5f}   {:.1f}°", p.n_dot_l, p.account.theta_rad * 180 / M_PI),
+        "Of the triangle's normal; the angle between it and the light");
+    row("bias", fmt::format("{:.3g} of depth   {:.3g} texels   {}", p.bias_depth, p.bias_texels, metres_text(p.bias_m)));
+    row("normal offset", metres_text(p.normal_offset_m));
+    ImGui::EndTable();
+}
+
+/// Where the bias lies between what the surface needs and what its occluder allows, on a line of texels.
+void window_bar(const Dossier& d) {
+    const float em = ImGui::GetFontSize(), width = em * 20, high = em * 0.7f;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const double finite = std::isfinite(d.occluder.texels) ? d.occluder.texels : 0;
+    const double most = 1.25 * std::max({d.least.texels, d.has.texels, finite, 1e-6});
+    const auto x = [&](double texels) { return at.x + width * float(std::clamp(texels / most, 0.0, 1.0)); };
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + width, at.y + high}, theme::kWell);
+    const float from = x(d.least.texels), to = std::isfinite(d.occluder.texels) ? x(d.occluder.texels) : at.x + width;
+    if (to > from) list.AddRectFilled({from, at.y}, {to, at.y + high}, IM_COL32(0, 158, 115, 200));
+    if (to < from) list.AddRectFilled({to, at.y}, {from, at.y + high}, IM_COL32(213, 94, 0, 120));
+    const float has = x(d.has.texels);
+    list.AddRectFilled({has - em * 0.08f, at.y - em * 0.12f}, {has + em * 0.08f, at.y + high + em * 0.12f}, IM_COL32_WHITE);
+    ImGui::Dummy({width, high});
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Green: every bias that is right here, from the least that this surface needs to the surface\n"
+                          "that shadows it. White: the bias that it has. Orange: no bias is right.");
+}
+
+void truth_column(const Dossier& d) {
+    window_bar(d);
+    if (begin_amounts("window")) {
+        amount_row("least bias", d.least, "The window of biases that are right begins here");
+        amount_row("bias", d.has, "What all bias is worth against acne");
+        amount_row("moved", d.lifted, "How far bias moves the compared depth towards the light");
+        amount_row("occluder", d.occluder, "To the surface nearest the light, traced: as much bias loses it", "none");
+        ImGui::EndTable();
+    }
+    std::string truth = d.truth.lit ? "truth: lit" : "truth: dark";
+    if (d.truth.share > 0 && d.truth.share < 1)
+        truth += fmt::format(", {:.1f} % of the light is seen (light.size)", 100 * d.truth.share);
+    ImGui::TextUnformatted(truth.c_str());
+}
+
+void judgement(const Probe::PerLight& p, const Dossier* d, bool tracing, Settings& settings) {
+    verdict(d ? d->verdict : p.verdict);
+    if (d) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextDisabled("the map says: %s", p.verdict.c_str());
+        ImGui::PopTextWrapPos();
+    } else if (tracing) {
+        ImGui::TextDisabled("tracing the truth...");
+    }
+    if (!d || !d->remedy) return;
+    const std::string text = d->remedy->text.substr(0, 1) == "s" ? "S" + d->remedy->text.substr(1) : d->remedy->text;
+    if (ImGui::SmallButton(text.c_str()))
+        for (const auto& [key, value] : d->remedy->settings) set_setting(settings, key, value);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Puts this pixel right; Ctrl+Z takes it back");
+    if (p.where == "inside") ImGui::SameLine();
+}
+
+/// Blocks beside each other as far as they fit.
+class BlockFlow {
+public:
+    void block(float width, const auto& draw) {
+        const float gap = ImGui::GetFontSize() * 1.4f;
+        if (used_ > 0 && used_ + gap + width <= room_) {
+            ImGui::SameLine(0, gap);
+            used_ += gap + width;
+        } else {
+            used_ = width;
+        }
+        ImGui::BeginGroup();
+        const float from = ImGui::GetCursorPosX();
+        draw();
+        ImGui::SetCursorPosX(from);
+        ImGui::Dummy({width, 0});  // as wide as it counts, however little is in it
+        ImGui::EndGroup();
+    }
+
+private:
+    float room_ = ImGui::GetContentRegionAvail().x, used_ = 0;
+};
+
+/// @param cures draws what puts the pixel right, below the verdict
+template <typename Cures>
+void draw_light(const Probe::PerLight& p, const Dossier* d, bool tracing, Settings& settings, int resolution, Cures&& cures) {
+    if (!p.casts) {
+        verdict(p.verdict.empty() ? fmt::format("Light {} casts no shadow: lit.", p.light) : p.verdict);
+        return;
+    }
+    judgement(p, d, tracing, settings);
+    cures();
+    slabs_button(settings, p, resolution);
+    const float em = ImGui::GetFontSize();
+    BlockFlow flow;
+    flow.block(em * 15, [&] {
+        draw_tap_grid(p, em * 7.5f);
+        ImGui::SameLine();
+        draw_tap_key();
+    });
+    if (d && d->truth.state == PixelState::Counted) flow.block(em * 20, [&] { truth_column(*d); });
+    if (faces_light(p.n_dot_l)) flow.block(em * 20, [&] { bias_terms(p.account); });
+    flow.block(em * 33, [&] { depths(p); });
+    flow.block(em * 36, [&] { space(p); });
+}
+
+}  // namespace
+
+void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    if (!state.probe_pixel) {
+        ImGui::TextDisabled("Click a surface in the scene to see its shadow test written out.");
+        return;
+    }
+    const Probe* probe = frame.probe;
+    if (!probe) {
+        ImGui::TextDisabled("Pixel %d, %d", state.probe_pixel->x, state.probe_pixel->y);
+        return;
+    }
+    if (!probe->hit) {
+        ImGui::Text("Pixel %d, %d: background.", probe->x, probe->y);
+        return;
+    }
+    const std::string where = fmt::format("Pixel {}, {}   {}   position {} m   normal {}", probe->x, probe->y,
+                                          probe->object, vec(probe->position_ws, 4), vec(probe->normal_ws, 4));
+    ImGui::TextDisabled("%s", where.c_str());
+    for (const Probe::PerLight& light : probe->lights) {
+        ImGui::PushID(light.light);
+        if (probe->lights.size() > 1) ImGui::Separator();
+        const Dossier* dossier = nullptr;
+        for (const Dossier& d : frame.dossiers)
+            if (d.light == light.light) dossier = &d;
+        const bool wrong = dossier && dossier->cause().artefact != Artefact::None;
+        draw_light(light, dossier, frame.tracing_probe, state.settings, frame.result ? frame.result->map_resolution : 0, [&] {
+            // Cures are those of the light whose shadows are judged.
+            if (!wrong || light.light != state.settings.view.light) return;
+            cures_button(frame, actions, state.probe_pixel, wrong);
+            cures_table(state, frame, actions, state.probe_pixel);
+        });
+        ImGui::PopID();
+    }
+}
+
+}  // namespace si

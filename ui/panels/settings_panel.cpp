@@ -1,0 +1,166 @@
+// All settings, grouped by the first part of their key.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "ui/state/panels.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+#include "ui/panels/tune_controls.h"
+
+namespace si {
+namespace {
+
+struct Group {
+    std::string_view prefix, label;
+    bool open;  ///< at the start
+};
+
+// Headings for the groups there are; a group that is missing here is called by its prefix.
+// Most turned first.
+constexpr Group kGroups[] = {
+    {"bias", "Bias", true},      {"filter", "Filter", true},    {"map", "Shadow map", true},
+    {"caster", "Casters", true}, {"light", "Lights", true},     {"camera", "Camera", false},
+    {"scene", "Scene and time", false},    {"shading", "Shading", false}, {"view", "View", false},
+    {"truth", "Truth", false},
+};
+
+std::string_view prefix_of(std::string_view key) {
+    return key.substr(0, key.find('.'));
+}
+
+/// The prefixes in the order in which they are shown.
+std::vector<Group> groups() {
+    std::vector<Group> list(std::begin(kGroups), std::end(kGroups));
+    for (const Param& p : params()) {
+        const auto prefix = prefix_of(p.key);
+        if (p.scope == Scope::Object) continue;  // these have a panel of their own
+        if (std::none_of(list.begin(), list.end(), [&](const Group& g) { return g.prefix == prefix; }))
+            list.push_back({prefix, prefix, false});
+    }
+    return list;
+}
+
+std::vector<SettingRef> rows_of(const EditorState& state, std::string_view prefix) {
+    std::vector<SettingRef> rows;
+    const int light = std::max(0, shown_light(state.settings));
+    for (const Param& p : params()) {
+        if (p.scope == Scope::Object || prefix_of(p.key) != prefix) continue;
+        if (p.scope == Scope::Light && state.settings.light_count <= 0) continue;
+        SettingRef ref{&p, p.scope == Scope::Light ? light : 0, {}};
+        if (!setting_matches(ref, state.search)) continue;
+        if (state.only_changed && !setting_changed(state.settings, ref)) continue;
+        rows.push_back(std::move(ref));
+    }
+    return rows;
+}
+
+bool begin_rows(const char* id) {
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) return false;
+    ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch, 0.44f);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.56f);
+    return true;
+}
+
+/// A button for each light; the chosen one is the light shown in the map viewer too.
+void light_tabs(Settings& s) {
+    const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    const int shown = shown_light(s);
+    for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) {
+        const std::string label = fmt::format("Light {}", i);
+        const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+        if (i > 0) {
+            ImGui::SameLine(0, spacing);
+            if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
+        }
+        if (i == shown) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyle().Colors[ImGuiCol_ButtonActive]);
+        if (ImGui::Button(label.c_str())) s.view.light = i;
+        if (i == shown) ImGui::PopStyleColor();
+    }
+}
+
+void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Group& group) {
+    const std::vector<SettingRef> rows = rows_of(state, group.prefix);
+    if (rows.empty()) return;
+    const bool filtered = !state.search.empty() || state.only_changed;
+    if (filtered)
+        ImGui::SetNextItemOpen(true);
+    else
+        ImGui::SetNextItemOpen(group.open, ImGuiCond_FirstUseEver);
+    const auto changed = std::count_if(rows.begin(), rows.end(),
+                                       [&](const SettingRef& r) { return setting_changed(state.settings, r); });
+    ImGui::PushFont(theme::strong());
+    const std::string label = fmt::format("{}###{}", group.label, group.prefix);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const bool open = ImGui::CollapsingHeader(label.c_str());
+    ImGui::PopFont();
+    if (changed > 0) {
+        const std::string text = fmt::format("{} changed", changed);
+        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+        ImGui::GetWindowDrawList()->AddText(
+            {at.x + width - size.x - ImGui::GetFontSize() * 0.6f, at.y + ImGui::GetStyle().FramePadding.y},
+            theme::kMuted, text.c_str());
+    }
+    if (!open) return;
+    ImGui::PushID(std::string(group.prefix).c_str());
+    bool tabs_due = group.prefix == "light" && state.settings.light_count > 1;
+    bool table = false;
+    for (const SettingRef& ref : rows) {
+        if (ref.param->scope == Scope::Light && tabs_due) {
+            if (table) ImGui::EndTable();
+            table = false;
+            tabs_due = false;
+            light_tabs(state.settings);
+        }
+        if (!table) {
+            table = begin_rows(ref.param->scope == Scope::Light ? "of one light" : "rows");
+            if (!table) break;
+        }
+        setting_row(state.settings, ref, scene_choices(frame.scene, ref.param->key));
+    }
+    if (table) ImGui::EndTable();
+    if (group.prefix == "bias" && !filtered) draw_tune_controls(state, frame, actions);
+    ImGui::PopID();
+}
+
+}  // namespace
+
+std::string_view setting_group_label(std::string_view prefix) {
+    for (const Group& g : kGroups)
+        if (g.prefix == prefix) return g.label;
+    return prefix;
+}
+
+void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextItemWidth(-em * 7.2f);
+    ImGui::InputTextWithHint("##search", "Search settings", &state.search);
+    ImGui::SameLine();
+    ImGui::Checkbox("Changed", &state.only_changed);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Only settings that differ from their defaults");
+    ImGui::Dummy({0, em * 0.1f});
+    ImGui::BeginChild("rows", {0, 0}, false);
+    bool any = false;
+    for (const Group& group : groups()) {
+        any |= !rows_of(state, group.prefix).empty();
+        draw_group(state, frame, actions, group);
+    }
+    if (!any) ImGui::TextDisabled(state.only_changed ? "Nothing is changed." : "No setting matches.");
+    if (frame.result && !frame.result->notes.empty()) {
+        ImGui::Dummy({0, em * 0.3f});
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+        ImGui::PushTextWrapPos(0);
+        for (const std::string& note : frame.result->notes) ImGui::TextUnformatted(note.c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::PopStyleColor();
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace si

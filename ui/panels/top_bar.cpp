@@ -1,0 +1,153 @@
+// File menu, scene, guided presets, the preset in work, undo.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <string>
+
+#include "renderer/scenes/builtin.h"
+#include "ui/state/panels.h"
+#include "ui/state/playback.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+bool button(const char* label, const char* hint, bool enabled = true) {
+    if (!enabled) ImGui::BeginDisabled();
+    const bool pressed = ImGui::Button(label);
+    if (!enabled) ImGui::EndDisabled();
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", hint);
+    return pressed;
+}
+
+void recent_menu(const char* label, std::span<const std::string> paths, std::optional<std::string>& wish) {
+    if (!ImGui::BeginMenu(label, !paths.empty())) return;
+    for (const std::string& path : paths) {
+        if (ImGui::MenuItem((scene_label(path) + "##" + path).c_str())) wish = path;
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.c_str());
+    }
+    ImGui::EndMenu();
+}
+
+void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    menu_button("File", "file", "Open, save, compare, copy the command line", ImGui::GetFontSize() * 20);
+    if (!ImGui::BeginPopup("file")) return;
+    if (ImGui::MenuItem("Open…", "Ctrl+O")) ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
+    recent_menu("Recent scenes", frame.recent_scenes, actions.load_scene);
+    recent_menu("Recent presets", frame.recent_presets, actions.load_preset);
+    ImGui::Separator();
+    if (ImGui::MenuItem("Save the preset", "Ctrl+S")) actions.save_preset = state.preset_path;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.preset_path.c_str());
+    if (ImGui::MenuItem("Save the preset as…", "Ctrl+Shift+S"))
+        ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
+    ImGui::Separator();
+    if (ImGui::MenuItem("Compare with a preset…")) state.open_tab = BottomTab::Compare;
+    if (ImGui::MenuItem("Reset all to the scene's own settings")) actions.reset_all = true;
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("The program's defaults with what the scene suggests over them; undo gives all back");
+    if (ImGui::MenuItem("Copy command line", "Ctrl+Shift+C")) actions.copy_command_line = true;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The command that renders this picture without a window");
+    ImGui::Separator();
+    if (ImGui::MenuItem("Quit", "Ctrl+Q")) actions.quit = true;
+    ImGui::EndPopup();
+}
+
+void scene_combo(EditorState& state, EditorActions& actions, float width) {
+    ImGui::SetNextItemWidth(width);
+    if (!ImGui::BeginCombo("##scene", scene_label(state.scene_name).c_str(), ImGuiComboFlags_HeightLarge)) return;
+    for (const BuiltinScene& scene : builtin_scenes()) {
+        const std::string key(scene.key), label(scene.label);
+        if (ImGui::Selectable((label + "##" + key).c_str(), key == state.scene_name)) actions.load_scene = key;
+        if (ImGui::IsItemHovered() && !scene.help.empty()) ImGui::SetTooltip("%s", std::string(scene.help).c_str());
+    }
+    ImGui::Separator();
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
+    const bool entered = ImGui::InputTextWithHint("##path", "path of a .gltf or .glb file", &state.scene_input,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::SameLine();
+    if ((ImGui::Button("Open") || entered) && !state.scene_input.empty()) {
+        actions.load_scene = state.scene_input;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndCombo();
+}
+
+void guided_presets(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    const auto before = neighbour_preset(state, frame, -1), after = neighbour_preset(state, frame, +1);
+    if (ImGui::ArrowButton("previous preset", ImGuiDir_Left) && before) actions.load_preset = before;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The guided preset before (Page up)");
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    menu_button("Guided presets", "guided presets", "Artefacts and remedies, each with a sentence on what to look at",
+                presets_menu_width());
+    draw_presets_menu(state, frame, actions);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ImGui::ArrowButton("next preset", ImGuiDir_Right) && after) actions.load_preset = after;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The guided preset after (Page down)");
+}
+
+/// The end of a text that fits, behind an ellipsis: of a path the file's name matters most.
+std::string fitting(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    for (std::size_t at = 1; at < text.size(); ++at) {
+        if ((static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) continue;  // inside a character
+        const std::string end = "…" + text.substr(at);
+        if (ImGui::CalcTextSize(end.c_str()).x <= width) return end;
+    }
+    return "…";
+}
+
+/// The file that Ctrl+S writes, and whether it holds what is shown.
+void preset_name(const EditorState& state, const EditorFrame& frame, float width) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", fitting(scene_label(state.preset_path), width).c_str());
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s\n%s", state.preset_path.c_str(),
+                          frame.unsaved ? "Ctrl+S saves the present settings there" : "It holds the present settings");
+    if (!frame.unsaved) return;
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float em = ImGui::GetFontSize();
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + em * 0.17f, at.y + ImGui::GetFrameHeight() * 0.5f}, em * 0.17f,
+                                                theme::kAccent, 12);
+    ImGui::Dummy({em * 0.34f, ImGui::GetFrameHeight()});
+}
+
+}  // namespace
+
+std::string scene_label(const std::string& name) {
+    if (name.empty()) return "No scene";
+    for (const BuiltinScene& scene : builtin_scenes())
+        if (scene.key == name) return std::string(scene.label);
+    const auto slash = name.find_last_of('/');
+    return slash == std::string::npos ? name : name.substr(slash + 1);
+}
+
+void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    const float em = ImGui::GetFontSize();
+    file_menu(state, frame, actions);
+    ImGui::SameLine(0, em);
+    scene_combo(state, actions, em * 11);
+    ImGui::SameLine(0, em);
+    guided_presets(state, frame, actions);
+    ImGui::SameLine(0, em);
+    if (button("Undo", "Ctrl+Z", state.history.can_undo() || state.playback.playing)) undo(state);
+    ImGui::SameLine();
+    if (button("Redo", "Ctrl+Y", state.history.can_redo())) redo(state);
+    ImGui::SameLine(0, em);
+    if (button("Compare", "What differs from the scene's own settings, the defaults or a preset"))
+        state.open_tab = BottomTab::Compare;
+    ImGui::SameLine(0, em);
+    if (button("Save", fmt::format("Writes {} (Ctrl+S)", state.preset_path).c_str()))
+        actions.save_preset = state.preset_path;
+    ImGui::SameLine();
+    const char* help = "Help";
+    const float width = ImGui::CalcTextSize(help).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float right = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
+    preset_name(state, frame, std::max(right - ImGui::GetCursorPosX() - 2 * em, em * 3));
+    ImGui::SameLine(std::max(right, ImGui::GetCursorPosX()));
+    if (button(help, "Mouse and keyboard (F1)")) state.show_shortcuts = true;
+}
+
+}  // namespace si

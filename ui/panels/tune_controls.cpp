@@ -1,0 +1,114 @@
+#include "ui/panels/tune_controls.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "renderer/measure/tuner.h"
+
+namespace si {
+namespace {
+
+void limit(const char* label, const char* about, bool& on, double& value, double step, const char* format) {
+    ImGui::Checkbox(label, &on);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
+    ImGui::SameLine(ImGui::GetFontSize() * 11);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6);
+    ImGui::PushID(label);
+    if (ImGui::InputDouble("##value", &value, 0, 0, format)) on = true;
+    ImGui::PopID();
+    value = std::max(value, step);
+}
+
+void limits_popup(TunePanel& panel, EditorActions& actions) {
+    if (!ImGui::BeginPopup("tune limits")) return;
+    ImGui::TextUnformatted("Search kernels and resolutions, each with its least bias");
+    limit("Error at most", "Mean |visibility - truth| over the pixels that count. The cheapest that is this accurate\nis chosen.",
+          panel.bound_error, panel.most_error, 1e-6, "%.5f");
+    limit("Time at most, ms", "Of a frame of this picture's size. Without a bound on the error the most accurate that is\n"
+                              "this fast is chosen.",
+          panel.bound_ms, panel.most_ms, 1e-3, "%.3g");
+    ImGui::Checkbox("A light of its size", &panel.area);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Judge by soft shadows (light.size). Against a point or direction the hardest kernel is always the\n"
+                          "most accurate one.");
+    const bool any = panel.bound_error || panel.bound_ms;
+    ImGui::BeginDisabled(!any);
+    if (ImGui::Button("Search")) {
+        actions.tune = TuneWish{.area = panel.area};
+        if (panel.bound_error) actions.tune->most_error = panel.most_error;
+        if (panel.bound_ms) actions.tune->most_ms = panel.most_ms;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndDisabled();
+    ImGui::EndPopup();
+}
+
+std::string shown_length(double m) { return m == 0 ? "0" : length_text(m); }
+
+/// All ways that were tried, side by side.
+void families_table(std::span<const TunedFamily> families, bool current, Settings& settings) {
+    if (families.empty()) return;
+    if (!current) ImGui::TextDisabled("of other settings: search again");
+    if (!ImGui::BeginTable("tuned", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;
+    ImGui::TableSetupColumn("tried", ImGuiTableColumnFlags_WidthStretch, 2);
+    ImGui::TableSetupColumn("wrong px");
+    ImGui::TableSetupColumn("strip");
+    ImGui::TableSetupColumn("shift");
+    ImGui::TableHeadersRow();
+    for (const TunedFamily& f : families) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        const bool taken = settings.bias == f.bias;
+        ImGui::BeginDisabled(!current);
+        if (ImGui::Selectable(f.name.c_str(), taken, ImGuiSelectableFlags_SpanAllColumns)) settings.bias = f.bias;
+        ImGui::EndDisabled();
+        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+            ImGui::SetTooltip("%s%s\n%zu pixels wrong, %zu of them by the price of bias; %zu px of acne\nlit strip at contacts %s, "
+                              "edges moved by %s (95 %% of the lit surface)\nA click takes it; Ctrl+Z takes it back.",
+                              f.bias_text.c_str(), f.chosen ? ": chosen, as it loses the fewest pixels" : "", f.wrong, f.lost, f.acne,
+                              shown_length(f.gap_p95_m).c_str(), shown_length(f.shift_p95_m).c_str());
+        ImGui::TableNextColumn();
+        if (f.acne > 0)
+            ImGui::TextDisabled("acne");
+        else
+            ImGui::Text("%zu", f.wrong);
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(shown_length(f.gap_p95_m).c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(shown_length(f.shift_p95_m).c_str());
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_tune_controls(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+    const auto width_of = [](const char* text) {
+        return ImGui::CalcTextSize(text).x + 2 * ImGui::GetStyle().FramePadding.x;
+    };
+    if (frame.tuning) {
+        const std::string text = fmt::format("{:.0f} %", 100 * frame.tuning->progress);
+        ImGui::ProgressBar(float(frame.tuning->progress), {std::max(room - width_of("Cancel") - gap, 20.f), 0}, text.c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Trying %s", frame.tuning->about.c_str());
+        ImGui::SameLine();
+        if (ImGui::Button("Cancel")) actions.cancel_tune = true;
+        return;
+    }
+    ImGui::BeginDisabled(!frame.result || !frame.scene);
+    if (ImGui::Button("Least bias without acne", {std::max(room - width_of("Tune...") - gap, 20.f), 0})) actions.tune = TuneWish{};
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Measures this picture against the ray-traced truth and sets the least constant bias, slope bias or\n"
+                          "normal offset under which nothing in it shadows itself: the one that makes the fewest pixels wrong.\n"
+                          "One step of undo; the log says what it costs.");
+    ImGui::SameLine();
+    if (ImGui::Button("Tune...")) ImGui::OpenPopup("tune limits");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Search kernel and resolution, too, within limits of error and time");
+    ImGui::EndDisabled();
+    limits_popup(state.tune, actions);
+    families_table(frame.tuned, frame.tuned_current, state.settings);
+}
+
+}  // namespace si

@@ -1,0 +1,129 @@
+// The picture against another one of the same frame: under a line that is dragged, beside it, or as their difference.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ui/state/panels.h"
+#include "ui/scene_view/picture_marks.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+ImTextureID texture_id(unsigned texture) {
+    return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
+}
+
+constexpr const char* kViews[] = {"alone", "swipe", "side by side", "difference"};
+
+std::string other_label(const EditorState& state, const EditorFrame& frame) {
+    if (state.against.truth) return "ray-traced truth";
+    if (state.compare.kind == CompareKind::Scene) return "the scene's own settings";
+    if (state.compare.kind == CompareKind::Defaults) return "the program's defaults";
+    for (const PresetEntry& p : frame.presets)
+        if (p.key == state.compare.preset) return p.title.empty() ? p.key : p.title;
+    return scene_label(state.compare.preset);
+}
+
+void label(ImVec2 corner, float room, const std::string& text, bool right) {
+    const float em = ImGui::GetFontSize(), width = ImGui::CalcTextSize(text.c_str()).x;
+    if (width + em * 1.6f > room) return;
+    veiled_text({right ? corner.x - width - em * 0.8f : corner.x + em * 0.8f, corner.y}, text);
+}
+
+}  // namespace
+
+void against_widgets(EditorState& state, const EditorFrame& frame) {
+    Against& a = state.against;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextItemWidth(em * 6.5f);
+    int view = int(a.view);
+    if (ImGui::Combo("##against view", &view, kViews, int(std::size(kViews)))) a.view = AgainstView(view);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Hold the picture against another one of the same frame (B)");
+    if (a.view == AgainstView::Off) return;
+    flow(em * 9);
+    ImGui::SetNextItemWidth(em * 9);
+    if (ImGui::BeginCombo("##against what", other_label(state, frame).c_str())) {
+        if (ImGui::Selectable("ray-traced truth", a.truth)) a.truth = true;
+        const auto other = [&](const char* text, const CompareWith& with) {
+            if (ImGui::Selectable(text, !a.truth && state.compare == with)) a.truth = false, state.compare = with;
+        };
+        other("the scene's own settings", {CompareKind::Scene, {}});
+        other("the program's defaults", {CompareKind::Defaults, {}});
+        for (const std::string& path : frame.recent_presets)
+            other((scene_label(path) + "##" + path).c_str(), {CompareKind::Preset, path});
+        for (const PresetEntry& p : frame.presets)
+            other(((p.title.empty() ? p.key : p.title) + "##" + p.key).c_str(), {CompareKind::Preset, p.key});
+        ImGui::EndCombo();
+    }
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("The other side: light, maps, bias, filter and shading of a preset, or the traced truth of the "
+                          "shown light, under the same camera");
+}
+
+bool steer_swipe(EditorState& state, const PictureView& view) {
+    Against& a = state.against;
+    if (a.view != AgainstView::Swipe) return a.held = false;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const float line = float(view.origin.x) + a.at * float(view.size.x), near = ImGui::GetFontSize() * 0.5f;
+    const bool over = std::abs(mouse.x - line) <= near && mouse.y >= float(view.origin.y) && mouse.y < float(view.origin.y) + float(view.size.y);
+    if (ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && over) a.held = true;
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left) && !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) a.held = false;
+    if (a.held) a.at = std::clamp((mouse.x - float(view.origin.x)) / std::max(float(view.size.x), 1.0f), 0.0f, 1.0f);
+    if (a.held || (over && ImGui::IsItemHovered())) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    return a.held;
+}
+
+void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half) {
+    const Against& a = state.against;
+    if (a.view == AgainstView::Off) return;
+    const float em = ImGui::GetFontSize(), top = lo.y + em * 0.6f;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 p(lo.x, lo.y), q(lo.x + size.x, lo.y + size.y);
+    const bool there = frame.against && frame.against->picture.texture != 0;
+    const std::string other = other_label(state, frame);
+    if (right_half && !there) list.AddRectFilled(p, q, theme::kWell);
+    if (!there) {
+        std::string text = frame.against && !frame.against->problem.empty() ? frame.against->problem
+                           : a.truth && frame.truth ? truth_status(frame)
+                                                    : "Drawing the other side …";
+        if (a.view != AgainstView::SideBySide || right_half) veiled_text({p.x + em * 0.8f, q.y - em * 2.2f}, text);
+        return;
+    }
+    const AgainstFacts& facts = *frame.against;
+    switch (a.view) {
+        case AgainstView::Swipe: {
+            const float line = std::round(lo.x + a.at * size.x);
+            list.PushClipRect({line, p.y}, q, true);
+            list.AddImage(texture_id(facts.picture.texture), p, q, {0, 1}, {1, 0});
+            list.PopClipRect();
+            list.AddLine({line, p.y}, {line, q.y}, theme::kText, std::max(1.0f, em / 10));
+            const float middle = 0.5f * (p.y + q.y), r = em * 0.45f;
+            list.AddCircleFilled({line, middle}, r * 1.5f, theme::kVeil);
+            list.AddTriangleFilled({line - r * 1.1f, middle}, {line - r * 0.3f, middle - r * 0.6f},
+                                   {line - r * 0.3f, middle + r * 0.6f}, theme::kText);
+            list.AddTriangleFilled({line + r * 1.1f, middle}, {line + r * 0.3f, middle + r * 0.6f},
+                                   {line + r * 0.3f, middle - r * 0.6f}, theme::kText);
+            label({line, top}, line - p.x, "A: shown settings", true);
+            label({line, top}, q.x - line, "B: " + other, false);
+            break;
+        }
+        case AgainstView::SideBySide:
+            if (right_half) list.AddImage(texture_id(facts.picture.texture), p, q, {0, 1}, {1, 0});
+            label({p.x, top}, size.x, right_half ? "B: " + other : std::string("A: shown settings"), false);
+            break;
+        case AgainstView::Difference:
+            if (!facts.difference.texture) break;
+            list.AddImage(texture_id(facts.difference.texture), p, q, {0, 1}, {1, 0});
+            label({p.x, top}, size.x, fmt::format("2 |A - B|, B: {}   mean |A - B| {:.5f}", other, facts.mae), false);
+            break;
+        case AgainstView::Off: break;
+    }
+}
+
+}  // namespace si

@@ -1,0 +1,54 @@
+#include "ui/scene_view/camera_outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/widgets/clip.h"
+
+namespace si {
+namespace {
+
+constexpr double kFarInFocus = 20;
+constexpr double kBeforeLight = 1e-3;  // of a perspective map's near plane: what is nearer is not projected
+
+}  // namespace
+
+std::vector<std::pair<glm::dvec3, glm::dvec3>> camera_edges(const Camera& camera) {
+    const double near = camera.curve.near, far = std::max(std::min(camera.curve.far, kFarInFocus * camera.focus), near);
+    const auto corner = [&](int i, double z) {
+        const double half = camera.orthographic ? 0.5 * camera.height : z * std::tan(0.5 * camera.fov_y_rad);
+        return camera.eye +
+               camera.axes * glm::dvec3(i & 1 ? half * camera.aspect : -half * camera.aspect, i & 2 ? half : -half, -z);
+    };
+    constexpr std::array<std::pair<int, int>, 4> sides{{{0, 1}, {1, 3}, {3, 2}, {2, 0}}};
+    std::vector<std::pair<glm::dvec3, glm::dvec3>> edges;
+    for (const auto& [a, b] : sides) {
+        edges.emplace_back(corner(a, near), corner(b, near));
+        edges.emplace_back(corner(a, far), corner(b, far));
+        edges.emplace_back(corner(a, near), corner(a, far));
+    }
+    return edges;
+}
+
+std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_outline_in_map(const Camera& camera, const LightView& view) {
+    std::vector<std::pair<glm::dvec2, glm::dvec2>> lines;
+    const glm::dmat3 to_view = glm::transpose(view.axes);
+    const double plane = kBeforeLight * view.curve.near;
+    const auto in_map = [&](const glm::dvec3& v) {
+        return 0.5 + 0.5 * glm::dvec2(v) / (view.half_width * (view.curve.perspective ? -v.z : 1.0));
+    };
+    for (const auto& [from, to] : camera_edges(camera)) {
+        glm::dvec3 a = to_view * (from - view.eye), b = to_view * (to - view.eye);
+        if (view.curve.perspective) {
+            if (-a.z < plane && -b.z < plane) continue;
+            if (-a.z < plane) a += (b - a) * ((plane + a.z) / (a.z - b.z));
+            if (-b.z < plane) b += (a - b) * ((plane + b.z) / (b.z - a.z));
+        }
+        if (const auto inside = clip_to_box(in_map(a), in_map(b), glm::dvec2(0), glm::dvec2(1)))
+            lines.push_back(*inside);
+    }
+    return lines;
+}
+
+}  // namespace si

@@ -1,0 +1,127 @@
+#include "ui/scene_view/kernel_marks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "renderer/measure/artefact_picture.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+/// Dark by the surface itself: the colour of acne wherever artefacts are coloured.
+ImU32 self_shadow() {
+    const auto& rgb = artefact_styles()[std::size_t(Artefact::Acne) - 1].rgb;
+    return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
+}
+
+const char* meets_text(const KernelTap& t) {
+    switch (t.meets) {
+        case KernelTap::Meets::Nothing: return "nothing was drawn there";
+        case KernelTap::Meets::Own: return "the surface itself";
+        case KernelTap::Meets::Nearer: return "a surface nearer to the light";
+        case KernelTap::Meets::Farther: return "a surface farther from the light";
+    }
+    return "";
+}
+
+void tooltip(const Probe::PerLight& p, const KernelTap& t) {
+    const std::string text =
+        fmt::format("texel {}, {}: {}\n"
+                    "stored    {:.8f}   {}   {}\n"
+                    "compared  {:.8f}\n"
+                    "own plane {:.8f}\n"
+                    "weighs {:.3g} % of the kernel",
+                    t.texel.x, t.texel.y, t.lit ? "passes, lit" : "fails, dark", t.stored, metres_text(t.stored_m),
+                    meets_text(t), p.compared, t.plane, 100 * t.weight);
+    ImGui::SetTooltip("%s", text.c_str());
+}
+
+}  // namespace
+
+double heaviest_tap(const Probe::PerLight& light) {
+    double most = 0;
+    for (const KernelTap& t : light.taps) most = std::max(most, t.weight);
+    return most;
+}
+
+ImU32 tap_colour(const KernelTap& t, double heaviest) {
+    const ImU32 colour = t.lit ? theme::kLit : t.meets == KernelTap::Meets::Own ? self_shadow() : theme::kShadowed;
+    const double share = heaviest > 0 ? t.weight / heaviest : 1;
+    return faded(colour, unsigned(70 + 185 * std::clamp(share, 0.0, 1.0)));
+}
+
+const KernelTap* draw_tap_grid(const Probe::PerLight& p, float side) {
+    const int n = p.taps_across;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("taps", {side, side});
+    if (p.taps.size() != std::size_t(n) * std::size_t(n)) return nullptr;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + side, at.y + side}, theme::kWell);
+    const float cell = side / float(n), gap = cell > 8 ? 1.0f : 0.0f;
+    const double heaviest = heaviest_tap(p);
+    const KernelTap* hovered = nullptr;
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            const KernelTap& t = p.taps[std::size_t(y * n + x)];
+            const ImVec2 lo(at.x + float(x) * cell, at.y + float(n - 1 - y) * cell);
+            const ImVec2 hi(lo.x + cell - gap, lo.y + cell - gap);
+            list.AddRectFilled(lo, hi, tap_colour(t, heaviest));
+            if (ImGui::IsItemHovered() && ImGui::IsMouseHoveringRect(lo, {lo.x + cell, lo.y + cell})) {
+                list.AddRect(lo, hi, IM_COL32_WHITE, 0, 0, 2);
+                hovered = &t;
+            }
+        }
+    if (hovered) tooltip(p, *hovered);
+    return hovered;
+}
+
+void draw_tap_key() {
+    const std::array<std::pair<ImU32, const char*>, 3> keys{
+        {{theme::kLit, "lit"}, {theme::kShadowed, "dark"}, {self_shadow(), "dark by itself"}}};
+    const float em = theme::small()->FontSize;
+    ImGui::PushFont(theme::small());
+    ImGui::BeginGroup();
+    for (const auto& [colour, word] : keys) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + em * 0.2f}, {at.x + em * 0.8f, at.y + em}, colour);
+        ImGui::Dummy({em * 1.1f, em});
+        ImGui::SameLine(0, 0);
+        ImGui::TextUnformatted(word);
+    }
+    ImGui::EndGroup();
+    ImGui::PopFont();
+}
+
+void draw_kernel_on_surface(const PicturePainter& painter, const Probe::PerLight& p) {
+    if (p.taps.empty() || std::size_t(p.face) >= p.fitted.views.size() || !faces_light(p.n_dot_l)) return;
+    const LightView& view = p.fitted.views[std::size_t(p.face)];
+    // One texel across is texel_m wide; the map's resolution follows from it.
+    const double n = 2 * view.half_width * (view.curve.perspective ? p.clip.w : 1.0) / p.texel_m;
+    const auto corner = [&](const glm::ivec2& texel) {
+        const glm::dvec2 uv = glm::dvec2(texel) / n;
+        return view.position_ws(uv, view.curve.distance(p.account.plane.at(uv)));
+    };
+    const double heaviest = heaviest_tap(p);
+    for (const KernelTap& t : p.taps) {
+        const std::array<glm::dvec3, 4> ws{corner(t.texel), corner(t.texel + glm::ivec2(1, 0)),
+                                           corner(t.texel + glm::ivec2(1, 1)), corner(t.texel + glm::ivec2(0, 1))};
+        std::array<ImVec2, 4> at;
+        bool seen = true;
+        for (std::size_t i = 0; i < 4 && seen; ++i) {
+            const auto point = painter.view().point(ws[i]);
+            seen = point && std::abs(point->x) < 1e6 && std::abs(point->y) < 1e6;
+            if (seen) at[i] = to_imgui(*point);
+        }
+        if (!seen) continue;
+        const ImU32 colour = tap_colour(t, heaviest);
+        painter.list().AddQuadFilled(at[0], at[1], at[2], at[3], faded(colour, 90));
+        painter.list().AddQuad(at[0], at[1], at[2], at[3], faded(colour, 230), painter.px(1));
+    }
+}
+
+}  // namespace si

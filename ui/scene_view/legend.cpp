@@ -1,0 +1,71 @@
+// The overlay's colour scale.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "renderer/settings/techniques.h"
+#include "shaders/shared/colours.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+struct Stops {
+    ImU32 low, middle, high;
+};
+
+Stops stops_of(const Overlay& overlay) {
+    using namespace shared;
+    if (overlay.diverging)
+        return {theme::colour(DIVERGING_LOW), theme::colour(DIVERGING_MIDDLE), theme::colour(DIVERGING_HIGH)};
+    return {theme::colour(SEQUENTIAL_LOW), theme::colour(SEQUENTIAL_MIDDLE), theme::colour(SEQUENTIAL_HIGH)};
+}
+
+constexpr float kSmall = 14;  ///< ems that a picture is high at least to have room for the overlay's name
+
+}  // namespace
+
+void draw_legend(const Pane& pane, float left, float bottom, ImVec2 room) {
+    const int index = pane.overlay - 1;
+    if (index < 0 || std::size_t(index) >= overlays().size()) return;
+    const Overlay& overlay = overlays()[std::size_t(index)];
+    const float em = ImGui::GetFontSize();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    // A small picture stands below the name of its overlay: there the scale alone has to do.
+    const bool small = room.y < em * kSmall;
+    if (small && !overlay.scalar) return;
+    const std::string unit = overlay.unit.empty() ? std::string() : fmt::format(" ({})", overlay.unit);
+    const std::string title = small ? std::string(overlay.unit) : std::string(overlay.label) + unit;
+    const float width = std::clamp(room.x - em * 2.4f, em * 5, em * (small ? 9.0f : 15.0f)), pad = em * 0.6f;
+    const float head = title.empty() || small ? 0 : em * 1.35f, bar = em * (small ? 0.4f : 0.7f);
+    const float text_width = ImGui::CalcTextSize(title.c_str()).x;
+    const float box_width = !overlay.scalar ? text_width
+                            : small         ? width + (title.empty() ? 0 : text_width + pad)
+                                            : std::max(width, text_width);
+    const float box_height = overlay.scalar ? head + bar + em * 1.35f : em * 1.2f;
+    const ImVec2 lo(left + em * 0.6f, bottom - em * 0.6f - box_height - pad),
+        hi(lo.x + box_width + 2 * pad, bottom - em * 0.6f);
+    list.AddRectFilled(lo, hi, theme::kVeil, em * 0.25f);
+    const float top = lo.y + pad * 0.6f;
+    list.AddText({lo.x + pad + (small ? width + pad : 0), top + (small ? bar + em * 0.2f : 0)}, theme::kText, title.c_str());
+    if (!overlay.scalar) return;
+    const Stops stops = stops_of(overlay);
+    const float x0 = lo.x + pad, x2 = x0 + width, x1 = 0.5f * (x0 + x2), y0 = top + head, y1 = y0 + bar;
+    list.AddRectFilledMultiColor({x0, y0}, {x1, y1}, stops.low, stops.middle, stops.middle, stops.low);
+    list.AddRectFilledMultiColor({x1, y0}, {x2, y1}, stops.middle, stops.high, stops.high, stops.middle);
+    const float low = pane.overlay_min, high = pane.overlay_max;
+    const int steps = width < em * 11 ? 2 : 4;
+    for (int i = 0; i <= steps; ++i) {
+        const float t = float(i) / float(steps), x = x0 + t * (x2 - x0);
+        list.AddLine({x, y1}, {x, y1 + em * 0.2f}, theme::kText);
+        const std::string number = fmt::format("{:.3g}", low + t * (high - low));
+        const float w = ImGui::CalcTextSize(number.c_str()).x;
+        const float at = i == 0 ? x : i == steps ? x - w : x - 0.5f * w;
+        list.AddText({at, y1 + em * 0.2f}, theme::kText, number.c_str());
+    }
+}
+
+}  // namespace si

@@ -1,0 +1,226 @@
+#include "ui/scene_view/light_drag.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/view/manual_light.h"
+#include "ui/state/panels.h"
+
+namespace si {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kSnapDegrees = 5;
+constexpr double kLeast = 1e-4;       // of the distance or range: what near, extent and distance stay above
+constexpr double kLeastRange = 0.01;  // of far: what far stays beyond near
+constexpr double kMostRange = 1e8;    // m, as the setting has it
+
+double snapped(double value, double step) {
+    return step > 0 ? std::round(value / step) * step : value;
+}
+glm::dvec3 snapped(const glm::dvec3& p, double step) {
+    return {snapped(p.x, step), snapped(p.y, step), snapped(p.z, step)};
+}
+
+void set_target(LightSettings& s, const glm::dvec3& target, const glm::dvec3& centre) {
+    s.target_x = target.x - centre.x;
+    s.target_y = target.y - centre.y;
+    s.target_z = target.z - centre.z;
+}
+
+/// Azimuth and elevation of a unit vector; straight up or down the azimuth stays as it is.
+void set_angles(LightSettings& s, const glm::dvec3& to_light, double step) {
+    const double level = std::hypot(to_light.x, to_light.z);
+    if (level > 1e-9) s.azimuth = std::atan2(to_light.x, to_light.z) / kDegree;
+    s.elevation = std::atan2(to_light.y, level) / kDegree;
+    if (step > 0) {
+        s.azimuth = snapped(s.azimuth, kSnapDegrees);
+        s.elevation = snapped(s.elevation, kSnapDegrees);
+    }
+}
+
+/// The light at `position`, looking at `target`.
+void set_place(LightSettings& s, const glm::dvec3& position, const glm::dvec3& target, const LightPose& start) {
+    set_target(s, target, start.centre);
+    const glm::dvec3 d = position - target;
+    const double distance = glm::length(d), least = kLeast * start.distance;
+    s.distance = std::max(distance, least);
+    if (distance > least) set_angles(s, d / distance, 0);
+}
+
+void move_place(LightSettings& s, const glm::dvec3& position, const LightPose& start) {
+    if (start.type == LightType::Directional)
+        set_target(s, glm::dvec3(s.target_x, s.target_y, s.target_z) + start.centre + position - start.position,
+                   start.centre);
+    else
+        set_place(s, position, start.target, start);
+}
+
+/// The point of a ball's surface that a ray shows, as a unit vector from its centre. Beyond the ball's outline the far
+/// side is reached as in a mirror, so that every direction can be had without letting go.
+glm::dvec3 on_ball(const Ray& ray, const glm::dvec3& centre, double radius, bool front) {
+    const glm::dvec3 to_centre = centre - ray.origin;
+    const double along = glm::dot(to_centre, ray.direction);
+    glm::dvec3 aside = ray.origin + along * ray.direction - centre;  // from the centre, across the ray
+    double off = glm::length(aside);
+    if (off > radius) {
+        const double mirrored = std::max(2 * radius - off, 0.0);
+        aside *= mirrored / off;
+        off = mirrored;
+        front = !front;
+    }
+    const double depth = std::sqrt(std::max(radius * radius - off * off, 0.0));
+    return glm::normalize(aside - (front ? depth : -depth) * ray.direction);
+}
+
+bool drag_direction(LightSettings& s, const LightPose& start, const PictureView& view, const Ray& ray, double step) {
+    const bool spot = start.type == LightType::Spot;
+    const glm::dvec3 centre = spot ? start.position : start.target;
+    const glm::dvec3 tip = handle_place(start, LightHandle::Direction, view);
+    const auto seen = view.point(tip);
+    if (!seen) return false;
+    const bool front = glm::dot(tip - centre, view.ray(*seen).direction) <= 0;
+    const glm::dvec3 way = on_ball(ray, centre, glm::distance(tip, centre), front);
+    set_angles(s, spot ? -way : way, step);
+    if (spot) set_target(s, start.position - direction_from_angles(s.azimuth, s.elevation) * s.distance, start.centre);
+    return true;
+}
+
+bool drag_cone(LightSettings& s, const LightPose& start, LightHandle h, const Ray& ray, double step) {
+    const glm::dvec3 axis = -start.to_light, side = handle_way(start, h), edge = glm::cross(axis, side);
+    const double half = half_cone_rad(start.settings), reach = cone_reach(start) * std::cos(half);
+    const bool in_rim = std::abs(glm::dot(ray.direction, axis)) > std::abs(glm::dot(ray.direction, edge));
+    const auto at =
+        in_rim ? meet_plane(ray, start.position + axis * reach, axis) : meet_plane(ray, start.position, edge);
+    if (!at) return false;
+    const glm::dvec3 d = *at - start.position;
+    double angle = std::atan2(glm::dot(d, side), glm::dot(d, axis));
+    if (angle < 0) angle = half > 0.5 * std::numbers::pi ? std::numbers::pi : 0;  // across the axis
+    s.cone = std::clamp(step > 0 ? snapped(2 * angle / kDegree, kSnapDegrees) : 2 * angle / kDegree, 0.2, 360.0);
+    return true;
+}
+
+bool drag_range(LightSettings& s, const LightPose& start, const Ray& ray, double step) {
+    const auto metres = nearest_on_line(ray, start.position, range_way(start));
+    if (!metres) return false;
+    s.range = std::clamp(snapped(*metres, step), std::max(kLeast * start.settings.range, step), kMostRange);
+    return true;
+}
+
+bool drag_plane(LightSettings& s, const LightPose& start, LightHandle h, const Ray& ray, double step) {
+    const auto z = nearest_on_line(ray, start.view.eye, -start.view.axes[2]);
+    if (!z) return false;
+    const double wanted = snapped(*z, step);
+    if (h == LightHandle::Far) {
+        s.far = std::max(wanted, start.view.curve.near + kLeastRange * std::abs(start.view.curve.far));
+        return true;
+    }
+    const double far = start.view.curve.far, most = far - kLeastRange * std::abs(far);
+    const double least = std::max(kLeast * far, step);
+    if (wanted < least && start.type == LightType::Directional && start.orthographic()) {
+        // A directional light has no place of its own: it stands back, and its other planes stay where they are.
+        const double back = least - wanted;
+        s.distance += back;
+        s.far += back;
+    }
+    s.near = std::clamp(wanted, std::min(least, most), most);
+    return true;
+}
+
+}  // namespace
+
+LightPose grab_light(const LightPose& pose, LightHandle h, const FittedLight& fitted) {
+    LightPose start = pose;
+    if (h == LightHandle::Range) return start;
+    const bool directional = pose.type == LightType::Directional;
+    const bool turns = h == LightHandle::Direction || is_cone(h);
+    if (turns || (h == LightHandle::Target && !directional)) {
+        if (!directional) start.settings.distance = pose.distance;
+        return start;
+    }
+    start.settings = manual_light(pose.settings, fitted);
+    // To keep near positive the light may have stood back.
+    const double back = start.settings.distance - pose.distance;
+    if (directional && back > 0) {
+        start.position += start.to_light * back;
+        start.view.eye += start.to_light * back;
+        start.view.curve.near += back;
+        start.view.curve.far += back;
+        start.distance += back;
+    }
+    return start;
+}
+
+std::optional<LightSettings> drag_light(const LightPose& start, LightHandle h, const PictureView& view,
+                                        const glm::dvec2& to, double step) {
+    LightSettings s = start.settings;
+    const Ray ray = view.ray(to);
+    const auto in_camera_plane = [&](const glm::dvec3& p) { return meet_plane(ray, p, view.camera.axes[2]); };
+    if (h == LightHandle::Position) {
+        const auto p = in_camera_plane(start.position);
+        if (!p) return {};
+        move_place(s, snapped(*p, step), start);
+    } else if (is_axis(h)) {
+        const glm::dvec3 way = handle_way(start, h), tip = handle_place(start, h, view);
+        const auto t = nearest_on_line(ray, tip, way);
+        if (!t) return {};
+        glm::dvec3 p = start.position + way * *t;
+        const int axis = int(h) - int(LightHandle::AxisX);
+        p[axis] = snapped(p[axis], step);
+        move_place(s, p, start);
+    } else if (h == LightHandle::Target) {
+        const auto p = in_camera_plane(start.target);
+        if (!p) return {};
+        const glm::dvec3 target = snapped(*p, step);
+        if (start.type == LightType::Directional)
+            set_target(s, target, start.centre);
+        else
+            set_place(s, start.position, target, start);
+    } else if (h == LightHandle::Direction) {
+        if (!drag_direction(s, start, view, ray, step)) return {};
+    } else if (is_extent(h)) {
+        const glm::dvec3 way = handle_way(start, h);
+        const auto t = nearest_on_line(ray, handle_place(start, h, view) - way * start.view.half_width, way);
+        if (!t) return {};
+        s.extent = std::max(snapped(*t, step), std::max(kLeast * start.view.half_width, step));
+    } else if (is_cone(h)) {
+        if (!drag_cone(s, start, h, ray, step)) return {};
+    } else if (h == LightHandle::Range) {
+        if (!drag_range(s, start, ray, step)) return {};
+    } else if (!drag_plane(s, start, h, ray, step)) {
+        return {};
+    }
+    return s;
+}
+
+double snap_step(double scene_radius) {
+    const double wanted = std::max(scene_radius, 1e-9) / 50, decade = std::pow(10, std::floor(std::log10(wanted)));
+    const double share = wanted / decade;
+    return decade * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
+}
+
+std::string handle_numbers(const LightPose& pose, LightHandle h) {
+    const LightSettings& s = pose.settings;
+    // What is nothing at the light's distance is 0, not a picometre.
+    const auto metres = [&](double v) { return metres_text(std::abs(v) < 1e-9 * pose.distance ? 0 : v); };
+    const auto place = [&](const glm::dvec3& p) {
+        return fmt::format("x {}   y {}   z {}", metres(p.x), metres(p.y), metres(p.z));
+    };
+    if (h == LightHandle::Position) return place(pose.position);
+    if (is_axis(h)) {
+        const int axis = int(h) - int(LightHandle::AxisX);
+        return fmt::format("{} {}", "xyz"[axis], metres(pose.position[axis]));
+    }
+    if (h == LightHandle::Target) return place(pose.target);
+    if (h == LightHandle::Direction) return fmt::format("azimuth {:.1f}°   elevation {:.1f}°", s.azimuth, s.elevation);
+    if (h == LightHandle::Range) return metres_text(s.range);
+    if (h == LightHandle::Near) return metres_text(pose.view.curve.near);
+    if (h == LightHandle::Far) return metres_text(pose.view.curve.far);
+    if (is_cone(h)) return fmt::format("{:.1f}°", s.cone);
+    return metres_text(pose.view.half_width);
+}
+
+}  // namespace si

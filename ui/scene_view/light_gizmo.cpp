@@ -1,0 +1,137 @@
+#include "ui/scene_view/light_gizmo.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/scene_view/camera_steering.h"
+#include "ui/scene_view/light_marks.h"
+#include "ui/state/panels.h"
+
+namespace si {
+namespace {
+
+constexpr double kHitPixels = 10;   // radius at scale 1
+constexpr double kClickPixels = 3;  // a press that moves further is a drag
+
+bool shows_lights(const EditorState& state, const EditorFrame& frame) {
+    return state.settings.view.frustum && frame.result && shown_light(state.settings) >= 0;
+}
+
+/// Lights that both the settings and the last frame know.
+int light_count(const EditorState& state, const FrameResult& result) {
+    return std::min(state.settings.light_count, int(result.lights.size()));
+}
+
+/// Seen through itself a light has no handles: the camera would move with each.
+bool shows_handles(const EditorState& state) {
+    return state.settings.camera.source != int(CameraSource::Light);
+}
+
+LightPose pose_of(const EditorState& state, const FrameResult& result, int light) {
+    const int face = light == shown_light(state.settings) ? shown_face(state.settings, result) : 0;
+    return light_pose(state.settings.lights[std::size_t(light)], result.lights[std::size_t(light)], face);
+}
+
+std::optional<LightHit> hit(const EditorState& state, const FrameResult& result, const PictureView& view,
+                            const glm::dvec2& mouse) {
+    const int shown = shown_light(state.settings), count = light_count(state, result);
+    double nearest = kHitPixels * view.ui_scale;
+    std::optional<LightHit> found;
+    const auto take = [&](const glm::dvec2& at, const LightHit& what) {
+        if (glm::distance(at, mouse) > nearest) return;
+        nearest = glm::distance(at, mouse);
+        found = what;
+    };
+    const bool handles = shown < count && shows_handles(state);
+    if (handles)
+        for (const PlacedHandle& p : place_handles(pose_of(state, result, shown), view))
+            take(p.on_screen, {shown, p.handle});
+    if (found) return found;
+    if (handles)
+        if (const auto at = pointer_place(pose_of(state, result, shown), view)) take(*at, {shown, {}});
+    for (int i = 0; i < count; ++i)
+        if (i != shown)
+            if (const auto at = view.point(pose_of(state, result, i).position)) take(*at, {i, {}});
+    return found;
+}
+
+void begin_drag(EditorState& state, const FrameResult& result, const PictureView& view, const LightHit& on,
+                const glm::dvec2& mouse) {
+    const LightPose pose = pose_of(state, result, on.light);
+    HandleDrag drag;
+    drag.light = on.light;
+    drag.handle = *on.handle;
+    drag.start = grab_light(pose, *on.handle, result.lights[std::size_t(on.light)]);
+    drag.before = pose.settings;
+    drag.pressed_at = mouse;
+    drag.handle_at = view.point(handle_place(drag.start, drag.handle, view)).value_or(mouse);
+    state.handle_drag = drag;
+}
+
+void follow(EditorState& state, const EditorFrame& frame, const PictureView& view, const glm::dvec2& mouse) {
+    HandleDrag& drag = *state.handle_drag;
+    LightSettings& light = state.settings.lights[std::size_t(drag.light)];
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !drag.over) {
+        light = drag.before;
+        drag.over = true;
+    }
+    drag.moved = drag.moved || glm::distance(mouse, drag.pressed_at) > kClickPixels * view.ui_scale;
+    if (drag.over || !drag.moved) return;
+    const double radius = frame.scene ? frame.scene->bounds.radius() : drag.start.distance;
+    const double step = ImGui::GetIO().KeyCtrl ? snap_step(radius) : 0;
+    if (const auto moved = drag_light(drag.start, drag.handle, view, drag.handle_at + mouse - drag.pressed_at, step))
+        light = *moved;
+}
+
+}  // namespace
+
+void steer_lights(EditorState& state, const EditorFrame& frame, const PictureView& view) {
+    const glm::dvec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+    if (!ImGui::IsItemActive()) state.handle_drag.reset();
+    state.hovered_light.reset();
+    if (!shows_lights(state, frame)) return;
+    if (state.handle_drag) {
+        follow(state, frame, view, mouse);
+        state.dragging = true;
+        state.hovered_light = LightHit{state.handle_drag->light, state.handle_drag->handle};
+        return;
+    }
+    const bool pressed = ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (state.press_taken || !ImGui::IsItemHovered() || (ImGui::IsItemActive() && !pressed)) return;
+    const auto on = hit(state, *frame.result, view, mouse);
+    state.hovered_light = on;
+    if (!on || !pressed) return;
+    state.press_taken = true;
+    if (on->handle)
+        begin_drag(state, *frame.result, view, *on, mouse);
+    else if (on->light != shown_light(state.settings))
+        state.settings.view.light = on->light;
+    else
+        frame_light(state, frame, pose_of(state, *frame.result, on->light).position);
+}
+
+void draw_lights(const EditorState& state, const EditorFrame& frame, const PicturePainter& painter) {
+    if (!shows_lights(state, frame)) return;
+    const FrameResult& result = *frame.result;
+    const int shown = shown_light(state.settings), count = light_count(state, result);
+    const auto& hovered = state.hovered_light;
+    for (int i = 0; i < count; ++i)
+        if (i != shown)
+            draw_other_light(painter, pose_of(state, result, i), result.lights[std::size_t(i)],
+                             hovered && hovered->light == i);
+    if (shown >= count) return;  // a light was added a moment ago
+    const LightPose pose = pose_of(state, result, shown);
+    draw_shown_light(painter, pose, hovered && hovered->light == shown && !hovered->handle);
+    if (shows_handles(state)) draw_handles(painter, pose, hovered ? hovered->handle : std::nullopt);
+    if (state.handle_drag && state.handle_drag->moved)
+        draw_numbers(painter, pose, state.handle_drag->handle, result.map_resolution);
+    else if (hovered && hovered->handle)
+        handle_tooltip(pose, *hovered->handle);
+    else if (hovered && hovered->light == shown)
+        ImGui::SetTooltip("Light %d stands outside the picture: click to bring it in", shown);
+    else if (hovered)
+        ImGui::SetTooltip("Light %d: click to show its map and handles", hovered->light);
+}
+
+}  // namespace si

@@ -1,0 +1,15 @@
+// The lights in the scene picture: frusta and marks of all, handles of the shown one.
+#pragma once
+
+#include "ui/state/editor_ui.h"
+#include "ui/scene_view/picture_painter.h"
+
+namespace si {
+
+/// Lets the mouse drag a handle of the shown light, or choose another light by its mark. Call right after the picture's
+/// item; takes a press (state.press_taken) that is on either.
+void steer_lights(EditorState& state, const EditorFrame& frame, const PictureView& view);
+
+void draw_lights(const EditorState& state, const EditorFrame& frame, const PicturePainter& painter);
+
+}  // namespace si

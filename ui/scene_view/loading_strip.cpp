@@ -1,0 +1,64 @@
+// Over the scene picture while another scene is being read: which one, how far, and a way out.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+std::string loading_text(const LoadingFacts& loading) {
+    const std::string name = scene_label(loading.name);
+    if (loading.progress >= 1) return fmt::format("Drawing {} for the first time …", name);
+    std::string text = fmt::format("Loading {} … {} %", name, int(std::max(loading.progress, 0.0) * 100));
+    if (loading.seconds_left > 0) text += fmt::format(", {} left", seconds_text(loading.seconds_left));
+    return text;
+}
+
+}  // namespace
+
+std::string seconds_text(double seconds) {
+    const bool short_time = seconds < 60;
+    return fmt::format("{:.0f} {}", std::ceil(short_time ? seconds : seconds / 60), short_time ? "s" : "min");
+}
+
+void progress_bar(double share, const std::string& text, float width) {
+    const ImVec2 at = ImGui::GetCursorScreenPos(), padding = ImGui::GetStyle().FramePadding;
+    const ImVec2 size(width > 0 ? width : ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight());
+    const ImVec2 end(at.x + size.x, at.y + size.y);
+    ImGui::Dummy(size);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, end, theme::kWell, ImGui::GetStyle().FrameRounding);
+    list.AddRectFilled(at, {at.x + size.x * float(std::clamp(share, 0.0, 1.0)), end.y}, theme::kDone,
+                       ImGui::GetStyle().FrameRounding);
+    list.AddRect(at, end, theme::kLine, ImGui::GetStyle().FrameRounding);
+    ImGui::PushClipRect(at, end, true);
+    list.AddText({at.x + padding.x, at.y + padding.y}, theme::kText, text.c_str());
+    ImGui::PopClipRect();
+}
+
+void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, float top, float width) {
+    if (!frame.loading) return;
+    const float em = ImGui::GetFontSize(), pad = em * 0.5f;
+    const float wide = std::min(width - 2 * pad, em * 28);
+    ImGui::SetCursorScreenPos({left + (width - wide) / 2, top + em * 2});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kVeil);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
+    // A window of its own, so that the mouse over it is not over the picture.
+    ImGui::BeginChild("loading", {wide, ImGui::GetFrameHeight() + 2 * pad}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+    const float button = ImGui::CalcTextSize("Cancel").x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float bar = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
+    progress_bar(frame.loading->progress, loading_text(*frame.loading), std::max(bar, em));
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel")) actions.cancel_load = true;
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace si

@@ -1,0 +1,25 @@
+// Marks over one scene picture: the probed pixel, the pixels that read a texel, numbers under the mouse.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/state/editor_ui.h"
+
+namespace si {
+
+// `origin` and `size` are the picture's place on the screen.
+
+void draw_probe_mark(const EditorState& state, const FrameResult& result, ImVec2 origin, ImVec2 size);
+
+/// The pixels whose kernels read the texel under the mouse in the map viewer.
+void draw_readers(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size);
+
+/// The pixel under the mouse and the value of the pane's overlay there.
+void hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, glm::ivec2 pixel);
+
+/// Text on a picture, readable over anything.
+void veiled_text(ImVec2 at, const std::string& text);
+
+}  // namespace si

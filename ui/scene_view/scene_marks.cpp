@@ -1,0 +1,148 @@
+#include "ui/scene_view/scene_marks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/view/fit_bounds.h"
+#include "ui/scene_view/camera_outline.h"
+#include "ui/scene_view/gnomon.h"
+#include "ui/scene_view/kernel_marks.h"
+#include "ui/scene_view/light_gizmo.h"
+#include "ui/state/panels.h"
+#include "ui/scene_view/probe_ray.h"
+#include "ui/state/selection.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+constexpr double kLeastTick = 3;  // pixels at scale 1: a shorter normal offset is not drawn
+
+void box(const PicturePainter& p, const std::array<glm::dvec3, 8>& corners, ImU32 colour, bool thin) {
+    for (int i = 0; i < 8; ++i)
+        for (int bit = 1; bit < 8; bit <<= 1) {
+            if (i & bit) continue;
+            const glm::dvec3 &a = corners[std::size_t(i)], &b = corners[std::size_t(i | bit)];
+            thin ? p.thin_line(a, b, colour) : p.line(a, b, colour, 1.2);
+        }
+}
+
+std::string last_part(const std::string& path) {
+    const auto slash = path.find_last_of('/');
+    return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+/// The probe's answer about the shown light, and the light; nothing when they do not belong together.
+std::optional<ProbeRay> shown_ray(const EditorState& state, const EditorFrame& frame, const Probe::PerLight** answer) {
+    const int light = shown_light(state.settings);
+    if (!frame.probe || !frame.result || light < 0 || std::size_t(light) >= frame.result->lights.size()) return {};
+    for (const Probe::PerLight& p : frame.probe->lights)
+        if (p.light == light) {
+            *answer = &p;
+            return probe_ray(*frame.probe, p, frame.result->lights[std::size_t(light)]);
+        }
+    return {};
+}
+
+/// Whether the step from a surface along its normal is long enough on the screen to be drawn.
+bool shows_offset(const PictureView& view, const ProbeRay& ray, const Probe::PerLight& p) {
+    const auto surface = view.point(ray.to), moved = view.point(p.offset_position_ws);
+    return p.normal_offset_m > 0 && surface && moved && glm::distance(*surface, *moved) > kLeastTick * view.ui_scale;
+}
+
+bool same_view(const Camera& a, const Camera& b) {
+    return glm::distance(a.eye, b.eye) < 1e-3 * a.focus && glm::dot(a.axes[2], b.axes[2]) > 1 - 1e-6;
+}
+
+/// A word with a stroke of its colour before it.
+struct Key {
+    ImU32 colour;
+    const char* word;
+};
+
+}  // namespace
+
+void draw_scene_marks(const PicturePainter& p, const EditorState& state, const EditorFrame& frame) {
+    if (frame.scene && state.settings.view.bounds) draw_caster_bounds(p, *frame.scene, state.settings);
+    if (frame.scene) draw_selection(p, state, *frame.scene);
+    if (state.frozen) draw_frozen_camera(p, state.frozen->camera);
+    draw_lights(state, frame, p);
+    draw_probe_ray(p, state, frame);
+    draw_gnomon(state, p);
+    draw_captions(p, state, frame);
+}
+
+void draw_selection(const PicturePainter& p, const EditorState& state, const Scene& scene) {
+    const auto corners = box_of(scene, state.selected_object);
+    if (!corners) return;
+    box(p, *corners, theme::kSelected, false);
+    std::optional<glm::dvec2> top;
+    for (const glm::dvec3& c : *corners)
+        if (const auto at = p.view().point(c); at && (!top || at->y < top->y)) top = at;
+    if (top) p.caption(*top - glm::dvec2(0, p.px(26)), last_part(state.selected_object), theme::kText);
+}
+
+void draw_caster_bounds(const PicturePainter& p, const Scene& scene, const Settings& settings) {
+    const SceneShape shape = scene_shape(scene, settings);
+    int drawn = 0;
+    for (std::size_t i = 0; i < shape.boxes.size() && drawn < kMostBoxes; ++i)
+        if (shape.box_casts[i]) box(p, shape.boxes[i], theme::kBounds, true), ++drawn;
+}
+
+void draw_frozen_camera(const PicturePainter& p, const Camera& frozen) {
+    if (same_view(frozen, p.view().camera)) return;
+    for (const auto& [from, to] : camera_edges(frozen)) p.line(from, to, theme::kFrozen, 1.2);
+    if (const auto at = p.view().point(frozen.eye)) p.dot(*at, 4, theme::kFrozen);
+}
+
+void draw_probe_ray(const PicturePainter& p, const EditorState& state, const EditorFrame& frame) {
+    const Probe::PerLight* answer = nullptr;
+    const auto ray = shown_ray(state, frame, &answer);
+    if (!ray) return;
+    draw_kernel_on_surface(p, *answer);
+    p.line(ray->from, ray->occluder, theme::kLit, 2);
+    if (ray->blocked) p.line(ray->occluder, ray->to, theme::kShadowed, 2);
+    if (const auto at = p.view().point(ray->occluder); ray->blocked && at) {
+        p.dot(*at, 4, theme::kShadowed);
+        p.list().AddCircle(to_imgui(*at), p.px(4), IM_COL32_WHITE, 20, p.px(1.2));
+    }
+    if (shows_offset(p.view(), *ray, *answer)) p.line(ray->to, answer->offset_position_ws, theme::kOffset, 1.6);
+}
+
+void draw_captions(const PicturePainter& p, const EditorState& state, const EditorFrame& frame) {
+    const PictureView& view = p.view();
+    const ImFont& font = *ImGui::GetFont();
+    double y = view.origin.y + p.px(8);
+    const double right = view.origin.x + view.size.x - p.px(8);
+    const auto say = [&](const std::string& text, ImU32 colour) {
+        const float width = ImGui::CalcTextSize(text.c_str()).x + p.px(12);
+        p.caption({right - width, y}, text, colour);
+        y += font.FontSize + p.px(10);
+    };
+    if (state.settings.camera.source == int(CameraSource::Light) && shown_light(state.settings) >= 0)
+        say(fmt::format("Through light {}; L goes back", shown_light(state.settings)), theme::kLight);
+    if (state.frozen) say("Shadow camera frozen", theme::kFrozen);
+    if (state.flight.on) say(fmt::format("Flying, speed {:.2g}×", state.flight.speed), theme::kText);
+    const Probe::PerLight* answer = nullptr;
+    const auto ray = shown_ray(state, frame, &answer);
+    if (!ray) return;
+    std::vector<Key> keys{{theme::kLit, "lit"}};
+    if (ray->blocked) keys.push_back({theme::kShadowed, "in shadow"});
+    if (shows_offset(view, *ray, *answer)) keys.push_back({theme::kOffset, "normal offset"});
+    const float stroke = p.px(14), gap = p.px(5), between = p.px(12);
+    float width = p.px(12) - between;
+    for (const Key& k : keys) width += stroke + gap + ImGui::CalcTextSize(k.word).x + between;
+    ImVec2 at(float(right) - width, float(y));
+    p.list().AddRectFilled(at, {float(right), at.y + font.FontSize + p.px(6)}, theme::kVeil, p.px(3));
+    at.x += p.px(6), at.y += p.px(3);
+    for (const Key& k : keys) {
+        const float middle = at.y + 0.55f * font.FontSize;
+        p.list().AddLine({at.x, middle}, {at.x + stroke, middle}, k.colour, p.px(2));
+        p.list().AddText({at.x + stroke + gap, at.y}, theme::kText, k.word);
+        at.x += stroke + gap + ImGui::CalcTextSize(k.word).x + between;
+    }
+}
+
+}  // namespace si

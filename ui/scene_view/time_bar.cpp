@@ -1,0 +1,92 @@
+// Below the pictures of a scene that moves: which animation, which moment, and playing.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/state/panels.h"
+#include "ui/state/playback.h"
+#include "ui/state/scene_choices.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1, 2, 4};
+
+std::string speed_text(double speed) {
+    return fmt::format("{}×", speed);
+}
+
+/// A triangle to play, two bars to pause.
+bool play_button(bool playing, bool enabled) {
+    const float size = ImGui::GetFrameHeight();
+    if (!enabled) ImGui::BeginDisabled();
+    const bool pressed = ImGui::Button("##play", {size * 1.4f, size});
+    const ImU32 colour = ImGui::GetColorU32(ImGuiCol_Text);
+    if (!enabled) ImGui::EndDisabled();
+    const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+    const ImVec2 c((lo.x + hi.x) * 0.5f, (lo.y + hi.y) * 0.5f);
+    const float r = size * 0.24f;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (playing) {
+        list.AddRectFilled({c.x - r, c.y - r}, {c.x - r * 0.3f, c.y + r}, colour);
+        list.AddRectFilled({c.x + r * 0.3f, c.y - r}, {c.x + r, c.y + r}, colour);
+    } else {
+        list.AddTriangleFilled({c.x - r * 0.8f, c.y - r}, {c.x - r * 0.8f, c.y + r}, {c.x + r, c.y}, colour);
+    }
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", !enabled  ? "Choose an animation that lasts some time"
+                                : playing ? "Pause (Space)"
+                                          : "Play (Space)");
+    return pressed;
+}
+
+void speed_combo(Playback& playback, float width) {
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##speed", speed_text(playback.speed).c_str())) {
+        for (const double speed : kSpeeds)
+            if (ImGui::Selectable(speed_text(speed).c_str(), speed == playback.speed)) playback.speed = speed;
+        ImGui::EndCombo();
+    } else if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("Seconds of the animation in a second of playing");
+    }
+}
+
+}  // namespace
+
+float time_bar_height(const EditorFrame& frame) {
+    const bool moves = frame.scene && frame.scene->rig && !frame.scene->rig->animations.empty();
+    return moves ? ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y : 0;
+}
+
+void draw_time_bar(EditorState& state, const EditorFrame& frame) {
+    const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
+    SceneSettings& scene = state.settings.scene;
+    const Animation* animation = chosen_animation(frame, scene);
+    const double end = animation ? animation->duration_s : 0;
+    if (play_button(state.playback.playing, end > 0)) toggle_play(state, frame);
+    ImGui::SameLine();
+    setting_widget(state.settings, *find_setting("scene.animation"), em * 10,
+                   scene_choices(frame.scene, "scene.animation"));
+    ImGui::SameLine();
+    const float speed = em * 5, loop = ImGui::CalcTextSize("Loop").x + ImGui::GetFrameHeight() + gap;
+    ImGui::SetNextItemWidth(std::max(em * 5, ImGui::GetContentRegionAvail().x - speed - loop - 2 * gap));
+    if (!(end > 0)) ImGui::BeginDisabled();
+    const double start = 0, last = std::max(end, 1e-3);
+    const std::string format = fmt::format("%.2f of {:.2f} s", end);
+    if (ImGui::SliderScalar("##time", ImGuiDataType_Double, &scene.time, &start, &last, format.c_str(),
+                            ImGuiSliderFlags_AlwaysClamp))
+        state.playback.playing = false;  // the drag that goes on is the step of undo
+    if (!(end > 0)) ImGui::EndDisabled();
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
+        ImGui::SetTooltip("The moment that is shown (scene.time); Ctrl+click to type it");
+    ImGui::SameLine();
+    speed_combo(state.playback, speed);
+    ImGui::SameLine();
+    ImGui::Checkbox("Loop", &state.playback.loop);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Begin again after the last key; else stop there");
+}
+
+}  // namespace si

@@ -1,0 +1,87 @@
+// What the panels say of the ray-traced truth: how far it is, and what the colours of the artefact overlay mean.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/live_error.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+
+std::string truth_status(const EditorFrame& frame) {
+    const TruthFacts& t = *frame.truth;
+    if (!t.doing.empty()) return fmt::format("{} … {} %", t.doing, int(t.progress * 100));
+    if (!t.problem.empty()) return t.problem;
+    if (!t.current) return "The truth about this view is not traced yet.";
+    std::string text = fmt::format("{} x {} pixels, {:.2f} million rays", t.width, t.height, double(t.rays) * 1e-6);
+    if (t.trace_ms > 0) text += fmt::format(", traced in {:.0f} ms", t.build_ms + t.place_ms + t.trace_ms);
+    if (!t.noise.empty()) text += ", " + t.noise;
+    return text;
+}
+
+void draw_artefact_legend(const LiveError* error, float left, float bottom, float room) {
+    const float em = ImGui::GetFontSize(), pad = em * 0.6f, line = em * 1.25f;
+    struct Line {
+        ImU32 colour;
+        std::string label, count;
+    };
+    std::vector<Line> lines;
+    const auto count_of = [&](std::size_t pixels) {
+        const std::size_t n = error->metrics.counted;
+        return n == 0 ? std::string("0") : fmt::format("{}   {:.2f} %", pixels, 100.0 * double(pixels) / double(n));
+    };
+    for (const ArtefactStyle& style : artefact_styles())
+        lines.push_back({theme::rgb(style.rgb), std::string(style.label),
+                         error ? count_of(error->metrics.artefacts[std::size_t(style.artefact)]) : ""});
+    float label_width = 0, count_width = 0;
+    for (const Line& l : lines) {
+        label_width = std::max(label_width, ImGui::CalcTextSize(l.label.c_str()).x);
+        count_width = std::max(count_width, ImGui::CalcTextSize(l.count.c_str()).x);
+    }
+    const bool counts = error && em * 3 + label_width + count_width + 2 * pad < room - em;
+    const float width = em * 1.2f + label_width + (counts ? em * 1.2f + count_width : 0) + 2 * pad;
+    const float height = line * float(lines.size()) + 1.2f * pad;
+    const ImVec2 hi(left + em * 0.6f + width, bottom - em * 0.6f), lo(left + em * 0.6f, hi.y - height);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(lo, hi, theme::kVeil, em * 0.25f);
+    float y = lo.y + 0.6f * pad;
+    for (const Line& l : lines) {
+        list.AddRectFilled({lo.x + pad, y + em * 0.2f}, {lo.x + pad + em * 0.75f, y + em * 0.95f}, l.colour);
+        list.AddText({lo.x + pad + em * 1.2f, y}, theme::kText, l.label.c_str());
+        if (counts)
+            list.AddText({hi.x - pad - ImGui::CalcTextSize(l.count.c_str()).x, y}, theme::kMuted, l.count.c_str());
+        y += line;
+    }
+}
+
+void draw_tracing(const EditorFrame& frame, EditorActions& actions, float left, float bottom, float width) {
+    if (!frame.truth || frame.truth->current) return;
+    const float em = ImGui::GetFontSize(), pad = em * 0.5f;
+    const float wide = std::min(width - 2 * pad, em * 24);
+    ImGui::SetCursorScreenPos({left + (width - wide) / 2, bottom - ImGui::GetFrameHeight() - 4 * pad});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kVeil);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
+    ImGui::BeginChild("tracing", {wide, ImGui::GetFrameHeight() + 2 * pad}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+    const std::string text = truth_status(frame);
+    if (frame.truth->doing.empty()) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(text.c_str());
+    } else {
+        const float button = ImGui::CalcTextSize("Cancel").x + 2 * ImGui::GetStyle().FramePadding.x;
+        const float bar = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
+        progress_bar(frame.truth->progress, text, std::max(bar, em));
+        ImGui::SameLine();
+        if (ImGui::Button("Cancel")) actions.cancel_truth = true;
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace si

@@ -1,0 +1,252 @@
+// The scene pictures, one or several beside each other: mouse and keys over them, what is drawn onto them.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/frame/pane_grid.h"
+#include "renderer/inspect/probe.h"
+#include "renderer/settings/techniques.h"
+#include "ui/scene_view/camera_steering.h"
+#include "ui/scene_view/gnomon.h"
+#include "ui/scene_view/light_gizmo.h"
+#include "ui/state/panels.h"
+#include "ui/scene_view/picture_marks.h"
+#include "ui/scene_view/picture_painter.h"
+#include "ui/scene_view/scene_marks.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+ImTextureID texture_id(unsigned texture) {
+    return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
+}
+
+constexpr const char* kPaneOverlays[] = {"view.overlay", "view.overlay_2", "view.overlay_3", "view.overlay_4"};
+
+/// One that waits for the truth counts, so that the header, and with it the picture, keeps its size when that arrives.
+bool any_overlay(const FrameResult* result) {
+    return result && std::any_of(result->panes.begin(), result->panes.end(),
+                                 [](const Pane& p) { return p.overlay > 0 || p.lacks_truth; });
+}
+
+/// A button that stays down while `on`; returns whether it was pressed.
+bool toggle(const char* label, bool on, const char* help) {
+    flow(ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x);
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    if (on) ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
+    const bool pressed = ImGui::Button(label);
+    if (on) ImGui::PopStyleColor(2);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+    return pressed;
+}
+
+void header(EditorState& state, const EditorFrame& frame) {
+    const FrameResult* result = frame.result;
+    Settings& s = state.settings;
+    const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
+    const bool labels = ImGui::GetContentRegionAvail().x > em * 20;  // the tooltips say it too
+    if (labels) {
+        ImGui::PushFont(theme::strong());
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted("Scene");
+        ImGui::PopFont();
+    } else {
+        ImGui::Dummy({0, 0});
+    }
+    const auto labelled = [&](const char* label, const char* key, float width) {
+        flow((labels ? ImGui::CalcTextSize(label).x + gap : 0) + width);
+        if (labels) {
+            ImGui::AlignTextToFramePadding();
+            ImGui::TextDisabled("%s", label);
+            ImGui::SameLine();
+        }
+        setting_widget(s, key, width);
+    };
+    const bool alone = state.against.view == AgainstView::Off;
+    if (alone) labelled("Panes", "view.panes", em * 5);
+    if (!alone || s.view.panes == int(Panes::One)) labelled("Overlay", kPaneOverlays[0], em * (labels ? 9.5f : 5.5f));
+    if (any_overlay(result)) {
+        labelled("Opacity", "view.overlay_opacity", em * 4.5f);
+        labelled("Scale", "view.overlay_range", em * 7);
+    }
+    if (!labels && alone) return;  // the rest is among the settings or has a key
+    flow((labels ? ImGui::CalcTextSize("Against").x + gap : 0) + em * 6.5f);
+    if (labels) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("Against");
+        ImGui::SameLine();
+    }
+    against_widgets(state, frame);
+    if (!labels) return;
+    labelled("Lights", "view.frustum", ImGui::GetFrameHeight());
+    if (toggle("Through light", s.camera.source == int(CameraSource::Light), "Look through the shown light (L)"))
+        toggle_light_camera(state);
+    if (toggle("Freeze", state.frozen.has_value(),
+               "Keep this camera and fly about with another (K): its frustum stays drawn in the scene and in the\n"
+               "map, and the texels counted are those that it reads. The fits follow the scene, not a camera, so\n"
+               "the map itself stays the same."))
+        toggle_frozen_camera(state, frame);
+}
+
+/// A double click chooses the object that its probe finds; the background chooses none.
+void select_probed(EditorState& state, const EditorFrame& frame) {
+    if (!state.select_probed || !frame.probe || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    if (!state.probe_pixel || glm::ivec2(frame.probe->x, frame.probe->y) != *state.probe_pixel) return;
+    state.selected_object = frame.probe->hit ? frame.probe->object : std::string();
+    state.select_probed = false;
+}
+
+/// What stands where there is no picture.
+void no_picture(const EditorFrame& frame, ImVec2 origin, ImVec2 size) {
+    const float em = ImGui::GetFontSize();
+    const std::string text = frame.problem.empty() && !frame.loading ? "No picture yet" : std::string(frame.problem);
+    ImGui::SetCursorScreenPos({origin.x + em, origin.y + em});
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - 2 * em);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+/// The panes on the screen.
+struct Panorama {
+    PaneGrid grid;  ///< in pixels of the pictures
+    ImVec2 origin;
+    float pixels;   ///< of a picture per unit of the screen
+    ImVec2 lo(int pane) const {
+        const glm::vec2 corner = glm::vec2(grid.corner(pane)) / pixels;
+        return {origin.x + corner.x, origin.y + corner.y};
+    }
+    ImVec2 size() const { return {float(grid.width) / pixels, float(grid.height) / pixels}; }
+    /// The pixel of `pane` at a place of the screen, which may lie outside of it.
+    glm::ivec2 pixel(int pane, ImVec2 at) const {
+        const ImVec2 corner = lo(pane);
+        return {int(std::floor((at.x - corner.x) * pixels)), int(std::floor((at.y - corner.y) * pixels))};
+    }
+    bool holds(glm::ivec2 pixel) const {
+        return pixel.x >= 0 && pixel.y >= 0 && pixel.x < grid.width && pixel.y < grid.height;
+    }
+};
+
+/// Mouse and keys over the panes. The pane in which a press began keeps it to the end.
+void steer(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Panorama& panes) {
+    const bool hovered = ImGui::IsItemHovered();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (!ImGui::IsItemActive() || ImGui::IsItemActivated())
+        for (int i = 0; i < panes.grid.count(); ++i)
+            if (panes.holds(panes.pixel(i, mouse))) state.active_pane = i;
+    state.active_pane = std::clamp(state.active_pane, 0, panes.grid.count() - 1);
+    const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+    const ImVec2 lo = panes.lo(state.active_pane), size = panes.size();
+    const PictureView view{frame.result->camera, {lo.x, lo.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
+    state.scene_view = view;
+    if (ImGui::IsItemActivated()) state.press_moved = state.press_taken = false;
+    if (steer_swipe(state, view)) {
+        state.press_taken = state.press_moved = true;
+        return;
+    }
+    steer_gnomon(state, frame, view);
+    steer_lights(state, frame, view);
+    const bool taken = state.press_taken;
+    if (!taken) steer_camera(state, frame, view);
+    if (!ImGui::IsItemActive()) state.press_taken = false;
+    const glm::ivec2 pixel = panes.pixel(state.active_pane, mouse);
+    if (!hovered || !panes.holds(pixel)) return;
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !taken) state.select_probed = true;
+    if (released && !state.press_moved && !taken) {
+        state.probe_pixel = pixel;
+        state.open_tab = BottomTab::Probe;
+    }
+    state.hovered_pixel = pixel;
+    actions.want_links = actions.want_overlay_values = !state.dragging;
+}
+
+void draw_pane(const EditorState& state, const EditorFrame& frame, const Panorama& panes, int index) {
+    const FrameResult& result = *frame.result;
+    // Beside the picture stands the other one; both under the same marks.
+    const Pane& pane = result.panes[std::min(std::size_t(index), result.panes.size() - 1)];
+    const ImVec2 lo = panes.lo(index), size = panes.size(), hi(lo.x + size.x, lo.y + size.y);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddImage(texture_id(pane.picture.texture), lo, hi, {0, 1}, {1, 0});  // stored bottom row first
+    list.PushClipRect(lo, hi, true);
+    draw_against(state, frame, {lo.x, lo.y}, {size.x, size.y}, index > 0);
+    const PictureView view{result.camera, {lo.x, lo.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
+    draw_scene_marks(PicturePainter(view, list), state, frame);
+    draw_probe_mark(state, result, lo, size);
+    draw_readers(state, frame, lo, size);
+    if (pane.overlay > 0 && overlays()[std::size_t(pane.overlay - 1)].key == "artefacts")
+        draw_artefact_legend(frame.error, lo.x, hi.y, size.x);
+    else
+        draw_legend(pane, lo.x, hi.y, size);
+    if (state.hovered_pixel && index == state.active_pane) {
+        const float below = panes.grid.count() > 1 ? ImGui::GetFrameHeight() * 1.3f : 0;  // the pane's overlay stands there
+        hover_readout(frame, pane, {lo.x, lo.y + below}, *state.hovered_pixel);
+    }
+    list.PopClipRect();
+}
+
+}  // namespace
+
+int shown_light(const Settings& settings) {
+    const int count = std::clamp(settings.light_count, 0, kMaxLights);
+    return count == 0 ? -1 : std::clamp(settings.view.light, 0, count - 1);
+}
+
+int shown_face(const Settings& settings, const FrameResult& result) {
+    const int light = shown_light(settings);
+    if (light < 0 || std::size_t(light) >= result.lights.size()) return 0;
+    return std::clamp(settings.view.face, 0, std::max(0, int(result.lights[std::size_t(light)].views.size()) - 1));
+}
+
+void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    state.hovered_pixel.reset();
+    header(state, frame);
+    const float em = ImGui::GetFontSize();
+    const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
+    const ImVec2 size(std::floor(std::max(available.x, 16.0f)), std::floor(std::max(available.y, 16.0f)));
+    const float pixels = ImGui::GetIO().DisplayFramebufferScale.x;
+    const AgainstView against = state.against.view;
+    const int shown_panes = against == AgainstView::Off          ? state.settings.view.panes
+                            : against == AgainstView::SideBySide ? int(Panes::Two)
+                                                                 : int(Panes::One);
+    const Panorama panes{pane_grid(shown_panes, int(size.x * pixels), int(size.y * pixels),
+                                   int(em * pixels * 0.2f)),
+                         origin, pixels};
+    actions.scene_width = panes.grid.width;
+    actions.scene_height = panes.grid.height;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, theme::kWell);
+    // After a change of view.panes the pictures are there with the next frame.
+    const int pictures = against == AgainstView::Off ? panes.grid.count() : 1;
+    if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != pictures) {
+        no_picture(frame, origin, size);
+        draw_loading(frame, actions, origin.x, origin.y, size.x);
+        return;
+    }
+    ImGui::InvisibleButton(
+        "scene picture", size,
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    ImGui::SetItemAllowOverlap();
+    steer(state, frame, actions, panes);
+    select_probed(state, frame);
+    for (int i = 0; i < panes.grid.count(); ++i) draw_pane(state, frame, panes, i);
+    if (pictures > 1)
+        for (int i = 0; i < panes.grid.count(); ++i) {
+            const ImVec2 lo = panes.lo(i);
+            ImGui::SetCursorScreenPos({lo.x + em * 0.4f, lo.y + em * 0.3f});
+            setting_widget(state.settings, kPaneOverlays[i], std::min(em * 10, panes.size().x - em));
+        }
+    if (!frame.shader_log.empty())
+        veiled_text({origin.x + em * 0.8f, origin.y + em * 2.2f},
+                    "A shader does not compile; the last good one is in use (see Log)");
+    for (int i = 0; i < pictures; ++i)
+        if (frame.result->panes[std::size_t(i)].lacks_truth) {
+            ImGui::PushID(i);
+            draw_tracing(frame, actions, panes.lo(i).x, panes.lo(i).y + panes.size().y, panes.size().x);
+            ImGui::PopID();
+        }
+    draw_loading(frame, actions, origin.x, origin.y, size.x);
+}
+
+}  // namespace si

@@ -1,0 +1,213 @@
+#include "ui/state/editor_ui.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "renderer/settings/techniques.h"
+#include "ui/scene_view/camera_steering.h"
+#include "ui/state/panels.h"
+#include "ui/state/playback.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+constexpr float kPictures = 10;  ///< least height of the pictures that the tabs below leave, ems
+constexpr float kSplitter = 5;  ///< at scale 1, pixels
+
+bool pressed(char key) {
+    return ImGui::IsKeyPressed(int(key), false);
+}
+bool pressed(ImGuiKey key) {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
+
+// Letters and digits are looked up by their ASCII code: the window feeds codes that equal it (GLFW's do).
+void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput || state.flight.on || state.handle_drag) return;  // letters and Escape mean something else
+    if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {  // keys are for it
+        if (pressed(ImGuiKey_Escape)) state.show_shortcuts = false;
+        return;
+    }
+    Settings& s = state.settings;
+    if (io.KeyCtrl) {
+        if (pressed('Z') && !io.KeyShift) undo(state);
+        if (pressed('Y') || (pressed('Z') && io.KeyShift)) redo(state);
+        if (pressed('S') && !io.KeyShift) actions.save_preset = state.preset_path;
+        if (pressed('S') && io.KeyShift)
+            ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
+        if (pressed('O')) ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
+        if (pressed('C') && io.KeyShift) actions.copy_command_line = true;
+        if (pressed('Q')) actions.quit = true;
+        return;
+    }
+    if (pressed(ImGuiKey_PageDown)) actions.load_preset = neighbour_preset(state, frame, +1);
+    if (pressed(ImGuiKey_PageUp)) actions.load_preset = neighbour_preset(state, frame, -1);
+    if (pressed('F')) frame_selection(state, frame);
+    if (pressed('L')) toggle_light_camera(state);
+    if (pressed(' ')) toggle_play(state, frame);
+    if (pressed('K')) toggle_frozen_camera(state, frame);
+    if (pressed('B')) state.against.view = AgainstView((int(state.against.view) + 1) % 4);
+    for (const auto& [key, step] : {std::pair{',', -0.02f}, std::pair{'.', 0.02f}})
+        if (state.against.view == AgainstView::Swipe && ImGui::IsKeyPressed(int(key)))
+            state.against.at = std::clamp(state.against.at + step * (io.KeyShift ? 5 : 1), 0.0f, 1.0f);
+    if (pressed('M')) s.view.map = (s.view.map + 1) % 3;
+    if (pressed(ImGuiKey_Home)) reset_camera(state, frame);
+    if (pressed(ImGuiKey_Escape)) {
+        if (!state.probe_pixel) state.selected_object.clear();
+        state.probe_pixel.reset();
+        state.show_shortcuts = false;
+    }
+    for (char digit = '0'; digit <= '9'; ++digit) {
+        const int overlay = digit - '0';
+        if (pressed(digit) && std::size_t(overlay) <= overlays().size())
+            s.view.overlay = s.view.overlay == overlay ? 0 : overlay;
+    }
+}
+
+/// A bar to drag; returns how far it was moved along its axis, in pixels.
+float splitter(const char* id, bool vertical, ImVec2 size) {
+    ImGui::InvisibleButton(id, size);
+    const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (hot) ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+    const float thin = hot ? 1.0f : 0.5f;
+    const ImVec2 c(0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y));
+    const ImU32 colour = hot ? theme::kMuted : theme::kLine;
+    if (vertical)
+        ImGui::GetWindowDrawList()->AddRectFilled({c.x - thin, lo.y}, {c.x + thin, hi.y}, colour);
+    else
+        ImGui::GetWindowDrawList()->AddRectFilled({lo.x, c.y - thin}, {hi.x, c.y + thin}, colour);
+    if (!ImGui::IsItemActive()) return 0;
+    return vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+}
+
+void tab(EditorState& state, BottomTab which, const char* label, const auto& draw) {
+    const bool asked = state.open_tab == which;
+    if (!ImGui::BeginTabItem(label, nullptr, asked ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None)) return;
+    if (!state.open_tab || asked) state.tab = which;
+    ImGui::BeginChild(label, {0, 0}, false);
+    draw();
+    ImGui::EndChild();
+    ImGui::EndTabItem();
+}
+
+/// The legend of that overlay has numbers.
+bool shows_artefacts(const Settings& settings) {
+    const ViewSettings& v = settings.view;
+    const int shown[] = {v.overlay, v.overlay_2, v.overlay_3, v.overlay_4};
+    const int panes = v.panes == int(Panes::Four) ? 4 : v.panes == int(Panes::Two) ? 2 : 1;
+    return std::any_of(shown, shown + panes, [](int overlay) {
+        return overlay > 0 && overlays()[std::size_t(overlay - 1)].key == "artefacts";
+    });
+}
+
+void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    if (!ImGui::BeginTabBar("bottom")) return;
+    const auto asked = state.open_tab;
+    tab(state, BottomTab::Passes, "Passes", [&] { draw_passes(frame); });
+    tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, actions); });
+    tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, actions); });
+    tab(state, BottomTab::Objects, "Objects", [&] { draw_objects(state, frame); });
+    tab(state, BottomTab::Compare, "Compare", [&] { draw_compare(state, frame, actions); });
+    tab(state, BottomTab::Frontier, "Frontier", [&] { draw_frontier(state, frame, actions); });
+    const int errors = state.log.unseen_errors();
+    const std::string log = errors > 0 ? fmt::format("Log ({})###Log", errors) : std::string("Log###Log");
+    if (errors > 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+    tab(state, BottomTab::Log, log.c_str(), [&] { draw_log(state, frame); });
+    if (errors > 0) ImGui::PopStyleColor();
+    if (asked == state.tab) state.open_tab.reset();
+    ImGui::EndTabBar();
+}
+
+void child(const char* id, ImVec2 size, const auto& draw) {
+    ImGui::BeginChild(
+        id, size, false,
+        ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    draw();
+    ImGui::EndChild();
+}
+
+}  // namespace
+
+EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
+    EditorActions actions;
+    state.dragging = false;
+    play_on(state, frame, double(ImGui::GetIO().DeltaTime));
+    use_driver(frame.driver);
+    shortcuts(state, frame, actions);
+
+    const ImGuiIO& io = ImGui::GetIO();
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize(io.DisplaySize);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::Begin("editor", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    const float em = ImGui::GetFontSize(), bar = kSplitter * em / 15;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+    // No gaps between the parts, the usual ones inside them.
+    const auto spaced = [em](const auto& draw) {
+        return [em, draw] {
+            ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em * 0.53f, em * 0.33f));
+            draw();
+            ImGui::PopStyleVar();
+        };
+    };
+
+    const float top = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
+    child("top", {0, top}, spaced([&] { draw_top_bar(state, frame, actions); }));
+
+    EditorLayout& layout = state.layout;
+    const ImVec2 rest = ImGui::GetContentRegionAvail();
+    const float settings = std::clamp(layout.settings_width * em, em * 14, std::max(em * 14, rest.x * 0.5f));
+    const float left = std::max(rest.x - settings - bar, em * 10);
+    const float map = std::clamp(left * layout.map_share, em * 8, std::max(em * 8, left - em * 12));
+
+    ImGui::BeginGroup();
+    draw_strips(state, frame, actions, left);
+    const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
+    // Where there is little room the tabs below give way to the pictures.
+    const float most = std::max(em * 4, std::min(rest.y * 0.7f, rest.y - strips - bar - time - em * kPictures));
+    const float bottom = std::clamp(layout.bottom_height * em, em * 4, most);
+    const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
+    child("scene", {left - map - bar, pictures}, spaced([&] { draw_viewport(state, frame, actions); }));
+    ImGui::SameLine();
+    if (const float d = splitter("map splitter", true, {bar, pictures}); d != 0)
+        layout.map_share = std::clamp((map - d) / left, 0.1f, 0.85f);
+    ImGui::SameLine();
+    child("map", {map, pictures}, spaced([&] { draw_map_viewer(state, frame, actions); }));
+    if (time > 0) child("time", {left, time}, spaced([&] { draw_time_bar(state, frame); }));
+    if (const float d = splitter("bottom splitter", false, {left, bar}); d != 0)
+        layout.bottom_height = (bottom - d) / em;
+    child("bottom", {left, bottom}, spaced([&] { bottom_tabs(state, frame, actions); }));
+    ImGui::EndGroup();
+    ImGui::SameLine();
+    if (const float d = splitter("settings splitter", true, {bar, rest.y}); d != 0)
+        layout.settings_width = (settings - d) / em;
+    ImGui::SameLine();
+    child("settings", {settings, rest.y}, spaced([&] { draw_settings(state, frame, actions); }));
+    ImGui::PopStyleVar();
+    draw_shortcuts(state);
+    draw_file_dialog(state, actions);
+    draw_replace_dialog(state, actions);
+    ImGui::End();
+
+    actions.want_timing = state.tab == BottomTab::Passes;
+    actions.want_error = state.tab == BottomTab::Error || shows_artefacts(state.settings);
+    const bool turning_wheel = ImGui::GetTime() < state.wheel_until;
+    const bool gesture = ImGui::IsAnyItemActive() || state.dragging || turning_wheel;
+    state.history.set_place({state.scene_name, state.guide});
+    state.history.observe(state.settings, gesture || state.between_steps);
+    actions.hold_cursor = state.flight.on;
+    actions.redraw = state.playback.playing || turning_wheel || state.open_tab.has_value() || state.flight.moving;
+    return actions;
+}
+
+}  // namespace si

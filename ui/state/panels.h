@@ -1,0 +1,76 @@
+// The parts of the editor, one file each. Each fills the child window that is current.
+#pragma once
+
+#include <imgui.h>
+
+#include "ui/state/editor_ui.h"
+#include "ui/scene_view/picture_view.h"
+
+namespace si {
+
+void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_passes(const EditorFrame& frame);
+void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+/// What is wrong with the shadows of the shown light, in numbers.
+void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_objects(EditorState& state, const EditorFrame& frame);
+void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+/// What accuracy costs in time.
+void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_log(EditorState& state, const EditorFrame& frame);
+void draw_shortcuts(EditorState& state);
+/// Only where time_bar_height() is not 0: the scene has animations.
+void draw_time_bar(EditorState& state, const EditorFrame& frame);
+float time_bar_height(const EditorFrame& frame);
+/// The popup "guided presets", while it is open.
+void draw_presets_menu(const EditorState& state, const EditorFrame& frame, EditorActions& actions);
+float presets_menu_width();
+/// What to look at and what a crash left, where there is such a thing; as wide as asked, as high as the text needs.
+void draw_strips(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width);
+
+/// The guided preset `step` places after the open one; none beyond either end.
+std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step);
+
+/// The colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner; `room` is the
+/// picture's size on the screen.
+void draw_legend(const Pane& pane, float left, float bottom, ImVec2 room);
+
+/// The colours of the artefact overlay with what they mean and how many pixels have them, in its picture's corner.
+void draw_artefact_legend(const LiveError* error, float left, float bottom, float room);
+
+/// How far the truth is, or what it took. Only where frame.truth is.
+std::string truth_status(const EditorFrame& frame);
+
+/// Over a picture whose overlay waits for rays: what is done about it, and how far.
+void draw_tracing(const EditorFrame& frame, EditorActions& actions, float left, float bottom, float width);
+
+/// Chooses what the picture is held against, in the present line.
+void against_widgets(EditorState& state, const EditorFrame& frame);
+/// A press of the mouse on the swipe's line drags it. Call before the picture's own gestures: returns whether it did.
+bool steer_swipe(EditorState& state, const PictureView& view);
+/// The other picture, right of the line, beside or as a difference, and what the sides are. Pixels of the screen.
+void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
+
+/// What is being read, and a button that cancels, at the top of a picture. Pixels of the screen.
+void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, float top, float width);
+
+/// The light whose map and overlays are shown, clamped to the lights there are; -1 when there is none.
+int shown_light(const Settings& settings);
+/// The face of the shown light, clamped.
+int shown_face(const Settings& settings, const FrameResult& result);
+
+/// A built-in scene's label; a file without its folders; "No scene" when there is none.
+std::string scene_label(const std::string& name_or_path);
+
+/// Three significant digits with a prefix: "4.20 mm", "13.0 km".
+std::string metres_text(double metres);
+/// "12 s", "3 min".
+std::string seconds_text(double seconds);
+
+/// A bar filled from the left to this share, with a text that can be read on either part. @param width 0: all there is
+void progress_bar(double share, const std::string& text, float width = 0);
+
+}  // namespace si

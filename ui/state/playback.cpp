@@ -1,0 +1,72 @@
+#include "ui/state/playback.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace si {
+
+const Animation* chosen_animation(const EditorFrame& frame, const SceneSettings& settings) {
+    if (!frame.scene || !frame.scene->rig || settings.animation < 0) return nullptr;
+    const auto& all = frame.scene->rig->animations;
+    return std::size_t(settings.animation) < all.size() ? &all[std::size_t(settings.animation)] : nullptr;
+}
+
+namespace {
+
+/// The settings of a step of this scene at once; those of another wait for it.
+void show_step(EditorState& state, const Settings& settings) {
+    const Place& place = state.history.place();
+    state.between_steps = !place.scene.empty() && place.scene != state.scene_name;
+    if (state.between_steps) return;
+    state.settings = settings;
+    state.guide = place.guide;
+}
+
+}  // namespace
+
+void toggle_play(EditorState& state, const EditorFrame& frame) {
+    if (state.playback.playing) return stop_playing(state);
+    const Animation* animation = chosen_animation(frame, state.settings.scene);
+    if (!animation || !(animation->duration_s > 0)) return;
+    state.playback.playing = true;
+    if (state.settings.scene.time >= animation->duration_s) {
+        state.settings.scene.time = 0;
+        state.history.tick(0);
+    }
+}
+
+void stop_playing(EditorState& state) {
+    if (!state.playback.playing) return;
+    state.playback.playing = false;
+    state.history.commit(state.settings);
+}
+
+void undo(EditorState& state) {
+    if (state.between_steps) return;
+    stop_playing(state);
+    show_step(state, state.history.undo());
+}
+
+void redo(EditorState& state) {
+    if (state.between_steps) return;
+    stop_playing(state);
+    show_step(state, state.history.redo());
+}
+
+void play_on(EditorState& state, const EditorFrame& frame, double seconds) {
+    if (!state.playback.playing) return;
+    const Animation* animation = chosen_animation(frame, state.settings.scene);
+    if (!animation || !(animation->duration_s > 0)) return stop_playing(state);
+    const double end = animation->duration_s;
+    double time = state.settings.scene.time + std::max(seconds, 0.0) * state.playback.speed;
+    const bool ended = time >= end && !state.playback.loop;
+    if (ended)
+        time = end;
+    else if (time >= end)
+        time = std::fmod(time, end);
+    state.settings.scene.time = time;
+    state.history.tick(time);
+    if (ended) stop_playing(state);
+}
+
+}  // namespace si

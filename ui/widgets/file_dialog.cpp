@@ -1,0 +1,196 @@
+#include "ui/widgets/file_dialog.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cfloat>
+#include <optional>
+#include <utility>
+
+#include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostEntries = 5000;
+constexpr const char *kOpenTitle = "Open a scene or a preset", *kSaveTitle = "Save the preset as";
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return text;
+}
+
+bool is_shown(const fs::path& file, FileDialog::Job job) {
+    const std::string extension = lower(file.extension().string());
+    return extension == ".json" || (job == FileDialog::Job::Open && (extension == ".gltf" || extension == ".glb"));
+}
+
+void read_folder(FileDialog& d, const fs::path& wanted) {
+    std::error_code error;
+    const fs::path folder = fs::weakly_canonical(fs::absolute(wanted.empty() ? fs::path(".") : wanted, error), error);
+    std::vector<FileDialog::Entry> entries;
+    fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, error);
+    if (error) {
+        d.problem = fmt::format("{}: {}", wanted.string(), error.message());
+        return;
+    }
+    for (const fs::directory_iterator end; it != end && !error && entries.size() < kMostEntries; it.increment(error)) {
+        const std::string name = it->path().filename().string();
+        std::error_code unreadable;
+        const bool is_folder = it->is_directory(unreadable);
+        if (!name.starts_with('.') && (is_folder || is_shown(it->path(), d.job))) entries.push_back({name, is_folder});
+    }
+    std::sort(entries.begin(), entries.end(), [](const FileDialog::Entry& a, const FileDialog::Entry& b) {
+        return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
+    });
+    d.folder = folder;
+    d.folder_input = folder.string();
+    d.entries = std::move(entries);
+    d.problem.clear();
+}
+
+/// The list; returns the entry that was double-clicked.
+std::optional<FileDialog::Entry> draw_entries(FileDialog& d, float height) {
+    std::optional<FileDialog::Entry> entered;
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kWell);
+    ImGui::BeginChild("entries", {0, height}, true);
+    ImGuiListClipper clipper;
+    clipper.Begin(int(d.entries.size()));
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const FileDialog::Entry& e = d.entries[std::size_t(i)];
+            ImGui::PushID(i);
+            const std::string label = e.folder ? e.name + "/" : e.name;
+            if (ImGui::Selectable(label.c_str(), !e.folder && e.name == d.name,
+                                  ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
+                if (!e.folder) d.name = e.name;
+                if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) entered = e;
+            }
+            ImGui::PopID();
+        }
+    if (d.entries.empty())
+        ImGui::TextDisabled(d.job == FileDialog::Job::Open ? "No folder, .json, .gltf or .glb file here."
+                                                           : "No folder or .json file here.");
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    return entered;
+}
+
+void choose(EditorState& state, EditorActions& actions) {
+    FileDialog& d = state.file_dialog;
+    fs::path path = d.folder / d.name;
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+        read_folder(d, path);
+        d.name.clear();
+        return;
+    }
+    if (d.job == FileDialog::Job::Open) {
+        actions.open_file = path.string();
+    } else {
+        if (lower(path.extension().string()) != ".json") path += ".json";
+        actions.save_preset = path.string();
+        actions.save_about = d.about;
+    }
+    ImGui::CloseCurrentPopup();
+}
+
+}  // namespace
+
+void ask_for_file(FileDialog& d, FileDialog::Job job, const fs::path& path, const std::string& about) {
+    d.job = job;
+    d.about = about;
+    d.name = job == FileDialog::Job::SavePreset ? path.filename().string() : std::string();
+    d.entries.clear();
+    std::error_code error;
+    const fs::path folder = path.parent_path();
+    read_folder(d, fs::is_directory(folder, error) ? folder : fs::path("."));
+    d.asked = true;
+}
+
+void draw_file_dialog(EditorState& state, EditorActions& actions) {
+    FileDialog& d = state.file_dialog;
+    const bool saving = d.job == FileDialog::Job::SavePreset;
+    const char* title = saving ? kSaveTitle : kOpenTitle;
+    if (d.asked) ImGui::OpenPopup(title);
+    const bool appearing = std::exchange(d.asked, false);
+    const float em = ImGui::GetFontSize();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(em * 44, screen.x - 2 * em), std::min(em * 32, screen.y - 2 * em)});
+    bool open = true;
+    if (!ImGui::BeginPopupModal(title, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
+    if (ImGui::Button("Up")) read_folder(d, d.folder.parent_path());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The folder above");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (ImGui::InputText("##folder", &d.folder_input, ImGuiInputTextFlags_EnterReturnsTrue))
+        read_folder(d, d.folder_input);
+    const float rows = ImGui::GetFrameHeightWithSpacing() * (saving ? 3 : 2) +
+                       (d.problem.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing());
+    const auto entered = draw_entries(d, std::max(ImGui::GetContentRegionAvail().y - rows, em * 3));
+    if (!d.problem.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::TextUnformatted(d.problem.c_str());
+        ImGui::PopStyleColor();
+    }
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (appearing) ImGui::SetKeyboardFocusHere();
+    bool done = ImGui::InputTextWithHint("##name", saving ? "file name" : "file", &d.name,
+                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    if (saving) {
+        ImGui::SetNextItemWidth(-FLT_MIN);
+        done |= ImGui::InputTextWithHint("##about", "what to look at, a sentence (optional)", &d.about,
+                                         ImGuiInputTextFlags_EnterReturnsTrue);
+    }
+    if (entered && entered->folder) read_folder(d, d.folder / entered->name);
+    ImGui::BeginDisabled(d.name.empty());
+    done |= ImGui::Button(saving ? "Save" : "Open", {em * 6, 0}) || (entered && !entered->folder);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {em * 6, 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
+        ImGui::CloseCurrentPopup();
+    if (done && !d.name.empty()) choose(state, actions);
+    ImGui::EndPopup();
+}
+
+void draw_replace_dialog(EditorState& state, EditorActions& actions) {
+    constexpr const char* kTitle = "Replace the file?";
+    if (state.replace && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+    if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove)) return;
+    if (!state.replace) {
+        ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+        return;
+    }
+    ImGui::PushTextWrapPos(std::min(em * 34, screen.x - 3 * em));
+    ImGui::TextUnformatted(
+        fmt::format("{} exists, and this editor has neither opened nor saved it. Its contents would be lost.",
+                    state.replace->path)
+            .c_str());
+    ImGui::PopTextWrapPos();
+    if (ImGui::Button("Replace", {em * 6, 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) {
+        actions.save_preset = state.replace->path;
+        actions.save_about = state.replace->about;
+        actions.replace = true;
+        state.replace.reset();
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {em * 6, 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+        state.replace.reset();
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace si

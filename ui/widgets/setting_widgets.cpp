@@ -1,0 +1,246 @@
+#include "ui/widgets/setting_widgets.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <cmath>
+
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+constexpr double kWide = 1e5;  ///< ranges beyond this are dragged: a slider would be too coarse
+
+/// The unit as it stands after a number.
+std::string unit_suffix(std::string_view unit) {
+    return unit.empty() ? "" : unit == "deg" ? "°" : fmt::format(" {}", unit);
+}
+
+/// As part of a printf format.
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) out += c == '%' ? std::string("%%") : std::string(1, c);
+    return out;
+}
+
+const DriverInfo* driver_in_use = nullptr;
+
+void tooltip(const Settings& settings, const SettingRef& ref) {
+    const Param& p = *ref.param;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
+    ImGui::PushFont(theme::strong());
+    ImGui::TextUnformatted(p.label.data(), p.label.data() + p.label.size());
+    ImGui::PopFont();
+    ImGui::TextUnformatted(p.help.data(), p.help.data() + p.help.size());
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
+    ImGui::TextUnformatted(
+        fmt::format("{}   default {}", setting_key(ref), shown_value(settings, p, default_value(ref))).c_str());
+    if (!p.choices && !std::holds_alternative<bool>(default_value(ref)))
+        ImGui::TextUnformatted("Ctrl+click to type, right-click to reset");
+    else
+        ImGui::TextUnformatted("Right-click to reset");
+    ImGui::PopStyleColor();
+    if (const auto idle = without_effect(settings, ref); !idle.empty()) {
+        std::string text(idle);
+        text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
+        ImGui::TextUnformatted((text + ".").c_str());
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+bool reset_menu(Settings& settings, const SettingRef& ref) {
+    bool changed = false;
+    if (!ImGui::BeginPopup("row menu")) return false;
+    const Value preset = default_value(ref);
+    const std::string label = fmt::format("Reset to {}", shown_value(settings, *ref.param, preset));
+    if (ImGui::MenuItem(label.c_str(), nullptr, false, setting_changed(settings, ref)))
+        set_value(settings, ref, preset), changed = true;
+    if (ImGui::MenuItem("Copy as --set")) {
+        const std::string text =
+            fmt::format("--set {}={}", setting_key(ref), value_text(*ref.param, get_value(settings, ref)));
+        ImGui::SetClipboardText(text.c_str());
+    }
+    ImGui::EndPopup();
+    return changed;
+}
+
+bool combo(const Param& p, int& value) {
+    const auto list = p.choices();
+    const bool known = value >= 0 && std::size_t(value) < list.size();
+    const std::string shown = known ? std::string(list[std::size_t(value)].label) : fmt::format("{}", value);
+    bool changed = false;
+    if (!ImGui::BeginCombo("##value", shown.c_str())) return false;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        ImGui::PushID(int(i));
+        const bool selected = int(i) == value;
+        if (ImGui::Selectable(std::string(list[i].label).c_str(), selected) && !selected)
+            value = int(i), changed = true;
+        if (selected) ImGui::SetItemDefaultFocus();
+        if (ImGui::IsItemHovered() && !list[i].help.empty()) {
+            ImGui::BeginTooltip();
+            ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
+            ImGui::TextUnformatted(list[i].help.data(), list[i].help.data() + list[i].help.size());
+            ImGui::PopTextWrapPos();
+            ImGui::EndTooltip();
+        }
+        ImGui::PopID();
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+bool named_combo(const NamedValues& names, int& value) {
+    const auto named = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == value; });
+    const std::string shown = named != names.end() ? named->second : fmt::format("{} (not there)", value);
+    bool changed = false;
+    if (!ImGui::BeginCombo("##value", shown.c_str())) return false;
+    for (const auto& [number, name] : names) {
+        const bool selected = number == value;
+        if (ImGui::Selectable(name.c_str(), selected) && !selected) value = number, changed = true;
+        if (selected) ImGui::SetItemDefaultFocus();
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+bool integer(const Param& p, int& value, const std::string& unit) {
+    const int lo = int(p.min), hi = int(p.max);
+    ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
+    if (p.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+    const std::string format = "%d" + unit;
+    if (!ImGui::SliderInt("##value", &value, lo, hi, format.c_str(), flags)) return false;
+    // Sizes are powers of two by habit: dragging finds those, typing gives any.
+    if (p.logarithmic && ImGui::IsMouseDown(ImGuiMouseButton_Left) && value > 0) {
+        const unsigned below = std::bit_floor(unsigned(value));
+        value = std::clamp(int(double(value) * value > 2.0 * below * below ? 2 * below : below), lo, hi);
+    }
+    return true;
+}
+
+bool real(const Param& p, double& value, const std::string& unit) {
+    const std::string format = "%.4g" + unit;
+    if (p.max - p.min > kWide) {
+        const float speed = float(std::max(std::abs(value) * 0.004, 0.004));
+        return ImGui::DragScalar("##value", ImGuiDataType_Double, &value, speed, &p.min, &p.max, format.c_str(),
+                                 ImGuiSliderFlags_AlwaysClamp);
+    }
+    ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
+    if (p.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+    return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &p.min, &p.max, format.c_str(), flags);
+}
+
+/// The widget and its menu inside the ID scope of the row.
+bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, const NamedValues& names) {
+    const Param& p = *ref.param;
+    const bool idle = !without_effect(settings, ref).empty();
+    Value value = get_value(settings, ref);
+    bool changed = false;
+    const bool narrow = width > 0 && width < ImGui::GetFontSize() * 7;  // no room for the unit
+    const std::string unit = narrow ? std::string() : escaped(unit_suffix(shown_unit(settings, p)));
+    if (idle) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * ImGui::GetStyle().DisabledAlpha);
+    ImGui::SetNextItemWidth(width > 0 ? width : -FLT_MIN);
+    if (auto* b = std::get_if<bool>(&value))
+        changed = ImGui::Checkbox("##value", b);
+    else if (auto* i = std::get_if<int>(&value))
+        changed = p.choices ? combo(p, *i) : !names.empty() ? named_combo(names, *i) : integer(p, *i, unit);
+    else
+        changed = real(p, std::get<double>(value), unit);
+    if (idle) ImGui::PopStyleVar();
+    if (changed) set_value(settings, ref, value);
+    ImGui::OpenPopupOnItemClick("row menu", ImGuiPopupFlags_MouseButtonRight);
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
+        if (ImGui::GetIO().MouseDownDuration[0] < 0) tooltip(settings, ref);
+    }
+    return changed;
+}
+
+}  // namespace
+
+void use_driver(const DriverInfo* driver) {
+    driver_in_use = driver;
+}
+
+std::string_view without_effect(const Settings& settings, const SettingRef& ref) {
+    if (driver_in_use && ref.param->needs == DriverFeature::PolygonOffsetClamp && !driver_in_use->polygon_offset_clamp)
+        return "without effect: this driver lacks GL_EXT_polygon_offset_clamp";
+    return idle_reason(settings, ref);
+}
+
+bool setting_changed(const Settings& settings, const SettingRef& ref) {
+    return get_value(settings, ref) != default_value(ref);
+}
+
+bool setting_widget(Settings& settings, const SettingRef& ref, float width, const NamedValues& names) {
+    ImGui::PushID(setting_key(ref).c_str());
+    bool changed = widget_and_menu(settings, ref, width, names);
+    changed |= reset_menu(settings, ref);
+    ImGui::PopID();
+    return changed;
+}
+
+bool setting_widget(Settings& settings, std::string_view key, float width) {
+    const auto ref = find_setting(key);
+    IM_ASSERT(ref && "a widget names a setting that has no row");
+    return ref && setting_widget(settings, *ref, width);
+}
+
+bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& names) {
+    const Param& p = *ref.param;
+    bool changed = false;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(setting_key(ref).c_str());
+    const bool idle = !without_effect(settings, ref).empty();
+    const float dot = ImGui::GetFontSize() * 0.75f;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    ImGui::AlignTextToFramePadding();
+    if (setting_changed(settings, ref)) {
+        const ImVec2 centre(start.x + dot * 0.33f, start.y + ImGui::GetFrameHeight() * 0.5f);
+        ImGui::GetWindowDrawList()->AddCircleFilled(centre, ImGui::GetFontSize() * 0.17f, theme::kAccent, 12);
+    }
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + dot);
+    ImGui::PushStyleColor(ImGuiCol_Text, idle ? theme::kFaint : theme::kText);
+    ImGui::TextUnformatted(p.label.data(), p.label.data() + p.label.size());
+    ImGui::PopStyleColor();
+    ImGui::OpenPopupOnItemClick("row menu", ImGuiPopupFlags_MouseButtonRight);
+    if (ImGui::IsItemHovered()) tooltip(settings, ref);
+    ImGui::TableNextColumn();
+    changed |= widget_and_menu(settings, ref, 0, names);
+    changed |= reset_menu(settings, ref);
+    ImGui::PopID();
+    return changed;
+}
+
+bool setting_matches(const SettingRef& ref, std::string_view text) {
+    const auto contains = [&](std::string_view in) {
+        return std::search(in.begin(), in.end(), text.begin(), text.end(), [](unsigned char a, unsigned char b) {
+                   return std::tolower(a) == std::tolower(b);
+               }) != in.end();
+    };
+    if (ref.param->key == text || setting_key(ref) == text) return true;
+    if (find_setting(text)) return false;  // the key of another setting: that one alone is meant
+    return text.empty() || contains(ref.param->label) || contains(setting_key(ref)) || contains(ref.param->help);
+}
+
+void menu_button(const char* label, const char* popup, const char* hint, float width) {
+    if (ImGui::Button(label)) ImGui::OpenPopup(popup);
+    const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+    if (ImGui::IsItemHovered() && !ImGui::IsPopupOpen(popup)) ImGui::SetTooltip("%s", hint);
+    const float most = ImGui::GetIO().DisplaySize.x - width - ImGui::GetFontSize() * 0.3f;
+    ImGui::SetNextWindowPos({std::max(std::min(lo.x, most), 0.0f), hi.y + ImGui::GetFontSize() * 0.2f});
+}
+
+void flow(float width) {
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+}  // namespace si

@@ -1,0 +1,43 @@
+// Widgets made from a setting's row: slider, drag, combo or checkbox with unit, tooltip, reset and mark of change.
+#pragma once
+
+#include <string>
+
+#include "renderer/settings/param.h"
+#include "renderer/frame/renderer.h"
+#include "ui/state/scene_choices.h"
+
+namespace si {
+
+/// The driver by which the widgets drawn from now on judge what has an effect; null: as if it could everything. The
+/// pointer has to last until the next call.
+void use_driver(const DriverInfo* driver);
+
+/// Why turning the setting changes nothing: for what that driver lacks, or under the other settings. Empty when it acts.
+std::string_view without_effect(const Settings& settings, const SettingRef& ref);
+
+/// The widget alone, `width` pixels wide (0: what is left). Returns whether the value changed.
+/// @param names what to choose from in place of a bare number; empty: nothing
+bool setting_widget(Settings& settings, const SettingRef& ref, float width = 0, const NamedValues& names = {});
+/// By dotted key; asserts that the key exists.
+bool setting_widget(Settings& settings, std::string_view key, float width = 0);
+
+/// Label and widget in the two columns of the present table row.
+bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& names = {});
+
+/// Whether the row's label, key or help mention `text`, without regard to case; a whole key finds its setting alone.
+bool setting_matches(const SettingRef& ref, std::string_view text);
+
+/// What a group of settings is called, by the first part of its keys; the prefix itself where it has no name.
+std::string_view setting_group_label(std::string_view prefix);
+
+/// Whether the setting differs from its default.
+bool setting_changed(const Settings& settings, const SettingRef& ref);
+
+/// Goes on in the line when `width` more pixels fit, else starts the next one.
+void flow(float width);
+
+/// A button that opens a popup below itself; BeginPopup(`popup`) has to follow. `width` is what the popup needs.
+void menu_button(const char* label, const char* popup, const char* hint, float width);
+
+}  // namespace si
