@@ -11,7 +11,7 @@
 namespace si {
 namespace {
 
-constexpr std::string_view kIntro =
+constexpr std::string_view kSettingsIntro =
     "# Settings\n\n"
     "Written by `shadow-inspector docs settings -o docs/settings.md` from the table of settings; do not edit by "
     "hand.\n\n"
@@ -57,7 +57,7 @@ std::string setting_section(const Param& p) {
 }  // namespace
 
 std::string settings_page() {
-    std::string text(kIntro), group;
+    std::string text(kSettingsIntro), group;
     for (const Param& p : params()) {
         const std::string this_group(p.key.substr(0, p.key.find('.')));
         if (this_group != group) text += fmt::format("\n## {}\n", group = this_group);

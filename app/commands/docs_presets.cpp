@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-constexpr std::string_view kIntro =
+constexpr std::string_view kPresetsIntro =
     "# Guided presets\n\n"
     "Written by `shadow-inspector docs presets -o docs/presets.md` from the presets themselves; do not edit by "
     "hand.\n\n"
@@ -43,7 +43,7 @@ std::string changes(const Preset& preset) {
 }  // namespace
 
 std::string presets_page() {
-    std::string text(kIntro), topic;
+    std::string text(kPresetsIntro), topic;
     for (const BuiltinPreset& p : builtin_presets()) {
         if (p.topic != topic) text += fmt::format("\n## {}\n", topic = p.topic);
         text += fmt::format("\n**{}** (`{}`, scene `{}`)  \n{}  \nSets {}.\n", p.title, p.key, p.scene, p.about,

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kExtension = ".json";
+constexpr const char* kSessionExtension = ".json";
 
 fs::path lock_of(fs::path file) {
     return file.replace_extension(".lock");
@@ -47,7 +47,7 @@ void Autosave::find_lost() {
     std::error_code error;
     if (folder_.empty() || !fs::is_directory(folder_, error)) return;
     for (const auto& entry : fs::directory_iterator(folder_, error))
-        if (entry.path().extension() == kExtension && entry.is_regular_file(error))
+        if (entry.path().extension() == kSessionExtension && entry.is_regular_file(error))
             files.emplace_back(entry.last_write_time(error), entry.path());
     std::sort(files.rbegin(), files.rend());
     for (const auto& [time, file] : files) {
@@ -80,7 +80,7 @@ bool Autosave::claim() {
     if (lock_) return true;
     fs::create_directories(folder_);
     for (int n = 0; n < 100 && !lock_; ++n) {
-        file_ = folder_ / fmt::format("{}-{}{}", ::getpid(), n, kExtension);
+        file_ = folder_ / fmt::format("{}-{}{}", ::getpid(), n, kSessionExtension);
         std::error_code error;
         if (fs::exists(file_, error)) continue;  // of an earlier process with this number
         lock_ = LockFile(lock_of(file_), false);

@@ -6,6 +6,8 @@
 
 namespace si {
 
+inline constexpr double kDegree = std::numbers::pi / 180;  ///< rad
+
 struct SineCosine {
     double sine = 0, cosine = 1;
 };
@@ -14,7 +16,7 @@ struct SineCosine {
 /// surface that is parallel to the light lit.
 inline SineCosine sine_cosine(double degrees) {
     int quarter = 0;
-    const double rest = std::remquo(degrees, 90.0, &quarter) * (std::numbers::pi / 180);
+    const double rest = std::remquo(degrees, 90.0, &quarter) * kDegree;
     const double s = std::sin(rest), c = std::cos(rest);
     // Adding 0 takes the sign off a zero, on which the basis about a direction would depend.
     switch (quarter & 3) {

@@ -12,7 +12,6 @@
 namespace si::gltf {
 namespace {
 
-constexpr std::string_view kRepair = "repair the file or export it again";
 /// What a file may decode to for each of its bytes: ample for sharing and quantisation, far below what a hostile file,
 /// which shows the same bytes again and again, could ask for.
 constexpr std::size_t kMostDecodedPerByte = 32, kAlwaysAllowedBytes = std::size_t{256} << 20;

@@ -21,6 +21,9 @@ struct Place {
     std::string text() const;
 };
 
+/// The remedy where a file breaks the format.
+inline constexpr std::string_view kRepair = "repair the file or export it again";
+
 class Context {
 public:
     Context(const std::filesystem::path& path, const GltfOptions& options, std::vector<std::string>& warnings);

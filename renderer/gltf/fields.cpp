@@ -7,8 +7,6 @@
 namespace si::gltf {
 namespace {
 
-constexpr std::string_view kRepair = "repair the file or export it again";
-
 std::string shown(const Json& value) {
     if (value.is_array()) return fmt::format("an array of {}", value.size());
     if (value.is_object()) return "an object";

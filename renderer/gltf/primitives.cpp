@@ -12,7 +12,6 @@
 namespace si::gltf {
 namespace {
 
-constexpr std::string_view kRepair = "repair the file or export it again";
 constexpr std::uint32_t kUnused = 0xffffffff;
 
 /// The corners of strips and fans as a triangle list (glTF 2.0, section 3.7.2.1). Triangles that a strip repeats a

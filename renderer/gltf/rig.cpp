@@ -8,7 +8,6 @@
 namespace si::gltf {
 namespace {
 
-constexpr std::string_view kRepair = "repair the file or export it again";
 constexpr std::size_t kMostDeformedVertices = std::size_t{1} << 24;
 
 template <class T>

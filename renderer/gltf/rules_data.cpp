@@ -8,7 +8,6 @@
 namespace si::gltf {
 namespace {
 
-constexpr std::string_view kRepair = "repair the file or export it again";
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 40;  ///< sums of a few of these stay far from 2^64
 constexpr std::uint64_t kMostElements = std::uint64_t{1} << 32;
 constexpr std::uint64_t kMostZeros = std::uint64_t{1} << 22;  ///< elements that no bytes of the file back

@@ -10,7 +10,6 @@
 namespace si::gltf {
 namespace {
 
-constexpr std::string_view kRepair = "repair the file or export it again";
 constexpr std::size_t kDeepestNode = 4096;
 constexpr std::size_t kMostModelBytes = std::size_t{512} << 20;
 

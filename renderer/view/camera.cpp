@@ -6,22 +6,14 @@
 #include <numbers>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/finite.h"
 #include "renderer/view/camera_settings.h"
 #include "renderer/view/projection.h"
 
 namespace si {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kFramingMargin = 1.05;
-
-double finite_or(double value, double fallback) {
-    return std::isfinite(value) ? value : fallback;
-}
-
-double positive_or(double value, double fallback) {
-    return std::isfinite(value) && value > 0 ? value : fallback;
-}
 
 /// Right, up and back of a view from an azimuth and elevation. `right` comes from the azimuth alone, so that looking
 /// straight up or down is nothing special.

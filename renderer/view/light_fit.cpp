@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/finite.h"
 #include "renderer/view/fit_bounds.h"
 #include "renderer/view/map_limits.h"
 #include "renderer/view/projection.h"
@@ -16,7 +17,6 @@
 namespace si {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMinHalfAngle = 1e-3, kMaxHalfAngle = 1.5;  // rad; tan() stays below 15
 constexpr double kMarginTexels = 2;      // at each side, so that a kernel at the edge of the scene finds cleared texels
 constexpr double kFaceMarginTexels = 6;  // the widest kernel crosses from one face of six into the next
@@ -24,13 +24,6 @@ constexpr double kNearShare = 1e-3;      // least near / far of a perspective ma
 constexpr double kDepthMargin = 1e-4;    // of the depth range, at each end
 // 2^10 steps of a float: a thinner range or map has no useful resolution.
 constexpr double kMinShare = 1024.0 / (1 << 23);
-
-double finite_or(double v, double fallback) {
-    return std::isfinite(v) ? v : fallback;
-}
-double positive_or(double v, double fallback) {
-    return std::isfinite(v) && v > 0 ? v : fallback;
-}
 
 /// Half extent plus the margin in texels, at least a thousand float steps of `scale`.
 double with_margin(double half, double scale, int resolution, double margin = kMarginTexels) {

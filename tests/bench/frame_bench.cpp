@@ -18,6 +18,7 @@
 #include "tests/bench/bare.h"
 #include "tests/bench/load_bench.h"
 #include "tests/support/agreed_scene.h"
+#include "tests/bench/median.h"
 
 namespace si {
 namespace {
@@ -60,11 +61,6 @@ double finished_ms(F&& draw) {
     draw();
     glFinish();
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> v) {
-    std::sort(v.begin(), v.end());
-    return v[v.size() / 2];
 }
 
 /// Alternates two ways of drawing, with `between` after both; the benchmark's own time is the second's.

@@ -10,14 +10,10 @@
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"
+#include "tests/bench/median.h"
 
 namespace si {
 namespace {
-
-double median(std::vector<double> v) {
-    std::sort(v.begin(), v.end());
-    return v[v.size() / 2];
-}
 
 void judge_against_visibility(benchmark::State& state, const char* scene_name, std::vector<std::pair<const char*, const char*>> sets) {
     const HeadlessContext context;

@@ -14,6 +14,7 @@
 #include "renderer/reference/truth_task.h"
 #include "renderer/frame/renderer.h"
 #include "tests/support/agreed_scene.h"
+#include "tests/bench/median.h"
 
 namespace si {
 namespace {
@@ -24,11 +25,6 @@ double ms_of(const std::function<void()>& work) {
     const auto start = Clock::now();
     work();
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> v) {
-    std::sort(v.begin(), v.end());
-    return v[v.size() / 2];
 }
 
 /// The view to be traced, and the same rays for a hierarchy without any of our care.

@@ -20,7 +20,7 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 namespace fs = std::filesystem;
 
@@ -36,8 +36,8 @@ Words sweep_of(const std::string& folder, const Words& more = {}) {
     return words;
 }
 
-Json results_of(const fs::path& folder) {
-    return Json::parse(file_bytes(folder / "results.json"));
+OrderedJson results_of(const fs::path& folder) {
+    return OrderedJson::parse(file_bytes(folder / "results.json"));
 }
 
 bool has(const std::string& program) {
@@ -55,11 +55,11 @@ TEST(SweepCommand, WritesResultsAndReport) {
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_NE(r.out.find("wrote out/report.html"), std::string::npos);
     EXPECT_NE(r.err.find("error and cost: 4/4"), std::string::npos) << r.err;
-    const Json results = results_of(folder / "out");
+    const OrderedJson results = results_of(folder / "out");
     EXPECT_EQ(results["format"], "shadow-inspector-sweep");
     EXPECT_EQ(results["version"], 1);
     ASSERT_EQ(results["rows"].size(), 4u);
-    for (const Json& row : results["rows"]) {
+    for (const OrderedJson& row : results["rows"]) {
         EXPECT_TRUE(row["failed"].is_null());
         for (const char* key : {"error.mae", "error.false_shadow", "error.false_light", "error.iou", "cost.map_texels",
                                 "cost.taps_per_pixel", "cost.draws", "cost.triangles", "time.total_ms.median",
@@ -106,14 +106,14 @@ TEST(SweepCommand, ASweepOverTheLightsSizeMeasuresEachSize) {
     Words area = words;
     area.push_back("--area");
     ASSERT_EQ(run_program(area, folder).code, 0);
-    const Json rows = results_of(folder / "area")["rows"];
+    const OrderedJson rows = results_of(folder / "area")["rows"];
     ASSERT_EQ(rows.size(), 3u);
     EXPECT_LT(number_at(rows[0], "error.mae"), number_at(rows[1], "error.mae"));
     EXPECT_LT(number_at(rows[1], "error.mae"), number_at(rows[2], "error.mae"));
-    for (const Json& row : rows) {
+    for (const OrderedJson& row : rows) {
         const ProcessResult m = run_program({"measure", "boxes", "--area", "--no-time", "--json", "--size", "96x64", "--set",
                                              "light.size=" + row["settings"]["light.size"].get<std::string>()});
-        EXPECT_EQ(Json::parse(m.out)["error"]["mae"], row["error"]["mae"]);
+        EXPECT_EQ(OrderedJson::parse(m.out)["error"]["mae"], row["error"]["mae"]);
     }
     Words hard = words;
     hard.back() = "hard";
@@ -136,11 +136,11 @@ TEST(SweepCommand, EachSceneOfAFileIsMeasured) {
         return run_program({"sweep", "two.glb", "--vary", axis, "--size", "96x64", "--no-time", "-o", "out", "--fresh"}, folder);
     };
     ASSERT_EQ(sweep("scene.index=0,1,-1").code, 0);
-    const Json rows = results_of(folder / "out")["rows"];
+    const OrderedJson rows = results_of(folder / "out")["rows"];
     ASSERT_EQ(rows.size(), 3u);
-    for (const Json& row : rows) {
+    for (const OrderedJson& row : rows) {
         const std::string set = "scene.index=" + row["settings"]["scene.index"].get<std::string>();
-        const Json m = Json::parse(
+        const OrderedJson m = OrderedJson::parse(
             run_program({"measure", "two.glb", "--no-time", "--json", "--size", "96x64", "--set", set}, folder).out);
         EXPECT_EQ(m["error"]["pixels"], row["error"]["pixels"]) << set;
         EXPECT_EQ(m["cost"]["triangles"], row["cost"]["triangles"]) << set;
@@ -285,7 +285,7 @@ TEST(SweepCommand, AFailingCaseIsARow) {
          "--size", "48x32", "-o", "out", "--no-time"},
         folder);
     ASSERT_EQ(r.code, 0) << r.err;
-    const Json results = results_of(folder / "out");
+    const OrderedJson results = results_of(folder / "out");
     EXPECT_EQ(results["failed"], 2);
     EXPECT_NE(results["rows"][2]["failed"].get<std::string>().find("view.light is 7"), std::string::npos);
     EXPECT_NE(results["rows"][0]["error"]["mae"], results["rows"][1]["error"]["mae"]) << "each case has its own pose";
@@ -307,10 +307,10 @@ TEST(SweepCommand, ShardsMergeIntoTheWholeWithParallel) {
     const ProcessResult r = run_program({"merge", "part-1", "part-2", "part-3", "-o", "merged"}, folder);
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_EQ(r.err, "");
-    Json whole = results_of(folder / "whole"), merged = results_of(folder / "merged");
+    OrderedJson whole = results_of(folder / "whole"), merged = results_of(folder / "merged");
     whole.erase("runs"), merged.erase("runs");
     EXPECT_EQ(whole, merged);
-    for (const Json& row : merged["rows"])
+    for (const OrderedJson& row : merged["rows"])
         EXPECT_TRUE(fs::exists(folder / "merged" / row["artefacts"].get<std::string>()));
     // The whole sweep goes on in the merged folder: only the times are left to take.
     ASSERT_EQ(run_program(sweep_of("merged"), folder).code, 0);

@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-constexpr double kHeight = 2;  // m, of the light over the floor
+constexpr double kLightHeight = 2;  // m, of the light over the floor
 
 double linear(std::uint8_t srgb) {
     const double c = srgb / 255.0;
@@ -29,7 +29,7 @@ protected:
     Settings lit(const char* type, double range) {
         return settings_for(scene, {{"light.type", type},
                                     {"light.elevation", "90"},
-                                    {"light.distance", std::to_string(kHeight)},
+                                    {"light.distance", std::to_string(kLightHeight)},
                                     {"light.cone", "140"},
                                     {"light.cone_blend", "0"},
                                     {"light.range", std::to_string(range)},
@@ -58,7 +58,7 @@ TEST_F(LightRange, LightFadesByTheWindowAndEnds) {
                     const glm::dvec3 p = origin - direction * (origin.y / direction.y);
                     const std::size_t i = (std::size_t(y) * std::size_t(request.width) + std::size_t(x)) * 4;
                     if (direction.y >= 0 || std::abs(p.x) > 4.9 || std::abs(p.z) > 4.9) continue;
-                    const double d = std::hypot(p.x, p.z, kHeight), share = d / range;
+                    const double d = std::hypot(p.x, p.z, kLightHeight), share = d / range;
                     const double before = linear(endless.data[i]), after = linear(ended.data[i]);
                     if (d > 1.01 * range) {
                         EXPECT_EQ(ended.data[i], 0) << type << " at " << x << ',' << y;
@@ -83,9 +83,9 @@ TEST_F(LightRange, AtHalfTheRangeFifteenSixteenthsAreLeft) {
     set_setting(s, "light.intensity", "1");
     const double before = middle();
     ASSERT_NEAR(before, 1, 0.01) << "straight under the light, which is normalised to 1 there";
-    set_setting(s, "light.range", std::to_string(2 * kHeight));
+    set_setting(s, "light.range", std::to_string(2 * kLightHeight));
     EXPECT_NEAR(middle(), before * 15 / 16, 0.005);
-    set_setting(s, "light.range", std::to_string(0.99 * kHeight));
+    set_setting(s, "light.range", std::to_string(0.99 * kLightHeight));
     EXPECT_EQ(middle(), 0);
 }
 
@@ -96,7 +96,7 @@ TEST_F(LightRange, ProbeSaysWhyItIsDark) {
         for (int x = 10; x < 320; x += 20) {
             const Probe p = renderer.probe(scene, s, small(), x, y);
             if (!p.hit) continue;
-            const bool reached = glm::distance(p.position_ws, glm::dvec3(0, kHeight, 0)) < 3;
+            const bool reached = glm::distance(p.position_ws, glm::dvec3(0, kLightHeight, 0)) < 3;
             EXPECT_EQ(p.lights.at(0).verdict.find("beyond the light's range of 3 m") == std::string::npos, reached)
                 << p.lights[0].verdict;
             ++(reached ? within : beyond);

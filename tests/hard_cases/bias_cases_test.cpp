@@ -11,11 +11,6 @@ namespace {
 
 constexpr MapFormat kFormats[] = {MapFormat::D16, MapFormat::D24, MapFormat::D32F, MapFormat::Colour};
 
-std::string format_name(MapFormat format) {
-    const char* names[] = {"d16", "d24", "d32f", "colour"};
-    return names[int(format)];
-}
-
 /// A plane that nothing shades, and a camera that sees most of it.
 Scene plane_scene() {
     return make_scene(make_plane(10, 10));

@@ -10,11 +10,6 @@
 namespace si::test {
 namespace {
 
-std::string format_name(MapFormat format) {
-    const char* names[] = {"d16", "d24", "d32f", "colour"};
-    return names[int(format)];
-}
-
 struct StoredCase {
     LightType type;
     LightProjection projection;

@@ -8,7 +8,6 @@
 namespace si::test {
 namespace {
 
-constexpr LightType kTypes[] = {LightType::Directional, LightType::Spot, LightType::Point};
 
 const PassInfo* shadow_pass(const FrameResult& frame) {
     const auto it = std::find_if(frame.passes.begin(), frame.passes.end(),
@@ -39,7 +38,7 @@ TEST(HardCase13, DegenerateTriangles) {
     EXPECT_EQ(dirty.dropped_triangles, 4u);
     EXPECT_FALSE(dirty.warnings.empty());
     EXPECT_EQ(clean.dropped_triangles, 0u);
-    for (LightType type : kTypes) {
+    for (LightType type : kLightTypes) {
         Settings s = hard_settings();
         s.lights[0].type = int(type);
         const Shot a = shoot(clean, s), b = shoot(dirty, s);
@@ -61,7 +60,7 @@ TEST(HardCase13, Slivers) {
     }
     add_object(scene, "slivers", -1, add_mesh(scene, "slivers", slivers, -1));
     finalise(scene);
-    for (LightType type : kTypes) {
+    for (LightType type : kLightTypes) {
         Settings s = hard_settings();
         s.lights[0].type = int(type);
         shoot(scene, s);
@@ -101,7 +100,7 @@ TEST(HardCase17, NothingToDo) {
     expect_no_shadow(scene, s, "no object receives");
     Scene empty;
     finalise(empty);
-    for (LightType type : kTypes) {
+    for (LightType type : kLightTypes) {
         s = hard_settings();
         s.lights[0].type = int(type);
         expect_no_shadow(empty, s, "empty scene");
@@ -112,7 +111,7 @@ TEST(HardCase17, NothingToDo) {
 TEST(HardCase18, ZeroThicknessBounds) {
     const Scene scene = make_scene(make_plane(10, 10));
     ASSERT_EQ(scene.bounds.hi.y - scene.bounds.lo.y, 0) << "far - near of a fit without a least range";
-    for (LightType type : kTypes)
+    for (LightType type : kLightTypes)
         for (bool reversed : {false, true}) {
             Settings s = hard_settings();
             s.lights[0].type = int(type);

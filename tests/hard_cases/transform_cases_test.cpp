@@ -26,11 +26,10 @@ Settings seen_from(Settings s, const glm::dvec3& target, double scale = 1) {
     return s;
 }
 
-constexpr LightType kTypes[] = {LightType::Directional, LightType::Spot, LightType::Point};
 
 // Case 10: a million metres from the origin.
 TEST(HardCase10, FarFromTheOrigin) {
-    for (LightType type : kTypes) {
+    for (LightType type : kLightTypes) {
         Settings s = hard_settings();
         s.lights[0].type = int(type);
         const Shot here = shoot(placed_scene(glm::dmat4(1)), seen_from(s, {0, 0.5, 0}));
@@ -60,7 +59,7 @@ TEST(HardCase10Vacuity, AbsoluteFloatMatricesAreTexelsOff) {
 
 // Case 11: biases and epsilons without a unit fail away from a scale of 1.
 TEST(HardCase11, EveryScaleLooksTheSame) {
-    for (LightType type : kTypes) {
+    for (LightType type : kLightTypes) {
         Settings s = hard_settings();
         s.lights[0].type = int(type);
         const Shot one = shoot(placed_scene(glm::dmat4(1)), seen_from(s, {0, 0.5, 0}));
@@ -168,7 +167,7 @@ TEST(HardCase16, SingularScale) {
     finalise(scene);
     EXPECT_EQ(differing_share(without, shoot(scene, hard_settings()), 0), 0) << "other objects must stay as they are";
     for (const glm::dvec3& flat : {glm::dvec3(1, 0, 1), glm::dvec3(0, 1, 1), glm::dvec3(0, 0, 1)})
-        for (LightType type : kTypes) {
+        for (LightType type : kLightTypes) {
             Scene flattened = placed_scene(glm::dmat4(1));
             add_object(flattened, "flat", 0, 1, moved(2, 1, 1) * scaled(flat.x, flat.y, flat.z));
             finalise(flattened);

@@ -149,6 +149,11 @@ Scene floor_and_box(double size, const glm::dvec3& box, double gap) {
     return scene;
 }
 
+std::string format_name(MapFormat format) {
+    const char* names[] = {"d16", "d24", "d32f", "colour"};
+    return names[int(format)];
+}
+
 Settings hard_settings() {
     Settings s;
     s.map.resolution = 512;

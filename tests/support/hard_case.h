@@ -50,6 +50,11 @@ int kernel(std::string_view key);
 /// A floor of `size` metres at y = 0 with a box of `box` metres that floats `gap` metres above its middle.
 Scene floor_and_box(double size = 10, const glm::dvec3& box = {1.5, 1, 2}, double gap = 0);
 
+inline constexpr LightType kLightTypes[] = {LightType::Directional, LightType::Spot, LightType::Point};
+
+/// As map.format has it.
+std::string format_name(MapFormat format);
+
 /// A directional light of 30 degrees azimuth and 40 degrees elevation, a map of 512, hand-set camera above the floor.
 Settings hard_settings();
 

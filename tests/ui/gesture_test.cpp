@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-constexpr int kWidth = 640, kHeight = 400;
+constexpr int kPictureWidth = 640, kPictureHeight = 400;
 
 Settings manual(bool orthographic) {
     Settings s;
@@ -31,11 +31,11 @@ TEST(Gesture, PanKeepsTheFocusUnderTheCursor) {
     const Scene scene = test::box_scene({{}});
     for (const bool orthographic : {false, true}) {
         Settings s = manual(orthographic);
-        const Camera before = make_camera(scene, s, double(kWidth) / kHeight);
+        const Camera before = make_camera(scene, s, double(kPictureWidth) / kPictureHeight);
         const glm::dvec3 point = target(s.camera);
-        const glm::dvec4 p = before.project(point, kWidth, kHeight);
-        pan(s.camera, before, 37, -21, kHeight);
-        const glm::dvec4 q = make_camera(scene, s, double(kWidth) / kHeight).project(point, kWidth, kHeight);
+        const glm::dvec4 p = before.project(point, kPictureWidth, kPictureHeight);
+        pan(s.camera, before, 37, -21, kPictureHeight);
+        const glm::dvec4 q = make_camera(scene, s, double(kPictureWidth) / kPictureHeight).project(point, kPictureWidth, kPictureHeight);
         EXPECT_NEAR(q.x - p.x, 37, 1e-6);
         EXPECT_NEAR(q.y - p.y, -21, 1e-6);
     }
@@ -47,10 +47,10 @@ TEST(Gesture, OrbitTurnsAboutTheTargetAndStopsAtThePoles) {
     const Camera before = make_camera(scene, s, 1.6);
     // A point in front of the target moves with the mouse.
     const glm::dvec3 front = target(s.camera) + before.axes[2];
-    const double x = before.project(front, kWidth, kHeight).x;
+    const double x = before.project(front, kPictureWidth, kPictureHeight).x;
     orbit(s.camera, 20, 0);
     const Camera after = make_camera(scene, s, 1.6);
-    EXPECT_GT(after.project(front, kWidth, kHeight).x, x + 1);
+    EXPECT_GT(after.project(front, kPictureWidth, kPictureHeight).x, x + 1);
     EXPECT_NEAR(glm::distance(after.eye, target(s.camera)), 12, 1e-9);
     orbit(s.camera, 0, 1e6);
     EXPECT_EQ(s.camera.elevation, 90);
@@ -62,7 +62,7 @@ TEST(Gesture, OrbitTurnsAboutTheTargetAndStopsAtThePoles) {
 
 /// The picture as PictureView sees it.
 PictureView view_of(const Scene& scene, const Settings& s) {
-    return {make_camera(scene, s, double(kWidth) / kHeight), {0, 0}, {kWidth, kHeight}, 1};
+    return {make_camera(scene, s, double(kPictureWidth) / kPictureHeight), {0, 0}, {kPictureWidth, kPictureHeight}, 1};
 }
 
 TEST(Gesture, ZoomingKeepsWhatIsUnderTheCursorAndUndoesItself) {
@@ -135,15 +135,15 @@ TEST(Gesture, FramingShowsAllOfTheBoundsAndNotTooSmall) {
             Settings s = manual(orthographic);
             s.camera.near = 1, s.camera.far = 2;  // set for another view
             look_at_bounds(s.camera, scene.bounds, aspect);
-            const int w = int(aspect * kHeight);
+            const int w = int(aspect * kPictureHeight);
             const Camera c = make_camera(scene, s, aspect);
             double reach = 0;
             for (int i = 0; i < 8; ++i) {
                 const Bounds& b = scene.bounds;
                 const glm::dvec3 corner(i & 1 ? b.hi.x : b.lo.x, i & 2 ? b.hi.y : b.lo.y, i & 4 ? b.hi.z : b.lo.z);
-                const glm::dvec4 p = c.project(corner, w, kHeight);
+                const glm::dvec4 p = c.project(corner, w, kPictureHeight);
                 EXPECT_GT(p.w, 0);
-                reach = std::max({reach, std::abs((p.x + 0.5) / w * 2 - 1), std::abs((p.y + 0.5) / kHeight * 2 - 1)});
+                reach = std::max({reach, std::abs((p.x + 0.5) / w * 2 - 1), std::abs((p.y + 0.5) / kPictureHeight * 2 - 1)});
             }
             EXPECT_LE(reach, 1.0) << "orthographic " << orthographic << " aspect " << aspect;
             EXPECT_GT(reach, 0.4);
@@ -191,15 +191,15 @@ TEST(LightLines, ASegmentThroughTheCameraKeepsOnlyWhatIsInFront) {
     const Scene scene = test::box_scene({{}});
     const Camera c = make_camera(scene, manual(false), 1.6);
     const glm::dvec3 front = c.eye - 5.0 * c.axes[2] + c.axes[0], behind = c.eye + 5.0 * c.axes[2] + c.axes[0];
-    const auto on = project_segment(c, front, behind, kWidth, kHeight);
+    const auto on = project_segment(c, front, behind, kPictureWidth, kPictureHeight);
     ASSERT_TRUE(on);
-    EXPECT_NEAR(on->first.x, c.project(front, kWidth, kHeight).x, 1e-9);
+    EXPECT_NEAR(on->first.x, c.project(front, kPictureWidth, kPictureHeight).x, 1e-9);
     EXPECT_GT(on->second.x, on->first.x) << "both points lie to the right, the nearer one further out";
-    const auto reversed = project_segment(c, behind, front, kWidth, kHeight);
+    const auto reversed = project_segment(c, behind, front, kPictureWidth, kPictureHeight);
     ASSERT_TRUE(reversed);
     EXPECT_NEAR(reversed->first.x, on->second.x, 1e-3);
     EXPECT_NEAR(reversed->second.x, on->first.x, 1e-9);
-    EXPECT_FALSE(project_segment(c, behind, behind + c.axes[1], kWidth, kHeight));
+    EXPECT_FALSE(project_segment(c, behind, behind + c.axes[1], kPictureWidth, kPictureHeight));
 }
 
 }  // namespace

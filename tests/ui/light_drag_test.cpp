@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/base/angles.h"
 #include "renderer/view/manual_light.h"
 #include "tests/support/box_scene.h"
 #include "ui/state/panels.h"
@@ -15,7 +16,6 @@ namespace si {
 namespace {
 
 constexpr double kMetresPerPixel = 0.05;
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// Looks along -z with parallel rays: x to the right, y up, 5 cm a pixel; (0, 0, 0) at the picture's middle.
 PictureView front_view() {

@@ -3,13 +3,13 @@
 #include <imgui.h>
 
 #include "tests/ui/ui_harness.h"
+#include "tests/ui/screen.h"
 #include "ui/scene_view/light_drag.h"
 #include "ui/scene_view/light_marks.h"
 
 namespace si::test {
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720;
 
 /// An editor whose camera sees all of the light and its frustum.
 struct Gizmo {

@@ -9,6 +9,7 @@
 #include "app/editor/headless_editor.h"
 #include "app/base/output.h"
 #include "app/session/session.h"
+#include "tests/ui/screen.h"
 #include "renderer/scenes/builtin.h"
 #include "ui/map_view/depth_plots.h"
 #include "ui/map_view/map_marks.h"
@@ -16,13 +17,12 @@
 namespace si {
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720;
 
 EditorOptions options(const std::string& scene = "boxes") {
     EditorOptions o;
     o.session.scene = scene;
-    o.width = kWidth;
-    o.height = kHeight;
+    o.width = test::kWidth;
+    o.height = test::kHeight;
     return o;
 }
 

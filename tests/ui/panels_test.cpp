@@ -7,12 +7,12 @@
 
 #include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
+#include "tests/ui/screen.h"
 #include "ui/widgets/setting_widgets.h"
 
 namespace si::test {
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720;
 // Where things stand at 1280 x 720: the search field, and the first row below its group's heading.
 constexpr glm::vec2 kSearch{1040, 56}, kFirstLabel{965, 115}, kFirstValue{1170, 115}, kPicture{200, 250};
 constexpr float kCheckbox = 1091;  // the left end of the column of values, where checkboxes stand too

@@ -4,12 +4,12 @@
 
 #include "renderer/view/camera_settings.h"
 #include "tests/ui/ui_harness.h"
+#include "tests/ui/screen.h"
 #include "ui/state/selection.h"
 
 namespace si::test {
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720;
 constexpr glm::vec2 kPicture{200, 250};
 
 struct Viewport {

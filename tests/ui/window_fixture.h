@@ -13,10 +13,9 @@
 #include <vector>
 
 #include "renderer/frame/frame.h"
+#include "tests/ui/screen.h"
 
 namespace si::test {
-
-inline constexpr int kWidth = 1280, kHeight = 720;  ///< of the screen
 
 /// A child process, ended at the latest with this object.
 class Process {

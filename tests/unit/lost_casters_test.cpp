@@ -1,3 +1,4 @@
+#include "renderer/base/angles.h"
 #include "renderer/inspect/lost_casters.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,6 @@
 namespace si {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
 
 Mesh quad() {  // faces +y
     Mesh mesh;

@@ -17,8 +17,8 @@
 namespace si {
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
+constexpr float kEndless = std::numeric_limits<float>::infinity();
 
 /// Two triangles of a unit square in the plane z = 0, without normals.
 Mesh square() {
@@ -113,7 +113,7 @@ TEST(Finalise, MakesMissingNormalsFlatAndKeepsAttributesAligned) {
 }
 
 TEST(Finalise, ReplacesNormalsWithoutDirection) {
-    for (const glm::vec3 bad : {glm::vec3(0), glm::vec3(kNaN, 0, 1), glm::vec3(kInf, 0, 0)}) {
+    for (const glm::vec3 bad : {glm::vec3(0), glm::vec3(kNoNumber, 0, 1), glm::vec3(kEndless, 0, 0)}) {
         Mesh mesh = square();
         mesh.normals.assign(4, glm::vec3(0, 0, 1));
         mesh.normals[2] = bad;
@@ -229,7 +229,7 @@ TEST(Finalise, KeepsTinyTriangles) {
 TEST(Finalise, DropsMeshesThatAreNotFinite) {
     Mesh bad = square();
     bad.name = "bad";
-    bad.positions[1].y = kNaN;
+    bad.positions[1].y = kNoNumber;
     Mesh last = square();
     last.name = "last";
     Scene scene = scene_of({square(), bad, last});
@@ -245,8 +245,8 @@ TEST(Finalise, DropsMeshesThatAreNotFinite) {
 
 TEST(Finalise, IgnoresAttributesThatAreNotFinite) {
     Mesh mesh = square();
-    mesh.uv[0].x = kInf;
-    mesh.colours.assign(4, glm::vec4(1, 1, 1, kNaN));
+    mesh.uv[0].x = kEndless;
+    mesh.colours.assign(4, glm::vec4(1, 1, 1, kNoNumber));
     Scene scene = scene_of({mesh});
     finalise(scene);
     EXPECT_TRUE(scene.meshes[0].uv.empty());
@@ -299,7 +299,7 @@ TEST(Finalise, GivesNodesUniquePathsAndWorldTransforms) {
 
 TEST(Finalise, DropsObjectsWithoutAPlaceAndKeepsFlatOnes) {
     Scene scene = scene_of({square(), square(), square(), square()});
-    scene.nodes[0].local[3].x = kInf;
+    scene.nodes[0].local[3].x = kEndless;
     scene.nodes[1].local = scaled(1, 0, 1);
     scene.nodes[2].local = scaled(1e300, 1e300, 1e300) * scaled(1e300, 1, 1);
     finalise(scene);

@@ -23,7 +23,7 @@ std::string about(const Cure& cure, const CureTable& table) {
     return text + "A click applies it; Ctrl+Z takes it back.";
 }
 
-void cell(const std::string& text, ImU32 colour) {
+void coloured_cell(const std::string& text, ImU32 colour) {
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextUnformatted(text.c_str());
@@ -44,10 +44,10 @@ void row(const Cure& cure, const CureTable& table, bool current, Settings& setti
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", about(cure, table).c_str());
     const ImU32 plain = current ? theme::kText : theme::kMuted;
-    cell(std::to_string(cure.cured), plain);
-    cell(std::to_string(cure.broken), cure.broken == 0 ? theme::kMuted : plain);
-    cell(time_text(cure.ms), plain);
-    cell(map_bytes_text(cure.map_bytes), plain);
+    coloured_cell(std::to_string(cure.cured), plain);
+    coloured_cell(std::to_string(cure.broken), cure.broken == 0 ? theme::kMuted : plain);
+    coloured_cell(time_text(cure.ms), plain);
+    coloured_cell(map_bytes_text(cure.map_bytes), plain);
 }
 
 }  // namespace

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/base/angles.h"
 #include "renderer/view/manual_light.h"
 #include "ui/state/panels.h"
 
 namespace si {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kSnapDegrees = 5;
 constexpr double kLeast = 1e-4;       // of the distance or range: what near, extent and distance stay above
 constexpr double kLeastRange = 0.01;  // of far: what far stays beyond near

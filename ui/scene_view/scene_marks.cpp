@@ -57,7 +57,7 @@ bool same_view(const Camera& a, const Camera& b) {
 }
 
 /// A word with a stroke of its colour before it.
-struct Key {
+struct LegendWord {
     ImU32 colour;
     const char* word;
 };
@@ -128,16 +128,16 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
     const Probe::PerLight* answer = nullptr;
     const auto ray = shown_ray(state, frame, &answer);
     if (!ray) return;
-    std::vector<Key> keys{{theme::kLit, "lit"}};
+    std::vector<LegendWord> keys{{theme::kLit, "lit"}};
     if (ray->blocked) keys.push_back({theme::kShadowed, "in shadow"});
     if (shows_offset(view, *ray, *answer)) keys.push_back({theme::kOffset, "normal offset"});
     const float stroke = p.px(14), gap = p.px(5), between = p.px(12);
     float width = p.px(12) - between;
-    for (const Key& k : keys) width += stroke + gap + ImGui::CalcTextSize(k.word).x + between;
+    for (const LegendWord& k : keys) width += stroke + gap + ImGui::CalcTextSize(k.word).x + between;
     ImVec2 at(float(right) - width, float(y));
     p.list().AddRectFilled(at, {float(right), at.y + font.FontSize + p.px(6)}, theme::kVeil, p.px(3));
     at.x += p.px(6), at.y += p.px(3);
-    for (const Key& k : keys) {
+    for (const LegendWord& k : keys) {
         const float middle = at.y + 0.55f * font.FontSize;
         p.list().AddLine({at.x, middle}, {at.x + stroke, middle}, k.colour, p.px(2));
         p.list().AddText({at.x + stroke + gap, at.y}, theme::kText, k.word);

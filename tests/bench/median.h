@@ -1,0 +1,15 @@
+// The middle of measured values.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace si {
+
+/// @param v not empty
+inline double median(std::vector<double> v) {
+    std::sort(v.begin(), v.end());
+    return v[v.size() / 2];
+}
+
+}  // namespace si
