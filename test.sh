@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the tests: all in Release on the driver at hand; what draws once more on a
 # second driver (zink over lavapipe); the unit and drawing tests under AddressSanitizer and UndefinedBehaviorSanitizer.
-# Says at the end how long what took. Left out are the long ones: ctest --test-dir build/release -L long
+# Besides, sources have to be as .clang-format wants them. Says at the end how long what took. Left out are the long
+# ones: ctest --test-dir build/release -L long
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$root/scripts/packages.sh"
@@ -50,6 +51,12 @@ tests_on_zink() {
   "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|cli)$' "$zink"
 }
 
+# By clang-format of Debian 12, whose version decides what is well formed.
+format() {
+  find "$root"/{app,renderer,ui,tests} -name '*.h' -o -name '*.cpp' | xargs clang-format --dry-run -Werror
+}
+
+stage "format" format
 stage "build in Release" build_release
 stage "tests" tests release .
 stage "drawing tests on zink over lavapipe" tests_on_zink

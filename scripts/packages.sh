@@ -6,9 +6,9 @@ build_packages=(g++ cmake ninja-build pkg-config
   libtinygltf-dev libstb-dev libembree-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   fonts-inter libgl1 libegl1 libegl-mesa0 libgl1-mesa-dri)
 # What the tests need besides: test and benchmark libraries, a display without a screen, a hand for its mouse, a second
-# driver (zink over lavapipe), the reference compiler of GLSL.
+# driver (zink over lavapipe), the reference compiler of GLSL, the formatter.
 test_packages=(libgtest-dev googletest libbenchmark-dev xvfb xauth xdotool
-  mesa-vulkan-drivers glslang-tools chromium parallel shellcheck)
+  mesa-vulkan-drivers glslang-tools chromium parallel shellcheck clang-format)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -21,8 +21,8 @@ public:
     using Report = std::function<void(const Facts&)>;
     using Work = std::function<Outcome(const Workers&, const Report&)>;
 
-    /// In place of what is under way. `work` makes its own context, catches what it throws, and hears of cancel() by its
-    /// workers' token; one thread is left to the editor.
+    /// In place of what is under way. `work` makes its own context, catches what it throws, and hears of cancel() by
+    /// its workers' token; one thread is left to the editor.
     void start(const Facts& first, Work work) {
         cancel();
         if (thread_.joinable()) thread_.join();

@@ -106,7 +106,9 @@ std::string png_bytes(const ByteImage& image) {
     return png_bytes(image.width, image.height, 3, rgb);
 }
 
-void write_png(const fs::path& path, const ByteImage& image) { write_file(path, png_bytes(image)); }
+void write_png(const fs::path& path, const ByteImage& image) {
+    write_file(path, png_bytes(image));
+}
 
 void write_grey_png(const fs::path& path, const FloatImage& image) {
     std::vector<std::uint8_t> grey(std::size_t(image.width) * std::size_t(image.height));

@@ -9,11 +9,11 @@
 #include <new>
 #include <tuple>
 
+#include "app/base/notes.h"
+#include "app/base/output.h"
 #include "app/cli/cli_measure.h"
 #include "app/commands/commands.h"
 #include "app/editor/editor.h"
-#include "app/base/notes.h"
-#include "app/base/output.h"
 #include "app/session/workspace.h"
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"
@@ -73,10 +73,11 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
                                "without it the picture with the overlays and panes of view.*")
                      ->type_name("V");
     add_size(*c, o, "1280x720");
-    auto* against = c->add_option("--against", o.render.against,
-                                  "Hold the picture against another one of the same frame, right of it: truth (traced by "
-                                  "rays), or a preset (its light, maps, bias, filter and shading)")
-                        ->type_name("WHAT");
+    auto* against =
+        c->add_option("--against", o.render.against,
+                      "Hold the picture against another one of the same frame, right of it: truth (traced by "
+                      "rays), or a preset (its light, maps, bias, filter and shading)")
+            ->type_name("WHAT");
     auto* swipe = c->add_option("--swipe", o.render.swipe,
                                 "With --against: one picture, this left of a line at X (0 to 1), the other right of it")
                       ->check(CLI::Range(0.0, 1.0))
@@ -104,8 +105,9 @@ void add_truth(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_option("-o,--output", o.output, "The file: .png (8 bit) or .pfm (float); 1 lit to 0 in shadow")
         ->required()
         ->type_name("OUT");
-    auto* area = c->add_flag("--area", o.truth.truth.area, "Give the light its size (light.size); else it is a point or a direction. As --set "
-                                       "truth.area=true");
+    auto* area = c->add_flag("--area", o.truth.truth.area,
+                             "Give the light its size (light.size); else it is a point or a direction. As --set "
+                             "truth.area=true");
     c->add_flag("--as-rasterised", o.truth.truth.as_rasterised,
                 "Leave out the faces that culling leaves out of the shadow map (caster.cull)");
     auto* samples = c->add_option("--samples", o.truth.truth.samples,
@@ -136,14 +138,15 @@ void add_truth(CLI::App& app, Options& o, std::function<void()>& run) {
 }
 
 void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("measure",
-                                 "Compare a light's shadows with the ray-traced truth, and say what they cost, in numbers");
+    auto* c = app.add_subcommand(
+        "measure", "Compare a light's shadows with the ray-traced truth, and say what they cost, in numbers");
     add_session_options(*c, o.session, true);
     c->add_flag("--area", o.area,
                 "Against a light of its size (light.size), not a point or direction. As --set truth.area=true");
     c->add_flag("!--no-time", o.measure.time, "Take no times");
-    c->add_flag("--cures", o.measure.cures,
-                "Draw and judge what may put wrong pixels right: pixels cured and broken, time and bytes of each change");
+    c->add_flag(
+        "--cures", o.measure.cures,
+        "Draw and judge what may put wrong pixels right: pixels cured and broken, time and bytes of each change");
     add_size(*c, o, "1280x720");
     c->add_flag("--json", o.json, "All numbers as JSON");
     c->callback([&o, &run] {
@@ -247,9 +250,7 @@ void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_flag("--no-state", o.no_state,
                 "Neither read nor keep layout, recent files and autosaves "
                 "($XDG_STATE_HOME/shadow-inspector, by default below ~/.local/state)");
-    c->callback([&o, &run] {
-        run = [&o] { start_editor(o); };
-    });
+    c->callback([&o, &run] { run = [&o] { start_editor(o); }; });
 }
 
 void add_others(CLI::App& app, Options& o, std::function<void()>& run) {

@@ -68,9 +68,10 @@ void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
                   "Search kernels and resolutions for the most accurate whose frame takes at most this long")
         ->check(CLI::PositiveNumber)
         ->type_name("MS");
-    c->add_option("--error", o.tune.error,
-                  "What --max-error bounds: mae (default), rmse, false_shadow, false_light, leak or boundary_px_mean, as "
-                  "`measure --json` names them")
+    c->add_option(
+         "--error", o.tune.error,
+         "What --max-error bounds: mae (default), rmse, false_shadow, false_light, leak or boundary_px_mean, as "
+         "`measure --json` names them")
         ->type_name("NAME");
     c->add_flag("--area", o.area, kAreaHelp);
     c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");

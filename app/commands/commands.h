@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/session/session.h"
-#include "renderer/reference/truth.h"
 #include "app/sweep/timing.h"
+#include "renderer/reference/truth.h"
 
 namespace si {
 

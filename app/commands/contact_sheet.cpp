@@ -6,10 +6,10 @@
 #include <array>
 #include <filesystem>
 
-#include "app/commands/commands.h"
-#include "app/context/headless_context.h"
 #include "app/base/notes.h"
 #include "app/base/output.h"
+#include "app/commands/commands.h"
+#include "app/context/headless_context.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/renderer.h"
 

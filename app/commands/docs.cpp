@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "app/commands/commands.h"
 #include "app/base/output.h"
+#include "app/commands/commands.h"
 #include "app/session/setting_json.h"
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"

@@ -1,11 +1,11 @@
 // The tour of the guided presets (docs/presets.md).
 #include <fmt/format.h>
 
-#include "app/session/command_line.h"
 #include "app/commands/commands.h"
+#include "app/session/command_line.h"
 #include "app/session/presets.h"
-#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {

@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
-#include "app/commands/commands.h"
-#include "app/context/headless_context.h"
 #include "app/base/notes.h"
 #include "app/base/output.h"
+#include "app/commands/commands.h"
+#include "app/context/headless_context.h"
 #include "app/report/report.h"
 #include "renderer/base/error.h"
+#include "renderer/frame/renderer.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/settings/param.h"
-#include "renderer/frame/renderer.h"
 
 namespace si {
 
@@ -34,7 +34,8 @@ void run_info(bool json) {
     const auto formats = find_setting("map.format")->param->choices();
     for (std::size_t i = 0; i < formats.size(); ++i) {
         const PolygonOffset& o = d.offset[i];
-        fmt::print("{:<15}{:<6} 1 unit is {}, slope by the {} (x {:.3f})\n", i == 0 ? "polygon offset" : "", formats[i].key,
+        fmt::print("{:<15}{:<6} 1 unit is {}, slope by the {} (x {:.3f})\n", i == 0 ? "polygon offset" : "",
+                   formats[i].key,
                    o.unit_depth > 0 ? fmt::format("{:.4g} of depth", o.unit_depth)
                                     : fmt::format("{:.4g} steps of depth", o.unit_steps),
                    o.slope_is_length ? "length" : "larger axis", o.slope_gain);

@@ -4,13 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/session/presets.h"
 #include "app/report/report.h"
-#include "app/session/setting_json.h"
 #include "app/report/views.h"
+#include "app/session/presets.h"
+#include "app/session/setting_json.h"
 #include "renderer/base/error.h"
-#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
 #include "renderer/settings/techniques.h"
 
 namespace si {

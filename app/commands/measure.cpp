@@ -1,17 +1,18 @@
+#include "renderer/measure/measure.h"
+
 #include <fmt/format.h>
 
 #include <optional>
 #include <utility>
 
-#include "app/commands/commands.h"
-#include "app/report/cures_json.h"
-#include "app/context/headless_context.h"
-#include "app/report/measure_json.h"
 #include "app/base/notes.h"
+#include "app/commands/commands.h"
+#include "app/context/headless_context.h"
+#include "app/report/cures_json.h"
+#include "app/report/measure_json.h"
 #include "app/report/report.h"
 #include "app/sweep/progress_line.h"
 #include "renderer/measure/artefact_picture.h"
-#include "renderer/measure/measure.h"
 
 namespace si {
 namespace {
@@ -37,15 +38,16 @@ void print_error(const ErrorMetrics& m, const Truth& truth) {
     share("  outside the map", m.outside_false_light, "of it: the map holds nothing there");
     share("any acne", m.any_acne, "fully lit in truth, at all darker, and more bias lights it");
     share("outside the map", m.outside_map, "surfaces that the map does not hold, right or wrong");
-    if (m.within_noise > 0) share("within the noise", m.within_noise, "differ, but the truth is too noisy to call them wrong");
+    if (m.within_noise > 0)
+        share("within the noise", m.within_noise, "differ, but the truth is too noisy to call them wrong");
     fmt::print("  pixels by cause:");
     const char* comma = "";
     for (const ArtefactStyle& style : artefact_styles())
         if (const std::size_t pixels = m.artefacts[std::size_t(style.artefact)]; pixels > 0)
             fmt::print("{} {} {}", std::exchange(comma, ","), style.label, pixels);
     fmt::print("{}\n", *comma ? "" : " none is wrong");
-    fmt::print("  mean |V - truth| {:.5f}, root mean square {:.5f}, mean {:+.5f}, overlap of the shadows {:.4f}\n", m.mae,
-               m.rmse, m.signed_mean, m.iou);
+    fmt::print("  mean |V - truth| {:.5f}, root mean square {:.5f}, mean {:+.5f}, overlap of the shadows {:.4f}\n",
+               m.mae, m.rmse, m.signed_mean, m.iou);
     fmt::print("  edges are off by {:.3f} px on average, {:.3f} px for 95 %, {:.3f} px at most\n", m.boundary_px_mean,
                m.boundary_px_p95, m.boundary_px_max);
 }
@@ -53,10 +55,11 @@ void print_error(const ErrorMetrics& m, const Truth& truth) {
 void print_time_and_cost(const std::optional<TimeMeasurement>& time, const WorkCost& cost) {
     if (time) {
         const Spread& t = time->total_ms;
-        fmt::print("{:.3g} ms a frame within this run ({:.3g} to {:.3g}: 95 % interval of the median of {} frames in {} "
-                   "bursts over {:.1f} s, {}; 95 % of frames below {:.3g}; {})\n",
-                   t.median, t.median_low, t.median_high, t.samples, t.bursts, time->seconds,
-                   time->settled ? "settled" : "not settled", t.p95, time->clock);
+        fmt::print(
+            "{:.3g} ms a frame within this run ({:.3g} to {:.3g}: 95 % interval of the median of {} frames in {} "
+            "bursts over {:.1f} s, {}; 95 % of frames below {:.3g}; {})\n",
+            t.median, t.median_low, t.median_high, t.samples, t.bursts, time->seconds,
+            time->settled ? "settled" : "not settled", t.p95, time->clock);
         for (const PassTime& pass : time->passes)
             fmt::print("  {:<32} {:>9.3g} ms   95 % below {:.3g}\n", pass.name, pass.gpu_ms.median, pass.gpu_ms.p95);
     }

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <system_error>
 
-#include "app/commands/commands.h"
-#include "app/editor/editor.h"
-#include "app/context/headless_context.h"
-#include "app/report/map_report.h"
 #include "app/base/notes.h"
+#include "app/commands/commands.h"
+#include "app/context/headless_context.h"
+#include "app/editor/editor.h"
+#include "app/report/map_report.h"
 #include "app/report/views.h"
 #include "renderer/base/error.h"
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "app/commands/commands.h"
 #include "app/base/notes.h"
 #include "app/base/output.h"
-#include "app/session/preset_diff.h"
+#include "app/commands/commands.h"
 #include "app/report/report.h"
+#include "app/session/preset_diff.h"
 #include "app/session/setting_json.h"
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"

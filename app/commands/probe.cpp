@@ -1,21 +1,21 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <utility>
 #include <cmath>
 #include <memory>
+#include <utility>
 
-#include "app/commands/commands.h"
-#include "app/report/cures_json.h"
-#include "app/context/headless_context.h"
 #include "app/base/notes.h"
+#include "app/commands/commands.h"
+#include "app/context/headless_context.h"
+#include "app/report/cures_json.h"
 #include "app/report/probe_json.h"
 #include "app/report/report.h"
 #include "app/report/views.h"
 #include "renderer/base/error.h"
-#include "renderer/settings/param.h"
-#include "renderer/reference/truth_scene.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/reference/truth_scene.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -67,7 +67,8 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
 /// @param endless what an infinite amount is called
 void print_amount(const char* name, const DepthAmount& a, const char* about = "", const char* endless = "infinite") {
     if (std::isfinite(a.depth))
-        fmt::print("    {:<18} {:>10.4g} texels {:>11.4g} m {:>12.5g} of depth   {}\n", name, a.texels, a.metres, a.depth, about);
+        fmt::print("    {:<18} {:>10.4g} texels {:>11.4g} m {:>12.5g} of depth   {}\n", name, a.texels, a.metres,
+                   a.depth, about);
     else
         fmt::print("    {:<18} {:>10}                                       {}\n", name, endless, about);
 }
@@ -77,7 +78,8 @@ void print_dossier(const Probe::PerLight& p, const Dossier& d) {
     if (d.remedy) {
         fmt::print("  remedy: {} (", d.remedy->text);
         const char* space = "";
-        for (const auto& [key, value] : d.remedy->settings) fmt::print("{}--set {}={}", std::exchange(space, " "), key, value);
+        for (const auto& [key, value] : d.remedy->settings)
+            fmt::print("{}--set {}={}", std::exchange(space, " "), key, value);
         fmt::print(")\n");
     }
     if (!p.casts) return;
@@ -86,7 +88,8 @@ void print_dossier(const Probe::PerLight& p, const Dossier& d) {
     print_amount("constant", a.amount(a.constant));
     print_amount("slope", a.amount(a.slope));
     print_amount("normal offset", a.amount(a.normal));
-    if (a.raster != 0) print_amount("while drawing", a.amount(a.raster), "bias.raster_*, the least that a driver may add");
+    if (a.raster != 0)
+        print_amount("while drawing", a.amount(a.raster), "bias.raster_*, the least that a driver may add");
     print_amount("worth in all", d.has, "against acne");
     print_amount("least needed", d.least, "of kernel, format, sub-pixel grid and single precision:");
     print_amount("  kernel", a.amount(a.least.kernel));
@@ -96,7 +99,8 @@ void print_dossier(const Probe::PerLight& p, const Dossier& d) {
     print_amount("moved to the light", d.lifted, "a surface nearer than this is lost");
     print_amount("nearest the light", d.occluder, "the surface that shadows this one", "none");
     fmt::print("  truth: {}", d.truth.lit ? "lit" : "dark");
-    if (d.truth.share > 0 && d.truth.share < 1) fmt::print(", {:.1f} % of the light seen (light.size)", 100 * d.truth.share);
+    if (d.truth.share > 0 && d.truth.share < 1)
+        fmt::print(", {:.1f} % of the light seen (light.size)", 100 * d.truth.share);
     if (!std::isfinite(d.least.depth))
         fmt::print("; no bias window: the light sees the surface edge-on\n");
     else if (!std::isfinite(d.occluder.depth))
@@ -126,8 +130,8 @@ std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size
 
 namespace {
 
-std::vector<Dossier> dossiers(const Probe& probe, const Scene& scene, const Settings& settings, const DriverInfo& driver,
-                              const TruthScene& casters) {
+std::vector<Dossier> dossiers(const Probe& probe, const Scene& scene, const Settings& settings,
+                              const DriverInfo& driver, const TruthScene& casters) {
     std::vector<Dossier> out;
     const auto traits = object_traits(scene, settings);
     for (const Probe::PerLight& light : probe.lights)
@@ -163,7 +167,8 @@ void run_probe(const ProbeOptions& options) {
     std::vector<Dossier> found;
     std::optional<CureTable> table;
     if (options.truth && probe.hit) {
-        const auto casters = std::make_shared<const TruthScene>(std::make_shared<TruthGeometry>(session.scene, session.settings));
+        const auto casters =
+            std::make_shared<const TruthScene>(std::make_shared<TruthGeometry>(session.scene, session.settings));
         found = dossiers(probe, session.scene, session.settings, renderer.driver(), *casters);
         table = cures(renderer, session, probe, found, casters);
     }

@@ -2,18 +2,18 @@
 
 #include <charconv>
 
-#include "app/report/against.h"
-#include "app/commands/commands.h"
-#include "app/context/headless_context.h"
-#include "app/report/map_report.h"
 #include "app/base/notes.h"
 #include "app/base/output.h"
-#include "app/session/presets.h"
+#include "app/commands/commands.h"
+#include "app/context/headless_context.h"
+#include "app/report/against.h"
+#include "app/report/map_report.h"
 #include "app/report/report.h"
 #include "app/report/views.h"
+#include "app/session/presets.h"
 #include "renderer/base/error.h"
-#include "renderer/reference/truth_picture.h"
 #include "renderer/inspect/lost_casters.h"
+#include "renderer/reference/truth_picture.h"
 
 namespace si {
 
@@ -68,9 +68,10 @@ void run_render(const RenderOptions& options) {
     check_view_file(view, options.output);
     const bool against = !options.against.empty();
     if (against && view.key != "shaded")
-        throw UsageError(fmt::format("--against: it holds the picture itself against another, not the view '{}'; leave out "
-                                     "--view",
-                                     view.key));
+        throw UsageError(
+            fmt::format("--against: it holds the picture itself against another, not the view '{}'; leave out "
+                        "--view",
+                        view.key));
     if (!options.report.empty()) require_writable(options.report);
     std::optional<Settings> other;
     if (against && options.against != "truth") other = load_preset(options.against).settings;

@@ -5,8 +5,8 @@
 #include <functional>
 #include <numbers>
 
-#include "app/commands/commands.h"
 #include "app/base/notes.h"
+#include "app/commands/commands.h"
 #include "app/report/report.h"
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/builtin.h"
@@ -161,7 +161,8 @@ void print_facts(const Json& f) {
     print_list("lights", f["lights"], [](const Json& l) {
         std::string line = fmt::format("{}: {}, intensity {:.6g}, at {}", name_or(l), l["type"].get<std::string>(),
                                        l["intensity"].get<double>(), triple(l["position"]));
-        if (l.contains("range") && !l["range"].is_null()) line += fmt::format(", range {:.6g} m", l["range"].get<double>());
+        if (l.contains("range") && !l["range"].is_null())
+            line += fmt::format(", range {:.6g} m", l["range"].get<double>());
         return line;
     });
     if (f["file_scenes"].size() > 1) {

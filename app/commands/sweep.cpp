@@ -2,10 +2,10 @@
 
 #include <chrono>
 
-#include "app/commands/commands.h"
-#include "app/context/headless_context.h"
 #include "app/base/interrupt.h"
 #include "app/base/notes.h"
+#include "app/commands/commands.h"
+#include "app/context/headless_context.h"
 #include "app/sweep/files.h"
 #include "app/sweep/merge.h"
 #include "app/sweep/progress_line.h"
@@ -60,7 +60,8 @@ void run_sweep(const SweepOptions& options) {
     if (!options.fresh) require_sweep_folder(folder);
     SessionPlan opened = plan_session(options.session);
     Session session = compose_session(opened, load_scene(opened.scene_name, scene_options(opened)));
-    SweepSpec spec = sweep_spec(session.scene_name, session.scene, session.settings, std::move(axes), options.size.width, options.size.height);
+    SweepSpec spec = sweep_spec(session.scene_name, session.scene, session.settings, std::move(axes),
+                                options.size.width, options.size.height);
     spec.shard = shard;
     SweepPlan plan = plan_sweep(spec.base, spec.axes);
     CaseSessions sessions(std::move(opened));
@@ -76,7 +77,8 @@ void run_sweep(const SweepOptions& options) {
     const HeadlessContext context;
     Renderer renderer;
     InterruptGuard interrupt;
-    RunningSweep sweep({std::move(sessions), std::move(spec), std::move(plan), timing, options.retry, folder}, renderer);
+    RunningSweep sweep({std::move(sessions), std::move(spec), std::move(plan), timing, options.retry, folder},
+                       renderer);
     run_steps(sweep, interrupt);
     const Json results = write_sweep_files(folder, sweep.state(), sweep.of().plan);
     if (interrupt.asked()) {
@@ -84,7 +86,8 @@ void run_sweep(const SweepOptions& options) {
             stderr,
             "shadow-inspector: interrupted after {} of {} cases; what is done is in {}, the same command goes on "
             "from there\n",
-            results.at("finished").get<int>() + results.at("failed").get<int>(), sweep.of().plan.cases.size(), folder.string());
+            results.at("finished").get<int>() + results.at("failed").get<int>(), sweep.of().plan.cases.size(),
+            folder.string());
         interrupt.end();
     }
     print_result(results, folder);

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
+#include "app/base/notes.h"
+#include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
 #include "app/report/measure_json.h"
-#include "app/base/notes.h"
-#include "app/base/output.h"
 #include "app/report/report.h"
 #include "app/report/views.h"
 #include "renderer/base/error.h"

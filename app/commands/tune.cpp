@@ -2,12 +2,12 @@
 
 #include <chrono>
 
-#include "app/commands/commands.h"
-#include "app/context/headless_context.h"
 #include "app/base/interrupt.h"
-#include "app/report/measure_json.h"
 #include "app/base/notes.h"
 #include "app/base/output.h"
+#include "app/commands/commands.h"
+#include "app/context/headless_context.h"
+#include "app/report/measure_json.h"
 #include "app/report/report.h"
 #include "app/session/setting_json.h"
 #include "app/sweep/progress_line.h"
@@ -61,8 +61,10 @@ Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& afte
                  {"candidates", Json::array()},
                  {"settings", Json::object()}};
     for (const BiasFound& f : search.tried()) {
-        Json row = {{"family", family_word(f.family)}, {"chosen", search.best() && search.best()->family == f.family},
-                    {"no_acne", f.trial.acne() == 0}, {"of_theory", f.factor}};
+        Json row = {{"family", family_word(f.family)},
+                    {"chosen", search.best() && search.best()->family == f.family},
+                    {"no_acne", f.trial.acne() == 0},
+                    {"of_theory", f.factor}};
         row["bias"] = bias_json(f.bias);
         row.update(trial_json(f.trial));
         json["families"].push_back(std::move(row));
@@ -87,17 +89,21 @@ Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& afte
 void print_tuned(const Tuner& tuner) {
     const BiasSearch& search = tuner.bias();
     if (!search.tried().empty())
-        fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>11} {:>11}\n", "tried", "wrong px", "lost px", "acne px", "strip", "edge shift");
+        fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>11} {:>11}\n", "tried", "wrong px", "lost px", "acne px", "strip",
+                   "edge shift");
     for (const BiasFound& f : search.tried())
         fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>9.3g} m {:>9.3g} m  {}{}\n", family_word(f.family), f.trial.wrong(),
-                   f.trial.lost(), f.trial.acne(), f.trial.needs.gap_p95_m, f.trial.needs.shift_p95_m, bias_text(f.bias),
-                   search.best() && search.best()->family == f.family ? "  chosen" : "");
+                   f.trial.lost(), f.trial.acne(), f.trial.needs.gap_p95_m, f.trial.needs.shift_p95_m,
+                   bias_text(f.bias), search.best() && search.best()->family == f.family ? "  chosen" : "");
     for (const TuneCandidate& c : tuner.candidates()) {
         const std::string error = c.trial ? fmt::format("{:.5f}", c.error) : "-";
         const std::string ms = c.ms ? fmt::format("{:.3g} ms", *c.ms) : "-";
         fmt::print("  {:<14} {:>5}²  error {:>8}  {:>9}  {}\n", filters()[std::size_t(c.settings.filter.kernel)].key,
                    c.settings.map.resolution, error, ms,
-                   &c == tuner.best() ? "chosen" : c.meets ? "within the limits" : c.trial && !c.clear ? "acne remains" : "");
+                   &c == tuner.best()    ? "chosen"
+                   : c.meets             ? "within the limits"
+                   : c.trial && !c.clear ? "acne remains"
+                                         : "");
     }
     fmt::print("{}\n", tuner.summary());
 }
@@ -120,8 +126,8 @@ void run_tune(const TuneOptions& options) {
     try {
         ProgressLine line;
         const Workers workers{.stop = stop.get_token(), .progress = [&](double) {
-            if (interrupt.asked()) stop.request_stop();
-        }};
+                                  if (interrupt.asked()) stop.request_stop();
+                              }};
         tuner = run_tuning(renderer, session.scene, job, workers, [&](const Tuner& t) {
             if (interrupt.asked()) stop.request_stop();
             line.show(fmt::format("{:3.0f} %  {}", 100 * t.progress(), t.about()), false);

@@ -132,7 +132,8 @@ int WindowContext::framebuffer_height() const {
 
 std::pair<int, int> WindowContext::size() const {
     const float scale = content_scale();
-    return {int(std::lround(float(framebuffer_width()) / scale)), int(std::lround(float(framebuffer_height()) / scale))};
+    return {int(std::lround(float(framebuffer_width()) / scale)),
+            int(std::lround(float(framebuffer_height()) / scale))};
 }
 
 bool WindowContext::maximised() const {

@@ -32,9 +32,12 @@ namespace {
 
 std::string label_of(const CompareWith& with) {
     switch (with.kind) {
-        case CompareKind::Scene: return "the scene's own settings";
-        case CompareKind::Defaults: return "the program's defaults";
-        case CompareKind::Preset: break;
+        case CompareKind::Scene:
+            return "the scene's own settings";
+        case CompareKind::Defaults:
+            return "the program's defaults";
+        case CompareKind::Preset:
+            break;
     }
     return with.preset;
 }
@@ -80,8 +83,9 @@ void EditorAgainst::find_difference(Renderer& renderer, const FrameResult& frame
     facts_->mae = mean_difference(a, b);
 }
 
-bool EditorAgainst::update(Renderer& renderer, const Scene& scene, const EditorState& state, const FrameRequest& request,
-                           const FrameResult& frame, bool drawn, const ComparisonFacts* comparison) {
+bool EditorAgainst::update(Renderer& renderer, const Scene& scene, const EditorState& state,
+                           const FrameRequest& request, const FrameResult& frame, bool drawn,
+                           const ComparisonFacts* comparison) {
     const bool had = facts_.has_value();
     if (state.against.view == AgainstView::Off) {
         clear();

@@ -6,21 +6,28 @@
 
 namespace si {
 
-void EditorCures::start(const Scene& scene, const Settings& settings, int width, int height, std::optional<glm::ivec2> pixel,
-                        std::vector<CureIdea> own) {
+void EditorCures::start(const Scene& scene, const Settings& settings, int width, int height,
+                        std::optional<glm::ivec2> pixel, std::vector<CureIdea> own) {
     found_.reset();
     CureOptions options{.pixel = pixel, .time = true, .more = std::move(own)};
     if (!pixel) options.truth = truth_options(settings);  // a dossier speaks of a light without size
     job_.start({"the present settings", 0}, [copy = std::make_shared<const Scene>(scene), settings, width, height,
                                              options](const Workers& workers, const auto& report) {
-        CureOutcome out{.table = {}, .problem = {}, .scene = copy->id, .settings = settings, .width = width, .height = height,
+        CureOutcome out{.table = {},
+                        .problem = {},
+                        .scene = copy->id,
+                        .settings = settings,
+                        .width = width,
+                        .height = height,
                         .pixel = options.pixel};
         try {
             const HeadlessContext context;
             Renderer renderer;
             TruthCache cache;
             out.table = find_cures(renderer, *copy, settings, width, height, options, cache, workers,
-                                   [&](double share, const std::string& what) { report({what, share}); });
+                                   [&](double share, const std::string& what) {
+                                       report({what, share});
+                                   });
         } catch (const Cancelled&) {
             out.problem = "The search for cures was cancelled";
         } catch (const std::exception& e) {

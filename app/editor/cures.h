@@ -11,7 +11,7 @@ struct CureOutcome {
     CureTable table;
     std::string problem;  ///< why there is no table
     std::uint64_t scene = 0;
-    Settings settings;    ///< that it is about
+    Settings settings;  ///< that it is about
     int width = 0, height = 0;
     std::optional<glm::ivec2> pixel;
 };

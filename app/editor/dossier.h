@@ -1,4 +1,5 @@
-// The truth of the probed pixel, for the editor: the hierarchy of rays is built in the background, a few rays then answer.
+// The truth of the probed pixel, for the editor: the hierarchy of rays is built in the background, a few rays then
+// answer.
 #pragma once
 
 #include <future>
@@ -19,7 +20,8 @@ public:
     EditorDossier(const EditorDossier&) = delete;
     EditorDossier& operator=(const EditorDossier&) = delete;
 
-    /// @param probe null: none. `fresh`: it is another one than at the last call. Returns whether dossiers came or went.
+    /// @param probe null: none. `fresh`: it is another one than at the last call. Returns whether dossiers came or
+    /// went.
     /// @throws Error when the hierarchy cannot be built
     bool update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings, const DriverInfo& driver);
     std::span<const Dossier> dossiers() const { return dossiers_; }

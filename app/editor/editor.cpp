@@ -13,20 +13,20 @@
 #include <chrono>
 #include <vector>
 
-#include "app/editor/model.h"
-#include "app/editor/headless_editor.h"
-#include "app/context/imgui_session.h"
 #include "app/base/output.h"
+#include "app/context/imgui_session.h"
 #include "app/context/window_context.h"
+#include "app/editor/headless_editor.h"
+#include "app/editor/model.h"
 #include "renderer/base/error.h"
 
 namespace si {
 namespace {
 
-constexpr double kPollSeconds = 0.4;  ///< between looks at shader files and blinks of a text cursor
+constexpr double kPollSeconds = 0.4;          ///< between looks at shader files and blinks of a text cursor
 constexpr double kLoadingPollSeconds = 0.05;  ///< between looks at what is being read, measured or traced
-constexpr int kSettleFrames = 3;      ///< frames that ImGui takes to settle after input
-constexpr float kDoubleClickSeconds = 0.3f;  ///< between its presses, where frames are fast
+constexpr int kSettleFrames = 3;              ///< frames that ImGui takes to settle after input
+constexpr float kDoubleClickSeconds = 0.3f;   ///< between its presses, where frames are fast
 
 /// ImGui's hold on the window's callbacks.
 struct WindowInput {
@@ -78,7 +78,8 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         if (due > 0)
             window.poll_events();
         else
-            window.wait_events(model.loading() || model.measuring() || model.tracing() ? kLoadingPollSeconds : kPollSeconds);
+            window.wait_events(model.loading() || model.measuring() || model.tracing() ? kLoadingPollSeconds
+                                                                                       : kPollSeconds);
         if (window.take_input()) due = kSettleFrames;
         for (const auto& path : window.take_dropped()) model.open(path), due = kSettleFrames;
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);

@@ -11,10 +11,10 @@
 namespace si {
 
 struct EditorOptions {
-    SessionOptions session;        ///< the first scene and its settings
-    std::filesystem::path preset;  ///< where Ctrl+S saves; may be empty
+    SessionOptions session;              ///< the first scene and its settings
+    std::filesystem::path preset;        ///< where Ctrl+S saves; may be empty
     std::filesystem::path state_folder;  ///< where layout, recent files and autosaves are kept; empty: nowhere
-    bool headless = false;         ///< draw through EGL and write `screenshot`; needs no display
+    bool headless = false;               ///< draw through EGL and write `screenshot`; needs no display
     std::filesystem::path screenshot;
     int width = 1600, height = 900;  ///< of the window, or of the screenshot in pixels
     bool size_given = false;         ///< a window has this size whatever was kept

@@ -6,9 +6,9 @@
 #include <memory>
 #include <optional>
 
-#include "app/editor/model.h"
 #include "app/context/headless_context.h"
 #include "app/context/imgui_session.h"
+#include "app/editor/model.h"
 
 namespace si {
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "app/base/output.h"
+#include "app/report/views.h"
 #include "app/session/presets.h"
 #include "app/session/session.h"
-#include "app/report/views.h"
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
@@ -38,8 +38,9 @@ Settings rebased(const Settings& settings, const Settings& from, const Settings&
 
 BottomTab tab_named(const std::string& name) {
     static const std::vector<std::pair<std::string, BottomTab>> kTabs = {
-        {"passes", BottomTab::Passes},   {"probe", BottomTab::Probe},       {"error", BottomTab::Error}, {"objects", BottomTab::Objects},
-        {"compare", BottomTab::Compare}, {"frontier", BottomTab::Frontier}, {"log", BottomTab::Log}};
+        {"passes", BottomTab::Passes},   {"probe", BottomTab::Probe},     {"error", BottomTab::Error},
+        {"objects", BottomTab::Objects}, {"compare", BottomTab::Compare}, {"frontier", BottomTab::Frontier},
+        {"log", BottomTab::Log}};
     std::string names;
     for (const auto& [key, tab] : kTabs) {
         if (key == name || name.empty()) return tab;
@@ -49,7 +50,10 @@ BottomTab tab_named(const std::string& name) {
 }
 
 EditorModel::EditorModel(const EditorOptions& options, SceneReader read)
-    : strict_(options.headless), memory_(options.state_folder), loading_(std::move(read)), sweep_(options.state_folder) {
+    : strict_(options.headless),
+      memory_(options.state_folder),
+      loading_(std::move(read)),
+      sweep_(options.state_folder) {
     SessionPlan plan = plan_session(options.session);
     state.settings = base_ = plan.settings;
     state.history.reset(state.settings);
@@ -339,7 +343,8 @@ bool EditorModel::follow_truth(const EditorActions& actions, bool drawn) {
     const bool was_busy = truth_.busy();
     const EditorTruth::Wishes wishes{actions.cancel_truth, actions.save_error};
     bool changed = truth_.update(renderer_, scene_, drawn_settings_, request_, result_, drawn, wishes);
-    if (!was_busy && truth_.busy()) drawn_scene_ = 0;  // it drew another request: the map viewer's depth is to be drawn anew
+    if (!was_busy && truth_.busy())
+        drawn_scene_ = 0;  // it drew another request: the map viewer's depth is to be drawn anew
     if (const std::string remark = truth_.take_remark(); !remark.empty()) state.log.add(LogKind::Info, remark);
     changed |= against_.update(renderer_, scene_, state, request_, result_, drawn, comparison_);
     return changed;

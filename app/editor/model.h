@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "app/session/command_line.h"
-#include "app/editor/editor.h"
 #include "app/editor/against.h"
+#include "app/editor/cures.h"
+#include "app/editor/editor.h"
 #include "app/editor/memory.h"
+#include "app/editor/preset_desk.h"
 #include "app/editor/readings.h"
 #include "app/editor/sweep.h"
-#include "app/editor/cures.h"
-#include "app/editor/tuner.h"
 #include "app/editor/truth.h"
-#include "app/editor/preset_desk.h"
+#include "app/editor/tuner.h"
+#include "app/session/command_line.h"
 #include "app/session/scene_loading.h"
 #include "app/session/session.h"
 #include "renderer/frame/renderer.h"
@@ -132,8 +132,8 @@ private:
     std::vector<std::string> notes_;
     Settings base_;
     SceneSettings posed_;
-    int file_scene_ = -1;   ///< scene.index of what is shown
-    int seen_index_ = -1;   ///< scene.index as last acted upon
+    int file_scene_ = -1;  ///< scene.index of what is shown
+    int seen_index_ = -1;  ///< scene.index as last acted upon
     PresetDesk desk_;
     Settings given_;  ///< as scene or preset brought them
     bool unsaved_ = false;

@@ -143,8 +143,7 @@ bool EditorReadings::update_frozen(Renderer& renderer, const Scene& scene, const
     frozen_usage_.emplace();  // without a map nothing is read
     if (result.map_coordinates.texture == 0) return true;
     const FloatImage coordinates = renderer.read_float(result.map_coordinates, 4);
-    frozen_usage_ =
-        texel_usage(coordinates, state.settings, result.map_resolution, shown_face(state.settings, result));
+    frozen_usage_ = texel_usage(coordinates, state.settings, result.map_resolution, shown_face(state.settings, result));
     return true;
 }
 

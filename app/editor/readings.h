@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/editor/dossier.h"
-#include "renderer/inspect/probe.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/inspect/probe.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "app/session/command_line.h"
-#include "app/sweep/measuring_thread.h"
 #include "app/sweep/files.h"
 #include "app/sweep/measured_cases.h"
+#include "app/sweep/measuring_thread.h"
 #include "app/sweep/progress_line.h"
 #include "app/sweep/results.h"
 #include "renderer/base/error.h"
@@ -145,7 +145,8 @@ void EditorSweep::open(const fs::path& folder, SweepPanel& panel) {
     opened_ = true;
     panel.width = spec.width, panel.height = spec.height, panel.area = spec.area;
     panel.axes.clear();
-    for (const SweepAxis& axis : spec.axes) panel.axes.push_back({axis.key, fmt::format("{}", fmt::join(axis.values, ","))});
+    for (const SweepAxis& axis : spec.axes)
+        panel.axes.push_back({axis.key, fmt::format("{}", fmt::join(axis.values, ","))});
     panel.chosen.reset();
 }
 
@@ -236,8 +237,8 @@ bool EditorSweep::update(const EditorState& state) {
         facts_.present.reset();
         if (!present_.is_null() && followed_) facts_.present = measured_case(present_);
     }
-    facts_.view = frontier_view(results_.is_null() ? Json::array() : results_.at("rows"),
-                                followed_ ? present_ : Json(), state.sweep.cost, state.sweep.error);
+    facts_.view = frontier_view(results_.is_null() ? Json::array() : results_.at("rows"), followed_ ? present_ : Json(),
+                                state.sweep.cost, state.sweep.error);
     seen_cost_ = state.sweep.cost, seen_error_ = state.sweep.error;
     fresh_ = false;
     return true;

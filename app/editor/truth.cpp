@@ -8,8 +8,8 @@
 #include <future>
 #include <thread>
 
-#include "app/report/measure_json.h"
 #include "app/base/output.h"
+#include "app/report/measure_json.h"
 #include "app/report/report.h"
 #include "renderer/base/error.h"
 #include "renderer/reference/error_task.h"
@@ -24,10 +24,14 @@ int tracing_threads() {
 
 nlohmann::ordered_json saved_error(const MeasuredError& measured) {
     const Truth& truth = *measured.traced.truth;
-    nlohmann::ordered_json json = {{"format", "shadow-inspector-measurement"}, {"version", 1},
-                                   {"light", measured.light},                  {"width", measured.picture.x},
-                                   {"height", measured.picture.y},             {"map_resolution", measured.map_resolution},
-                                   {"area", truth.is_area()},                  {"step", truth.step},
+    nlohmann::ordered_json json = {{"format", "shadow-inspector-measurement"},
+                                   {"version", 1},
+                                   {"light", measured.light},
+                                   {"width", measured.picture.x},
+                                   {"height", measured.picture.y},
+                                   {"map_resolution", measured.map_resolution},
+                                   {"area", truth.is_area()},
+                                   {"step", truth.step},
                                    {"truth_noise", truth.noise}};
     json["truth"] = truth_quality_json(truth);
     json["error"] = error_json(measured.metrics);
@@ -102,8 +106,8 @@ bool EditorTruth::poll() {
 
 void EditorTruth::start_trace(Renderer& renderer, const Scene& scene, const Settings& settings,
                               const FrameRequest& request) {
-    auto task = std::make_shared<TruthTask>(
-        truth_task(renderer, scene, settings, request, settings.view.light, truth_options(settings), cache_.geometry()));
+    auto task = std::make_shared<TruthTask>(truth_task(renderer, scene, settings, request, settings.view.light,
+                                                       truth_options(settings), cache_.geometry()));
     const std::uint64_t key = task->key;
     launch("Tracing rays", key, [this, task = std::move(task)](const Workers& workers) {
         return Outcome{truth_picture(*task, cache_.trace(*task, workers)), {}};

@@ -1,5 +1,5 @@
-// The ray-traced truth in the editor: traced in the background while something that is shown asks for it, so that numbers
-// and overlays follow bias and kernel at once.
+// The ray-traced truth in the editor: traced in the background while something that is shown asks for it, so that
+// numbers and overlays follow bias and kernel at once.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace si {
 
-/// One thread computes at a time; what is no longer wanted is cancelled, and the next starts when it has ended. Nothing but
-/// wait() and the destructor blocks. All calls from the renderer's thread.
+/// One thread computes at a time; what is no longer wanted is cancelled, and the next starts when it has ended. Nothing
+/// but wait() and the destructor blocks. All calls from the renderer's thread.
 class EditorTruth {
 public:
     EditorTruth();
@@ -24,11 +24,12 @@ public:
     std::shared_ptr<const TruthPicture> picture() const { return picture_; }
 
     struct Wishes {
-        bool cancel = false;                      ///< forget it until something changes
-        std::optional<std::string> save_error;    ///< all metrics of the frame as JSON into this file
+        bool cancel = false;                    ///< forget it until something changes
+        std::optional<std::string> save_error;  ///< all metrics of the frame as JSON into this file
     };
-    /// Starts what `frame` lacks and takes what is done. @param drawn the frame is a new one: while frames follow each other
-    /// (a drag), nothing is started. Returns whether the scene is to be drawn anew, or the facts changed. @throws Error
+    /// Starts what `frame` lacks and takes what is done. @param drawn the frame is a new one: while frames follow each
+    /// other (a drag), nothing is started. Returns whether the scene is to be drawn anew, or the facts changed. @throws
+    /// Error
     bool update(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const Wishes& wishes);
     /// There is no frame.
@@ -56,11 +57,11 @@ private:
 
     TruthCache cache_;  ///< used by the job while there is one
     std::shared_ptr<const TruthPicture> picture_;
-    std::uint64_t given_up_ = 0;   ///< key of a truth that failed or was cancelled
+    std::uint64_t given_up_ = 0;  ///< key of a truth that failed or was cancelled
     std::string problem_, remark_;
     std::optional<std::string> save_next_;
     mutable int shown_percent_ = -1;
-    std::unique_ptr<Job> job_;     ///< last: joined first
+    std::unique_ptr<Job> job_;  ///< last: joined first
 };
 
 }  // namespace si

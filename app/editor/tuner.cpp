@@ -20,9 +20,14 @@ std::vector<TunedFamily> families_of(const BiasSearch& search) {
 }
 
 TuningOutcome search(const std::shared_ptr<const Scene>& scene, const TuningJob& job, const Workers& workers,
-                            const std::function<void(const Tuner&)>& report) {
-    TuningOutcome out{.found = {}, .families = {}, .text = {}, .scene = scene->id, .settings = job.settings,
-                      .width = job.width, .height = job.height};
+                     const std::function<void(const Tuner&)>& report) {
+    TuningOutcome out{.found = {},
+                      .families = {},
+                      .text = {},
+                      .scene = scene->id,
+                      .settings = job.settings,
+                      .width = job.width,
+                      .height = job.height};
     try {
         const auto began = std::chrono::steady_clock::now();
         const HeadlessContext context;
@@ -55,8 +60,8 @@ void EditorTuner::start(const Scene& scene, const Settings& settings, int width,
     TuningJob job{.settings = settings, .width = width, .height = height};
     job.settings.truth.area = wish.area;
     job.goals.most_error = wish.most_error, job.goals.most_ms = wish.most_ms;
-    ContextJob::start({"the present bias", 0}, [job, copy = std::make_shared<const Scene>(scene)](const Workers& workers,
-                                                                                              const Report& report) {
+    ContextJob::start({"the present bias", 0}, [job, copy = std::make_shared<const Scene>(scene)](
+                                                   const Workers& workers, const Report& report) {
         return search(copy, job, workers, [&](const Tuner& tuner) { report({tuner.about(), tuner.progress()}); });
     });
 }

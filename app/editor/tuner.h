@@ -12,10 +12,10 @@ namespace si {
 struct TuningOutcome {
     std::optional<Settings> found;
     std::vector<TunedFamily> families;  ///< all that were tried, side by side
-    std::string text;     ///< what it is and costs, or why there is none
-    bool failed = false;  ///< `text` is an error
+    std::string text;                   ///< what it is and costs, or why there is none
+    bool failed = false;                ///< `text` is an error
     std::uint64_t scene = 0;
-    Settings settings;    ///< that were searched from
+    Settings settings;  ///< that were searched from
     int width = 0, height = 0;
     /// Whether the families are what these settings would give, whichever bias they have now.
     bool is_about(const Settings& now, int now_width, int now_height) const;

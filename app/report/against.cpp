@@ -32,7 +32,8 @@ ByteImage swiped(const ByteImage& a, const ByteImage& b, double at) {
     if (line > 0) copy_columns(out, 0, a, 0, line);
     for (int x = std::max(line - 1, 0); x < std::min(line + 1, out.width) && line > 0 && line < out.width; ++x)
         for (int y = 0; y < out.height; ++y)
-            std::fill_n(&out.data[(std::size_t(y) * std::size_t(out.width) + std::size_t(x)) * 4], 4, std::uint8_t(255));
+            std::fill_n(&out.data[(std::size_t(y) * std::size_t(out.width) + std::size_t(x)) * 4], 4,
+                        std::uint8_t(255));
     return out;
 }
 

@@ -6,8 +6,8 @@
 
 namespace si {
 
-/// Settings that draw the frame of `shown` as `other` would: its maps, casters, bias, filter, lights and shading, under the
-/// camera, the moment and the views of `shown`.
+/// Settings that draw the frame of `shown` as `other` would: its maps, casters, bias, filter, lights and shading, under
+/// the camera, the moment and the views of `shown`.
 Settings other_settings(const Settings& shown, const Settings& other);
 
 /// `a` left of the line at `at` (share of the width), `b` right of it, and the line. Both of one size.

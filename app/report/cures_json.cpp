@@ -25,7 +25,8 @@ Json cures_json(const CureTable& table) {
             if (table.wrong_of[std::size_t(style.artefact)] > 0)
                 row["cured_of"][std::string(style.key)] = cure.cured_of[std::size_t(style.artefact)];
         if (cure.pixel_right) row["pixel_right"] = *cure.pixel_right;
-        row["ms"] = cure.ms ? Json{{"difference", cure.ms->value}, {"noise", cure.ms->noise}, {"told", cure.ms->told()}} : Json();
+        row["ms"] = cure.ms ? Json{{"difference", cure.ms->value}, {"noise", cure.ms->noise}, {"told", cure.ms->told()}}
+                            : Json();
         row["map_bytes"] = cure.map_bytes;
         rows.push_back(std::move(row));
     }
@@ -34,7 +35,8 @@ Json cures_json(const CureTable& table) {
 
 std::string settings_text(const Cure& cure) {
     std::string text;
-    for (const auto& [key, value] : cure.settings) text += fmt::format("{}--set {}={}", text.empty() ? "" : " ", key, value);
+    for (const auto& [key, value] : cure.settings)
+        text += fmt::format("{}--set {}={}", text.empty() ? "" : " ", key, value);
     return text;
 }
 

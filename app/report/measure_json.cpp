@@ -33,14 +33,17 @@ Json time_json(const TimeMeasurement& time) {
 }
 
 const char* state_key(PixelState state) {
-    static constexpr const char* kStates[] = {"counted", "background", "faces_away", "outside_cone",
-                                              "not_receiving", "beyond_range"};
+    static constexpr const char* kStates[] = {"counted",      "background",    "faces_away",
+                                              "outside_cone", "not_receiving", "beyond_range"};
     static_assert(std::size(kStates) == kPixelStates);
     return kStates[std::size_t(state)];
 }
 
 Json truth_quality_json(const Truth& t) {
-    Json json = {{"area", t.is_area()}, {"step", t.step}, {"noise", t.noise}, {"noise_unknown_px", t.noise_unknown},
+    Json json = {{"area", t.is_area()},
+                 {"step", t.step},
+                 {"noise", t.noise},
+                 {"noise_unknown_px", t.noise_unknown},
                  {"samples_used", nullptr}};
     if (t.is_area())
         json["samples_used"] = {{"least", t.samples.least}, {"mean", t.samples.mean}, {"most", t.samples.most}};

@@ -13,7 +13,8 @@ nlohmann::ordered_json spread_json(const Spread& spread);
 nlohmann::ordered_json time_json(const TimeMeasurement& time);
 /// What files call a state of a pixel.
 const char* state_key(PixelState state);
-/// How the truth was found: {area, step, noise, noise_unknown_px, samples_used {least, mean, most}}; null where not known.
+/// How the truth was found: {area, step, noise, noise_unknown_px, samples_used {least, mean, most}}; null where not
+/// known.
 nlohmann::ordered_json truth_quality_json(const Truth& truth);
 /// What the shares and causes of an error mean; rows of different meanings are not to be compared.
 /// 1: by distance to a true edge. 2: by the change that puts a pixel right.

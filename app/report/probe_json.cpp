@@ -15,10 +15,14 @@ Json amount_json(const DepthAmount& a) {
 
 std::string_view word(KernelTap::Meets meets) {
     switch (meets) {
-        case KernelTap::Meets::Nothing: return "nothing";
-        case KernelTap::Meets::Own: return "own surface";
-        case KernelTap::Meets::Nearer: return "nearer surface";
-        case KernelTap::Meets::Farther: return "farther surface";
+        case KernelTap::Meets::Nothing:
+            return "nothing";
+        case KernelTap::Meets::Own:
+            return "own surface";
+        case KernelTap::Meets::Nearer:
+            return "nearer surface";
+        case KernelTap::Meets::Farther:
+            return "farther surface";
     }
     return "";
 }

@@ -6,8 +6,8 @@
 
 #include "renderer/frame/frame.h"
 #include "renderer/frame/pane_grid.h"
-#include "renderer/reference/workers.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/reference/workers.h"
 
 namespace si {
 

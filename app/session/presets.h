@@ -29,7 +29,8 @@ Preset load_preset(const std::string& name_or_path);
 void save_preset(const Preset& preset, const std::filesystem::path& path);
 
 struct BuiltinPreset {
-    std::string key;  ///< the file's name without extension and without the number that orders it ("010-acne.json": acne)
+    std::string
+        key;  ///< the file's name without extension and without the number that orders it ("010-acne.json": acne)
     std::string title, topic, about, scene;
 };
 /// The presets that travel inside the program, in the order in which a lecture walks through them.

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "renderer/scene/animation.h"
 #include "renderer/base/error.h"
-#include "renderer/settings/param.h"
+#include "renderer/scene/animation.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -27,9 +27,9 @@ std::string scene_of_preset(const Preset& preset, const std::string& preset_path
 void check_camera(const Scene& scene, CameraSettings& camera, std::vector<std::string>* left_out) {
     const int count = int(scene.cameras.size());
     if (camera.index <= 0 || camera.index < count) return;
-    const std::string text = fmt::format(
-        "camera.index {}: {} has {} camera{}; {}", camera.index, scene.name, count, count == 1 ? "" : "s",
-        count == 0 ? "leave it out" : fmt::format("choose 0 to {}, or -1 to show everything", count - 1));
+    const std::string text =
+        fmt::format("camera.index {}: {} has {} camera{}; {}", camera.index, scene.name, count, count == 1 ? "" : "s",
+                    count == 0 ? "leave it out" : fmt::format("choose 0 to {}, or -1 to show everything", count - 1));
     if (!left_out) throw UsageError(text);
     left_out->push_back(text);
     camera.index = 0;

@@ -15,14 +15,17 @@ public:
     explicit CaseSessions(SessionPlan plan) : plan_(std::move(plan)) {}
 
     /// A scene that is read already. @param as how it was chosen and stands
-    void keep(Scene scene, const SceneSettings& as) { loaded_.insert_or_assign(as.index, Loaded{std::move(scene), as, {}}); }
+    void keep(Scene scene, const SceneSettings& as) {
+        loaded_.insert_or_assign(as.index, Loaded{std::move(scene), as, {}});
+    }
 
     struct Prepared {
         const Scene& scene;  ///< until the next call
         Settings settings;
         std::vector<std::string> notes;
     };
-    /// Reads the scene where scene.index calls for another one, and poses it. @throws UsageError, Error as open_session()
+    /// Reads the scene where scene.index calls for another one, and poses it. @throws UsageError, Error as
+    /// open_session()
     Prepared prepare(const Values& values);
 
     /// Prepares what differs in scene, camera or objects among the cases of `axes`, so that what --set would refuse is

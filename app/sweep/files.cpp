@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "app/base/output.h"
-#include "app/session/presets.h"
 #include "app/report/report.h"
+#include "app/session/presets.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/html_report.h"
 #include "app/sweep/journal.h"

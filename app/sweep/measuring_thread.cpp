@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
-constexpr auto kRest = 200ms;   ///< a picture waits this long for settings to stand still
+constexpr auto kRest = 200ms;    ///< a picture waits this long for settings to stand still
 constexpr auto kReport = 250ms;  ///< between two reports of a sweep's results
 
 /// One thread is left to the editor.

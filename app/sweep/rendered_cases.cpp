@@ -1,7 +1,7 @@
 #include "app/sweep/rendered_cases.h"
 
-#include "app/report/measure_json.h"
 #include "app/base/output.h"
+#include "app/report/measure_json.h"
 #include "app/sweep/pictures.h"
 
 namespace si {

@@ -56,9 +56,10 @@ Turn turn_of(const Json& line) {
 void require_known_meaning(const Json& error) {
     const int meaning = error.value("meaning", 1);  // the first had no number
     if (meaning != kErrorMeaning)
-        throw Error(fmt::format("errors of meaning {}, which do not compare with this program's of meaning {} "
-                                "(docs/accuracy.md, Errors): sweep again",
-                                meaning, kErrorMeaning));
+        throw Error(
+            fmt::format("errors of meaning {}, which do not compare with this program's of meaning {} "
+                        "(docs/accuracy.md, Errors): sweep again",
+                        meaning, kErrorMeaning));
 }
 
 RunInfo run_of(const Json& line) {

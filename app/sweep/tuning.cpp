@@ -11,7 +11,8 @@
 namespace si {
 namespace {
 
-/// The settings as a frame draws them: repairs, such as of a resolution beyond the driver's, are the start of the search.
+/// The settings as a frame draws them: repairs, such as of a resolution beyond the driver's, are the start of the
+/// search.
 Settings as_drawn(Renderer& renderer, const Scene& scene, const TuningJob& job) {
     Settings s = measured_settings(job.settings);
     const FrameResult frame = renderer.render(
@@ -20,7 +21,8 @@ Settings as_drawn(Renderer& renderer, const Scene& scene, const TuningJob& job) 
     const auto light = std::size_t(std::max(s.view.light, 0));
     if (light >= frame.lights.size()) throw Error(fmt::format("there is no light {}: there is no bias to find", light));
     if (!frame.lights[light].casts)
-        throw Error(fmt::format("light {} draws no shadow map ({}): there is no bias to find", light, frame.lights[light].reason));
+        throw Error(fmt::format("light {} draws no shadow map ({}): there is no bias to find", light,
+                                frame.lights[light].reason));
     return s;
 }
 

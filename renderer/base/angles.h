@@ -20,10 +20,14 @@ inline SineCosine sine_cosine(double degrees) {
     const double s = std::sin(rest), c = std::cos(rest);
     // Adding 0 takes the sign off a zero, on which the basis about a direction would depend.
     switch (quarter & 3) {
-        case 0: return {s + 0.0, c + 0.0};
-        case 1: return {c + 0.0, -s + 0.0};
-        case 2: return {-s + 0.0, -c + 0.0};
-        default: return {-c + 0.0, s + 0.0};
+        case 0:
+            return {s + 0.0, c + 0.0};
+        case 1:
+            return {c + 0.0, -s + 0.0};
+        case 2:
+            return {-s + 0.0, -c + 0.0};
+        default:
+            return {-c + 0.0, s + 0.0};
     }
 }
 

@@ -1,5 +1,5 @@
-// Checks over whole arrays of floats that a compiler turns into wide integer instructions; sums or comparisons of floats
-// it must leave in order.
+// Checks over whole arrays of floats that a compiler turns into wide integer instructions; sums or comparisons of
+// floats it must leave in order.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace si {
 
-/// Bits of the greatest magnitude among the components. Magnitudes are ordered as their bits are, with infinity above all
-/// numbers and NaN above infinity.
+/// Bits of the greatest magnitude among the components. Magnitudes are ordered as their bits are, with infinity above
+/// all numbers and NaN above infinity.
 template <class Vec>
 std::uint32_t greatest_magnitude_bits(const std::vector<Vec>& values) {
     const auto* components = reinterpret_cast<const float*>(values.data());

@@ -13,8 +13,7 @@ namespace si {
 class Key {
 public:
     template <typename T>
-        requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-    Key& add(T value) {
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T> Key& add(T value) {
         std::uint64_t bits = 0;
         std::memcpy(&bits, &value, sizeof value);
         mix(bits);
@@ -38,9 +37,8 @@ public:
     }
     /// glm vectors and matrices, and vectors of plain values.
     template <typename T>
-        requires(!std::is_arithmetic_v<T> && !std::is_enum_v<T> && std::is_trivially_copyable_v<T> &&
-                 !std::is_convertible_v<T, std::string_view>)
-    Key& add(const T& value) {
+    requires(!std::is_arithmetic_v<T> && !std::is_enum_v<T> && std::is_trivially_copyable_v<T> &&
+             !std::is_convertible_v<T, std::string_view>) Key& add(const T& value) {
         static_assert(sizeof(T) % 4 == 0);
         return bytes(&value, sizeof value);
     }

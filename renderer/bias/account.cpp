@@ -9,8 +9,8 @@
 namespace si {
 namespace {
 
-/// The largest coordinate that shaders of this pixel compute with, in metres: across the map, or from what the picture and
-/// the map count positions from.
+/// The largest coordinate that shaders of this pixel compute with, in metres: across the map, or from what the picture
+/// and the map count positions from.
 double extent_m(const FittedLight& light, const LightView& view, const LightReceiver& r, int resolution,
                 const SurfacePoint& p) {
     const glm::dvec3 farthest =
@@ -19,8 +19,10 @@ double extent_m(const FittedLight& light, const LightView& view, const LightRece
     return std::max({half_map, farthest.x, farthest.y, farthest.z});
 }
 
-double raster_offset(const BiasSettings& bias, const PolygonOffset& driver, const glm::dvec2& per_texel, double quantum) {
-    const double by_slope = bias.raster_slope != 0 ? bias.raster_slope * driver.slope(per_texel) : 0;  // edge-on it is infinite
+double raster_offset(const BiasSettings& bias, const PolygonOffset& driver, const glm::dvec2& per_texel,
+                     double quantum) {
+    const double by_slope =
+        bias.raster_slope != 0 ? bias.raster_slope * driver.slope(per_texel) : 0;  // edge-on it is infinite
     const double offset = by_slope + bias.raster_units * driver.unit(quantum);
     return bias.raster_clamp > 0 ? std::min(offset, bias.raster_clamp) : offset;
 }
@@ -51,7 +53,8 @@ BiasAccount bias_account(const FittedLight& light, const Settings& settings, int
     if (bias.normal != 0)
         a.normal = a.plane.edge_on() ? std::numeric_limits<double>::infinity()
                                      : away * (a.plane.at(glm::dvec2(r.tap)) - r.tap.z);
-    a.raster = raster_offset(bias, driver.offset[std::size_t(settings.map.format)], a.plane.gradient / double(resolution), quantum);
+    a.raster = raster_offset(bias, driver.offset[std::size_t(settings.map.format)],
+                             a.plane.gradient / double(resolution), quantum);
     a.lifts = away * (r.uvd.z - r.compared) + a.raster;
     return a;
 }

@@ -3,9 +3,9 @@
 
 #include <glm/glm.hpp>
 
-#include "renderer/bias/theory.h"
 #include "renderer/bias/light_receiver.h"
 #include "renderer/bias/polygon_offset.h"
+#include "renderer/bias/theory.h"
 
 namespace si {
 
@@ -17,8 +17,9 @@ struct SurfacePoint {
     glm::dvec3 origin_ws{0};          ///< what the picture's shaders count positions from: Camera::origin()
 };
 
-/// How far a point's depth moves, three times. Texels and metres are those that the point moves by, found by the inverse of
-/// the depth curve: in perspective maps they are no multiples of the depth, and never more than there is to the light.
+/// How far a point's depth moves, three times. Texels and metres are those that the point moves by, found by the
+/// inverse of the depth curve: in perspective maps they are no multiples of the depth, and never more than there is to
+/// the light.
 struct DepthAmount {
     double depth = 0;   ///< depth-buffer units; above 0 is towards the light
     double texels = 0;  ///< along the view's axis in widths of a texel at the point, as bias.unit has them
@@ -28,9 +29,9 @@ struct DepthAmount {
 struct BiasAccount {
     LightReceiver receiver;
     ReceiverPlane plane;
-    DepthCurve curve;         ///< of the receiver's view
-    double theta_rad = 0;     ///< between the triangle's normal and the light
-    LeastBias least;          ///< depth-buffer units
+    DepthCurve curve;      ///< of the receiver's view
+    double theta_rad = 0;  ///< between the triangle's normal and the light
+    LeastBias least;       ///< depth-buffer units
 
     // What each setting is worth against acne: how far it brings the compared depth before the receiver's own plane.
     double constant = 0, slope = 0;  ///< only the larger one acts; the other is 0
@@ -41,8 +42,8 @@ struct BiasAccount {
 
     /// All of them: the surface does not shadow itself when this is at least least.total().
     double clears() const { return constant + slope + normal + raster; }
-    /// How far the compared depth is moved towards the light: a surface nearer to the receiver than this is lost. Of the
-    /// normal offset that is only its part along the light.
+    /// How far the compared depth is moved towards the light: a surface nearer to the receiver than this is lost. Of
+    /// the normal offset that is only its part along the light.
     double lifts = 0;
     DepthAmount amount(double depth) const {
         const double along_axis = curve.metres_nearer(receiver.own_m, depth);

@@ -1,10 +1,11 @@
-// A surface point as a light's map sees it, with the bias that the settings give it: shaders/lib/receiver.glsl in double.
+// A surface point as a light's map sees it, with the bias that the settings give it: shaders/lib/receiver.glsl in
+// double.
 #pragma once
 
 #include <glm/glm.hpp>
 
-#include "renderer/view/light_fit.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/light_fit.h"
 #include "shaders/shared/facing.h"
 
 namespace si {
@@ -17,20 +18,20 @@ inline bool faces_light(double n_dot_l) {
 enum class MapPlace { Inside, BeforeNear, Sides, BeyondFar, Behind };
 
 struct LightReceiver {
-    std::size_t view = 0;      ///< of the light's
+    std::size_t view = 0;  ///< of the light's
     glm::dvec4 clip{0};
     glm::dvec3 ndc{0};
-    glm::dvec3 uvd{0};         ///< map coordinates and depth in [0,1], before any bias
-    glm::dvec3 to_light{0};    ///< unit
-    double n_dot_l = 0;        ///< of the geometric normal
-    double texel_m = 0;        ///< world size of a texel here
-    double own_m = 0;          ///< metres along the view's axis
-    double axis_per_ray = 1;   ///< cosine between the ray to the light and the view's axis, at least 1e-6
-    double bias_depth = 0;     ///< depth-buffer units, >= 0 brings the point nearer to the light
-    double bias_m = 0;         ///< the same in metres along the axis
+    glm::dvec3 uvd{0};        ///< map coordinates and depth in [0,1], before any bias
+    glm::dvec3 to_light{0};   ///< unit
+    double n_dot_l = 0;       ///< of the geometric normal
+    double texel_m = 0;       ///< world size of a texel here
+    double own_m = 0;         ///< metres along the view's axis
+    double axis_per_ray = 1;  ///< cosine between the ray to the light and the view's axis, at least 1e-6
+    double bias_depth = 0;    ///< depth-buffer units, >= 0 brings the point nearer to the light
+    double bias_m = 0;        ///< the same in metres along the axis
     double normal_offset_m = 0;
-    glm::dvec3 tap{0};         ///< uvd after the normal offset, before the depth bias
-    double compared = 0;       ///< the depth that is compared
+    glm::dvec3 tap{0};    ///< uvd after the normal offset, before the depth bias
+    double compared = 0;  ///< the depth that is compared
     MapPlace place = MapPlace::Inside;
     bool in_map() const { return place == MapPlace::Inside || place == MapPlace::BeforeNear; }
 };

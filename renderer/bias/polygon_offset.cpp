@@ -57,8 +57,8 @@ public:
     KeptState& operator=(const KeptState&) = delete;
 
 private:
-    static constexpr GLenum kSwitches[] = {GL_DEPTH_TEST, GL_CULL_FACE,    GL_BLEND,
-                                           GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL,
+    static constexpr GLenum kSwitches[] = {GL_DEPTH_TEST,   GL_CULL_FACE,         GL_BLEND,
+                                           GL_STENCIL_TEST, GL_SCISSOR_TEST,      GL_POLYGON_OFFSET_FILL,
                                            GL_DEPTH_CLAMP,  GL_RASTERIZER_DISCARD};
     GLboolean on_[std::size(kSwitches)] = {};
     const bool clamps_ = epoxy_has_gl_extension("GL_EXT_polygon_offset_clamp");
@@ -95,7 +95,8 @@ std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& pr
                                          .defines = {{"map_format_colour", "1"}, {"map_format", colour ? "1" : "0"}}});
     const GLint plane = glGetUniformLocation(program, "plane");
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-    for (const GLenum off : {GL_CULL_FACE, GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD})
+    for (const GLenum off :
+         {GL_CULL_FACE, GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD})
         glDisable(off);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "renderer/view/light_fit.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/light_fit.h"
 
 namespace si {
 
@@ -55,9 +55,9 @@ LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolu
 double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m);
 
 /// The least offset along the normal (metres) that does the work of a depth bias `b_min`: moving a plane by h along n
-/// moves it by h / |n . r| along the light's ray r, so h is |n . r| times the metres that b_min is worth. For an orthographic light
-/// and texel s this is kappa s sin(theta) (|cos phi| + |sin phi|) + delta_z cos(theta), never more than sqrt(2) kappa s
-/// plus the step. Holbert, Saying Goodbye to Shadow Acne, GDC 2011.
+/// moves it by h / |n . r| along the light's ray r, so h is |n . r| times the metres that b_min is worth. For an
+/// orthographic light and texel s this is kappa s sin(theta) (|cos phi| + |sin phi|) + delta_z cos(theta), never more
+/// than sqrt(2) kappa s plus the step. Holbert, Saying Goodbye to Shadow Acne, GDC 2011.
 double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws,
                            double b_min);
 

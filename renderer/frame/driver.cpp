@@ -22,9 +22,10 @@ int integer(GLenum name) {
 
 DriverInfo query_driver() {
     if (epoxy_gl_version() < 45)
-        throw Error(fmt::format("OpenGL 4.5 is needed, the driver offers {}; update it, or use Mesa's software driver "
-                                "with LIBGL_ALWAYS_SOFTWARE=1",
-                                text(GL_VERSION)));
+        throw Error(
+            fmt::format("OpenGL 4.5 is needed, the driver offers {}; update it, or use Mesa's software driver "
+                        "with LIBGL_ALWAYS_SOFTWARE=1",
+                        text(GL_VERSION)));
     DriverInfo d;
     d.vendor = text(GL_VENDOR);
     d.renderer = text(GL_RENDERER);
@@ -42,10 +43,14 @@ DriverInfo query_driver() {
 
 GLenum map_internal_format(MapFormat format) {
     switch (format) {
-        case MapFormat::D16: return GL_DEPTH_COMPONENT16;
-        case MapFormat::D24: return GL_DEPTH_COMPONENT24;
-        case MapFormat::D32F: return GL_DEPTH_COMPONENT32F;
-        case MapFormat::Colour: return GL_R32F;
+        case MapFormat::D16:
+            return GL_DEPTH_COMPONENT16;
+        case MapFormat::D24:
+            return GL_DEPTH_COMPONENT24;
+        case MapFormat::D32F:
+            return GL_DEPTH_COMPONENT32F;
+        case MapFormat::Colour:
+            return GL_R32F;
     }
     return GL_DEPTH_COMPONENT32F;
 }

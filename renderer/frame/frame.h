@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "renderer/view/camera.h"
-#include "renderer/view/light_fit.h"
 #include "renderer/reference/causes.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/camera.h"
+#include "renderer/view/light_fit.h"
 
 namespace si {
 
@@ -21,17 +21,17 @@ struct LiveError;     // renderer/reference/live_error.h
 
 /// Outputs a frame can be asked for. Passes nobody's output depends on do not run.
 struct Outputs {
-    bool colour = true;      ///< the panes' pictures: shaded, with their overlays and the texel slabs over them
-    bool shadow_map = false; ///< the depth as stored, and the map viewer's picture of it
-    bool visibility = false; ///< one float per pixel for view.light, 1 lit, 0 in shadow
-    bool overlay = false;    ///< the raw values of the panes' overlays
-    bool surface_ids = false; ///< the object and triangle behind each pixel
+    bool colour = true;            ///< the panes' pictures: shaded, with their overlays and the texel slabs over them
+    bool shadow_map = false;       ///< the depth as stored, and the map viewer's picture of it
+    bool visibility = false;       ///< one float per pixel for view.light, 1 lit, 0 in shadow
+    bool overlay = false;          ///< the raw values of the panes' overlays
+    bool surface_ids = false;      ///< the object and triangle behind each pixel
     bool map_coordinates = false;  ///< where in the map of view.light each pixel's kernel is centred
-    bool error = false;        ///< what is wrong with the shadows of view.light, in numbers; needs FrameRequest::truth
-    bool judged = false;       ///< the same pixel by pixel; needs FrameRequest::truth
-    bool evidence = false;     ///< all trials of every pixel (CauseEvidence); takes FrameRequest::truth where it is there
+    bool error = false;     ///< what is wrong with the shadows of view.light, in numbers; needs FrameRequest::truth
+    bool judged = false;    ///< the same pixel by pixel; needs FrameRequest::truth
+    bool evidence = false;  ///< all trials of every pixel (CauseEvidence); takes FrameRequest::truth where it is there
     bool unfiltered_map = false;  ///< what trials of a probed pixel read is up to date
-    bool true_colour = false;  ///< the picture as the truth lights it; needs FrameRequest::truth
+    bool true_colour = false;     ///< the picture as the truth lights it; needs FrameRequest::truth
     bool operator==(const Outputs&) const = default;
 };
 
@@ -73,8 +73,8 @@ struct Pane {
 
 /// What truth a frame asks for, and whether it had it.
 struct TruthNeed {
-    std::uint64_t key = 0;        ///< truth_key() of this frame; 0: nothing asks for it, or there is no light
-    bool met = false;             ///< FrameRequest::truth was the one
+    std::uint64_t key = 0;  ///< truth_key() of this frame; 0: nothing asks for it, or there is no light
+    bool met = false;       ///< FrameRequest::truth was the one
 };
 
 struct FrameResult {
@@ -83,26 +83,26 @@ struct FrameResult {
     std::vector<PassInfo> passes;
     std::vector<std::string> notes;  ///< repairs of settings and other one-line remarks
     std::vector<Pane> panes;  ///< as view.panes says, row by row from the top left; panes of one overlay share images
-    Image colour;      ///< the first pane's picture
-    Image visibility;  ///< R32F
-    Image overlay;     ///< the first pane's values
+    Image colour;             ///< the first pane's picture
+    Image visibility;         ///< R32F
+    Image overlay;            ///< the first pane's values
     /// RGBA32F: u and v of the kernel's centre in the map of view.light (v up, after the normal offset, not wrapped),
     /// the layer among that light's views, and 1 where the kernel reads a texel of it, else 0. Empty without a map.
     Image map_coordinates;
-    Image surface_ids; ///< RG32UI, see SurfaceIds
-    Image true_colour; ///< RGBA8, as `colour` without overlays
-    Image judged;      ///< RG32F, see judged_pixels()
+    Image surface_ids;                            ///< RG32UI, see SurfaceIds
+    Image true_colour;                            ///< RGBA8, as `colour` without overlays
+    Image judged;                                 ///< RG32F, see judged_pixels()
     std::array<Image, kEvidenceImages> evidence;  ///< RGBA32F each, in the order of CauseEvidence
-    bool mask_levels = false;  ///< of the evidence's CauseContext
+    bool mask_levels = false;                     ///< of the evidence's CauseContext
     TruthNeed truth;
     std::shared_ptr<const LiveError> error;  ///< null unless asked for and truth.met
     int map_resolution = 0;
     float overlay_min = 0, overlay_max = 1;  ///< the first pane's colour scale
-    Image map_view;    ///< RGBA8: the depth image of view.map_source as view.map shows it
-    glm::ivec2 map_view_size{0};       ///< of that depth image; the picture of it may be smaller
-    DepthCurve map_view_curve;         ///< what its depths mean
-    float map_black = 0, map_white = 1;  ///< the grey range in use, as view.map_black and view.map_white count it
-    std::string clock;  ///< what gpu_ms was measured with
+    Image map_view;                          ///< RGBA8: the depth image of view.map_source as view.map shows it
+    glm::ivec2 map_view_size{0};             ///< of that depth image; the picture of it may be smaller
+    DepthCurve map_view_curve;               ///< what its depths mean
+    float map_black = 0, map_white = 1;      ///< the grey range in use, as view.map_black and view.map_white count it
+    std::string clock;                       ///< what gpu_ms was measured with
     const PassInfo* pass(std::string_view name) const;
 };
 
@@ -113,7 +113,8 @@ struct FloatImage {
     float at(int x, int y, int c = 0) const { return data[(std::size_t(y) * width + x) * channels + c]; }
 };
 /// Which triangle each pixel shows, top row first. x: 1 + index in Scene::objects, 0 for nothing. y: the triangle's
-/// number in its draw; modulo the mesh's triangle count its number in the mesh, as some drivers count on through instances.
+/// number in its draw; modulo the mesh's triangle count its number in the mesh, as some drivers count on through
+/// instances.
 struct SurfaceIds {
     int width = 0, height = 0;
     std::vector<glm::uvec2> data;

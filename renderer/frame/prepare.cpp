@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "renderer/frame/driver.h"
-#include "renderer/settings/param.h"
-#include "renderer/reference/truth_picture.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
+#include "renderer/reference/truth_picture.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -78,8 +78,7 @@ std::string light_constants(const FrameState& f) {
     // Written out per light: a loop that the compiler does not unroll would index uniforms per pixel.
     std::string each = "#define EACH_LIGHT(DO)";
     for (std::size_t i = 0; i < count; ++i) each += fmt::format(" DO({})", i);
-    return each + "\n" +
-           array("LIGHT_TYPE", [&](std::size_t i) { return int(lights[i].type); }) +
+    return each + "\n" + array("LIGHT_TYPE", [&](std::size_t i) { return int(lights[i].type); }) +
            array("LIGHT_RANGED", [&](std::size_t i) { return int(lights[i].range_m > 0); }) +
            array("LIGHT_CASTS", [&](std::size_t i) { return int(lights[i].casts); }) +
            array("LIGHT_FIRST_VIEW", [&](std::size_t i) { return f.first_view[i]; }) +
@@ -120,12 +119,13 @@ void find_truth(FrameState& f, std::span<const int> shown_overlays) {
     const Outputs& o = f.request.outputs;
     bool asked = o.error || o.true_colour || o.judged || o.evidence;
     if (o.colour || o.overlay)
-        for (const int overlay : shown_overlays) asked |= overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_truth;
+        for (const int overlay : shown_overlays)
+            asked |= overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_truth;
     if (!asked) return;
     const int light = f.settings.view.light;
-    f.truth.key = truth_key(f.scene, f.settings, f.camera, f.request.width, f.request.height, f.gl.fitted, light,
-                            f.request.truth && f.request.truth->options ? *f.request.truth->options
-                                                                       : truth_options(f.settings));
+    f.truth.key =
+        truth_key(f.scene, f.settings, f.camera, f.request.width, f.request.height, f.gl.fitted, light,
+                  f.request.truth && f.request.truth->options ? *f.request.truth->options : truth_options(f.settings));
     if (f.truth.key == 0) {
         f.notes.push_back("there is no light to trace the truth of");
         return;
@@ -226,7 +226,8 @@ FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings,
     fit_within_limits(f);
     if (f.settings.bias.raster_slope != 0 || f.settings.bias.raster_units != 0) calibrate_offset(f.settings.map.format);
     if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)
-        f.notes.push_back("bias.raster_clamp needs GL_EXT_polygon_offset_clamp, which this driver lacks; it is ignored");
+        f.notes.push_back(
+            "bias.raster_clamp needs GL_EXT_polygon_offset_clamp, which this driver lacks; it is ignored");
 
     f.camera = make_camera(scene, f.settings, double(request.width) / request.height, resources.fitted);
     if (f.settings.camera.source == int(CameraSource::Light) && resources.fitted.empty())

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <chrono>
 
-#include "renderer/frame/driver.h"
 #include "renderer/base/error.h"
-#include "renderer/settings/param.h"
+#include "renderer/frame/driver.h"
 #include "renderer/frame/renderer_impl.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -102,8 +102,14 @@ const DriverInfo& Renderer::driver() const {
     return impl_->driver;
 }
 
-std::vector<std::string> Renderer::take_gl_messages() { return impl_->messages.take(); }
-std::string Renderer::shader_log() const { return impl_->resources.programs.log(); }
-bool Renderer::shaders_changed() { return impl_->resources.programs.source().poll(); }
+std::vector<std::string> Renderer::take_gl_messages() {
+    return impl_->messages.take();
+}
+std::string Renderer::shader_log() const {
+    return impl_->resources.programs.log();
+}
+bool Renderer::shaders_changed() {
+    return impl_->resources.programs.source().poll();
+}
 
 }  // namespace si

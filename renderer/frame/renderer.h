@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "renderer/frame/frame.h"
 #include "renderer/bias/polygon_offset.h"
+#include "renderer/frame/frame.h"
 
 namespace si {
 
@@ -17,9 +17,9 @@ struct DriverInfo : RasterTraits {
     std::string vendor, renderer, version, glsl;
     int max_texture_size = 0, max_samples = 0;
     bool polygon_offset_clamp = false, anisotropy = false;
-    bool software = false;      ///< a CPU rasteriser
-    std::string clock;          ///< "GPU timer queries" or "finished wall time (CPU rasteriser)"
-    double query_share = 0;     ///< query time / wall time of a known pass
+    bool software = false;   ///< a CPU rasteriser
+    std::string clock;       ///< "GPU timer queries" or "finished wall time (CPU rasteriser)"
+    double query_share = 0;  ///< query time / wall time of a known pass
 };
 
 class Renderer {
@@ -53,6 +53,7 @@ public:
     bool shaders_changed();
 
     struct Impl;
+
 private:
     std::unique_ptr<Impl> impl_;
 };

@@ -28,8 +28,9 @@ struct InstanceData {
     glm::vec3 normal_rows[3];
 };
 
-/// The matrix that keeps normals perpendicular, up to length: the cofactors, right for any scale (singular ones too) and
-/// without a division. A mirroring turns their sign, which is undone. Scaled to 1 so that floats hold it at any size.
+/// The matrix that keeps normals perpendicular, up to length: the cofactors, right for any scale (singular ones too)
+/// and without a division. A mirroring turns their sign, which is undone. Scaled to 1 so that floats hold it at any
+/// size.
 glm::dmat3 normal_matrix(const glm::dmat3& m) {
     glm::dmat3 c(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     double largest = 0;
@@ -52,7 +53,8 @@ ObjectSettings object_settings(const Scene& scene, const Settings& settings, con
 template <typename T>
 void store(gl::Buffer& buffer, const std::vector<T>& data) {
     glNamedBufferStorage(buffer.id(), GLsizeiptr(std::max<std::size_t>(data.size() * sizeof(T), 16)),
-                         data.empty() ? nullptr : data.data(), data.size() * sizeof(T) >= 16 ? 0 : GL_DYNAMIC_STORAGE_BIT);
+                         data.empty() ? nullptr : data.data(),
+                         data.size() * sizeof(T) >= 16 ? 0 : GL_DYNAMIC_STORAGE_BIT);
 }
 
 GLenum wrap_mode(TextureWrap wrap) {
@@ -114,8 +116,8 @@ void SceneGpu::upload_geometry(const Scene& scene) {
                 colours[vertex + i] = glm::u8vec4(glm::round(glm::clamp(m.colours[from], 0.f, 1.f) * 255.f));
         }
         const auto put = [](const gl::Buffer& buffer, std::size_t first, const auto& data) {
-            glNamedBufferSubData(buffer.id(), GLintptr(first * sizeof data[0]), GLsizeiptr(data.size() * sizeof data[0]),
-                                 data.data());
+            glNamedBufferSubData(buffer.id(), GLintptr(first * sizeof data[0]),
+                                 GLsizeiptr(data.size() * sizeof data[0]), data.data());
         };
         put(positions_, vertex, positions);
         put(attributes_, vertex, attributes);
@@ -139,7 +141,8 @@ void SceneGpu::upload_geometry(const Scene& scene) {
     for (GLuint row = 0; row < 3; ++row) attribute(4 + row, 3, 4, row * 16);
     attribute(7, 3, 4, offsetof(InstanceData, base_colour));
     attribute(8, 3, 4, offsetof(InstanceData, surface));
-    for (GLuint row = 0; row < 3; ++row) attribute(9 + row, 3, 3, GLuint(offsetof(InstanceData, normal_rows)) + row * 12);
+    for (GLuint row = 0; row < 3; ++row)
+        attribute(9 + row, 3, 3, GLuint(offsetof(InstanceData, normal_rows)) + row * 12);
     glVertexArrayBindingDivisor(vao, 3, 1);
     glVertexArrayVertexBuffer(vao, 0, positions_.id(), 0, sizeof(glm::vec3));
     glVertexArrayVertexBuffer(vao, 1, attributes_.id(), 0, sizeof(Attributes));
@@ -306,8 +309,7 @@ void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dve
             const float cutoff = material.alpha == AlphaMode::Mask    ? material.alpha_cutoff
                                  : material.alpha == AlphaMode::Blend ? 0.5f
                                                                       : -1.f;
-            data[i].surface = {receives ? 1.f : 0.f, cutoff,
-                               material.unlit ? 1.f : 0.f, float(order_[i])};
+            data[i].surface = {receives ? 1.f : 0.f, cutoff, material.unlit ? 1.f : 0.f, float(order_[i])};
         }
         slot.buffer = gl::Buffer::create(slot_index == 0 ? "instances for the camera" : "instances for the lights");
         store(slot.buffer, data);
@@ -319,9 +321,9 @@ void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dve
 }
 
 void SceneGpu::draw(const Batch& b) const {
-    glDrawElementsInstancedBaseVertexBaseInstance(
-        GL_TRIANGLES, b.index_count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(b.first_index * 4), b.instances,
-        b.base_vertex, b.first_instance);
+    glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, b.index_count, GL_UNSIGNED_INT,
+                                                  reinterpret_cast<const void*>(b.first_index * 4), b.instances,
+                                                  b.base_vertex, b.first_instance);
 }
 
 }  // namespace si

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "renderer/gl/handle.h"
 #include "renderer/base/key.h"
+#include "renderer/gl/handle.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 

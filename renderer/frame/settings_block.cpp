@@ -12,7 +12,8 @@ namespace {
 
 std::string identifier(std::string_view key) {
     std::string out(key);
-    std::replace_if(out.begin(), out.end(), [](char c) { return c == '.' || c == '-'; }, '_');
+    std::replace_if(
+        out.begin(), out.end(), [](char c) { return c == '.' || c == '-'; }, '_');
     return out;
 }
 

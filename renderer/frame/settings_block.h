@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/gl/program_cache.h"
 #include "renderer/base/key.h"
+#include "renderer/gl/program_cache.h"
 #include "renderer/settings/settings.h"
 
 namespace si {

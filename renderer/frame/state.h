@@ -5,24 +5,37 @@
 #include <memory>
 #include <vector>
 
+#include "renderer/base/key.h"
 #include "renderer/frame/frame.h"
+#include "renderer/frame/plan.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/frame/scene_gpu.h"
+#include "renderer/frame/texel_slabs.h"
+#include "renderer/frame/value_range.h"
 #include "renderer/gl/debug.h"
 #include "renderer/gl/program_cache.h"
 #include "renderer/gl/target.h"
 #include "renderer/gl/timer.h"
-#include "renderer/base/key.h"
-#include "renderer/frame/plan.h"
-#include "renderer/frame/renderer.h"
-#include "renderer/frame/scene_gpu.h"
 #include "renderer/settings/techniques.h"
-#include "renderer/frame/texel_slabs.h"
-#include "renderer/frame/value_range.h"
 #include "shaders/shared/frame.h"
 
 namespace si {
 
 /// Texture units, the same in every program (layout(binding) in shaders/).
-enum Unit : GLuint { kShadowMap, kShadowMapCompare, kBaseColour, kVisibility, kShaded, kOverlayValues, kNormalMap, kTruth, kMoreTruth, kJudged, kUnfilteredMap, kSeenSurfaces };
+enum Unit : GLuint {
+    kShadowMap,
+    kShadowMapCompare,
+    kBaseColour,
+    kVisibility,
+    kShaded,
+    kOverlayValues,
+    kNormalMap,
+    kTruth,
+    kMoreTruth,
+    kJudged,
+    kUnfilteredMap,
+    kSeenSurfaces
+};
 
 inline constexpr int kMaxPanes = 4;
 inline constexpr int kSeenImages = 3;  ///< see lib/seen_surface.glsl
@@ -50,35 +63,35 @@ struct Resources {
     gl::VertexArray empty_vao;
     gl::Sampler map_nearest, map_compare;
     std::unique_ptr<SceneGpu> scene;
-    gl::Target map, map_depth;              ///< shadow maps, one layer per view; depth beside a colour map
-    gl::Target map_blurred, map_rows;       ///< of map.blur_texels: the maps' depths blurred, and one layer along x only
+    gl::Target map, map_depth;         ///< shadow maps, one layer per view; depth beside a colour map
+    gl::Target map_blurred, map_rows;  ///< of map.blur_texels: the maps' depths blurred, and one layer along x only
     /// The shadow maps that are compared, shown and read back.
     const gl::Target& compared_map() const { return map_blurred.texture ? map_blurred : map; }
-    std::vector<std::uint64_t> map_keys;    ///< per light: key of its layers' contents
+    std::vector<std::uint64_t> map_keys;  ///< per light: key of its layers' contents
     gl::Target camera_depth, visibility, shaded, map_coordinates, depth_range, map_view;
-    gl::Target surface_ids;                 ///< RG32UI
+    gl::Target surface_ids;  ///< RG32UI
     std::array<PaneTargets, kMaxPanes> panes;
-    gl::Texture visibility_view;            ///< one layer of visibility as a 2-D texture
+    gl::Texture visibility_view;  ///< one layer of visibility as a 2-D texture
     int visibility_view_layer = -1;
     gl::Framebuffer map_framebuffer, camera_depth_framebuffer, visibility_framebuffer, shaded_framebuffer,
         map_coordinates_framebuffer, depth_range_framebuffer, map_view_framebuffer, surface_ids_framebuffer;
     SlabResources slabs;
-    gl::Target truth, more_truth;           ///< of the truth picture; the key of `truth` is its version
+    gl::Target truth, more_truth;              ///< of the truth picture; the key of `truth` is its version
     std::array<gl::Target, kSeenImages> seen;  ///< RGBA32F; the key of all is the first one's
-    gl::Target judged;                      ///< RG32F, see judgement() in lib/truth.glsl
-    gl::Target error_tiles;                 ///< RGBA32F, see error_tiles.frag.glsl
-    std::uint64_t causes_key = 0;           ///< of `judged` with the causes in it
-    gl::Target marks;                       ///< depths MARK_* of shared/judged.h
-    gl::Target map_unfiltered;              ///< the maps without polygon offset, masks at their finest level
+    gl::Target judged;                         ///< RG32F, see judgement() in lib/truth.glsl
+    gl::Target error_tiles;                    ///< RGBA32F, see error_tiles.frag.glsl
+    std::uint64_t causes_key = 0;              ///< of `judged` with the causes in it
+    gl::Target marks;                          ///< depths MARK_* of shared/judged.h
+    gl::Target map_unfiltered;                 ///< the maps without polygon offset, masks at their finest level
     std::array<gl::Target, kEvidenceImages> evidence;
     gl::Target true_shaded;
     gl::Framebuffer seen_framebuffer, judged_framebuffer, evidence_framebuffer, error_tiles_framebuffer,
         true_shaded_framebuffer;
-    std::shared_ptr<const LiveError> error; ///< of the error tiles
-    std::uint64_t depth_key = 0;            ///< of the camera depth: what of the scene is in it
+    std::shared_ptr<const LiveError> error;  ///< of the error tiles
+    std::uint64_t depth_key = 0;             ///< of the camera depth: what of the scene is in it
     std::uint64_t fit_key = 0;
     std::vector<FittedLight> fitted;
-    glm::vec2 drawn_range{0, 1};            ///< smallest and largest drawn depth, as in depth_range
+    glm::vec2 drawn_range{0, 1};  ///< smallest and largest drawn depth, as in depth_range
     /// What the last frame's map view was made of, for reading it back; light -1: the frame had none.
     struct Shown {
         MapSource source = MapSource::Light;
@@ -94,13 +107,13 @@ struct FrameState {
     const DriverInfo& driver;
 
     Camera camera;
-    glm::dvec3 origin{0};        ///< of camera-relative positions
-    std::vector<int> first_view; ///< per light: its first layer
+    glm::dvec3 origin{0};         ///< of camera-relative positions
+    std::vector<int> first_view;  ///< per light: its first layer
     int view_count = 0;
     int map_resolution = 0;
     bool separate_visibility = false;
-    bool filter_sampler = false;  ///< the kernel compares in a shadow sampler
-    std::vector<gl::Define> defines;  ///< from settings and kernel
+    bool filter_sampler = false;                         ///< the kernel compares in a shadow sampler
+    std::vector<gl::Define> defines;                     ///< from settings and kernel
     Key geometry_key, camera_key, lights_key, maps_key;  ///< what results depend on
     std::vector<std::string> notes;
 
@@ -112,8 +125,8 @@ struct FrameState {
         const Overlay* row() const { return overlay > 0 ? &overlays()[std::size_t(overlay - 1)] : nullptr; }
     };
     std::vector<ShownPane> panes;
-    bool slabs_shown = false;  ///< view.slabs has a map to show
-    TruthNeed truth;           ///< what the frame needs of a truth, and whether request.truth is it
+    bool slabs_shown = false;         ///< view.slabs has a map to show
+    TruthNeed truth;                  ///< what the frame needs of a truth, and whether request.truth is it
     std::uint64_t truth_content = 0;  ///< key of what of it is used
 
     /// The view of a light whose map is shown (view.light, view.face), or null. `layer` is its layer of the maps.
@@ -130,13 +143,13 @@ struct FrameState {
     const gl::Target& target_of(const ShownPane& pane) const;
     /// The colour scale of a pane. A fitted one reads back the pane's values, once for each change of them.
     ValueRange range_of(const ShownPane& pane) const;
-    std::string preamble;             ///< GLSL before every shader: settings block, facts about the lights
-    bool mask_levels = false;         ///< some caster's mask may be read from a coarser mip level
+    std::string preamble;      ///< GLSL before every shader: settings block, facts about the lights
+    bool mask_levels = false;  ///< some caster's mask may be read from a coarser mip level
     /// Whether the unfiltered map is not the map as drawn, but one of its own.
     bool draws_unfiltered() const;
     /// The map that the nearest texel's trials read.
     const gl::Target& unfiltered_map() const { return draws_unfiltered() ? gl.map_unfiltered : gl.map; }
-    bool surface_flags = false;       ///< some object or material needs the per-object flags
+    bool surface_flags = false;  ///< some object or material needs the per-object flags
 
     /// The program of a scene or full-screen pass under the frame's settings. Of the extra defines those whose name
     /// ends in _FILE say which file such an include stands for; others take the place of the frame's of their name.

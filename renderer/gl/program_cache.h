@@ -33,9 +33,9 @@ public:
 
 private:
     ShaderSource source_;
-    std::unordered_map<std::uint64_t, GLuint> by_request_;   // request and generation
-    std::unordered_map<std::uint64_t, GLuint> last_good_;    // request alone
-    std::unordered_map<std::uint64_t, Program> programs_;    // final text
+    std::unordered_map<std::uint64_t, GLuint> by_request_;  // request and generation
+    std::unordered_map<std::uint64_t, GLuint> last_good_;   // request alone
+    std::unordered_map<std::uint64_t, Program> programs_;   // final text
     std::string log_;
     Program build(const std::string& vertex, const std::string& fragment, std::string_view label,
                   const std::vector<std::string>& files) const;

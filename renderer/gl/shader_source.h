@@ -15,8 +15,8 @@ using IncludeNames = std::map<std::string, std::string, std::less<>>;
 
 class ShaderSource {
 public:
-    /// @param tree a source tree whose shaders/ is read and watched; empty: the embedded texts alone. Development builds
-    /// watch their own tree.
+    /// @param tree a source tree whose shaders/ is read and watched; empty: the embedded texts alone. Development
+    /// builds watch their own tree.
     explicit ShaderSource(std::filesystem::path tree = default_tree());
     /// The text of a file below shaders/ with its includes expanded (each file once, with #line marks).
     /// `files` receives the paths in the order of their #line numbers.

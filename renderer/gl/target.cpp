@@ -10,7 +10,8 @@ bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h
     if (texture && format == internal_format && width == w && height == h && layers == layer_count) return false;
     texture.reset();
     key = 0;
-    while (glGetError() != GL_NO_ERROR) {}
+    while (glGetError() != GL_NO_ERROR) {
+    }
     texture = Texture::create(label, GLenum(layer_count ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D));
     if (layer_count)
         glTextureStorage3D(texture.id(), 1, internal_format, w, h, layer_count);
@@ -19,9 +20,10 @@ bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h
     if (glGetError() != GL_NO_ERROR) {
         texture.reset();
         width = height = layers = 0;
-        throw Error(fmt::format("the driver has no memory for {} ({} x {} x {}); use a smaller size, map.resolution or "
-                                "fewer lights",
-                                label, w, h, layer_count ? layer_count : 1));
+        throw Error(
+            fmt::format("the driver has no memory for {} ({} x {} x {}); use a smaller size, map.resolution or "
+                        "fewer lights",
+                        label, w, h, layer_count ? layer_count : 1));
     }
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);

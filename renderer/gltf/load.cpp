@@ -8,8 +8,8 @@
 #include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
 #include "renderer/gltf/text.h"
-#include "renderer/view/scene_lights.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/scene_lights.h"
 
 namespace si {
 namespace {

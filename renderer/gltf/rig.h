@@ -1,8 +1,8 @@
 // What moves in a glTF file: skins, morph targets and animations, as the scene's rig.
 #pragma once
 
-#include "renderer/scene/animation.h"
 #include "renderer/gltf/nodes.h"
+#include "renderer/scene/animation.h"
 
 namespace si::gltf {
 

@@ -307,8 +307,7 @@ Json Writer::document() {
     if (!scene_.about.empty()) scene["extras"][gltf::kExtrasKey]["about"] = scene_.about;
     const bool lights_suffice = lights_say_all(scene_);
     for (const auto& [key, value] : scene_.suggested)
-        if (!lights_suffice || !key.starts_with("light."))
-            scene["extras"][gltf::kExtrasKey]["suggested"][key] = value;
+        if (!lights_suffice || !key.starts_with("light.")) scene["extras"][gltf::kExtrasKey]["suggested"][key] = value;
     root_["scene"] = 0;
     root_["scenes"] = Json::array({std::move(scene)});
     for (const auto& [name, unused] : extensions_) root_["extensionsUsed"].push_back(name);

@@ -12,11 +12,16 @@ namespace {
 
 std::string_view place_name(MapPlace place) {
     switch (place) {
-        case MapPlace::Inside: return "inside";
-        case MapPlace::BeforeNear: return "before near";
-        case MapPlace::Sides: return "sides";
-        case MapPlace::BeyondFar: return "beyond far";
-        case MapPlace::Behind: return "behind";
+        case MapPlace::Inside:
+            return "inside";
+        case MapPlace::BeforeNear:
+            return "before near";
+        case MapPlace::Sides:
+            return "sides";
+        case MapPlace::BeyondFar:
+            return "beyond far";
+        case MapPlace::Behind:
+            return "behind";
     }
     return "";
 }
@@ -37,14 +42,17 @@ std::string verdict(const Settings& settings, const Probe::PerLight& p) {
     if (!faces_light(p.n_dot_l)) return "in shadow: the surface faces away from the light";
     if (p.where == "behind") return "outside the map: behind the light";
     if (p.where == "beyond far" && settings.map.far_guard)
-        return fmt::format("{}: beyond the light's far plane, the far guard decides", p.visibility > 0.5 ? "lit" : "unlit");
+        return fmt::format("{}: beyond the light's far plane, the far guard decides",
+                           p.visibility > 0.5 ? "lit" : "unlit");
     const double gap = p.gap_m;
     const DepthAmount all = p.account.amount(p.account.clears());
-    const std::string bias = std::isfinite(all.texels)
-                                 ? fmt::format("bias and normal offset are worth {:.4g} m ({:.3g} texels)", all.metres, all.texels)
-                                 : "bias and normal offset lift it past everything, as the map sees it edge-on";
-    const std::string texel = gap > 0 ? fmt::format("its texel stores a surface {:.4g} m nearer to the light", gap)
-                                      : fmt::format("its texel stores nothing nearer (own depth is {:.4g} m before it)", -gap);
+    const std::string bias =
+        std::isfinite(all.texels)
+            ? fmt::format("bias and normal offset are worth {:.4g} m ({:.3g} texels)", all.metres, all.texels)
+            : "bias and normal offset lift it past everything, as the map sees it edge-on";
+    const std::string texel =
+        gap > 0 ? fmt::format("its texel stores a surface {:.4g} m nearer to the light", gap)
+                : fmt::format("its texel stores nothing nearer (own depth is {:.4g} m before it)", -gap);
     if (p.visibility >= 1) return fmt::format("lit: {}, {}", texel, bias);
     if (p.visibility <= 0) return fmt::format("in shadow: {}, {}", texel, bias);
     return fmt::format("partly lit ({:.0f} %): {}, {}; the kernel's taps disagree", p.visibility * 100, texel, bias);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/view/map_limits.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/map_limits.h"
 
 namespace si {
 namespace {
@@ -77,23 +77,36 @@ private:
         return fmt::format("{:.0f}² would open the window", d_.opening_resolution);
     }
     std::string no_bias_is_right() const {
-        return fmt::format("no depth bias can be right here: the surface needs {}, but what shadows it lies {} away: {}",
-                           texels(d_.least), texels(d_.occluder), opening());
+        return fmt::format(
+            "no depth bias can be right here: the surface needs {}, but what shadows it lies {} away: {}",
+            texels(d_.least), texels(d_.occluder), opening());
     }
 
     std::string sentence() const {
         switch (truth_.state) {
-            case PixelState::Background: return "nothing there";
-            case PixelState::NotReceiving: return "not compared: this object receives no shadows";
-            case PixelState::FacesAway: return "not compared: the surface faces away from the light, or edge-on to it, and is dark without a map";
-            case PixelState::OutsideCone: return "not compared: outside of the light's cone";
-            case PixelState::BeyondRange: return "not compared: beyond the light's range";
-            case PixelState::Counted: break;
+            case PixelState::Background:
+                return "nothing there";
+            case PixelState::NotReceiving:
+                return "not compared: this object receives no shadows";
+            case PixelState::FacesAway:
+                return "not compared: the surface faces away from the light, or edge-on to it, and is dark without a "
+                       "map";
+            case PixelState::OutsideCone:
+                return "not compared: outside of the light's cone";
+            case PixelState::BeyondRange:
+                return "not compared: beyond the light's range";
+            case PixelState::Counted:
+                break;
         }
-        if (!p_.casts) return d_.right ? "right: lit, as no map is drawn for this light" : "wrong: dark in truth, but this light has no map";
+        if (!p_.casts)
+            return d_.right ? "right: lit, as no map is drawn for this light"
+                            : "wrong: dark in truth, but this light has no map";
         if (truth_.evidence.place == CauseEvidence::kOutside)
-            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", p_.where, dark() ? "dark" : "lit",
-                               d_.right ? "and so it is in truth" : dark() ? "lit in truth" : "dark in truth");
+            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", p_.where,
+                               dark() ? "dark" : "lit",
+                               d_.right ? "and so it is in truth"
+                               : dark() ? "lit in truth"
+                                        : "dark in truth");
         if (d_.right) return right();
         std::string text = limits() + wrong();
         for (std::size_t a = 1; a < kArtefacts; ++a)
@@ -105,10 +118,12 @@ private:
     std::string limits() const {
         const MapLimits& l = p_.fitted.limits;
         if (l.one_depth_step)
-            return fmt::format("all depth lies in one step of the map's format ({:.3g} m of {:.3g} m), which comes first; ", l.depth_m,
-                               l.step_m);
+            return fmt::format(
+                "all depth lies in one step of the map's format ({:.3g} m of {:.3g} m), which comes first; ", l.depth_m,
+                l.step_m);
         if (l.one_texel)
-            return fmt::format("a texel ({:.3g} m) is larger than the scene ({:.3g} m), which comes first; ", l.texel_m, l.across_m);
+            return fmt::format("a texel ({:.3g} m) is larger than the scene ({:.3g} m), which comes first; ", l.texel_m,
+                               l.across_m);
         return {};
     }
 
@@ -118,93 +133,114 @@ private:
                                      : fmt::format("needs {} of bias and has only {}, so neighbours may show acne",
                                                    texels(d_.least), texels(d_.has));
         if (faint_acne())
-            return fmt::format("faint acne: lit, as in truth, but {:.0f} % of the kernel is dark by the surface itself{}; {}",
-                               100 * (1 - p_.visibility),
-                               d_.has.depth < d_.least.depth ? "" : " or by a steeper one beside it", bias);
+            return fmt::format(
+                "faint acne: lit, as in truth, but {:.0f} % of the kernel is dark by the surface itself{}; {}",
+                100 * (1 - p_.visibility), d_.has.depth < d_.least.depth ? "" : " or by a steeper one beside it", bias);
         if (!dark()) return fmt::format("right: lit, as in truth; {}", bias);
-        return fmt::format("right: dark, as in truth, by a surface {} nearer to the light; {}", texels(d_.occluder), bias);
+        return fmt::format("right: dark, as in truth, by a surface {} nearer to the light; {}", texels(d_.occluder),
+                           bias);
     }
 
     std::string wrong() const {
         switch (truth_.cause.artefact) {
-            case Artefact::None: break;
-            case Artefact::Acne: return acne();
+            case Artefact::None:
+                break;
+            case Artefact::Acne:
+                return acne();
             case Artefact::PeterPanning:
-                return fmt::format("peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} "
-                                   "away; {} it is dark, as in truth",
-                                   texels(d_.lifted), texels(d_.occluder), less_bias());
+                return fmt::format(
+                    "peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} "
+                    "away; {} it is dark, as in truth",
+                    texels(d_.lifted), texels(d_.occluder), less_bias());
             case Artefact::PeterPanningOffset:
-                return fmt::format("peter-panning by normal offset: the look-up is moved by {:.4g} m and misses the shadow; {} "
-                                   "it is dark, as in truth",
-                                   p_.normal_offset_m,
-                                   truth_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
+                return fmt::format(
+                    "peter-panning by normal offset: the look-up is moved by {:.4g} m and misses the shadow; {} "
+                    "it is dark, as in truth",
+                    p_.normal_offset_m, truth_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
             case Artefact::OffsetShadow:
-                return fmt::format("shadow by normal offset: the look-up is moved by {:.4g} m into a shadow; without the offset "
-                                   "and with {} it is lit, as in truth",
-                                   p_.normal_offset_m,
-                                   truth_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
+                return fmt::format(
+                    "shadow by normal offset: the look-up is moved by {:.4g} m into a shadow; without the offset "
+                    "and with {} it is lit, as in truth",
+                    p_.normal_offset_m,
+                    truth_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
             case Artefact::LostCaster:
-                return fmt::format("lost caster: dark in truth by a surface {:.4g} m nearer to the light, which {} left out of "
-                                   "the map",
-                                   truth_.blocker_m, leaves_out());
+                return fmt::format(
+                    "lost caster: dark in truth by a surface {:.4g} m nearer to the light, which {} left out of "
+                    "the map",
+                    truth_.blocker_m, leaves_out());
             case Artefact::Leak:
                 if (p_.causes.unfiltered_differs() && truth_.evidence.unfiltered < 0.5f)
-                    return fmt::format("leak: {:.0f} % of the kernel is lit; the same kernel and bias upon the map before its "
-                                       "blur (map.blur_texels) are dark, as in truth",
-                                       100 * p_.visibility);
-                return fmt::format("leak: {:.0f} % of the kernel is lit; the nearest texel alone, with the {} of bias that it "
-                                   "needs, is dark, as in truth{}",
-                                   100 * p_.visibility, nearest_need(),
-                                   d_.window_open() ? "" : "; with this kernel " + no_bias_is_right());
+                    return fmt::format(
+                        "leak: {:.0f} % of the kernel is lit; the same kernel and bias upon the map before its "
+                        "blur (map.blur_texels) are dark, as in truth",
+                        100 * p_.visibility);
+                return fmt::format(
+                    "leak: {:.0f} % of the kernel is lit; the nearest texel alone, with the {} of bias that it "
+                    "needs, is dark, as in truth{}",
+                    100 * p_.visibility, nearest_need(),
+                    d_.window_open() ? "" : "; with this kernel " + no_bias_is_right());
             case Artefact::Filter:
                 if (p_.causes.unfiltered_differs() && truth_.evidence.unfiltered >= 0.5f)
-                    return fmt::format("filter: {:.0f} % of the kernel is dark; the same kernel and bias upon the map without {} "
-                                       "are lit, as in truth",
-                                       100 * (1 - p_.visibility), filtered_by());
-                return fmt::format("filter: {:.0f} % of the kernel is dark; the nearest texel alone, with the {} of bias that "
-                                   "it needs, is lit, as in truth",
-                                   100 * (1 - p_.visibility), nearest_need());
+                    return fmt::format(
+                        "filter: {:.0f} % of the kernel is dark; the same kernel and bias upon the map without {} "
+                        "are lit, as in truth",
+                        100 * (1 - p_.visibility), filtered_by());
+                return fmt::format(
+                    "filter: {:.0f} % of the kernel is dark; the nearest texel alone, with the {} of bias that "
+                    "it needs, is lit, as in truth",
+                    100 * (1 - p_.visibility), nearest_need());
             case Artefact::OutsideMap:
                 if (truth_.evidence.place == CauseEvidence::kLedOutside)
                     return "outside the map: the normal offset leads the look-up beyond its sides";
-                return "seam: taps reach beyond the map's sides, where map.outside and map.wrap answer; with the truth's "
+                return "seam: taps reach beyond the map's sides, where map.outside and map.wrap answer; with the "
+                       "truth's "
                        "answer there it is right";
-            case Artefact::Undersampled: return undersampled();
+            case Artefact::Undersampled:
+                return undersampled();
             case Artefact::EdgeAliasing:
                 if (p_.fitted.type == LightType::Directional && view().curve.perspective)
-                    return fmt::format("{} though {}: this sun is drawn in perspective (light.projection), as if its rays came "
-                                       "from one place, which moves its shadows",
-                                       dark() ? "dark" : "lit", dark() ? "lit" : "dark");
-                return fmt::format("edge aliasing: {} though {}; {} and the nearest texel alone were tried and leave it so: a "
-                                   "true edge runs between this pixel and the texels that stand for it",
-                                   dark() ? "dark" : "lit", dark() ? "lit" : "dark",
-                                   dark() ? "more bias" : "the least bias");
-            case Artefact::Penumbra: return "penumbra: right for a light without size";
+                    return fmt::format(
+                        "{} though {}: this sun is drawn in perspective (light.projection), as if its rays came "
+                        "from one place, which moves its shadows",
+                        dark() ? "dark" : "lit", dark() ? "lit" : "dark");
+                return fmt::format(
+                    "edge aliasing: {} though {}; {} and the nearest texel alone were tried and leave it so: a "
+                    "true edge runs between this pixel and the texels that stand for it",
+                    dark() ? "dark" : "lit", dark() ? "lit" : "dark", dark() ? "more bias" : "the least bias");
+            case Artefact::Penumbra:
+                return "penumbra: right for a light without size";
         }
         return d_.right ? "right" : "wrong";
     }
 
     std::string also(Artefact a) const {
         switch (a) {
-            case Artefact::PeterPanning: return "so much bias would lose it";
-            case Artefact::PeterPanningOffset: return "the normal offset would lose it";
+            case Artefact::PeterPanning:
+                return "so much bias would lose it";
+            case Artefact::PeterPanningOffset:
+                return "the normal offset would lose it";
             case Artefact::Leak:
-            case Artefact::Filter: return "the kernel takes part in it";
+            case Artefact::Filter:
+                return "the kernel takes part in it";
             case Artefact::LostCaster:
                 if (truth_.evidence.gap_all > truth_.evidence.gap_drawn)
-                    return fmt::format("a caster nearer to the light, which {} left out of the map, takes part in it", leaves_out());
+                    return fmt::format("a caster nearer to the light, which {} left out of the map, takes part in it",
+                                       leaves_out());
                 return "the masks' mip levels take part in it";
-            case Artefact::Acne: return "its bias is less than it needs,";
-            default: return "another cause takes part in it";
+            case Artefact::Acne:
+                return "its bias is less than it needs,";
+            default:
+                return "another cause takes part in it";
         }
     }
 
     std::string acne() const {
         if (d_.has.depth < d_.least.depth)
             return fmt::format("acne: needs {} of bias here, has {}", texels(d_.least), texels(d_.has));
-        return fmt::format("acne of a bent surface: the triangle's own plane needs {} of bias and has {}, but a surface within "
-                           "the kernel's reach rises above it; {} would light it",
-                           texels(d_.least), texels(d_.has), texels(p_.account.amount(truth_.evidence.curing)));
+        return fmt::format(
+            "acne of a bent surface: the triangle's own plane needs {} of bias and has {}, but a surface within "
+            "the kernel's reach rises above it; {} would light it",
+            texels(d_.least), texels(d_.has), texels(p_.account.amount(truth_.evidence.curing)));
     }
 
     /// The trial that made a lit pixel dark, of those with less bias.
@@ -216,8 +252,10 @@ private:
         return "with the least bias of one nearest texel and without the normal offset";
     }
     std::string leaves_out() const {
-        const std::string culling = settings_.caster.cull != int(Cull::None) ? "culling (caster.cull)" : "an object's own culling";
-        return p_.causes.mask_levels ? culling + ", the near plane or a mask's mip level" : culling + " or the near plane";
+        const std::string culling =
+            settings_.caster.cull != int(Cull::None) ? "culling (caster.cull)" : "an object's own culling";
+        return p_.causes.mask_levels ? culling + ", the near plane or a mask's mip level"
+                                     : culling + " or the near plane";
     }
     /// What the unfiltered map goes without.
     std::string filtered_by() const {
@@ -232,11 +270,12 @@ private:
     std::string undersampled() const {
         const CauseEvidence& e = truth_.evidence;
         if (e.gap_all < e.least_nearest && !dark())
-            return fmt::format("undersampled: no depth bias can be right here: even one nearest texel needs {}, but what shadows "
-                               "it lies {} away; a finer map opens the window",
-                               nearest_need(), texels(p_.account.amount(e.gap_all)));
-        return fmt::format("undersampled: the true shadow or light here is {:.3g} m wide, a texel {:.3g} m; {}", e.run_m,
-                           p_.texel_m, sampling_text());
+            return fmt::format(
+                "undersampled: no depth bias can be right here: even one nearest texel needs {}, but what shadows "
+                "it lies {} away; a finer map opens the window",
+                nearest_need(), texels(p_.account.amount(e.gap_all)));
+        return fmt::format("undersampled: the true shadow or light here is {:.3g} m wide, a texel {:.3g} m; {}",
+                           e.run_m, p_.texel_m, sampling_text());
     }
     /// Least power of two of map.resolution at which a texel is no wider than the strip of light or shadow.
     double sampling_resolution() const {
@@ -247,7 +286,8 @@ private:
         const double n = sampling_resolution();
         if (!(n < 1e7)) return "no map has texels as narrow";
         if (n > driver_.max_texture_size)
-            return fmt::format("it would take a map of {:.0f}², more than this driver's {}²", n, driver_.max_texture_size);
+            return fmt::format("it would take a map of {:.0f}², more than this driver's {}²", n,
+                               driver_.max_texture_size);
         return fmt::format("a map of {:.0f}² has texels as narrow", n);
     }
 
@@ -304,7 +344,8 @@ private:
     std::optional<Remedy> remedy() const {
         switch (truth_.cause.artefact) {
             case Artefact::LostCaster:
-                if (settings_.caster.cull != int(Cull::None)) return Remedy{{{"caster.cull", "none"}}, "set caster.cull to none"};
+                if (settings_.caster.cull != int(Cull::None))
+                    return Remedy{{{"caster.cull", "none"}}, "set caster.cull to none"};
                 return {};
             case Artefact::PeterPanningOffset:
             case Artefact::OffsetShadow: {
@@ -322,16 +363,20 @@ private:
                 return {};
             }
             case Artefact::Undersampled: {
-                const double n = truth_.evidence.run_m < truth_.evidence.texel_m ? sampling_resolution() : d_.opening_resolution;
+                const double n =
+                    truth_.evidence.run_m < truth_.evidence.texel_m ? sampling_resolution() : d_.opening_resolution;
                 if (!(n > probe_.map_resolution) || n > driver_.max_texture_size) return {};
-                return Remedy{{{"map.resolution", fmt::format("{:.0f}", n)}}, fmt::format("set map.resolution to {:.0f}", n)};
+                return Remedy{{{"map.resolution", fmt::format("{:.0f}", n)}},
+                              fmt::format("set map.resolution to {:.0f}", n)};
             }
             case Artefact::None:
                 if (!faint_acne()) return {};
                 break;
             case Artefact::Acne:
-            case Artefact::PeterPanning: break;
-            default: return {};
+            case Artefact::PeterPanning:
+                break;
+            default:
+                return {};
         }
         if (d_.has.depth >= d_.least.depth && truth_.lit) return dark() ? bent_remedy() : std::nullopt;
         for (const std::string_view key : bias_keys()) {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/inspect/fragment_truth.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/inspect/fragment_truth.h"
 
 namespace si {
 
@@ -26,9 +26,9 @@ struct Remedy {
 struct Dossier {
     int light = 0;
     FragmentTruth truth;
-    DepthAmount least;     ///< bias that the surface needs
-    DepthAmount has;       ///< what all bias is worth against acne
-    DepthAmount lifted;    ///< how far the bias moves the compared depth towards the light
+    DepthAmount least;   ///< bias that the surface needs
+    DepthAmount has;     ///< what all bias is worth against acne
+    DepthAmount lifted;  ///< how far the bias moves the compared depth towards the light
     /// To the surface nearest the light, along the light's axis; infinite where none stands before the pixel's.
     DepthAmount occluder{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
                          std::numeric_limits<double>::infinity()};
@@ -38,14 +38,13 @@ struct Dossier {
     /// Least power of two of map.resolution at which the window opens; 0 when it is open, infinite when none does it as
     /// the format's steps alone are too coarse.
     double opening_resolution = 0;
-    bool right = true;     ///< visibility and truth are on the same side of one half
-    std::string verdict;   ///< a sentence
+    bool right = true;    ///< visibility and truth are on the same side of one half
+    std::string verdict;  ///< a sentence
     std::optional<Remedy> remedy;
 };
 
 /// @param settings that were probed
 Dossier explain(const Probe& probe, const Probe::PerLight& light, const FragmentTruth& truth, const Settings& settings,
                 const DriverInfo& driver);
-
 
 }  // namespace si

@@ -54,8 +54,7 @@ std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& setting
             }
         }
         if (cull == Cull::None) continue;
-        const bool blend =
-            mesh.material >= 0 && scene.materials[std::size_t(mesh.material)].alpha == AlphaMode::Blend;
+        const bool blend = mesh.material >= 0 && scene.materials[std::size_t(mesh.material)].alpha == AlphaMode::Blend;
         if (blend && settings.caster.blend != int(BlendCasters::Mask)) continue;
         glm::dvec4 place;
         if (!light_in_object_space(light, object.world, place)) continue;
@@ -67,13 +66,13 @@ std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& setting
 std::vector<std::string> lost_caster_notes(const Scene& scene, const std::vector<LostCaster>& lost, std::size_t most) {
     std::vector<std::string> notes;
     for (std::size_t i = 0; i < std::min(lost.size(), most); ++i) {
-        const std::string& path =
-            scene.nodes[std::size_t(scene.objects[std::size_t(lost[i].object)].node)].path;
+        const std::string& path = scene.nodes[std::size_t(scene.objects[std::size_t(lost[i].object)].node)].path;
         notes.push_back(fmt::format(
             "{} casts no shadow: {}-face culling removes all of its {} triangles; object.{}.cull=none keeps them", path,
             lost[i].cull == int(Cull::Front) ? "front" : "back", lost[i].triangles, path));
     }
-    if (lost.size() > most) notes.push_back(fmt::format("and {} more objects cast no shadow likewise", lost.size() - most));
+    if (lost.size() > most)
+        notes.push_back(fmt::format("and {} more objects cast no shadow likewise", lost.size() - most));
     return notes;
 }
 

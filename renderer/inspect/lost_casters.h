@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "renderer/view/light_fit.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/light_fit.h"
 
 namespace si {
 

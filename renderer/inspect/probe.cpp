@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "renderer/reference/error_task.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/inspect/comparison.h"
+#include "renderer/reference/error_task.h"
 
 namespace si {
 namespace {
@@ -93,8 +93,8 @@ SurfaceIds part_of(const SurfaceIds& all, glm::ivec2 pixel, glm::ivec2& at) {
 
 Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameRequest& request, int x, int y) {
     if (x < 0 || y < 0 || x >= request.width || y >= request.height)
-        throw UsageError(fmt::format("pixel {},{} lies outside the picture of {} x {} pixels", x, y, request.width,
-                                     request.height));
+        throw UsageError(
+            fmt::format("pixel {},{} lies outside the picture of {} x {} pixels", x, y, request.width, request.height));
     FrameRequest maps = request;
     maps.outputs = {.colour = false, .shadow_map = true, .surface_ids = true, .unfiltered_map = true};
     maps.force = maps.timing = false;
@@ -116,8 +116,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
         out.normal_ws = glm::dvec3(facts.values[1]);
         out.id = facts.id();
         const auto object = std::size_t(out.id.x - 1);
-        if (object < scene.objects.size())
-            out.object = scene.nodes[std::size_t(scene.objects[object].node)].path;
+        if (object < scene.objects.size()) out.object = scene.nodes[std::size_t(scene.objects[object].node)].path;
         if (i >= f.gl.fitted.size()) break;
         FloatImage map;
         if (f.gl.fitted[i].casts) {

@@ -6,24 +6,24 @@
 #include <vector>
 
 #include "renderer/bias/account.h"
-#include "renderer/view/camera.h"
 #include "renderer/frame/frame.h"
+#include "renderer/view/camera.h"
 
 namespace si {
 
 /// One comparison of the kernel.
 struct KernelTap {
     enum class Meets {
-        Nothing,   ///< nothing was drawn there, or it is outside of the map
-        Own,       ///< the receiver's plane, up to what storing it may err: dark here is acne
-        Nearer,    ///< a surface nearer to the light than the plane: an occluder
-        Farther,   ///< a surface behind the plane
+        Nothing,  ///< nothing was drawn there, or it is outside of the map
+        Own,      ///< the receiver's plane, up to what storing it may err: dark here is acne
+        Nearer,   ///< a surface nearer to the light than the plane: an occluder
+        Farther,  ///< a surface behind the plane
     };
-    glm::ivec2 texel{0};  ///< x to the right, y up, before map.wrap
-    double weight = 0;    ///< share of the kernel's result
+    glm::ivec2 texel{0};              ///< x to the right, y up, before map.wrap
+    double weight = 0;                ///< share of the kernel's result
     double stored = 0, stored_m = 0;  ///< depth, and metres along the light's axis
-    double plane = 0;     ///< depth of the receiver's plane at the texel's centre
-    bool lit = false;     ///< the comparison's result
+    double plane = 0;                 ///< depth of the receiver's plane at the texel's centre
+    bool lit = false;                 ///< the comparison's result
     Meets meets = Meets::Nothing;
 };
 
@@ -34,7 +34,7 @@ struct Probe {
     Camera camera;
     int width = 0, height = 0;  ///< of the picture that x and y count in
     int map_resolution = 0;
-    SurfaceIds around;      ///< of the pixels within kRunReach of this one, as far as the picture goes
+    SurfaceIds around;        ///< of the pixels within kRunReach of this one, as far as the picture goes
     glm::ivec2 around_at{0};  ///< the place of its top left pixel in the picture
     glm::dvec3 position_ws{0}, normal_ws{0};
     std::string object;
@@ -44,28 +44,28 @@ struct Probe {
         FittedLight fitted;
         SurfacePoint point;
         BiasAccount account;
-        glm::dvec4 clip{0};      ///< light clip space
-        glm::dvec3 ndc{0};       ///< after division by w
-        glm::dvec3 uvd{0};       ///< [0,1]: map coordinates and depth
-        glm::dvec3 tap{0};       ///< the same after the normal offset: where the kernel is centred
-        glm::ivec2 texel{0};     ///< that the kernel is centred in
+        glm::dvec4 clip{0};   ///< light clip space
+        glm::dvec3 ndc{0};    ///< after division by w
+        glm::dvec3 uvd{0};    ///< [0,1]: map coordinates and depth
+        glm::dvec3 tap{0};    ///< the same after the normal offset: where the kernel is centred
+        glm::ivec2 texel{0};  ///< that the kernel is centred in
         double n_dot_l = 0;
-        double stored = 0, stored_m = 0;     ///< nearest texel, raw and metres along the light's axis
-        double own = 0, own_m = 0;           ///< the fragment's own depth before bias
-        double gap_m = 0;                    ///< how much nearer to the light the texel's surface is, metres along the light's ray
+        double stored = 0, stored_m = 0;  ///< nearest texel, raw and metres along the light's axis
+        double own = 0, own_m = 0;        ///< the fragment's own depth before bias
+        double gap_m = 0;  ///< how much nearer to the light the texel's surface is, metres along the light's ray
         double stored_linear = 0, own_linear = 0;  ///< 0 at the near plane, 1 at the far plane
         double bias_depth = 0, bias_texels = 0, bias_m = 0;
         double normal_offset_m = 0;
         glm::dvec3 offset_position_ws{0};  ///< after the normal offset
         double texel_m = 0;
-        double compared = 0;     ///< depth after bias; of 16 and 24-bit maps within [0,1]
+        double compared = 0;  ///< depth after bias; of 16 and 24-bit maps within [0,1]
         int taps_across = 1;
         std::vector<KernelTap> taps;  ///< row by row from the lowest
-        double visibility = 1;   ///< what the renderer's filter computed
-        CauseEvidence evidence;  ///< trials of the pixel; gaps, run_m and edge_m are the truth's to fill in
+        double visibility = 1;        ///< what the renderer's filter computed
+        CauseEvidence evidence;       ///< trials of the pixel; gaps, run_m and edge_m are the truth's to fill in
         CauseContext causes;
-        std::string where;       ///< inside, sides, beyond far, behind, before near
-        std::string verdict;     ///< a sentence
+        std::string where;    ///< inside, sides, beyond far, behind, before near
+        std::string verdict;  ///< a sentence
     };
     std::vector<PerLight> lights;
 };

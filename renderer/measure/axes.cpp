@@ -17,7 +17,7 @@ constexpr std::size_t kMaxValues = 1000;
 
 std::vector<std::string> split(std::string_view text, char at) {
     std::vector<std::string> parts;
-    for (std::size_t begin = 0;; ) {
+    for (std::size_t begin = 0;;) {
         const std::size_t end = text.find(at, begin);
         parts.emplace_back(text.substr(begin, end - begin));
         if (end == std::string_view::npos) return parts;
@@ -29,8 +29,8 @@ double number(std::string_view text, std::string_view whole) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        throw UsageError(fmt::format("--vary {}: '{}' is no number; from:to:step is wanted, such as 0:4:0.5 or 256:4096:*2",
-                                     whole, text));
+        throw UsageError(fmt::format(
+            "--vary {}: '{}' is no number; from:to:step is wanted, such as 0:4:0.5 or 256:4096:*2", whole, text));
     return value;
 }
 
@@ -40,13 +40,12 @@ std::vector<double> row_of(const std::vector<std::string>& parts, std::string_vi
     const double from = number(parts[0], whole), to = number(parts[1], whole),
                  step = number(std::string_view(parts[2]).substr(geometric ? 1 : 0), whole);
     const bool upwards = to >= from;
-    const bool moves = geometric ? from * to > 0 && step > 0 && step != 1 && (std::abs(to) >= std::abs(from)) == (step > 1)
-                                 : step != 0 && (step > 0) == upwards;
+    const bool moves = geometric
+                           ? from * to > 0 && step > 0 && step != 1 && (std::abs(to) >= std::abs(from)) == (step > 1)
+                           : step != 0 && (step > 0) == upwards;
     if (from != to && !moves)
         throw UsageError(fmt::format("--vary {}: the step does not lead from {} to {}", whole, parts[0], parts[1]));
-    const double count = from == to ? 0
-                         : geometric ? std::log(to / from) / std::log(step)
-                                     : (to - from) / step;
+    const double count = from == to ? 0 : geometric ? std::log(to / from) / std::log(step) : (to - from) / step;
     if (count >= double(kMaxValues))
         throw UsageError(fmt::format("--vary {}: more than {} values; take a larger step", whole, kMaxValues));
     std::vector<double> row;

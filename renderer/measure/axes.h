@@ -28,7 +28,7 @@ struct SweepCase {
 
 struct SweepPlan {
     std::vector<SweepCase> cases;
-    std::size_t product = 0;  ///< cases before those that amount to the same were merged
+    std::size_t product = 0;         ///< cases before those that amount to the same were merged
     std::vector<std::string> notes;  ///< one line for each axis of which values make no difference here
 };
 
@@ -36,7 +36,8 @@ struct SweepPlan {
 inline constexpr std::size_t kMaxSweepCases = 100'000;
 
 /// The cross product of the axes over `base`. Cases that differ only in settings without effect are one case, the first
-/// of them; but with an axis of scene.*, of which a scene's suggestions follow, only equal settings are. @throws UsageError when a key is varied twice or there are more than kMaxSweepCases.
+/// of them; but with an axis of scene.*, of which a scene's suggestions follow, only equal settings are. @throws
+/// UsageError when a key is varied twice or there are more than kMaxSweepCases.
 SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes);
 
 /// `settings` with each setting that is without effect at its default: two that draw the same by that are equal.

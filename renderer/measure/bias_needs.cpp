@@ -61,9 +61,12 @@ BiasSettings cheapest_slope(const std::vector<Need>& needs, double largest) {
 
 std::string_view family_word(BiasFamily family) {
     switch (family) {
-        case BiasFamily::Constant: return "constant bias";
-        case BiasFamily::Slope: return "slope bias";
-        case BiasFamily::Normal: return "normal offset";
+        case BiasFamily::Constant:
+            return "constant bias";
+        case BiasFamily::Slope:
+            return "slope bias";
+        case BiasFamily::Normal:
+            return "normal offset";
     }
     return "";
 }
@@ -100,7 +103,8 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
         const double b = a.least.total();
         const double offset_m = least_normal_offset(view, r.position_ws, r.normal_ws, b);
         if (!std::isfinite(total) || !(offset_m > 0)) continue;  // edge-on
-        needs.push_back({total, step, 1 - std::clamp(a.receiver.n_dot_l, 0.0, 1.0), total * a.receiver.texel_m / offset_m,
+        needs.push_back({total, step, 1 - std::clamp(a.receiver.n_dot_l, 0.0, 1.0),
+                         total * a.receiver.texel_m / offset_m,
                          contact_gap(a.receiver.texel_m / a.receiver.axis_per_ray, a.theta_rad)});
         gaps.push_back(a.contact_gap_m());
         shifts.push_back(a.receiver.normal_offset_m * std::tan(std::min(a.theta_rad, 1.57)));

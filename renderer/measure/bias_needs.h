@@ -17,9 +17,9 @@ std::string_view family_word(BiasFamily family);
 
 struct BiasNeeds {
     std::size_t pixels = 0;  ///< that the light reaches, inside the map
-    /// Of them those that more bias lights wholly. Faint: half lit or more, on planes that have less bias than they need.
-    /// Folds: the plane has all that it needs, so what darkens it rises beside it, as a wall does above the floor that it
-    /// stands on.
+    /// Of them those that more bias lights wholly. Faint: half lit or more, on planes that have less bias than they
+    /// need. Folds: the plane has all that it needs, so what darkens it rises beside it, as a wall does above the floor
+    /// that it stands on.
     std::size_t faint_acne = 0, folds = 0;
     /// The least setting of each family that clears every one of these pixels' planes, in texels.
     std::array<BiasSettings, kBiasFamilies> least{};

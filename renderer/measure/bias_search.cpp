@@ -32,8 +32,8 @@ BiasSearch::BiasSearch(const Settings& start, const Options& options) : start_(s
         families_ = {BiasFamily::Normal, BiasFamily::Slope, BiasFamily::Constant};
 }
 
-/// A plane needs factor 1. Where surfaces rise beside it (a wall above its floor) more normal offset is of no use, as it
-/// moves along the wall: texels of constant bias are added.
+/// A plane needs factor 1. Where surfaces rise beside it (a wall above its floor) more normal offset is of no use, as
+/// it moves along the wall: texels of constant bias are added.
 BiasSettings BiasSearch::tried(double factor) const {
     const BiasFamily family = families_[at_];
     const BiasSettings& theory = before_.needs.of(family);
@@ -86,7 +86,8 @@ void BiasSearch::report(const BiasTrial& trial) {
     if (trial.acne() == 0) clear_ = here;
     if (!nearest_ || trial.acne() < nearest_->trial.acne()) nearest_ = here;
     // Of trials without acne the last has the least bias.
-    if (!nearest_of_family_ || trial.acne() == 0 || trial.acne() < nearest_of_family_->trial.acne()) nearest_of_family_ = here;
+    if (!nearest_of_family_ || trial.acne() == 0 || trial.acne() < nearest_of_family_->trial.acne())
+        nearest_of_family_ = here;
     narrow(trial.acne() == 0);
 }
 

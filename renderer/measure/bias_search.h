@@ -35,7 +35,8 @@ BiasTrial judge_bias(const MeasuredError& measured, const Settings& settings, co
 
 struct BiasFound {
     BiasFamily family = BiasFamily::Constant;
-    double factor = 1;  ///< of what theory says; a normal offset is given texels of constant bias where that is not enough
+    double factor =
+        1;  ///< of what theory says; a normal offset is given texels of constant bias where that is not enough
     BiasSettings bias;
     BiasTrial trial;
 };
@@ -43,9 +44,9 @@ struct BiasFound {
 class BiasSearch {
 public:
     struct Options {
-        double tolerance = 0.02;             ///< the least factor is known to this share
-        std::optional<BiasFamily> only;      ///< else all are tried
-        bool quick = false;                  ///< content with what theory says where that leaves no acne
+        double tolerance = 0.02;         ///< the least factor is known to this share
+        std::optional<BiasFamily> only;  ///< else all are tried
+        bool quick = false;              ///< content with what theory says where that leaves no acne
     };
     /// @param start with the bias that is to be replaced; it is tried first
     explicit BiasSearch(const Settings& start) : BiasSearch(start, Options()) {}
@@ -65,8 +66,8 @@ public:
     const std::vector<BiasFound>& found() const { return found_; }
     /// One of each family that was tried: the least that leaves no acne, or else what came nearest to that.
     const std::vector<BiasFound>& tried() const { return tried_; }
-    /// The one that loses the fewest pixels, and of equal ones that with the smallest gap for 95 %; nothing when no bias
-    /// leaves no acne.
+    /// The one that loses the fewest pixels, and of equal ones that with the smallest gap for 95 %; nothing when no
+    /// bias leaves no acne.
     const BiasFound* best() const;
     /// Where none does: what came nearest.
     const BiasFound* nearest() const { return nearest_ ? &*nearest_ : nullptr; }

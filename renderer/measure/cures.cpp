@@ -6,11 +6,11 @@
 #include <set>
 
 #include "renderer/bias/account.h"
-#include "renderer/view/manual_light.h"
 #include "renderer/measure/axes.h"
 #include "renderer/measure/time_sampler.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/techniques.h"
+#include "renderer/view/manual_light.h"
 
 namespace si {
 namespace {
@@ -35,7 +35,8 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
         if (std::isfinite(gap_m)) {
             const double along = gap_m * glm::dot(a.receiver.to_light, light.views[a.receiver.view].axes[2]);
             const double kappa = filters()[std::size_t(settings.filter.kernel)].reach_texels;
-            const double fixed = a.least.quantum + a.least.rounding, falls = a.least.kernel * 0.5 / kappa + a.least.snapping;
+            const double fixed = a.least.quantum + a.least.rounding,
+                         falls = a.least.kernel * 0.5 / kappa + a.least.snapping;
             const double room = a.curve.depth_nearer(a.receiver.own_m, along) - fixed;
             if (room > 0) n = std::max(n, m.map_resolution * falls / room);
         }
@@ -57,7 +58,8 @@ std::vector<std::pair<std::string, std::string>> changes(const Settings& base, c
 
 BiasSettings least_bias_of(const CureFacts& facts, BiasFamily family) {
     BiasSettings b = facts.needs.of(family);
-    b.constant = rounded_up(b.constant * 1.001), b.slope = rounded_up(b.slope * 1.001), b.normal = rounded_up(b.normal * 1.001);
+    b.constant = rounded_up(b.constant * 1.001), b.slope = rounded_up(b.slope * 1.001),
+    b.normal = rounded_up(b.normal * 1.001);
     return scaled(b, 1);  // within what the settings allow
 }
 
@@ -166,8 +168,8 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
     const bool any = f.needs.pixels > 0;
     const auto bias = [&](BiasFamily family) { return least_bias_of(f, family); };
     constexpr std::pair<BiasFamily, const char*> kFamilies[] = {{BiasFamily::Normal, "least bias, normal offset"},
-                                                               {BiasFamily::Slope, "least bias, slope over constant"},
-                                                               {BiasFamily::Constant, "least bias, constant alone"}};
+                                                                {BiasFamily::Slope, "least bias, slope over constant"},
+                                                                {BiasFamily::Constant, "least bias, constant alone"}};
     for (const auto& [family, name] : kFamilies)
         if (any) idea(name, [&, fam = family](Settings& s) { s.bias = bias(fam); });
     idea("no normal offset", [](Settings& s) { s.bias.normal = 0; });
@@ -193,7 +195,8 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
         const auto change = [&](Settings& s) { s.map.resolution = int(n); };
         const double most = find_setting("map.resolution")->param->max;
         if (n > std::min(double(limit), most)) {
-            idea(title, [](Settings&) {}, fmt::format("beyond the limit of {:.0f}²", std::min(double(limit), most)));
+            idea(
+                title, [](Settings&) {}, fmt::format("beyond the limit of {:.0f}²", std::min(double(limit), most)));
             return;
         }
         idea(title, change);
@@ -216,14 +219,17 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
 
     const LightSettings& light = base.lights[std::size_t(f.light)];
     if (light.fit == int(LightFit::Manual))
-        idea("map fitted to the scene", [&](Settings& s) { s.lights[std::size_t(f.light)].fit = int(LightFit::Scene); });
-    idea("the light's own projection", [&](Settings& s) {
-        s.lights[std::size_t(f.light)].projection = int(LightProjection::Automatic);
-    });
+        idea("map fitted to the scene",
+             [&](Settings& s) { s.lights[std::size_t(f.light)].fit = int(LightFit::Scene); });
+    idea("the light's own projection",
+         [&](Settings& s) { s.lights[std::size_t(f.light)].projection = int(LightProjection::Automatic); });
     const FittedLight& fitted = f.lights[std::size_t(f.light)];
-    const bool parallel = fitted.views.size() == 1 && !fitted.views[0].curve.perspective && fitted.type == LightType::Directional;
+    const bool parallel =
+        fitted.views.size() == 1 && !fitted.views[0].curve.perspective && fitted.type == LightType::Directional;
     if (!parallel) {
-        idea("tighter fit", [](Settings&) {}, "only the parallel map of a directional light can be fitted tighter to what is seen");
+        idea(
+            "tighter fit", [](Settings&) {},
+            "only the parallel map of a directional light can be fitted tighter to what is seen");
     } else if (f.receivers_half_m > 0) {
         // Parallel rays: what shadows the surfaces seen lies within their own outline in the map.
         constexpr double kMarginTexels = 8;
@@ -232,8 +238,10 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
             idea("tighter fit, to the surfaces seen", [&](Settings& s) {
                 LightSettings& l = s.lights[std::size_t(f.light)];
                 l = manual_light(l, fitted);
-                const glm::dvec3 aside = fitted.views[0].axes * glm::dvec3(glm::dvec2(glm::transpose(fitted.views[0].axes) *
-                                                                                  (f.receivers_middle_ws - fitted.views[0].eye)), 0);
+                const glm::dvec3 aside =
+                    fitted.views[0].axes * glm::dvec3(glm::dvec2(glm::transpose(fitted.views[0].axes) *
+                                                                 (f.receivers_middle_ws - fitted.views[0].eye)),
+                                                      0);
                 l.target_x += aside.x, l.target_y += aside.y, l.target_z += aside.z;
                 l.extent = half;
             });
@@ -291,7 +299,8 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
     for (const CureIdea& more : options.more) {
         CureIdea own = more;
         own.settings = measured_settings(own.settings);
-        const bool known = std::any_of(ideas.begin(), ideas.end(), [&](const CureIdea& i) { return i.settings == own.settings; });
+        const bool known =
+            std::any_of(ideas.begin(), ideas.end(), [&](const CureIdea& i) { return i.settings == own.settings; });
         if (!known && !(own.settings == base)) ideas.insert(ideas.begin(), std::move(own));
     }
     const long long bytes_before = bytes(base, before);
@@ -302,14 +311,16 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
         if (row.untried.empty()) {
             tell((double(k) + 1) / (double(ideas.size()) + 1), idea.name);
             const MeasuredError after = measure(idea.settings);
-            if (after.camera.eye != before.camera.eye ||
-                after.camera.clip_from_relative(after.camera.eye) != before.camera.clip_from_relative(before.camera.eye)) {
+            if (after.camera.eye != before.camera.eye || after.camera.clip_from_relative(after.camera.eye) !=
+                                                             before.camera.clip_from_relative(before.camera.eye)) {
                 row.untried = "the camera looks through this light and would move with it";
                 table.rows.push_back(std::move(row));
                 continue;
             }
-            if (after.map_resolution != idea.settings.map.resolution && idea.settings.map.resolution != base.map.resolution) {
-                row.untried = fmt::format("maps of that size need too much memory; {}² would be drawn", after.map_resolution);
+            if (after.map_resolution != idea.settings.map.resolution &&
+                idea.settings.map.resolution != base.map.resolution) {
+                row.untried =
+                    fmt::format("maps of that size need too much memory; {}² would be drawn", after.map_resolution);
                 table.rows.push_back(std::move(row));
                 continue;
             }

@@ -27,10 +27,11 @@ struct CureFacts {
     BiasNeeds needs;
     std::vector<FittedLight> lights;
     int light = 0, map_resolution = 0, max_resolution = 0;
-    /// Texels of map.resolution at which nineteen of twenty undersampled pixels have texels no wider than what they show; 0:
-    /// none is.
+    /// Texels of map.resolution at which nineteen of twenty undersampled pixels have texels no wider than what they
+    /// show; 0: none is.
     double sampling_resolution = 0;
-    /// Half the side of the square of the map about `receivers_middle_ws` that all compared surfaces in the picture lie in.
+    /// Half the side of the square of the map about `receivers_middle_ws` that all compared surfaces in the picture lie
+    /// in.
     double receivers_half_m = 0;
     glm::dvec3 receivers_middle_ws{0};
 };
@@ -54,28 +55,30 @@ std::string map_bytes_text(long long bytes);
 
 struct Cure {
     std::string name;
-    std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of what changes, as set_setting() takes them
-    std::string untried;              ///< why nothing of the following is known; empty: it is
+    std::vector<std::pair<std::string, std::string>>
+        settings;                       ///< key and value of what changes, as set_setting() takes them
+    std::string untried;                ///< why nothing of the following is known; empty: it is
     std::size_t cured = 0, broken = 0;  ///< pixels: wrong before and right with it; right before and wrong with it
     std::array<std::size_t, kArtefacts> cured_of{};  ///< the cured ones by what was wrong
-    std::optional<bool> pixel_right;  ///< whether the pixel asked for is right with it
-    std::optional<CostChange> ms;     ///< of the passes that it changes; nothing unless timed
-    long long map_bytes = 0;          ///< more of them than before
+    std::optional<bool> pixel_right;                 ///< whether the pixel asked for is right with it
+    std::optional<CostChange> ms;                    ///< of the passes that it changes; nothing unless timed
+    long long map_bytes = 0;                         ///< more of them than before
     long long gain() const { return (long long)cured - (long long)broken; }
 };
 
 struct CureTable {
-    std::vector<Cure> rows;  ///< by cured - broken, then milliseconds; with a pixel those first that put it right; untried last
-    std::size_t wrong = 0;   ///< pixels before
+    std::vector<Cure>
+        rows;  ///< by cured - broken, then milliseconds; with a pixel those first that put it right; untried last
+    std::size_t wrong = 0;  ///< pixels before
     std::array<std::size_t, kArtefacts> wrong_of{};
 };
 
 struct CureOptions {
     std::optional<glm::ivec2> pixel;  ///< of the picture, from the top left
     bool time = false;
-    int frames = 7;                   ///< timed, of each side
+    int frames = 7;  ///< timed, of each side
     TruthOptions truth;
-    std::vector<CureIdea> more;       ///< tried besides
+    std::vector<CureIdea> more;  ///< tried besides
 };
 
 /// Draws, judges and times every idea. On the renderer's thread. `report` hears of the share done and what is tried.

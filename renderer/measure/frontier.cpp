@@ -51,7 +51,8 @@ Spread spread_of(std::vector<double> samples, std::span<const std::size_t> burst
     std::vector<double> medians;
     for (std::size_t b = 0; b < bursts.size(); ++b) {
         const std::size_t end = b + 1 < bursts.size() ? bursts[b + 1] : samples.size();
-        medians.push_back(median_of({samples.begin() + std::ptrdiff_t(bursts[b]), samples.begin() + std::ptrdiff_t(end)}));
+        medians.push_back(
+            median_of({samples.begin() + std::ptrdiff_t(bursts[b]), samples.begin() + std::ptrdiff_t(end)}));
     }
     s.bursts = std::max(1, int(medians.size()));
     std::sort(samples.begin(), samples.end());
@@ -68,7 +69,8 @@ Spread spread_of(std::vector<double> samples, std::span<const std::size_t> burst
 
 bool dominates(const Dot& a, const Dot& b) {
     if (!finite(a) || !finite(b)) return false;
-    const double cost_noise = std::max(a.cost_noise, b.cost_noise), error_noise = std::max(a.error_noise, b.error_noise);
+    const double cost_noise = std::max(a.cost_noise, b.cost_noise),
+                 error_noise = std::max(a.error_noise, b.error_noise);
     const bool no_worse = a.cost <= b.cost + cost_noise && a.error <= b.error + error_noise;
     const bool better = a.cost < b.cost - cost_noise || a.error < b.error - error_noise;
     return no_worse && better;

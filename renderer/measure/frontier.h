@@ -18,8 +18,8 @@ struct Spread {
 };
 
 /// The interval is the distribution-free one by ranks n/2 -+ 0.98 sqrt(n) (Conover, Practical Nonparametric Statistics,
-/// 3.2), so that times that jump between two values do not pass for settled. Frames that follow each other are alike, so
-/// that ranks alone take a machine's mood for certainty: with several bursts the interval is at least that of their
+/// 3.2), so that times that jump between two values do not pass for settled. Frames that follow each other are alike,
+/// so that ranks alone take a machine's mood for certainty: with several bursts the interval is at least that of their
 /// medians' mean by Student's t.
 /// @param bursts index of the first sample of each; empty: one burst
 Spread spread_of(std::vector<double> samples, std::span<const std::size_t> bursts = {});
@@ -33,13 +33,13 @@ struct Dot {
 /// How `a` stands to `b`: better when it is no worse on either axis beyond noise and better on one beyond noise.
 bool dominates(const Dot& a, const Dot& b);
 
-/// For each dot whether nothing dominates it. Dots closer than noise do not push each other off. Dots with a value that is
-/// not finite are never on the frontier.
+/// For each dot whether nothing dominates it. Dots closer than noise do not push each other off. Dots with a value that
+/// is not finite are never on the frontier.
 std::vector<bool> frontier(std::span<const Dot> dots);
 
 /// What else the frontier offers to the owner of `present`.
 struct Advice {
-    std::optional<std::size_t> better;   ///< least costly dot on the frontier with a smaller error: costs more
+    std::optional<std::size_t> better;  ///< least costly dot on the frontier with a smaller error: costs more
     double extra_cost = 0;
     std::optional<std::size_t> cheaper;  ///< least costly dot whose error is no larger: costs less
     double saved_cost = 0;

@@ -2,9 +2,9 @@
 // sweeps and the editor.
 #pragma once
 
+#include "renderer/frame/renderer.h"
 #include "renderer/measure/time_sampler.h"
 #include "renderer/reference/error_task.h"
-#include "renderer/frame/renderer.h"
 
 namespace si {
 

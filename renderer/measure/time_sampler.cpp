@@ -17,7 +17,9 @@ TimeSamples::Pass& pass_of(TimeSamples& samples, const std::string& name) {
     return samples.passes.emplace_back(TimeSamples::Pass{name, {}, {}});
 }
 
-void append(std::vector<double>& to, const std::vector<double>& from) { to.insert(to.end(), from.begin(), from.end()); }
+void append(std::vector<double>& to, const std::vector<double>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+}
 
 }  // namespace
 
@@ -58,15 +60,15 @@ TimeMeasurement summary(const TimeSamples& samples, double settled_below) {
     const auto spread = [&](std::vector<double> times) {
         // Of a pass that did not run in every frame it is not known which burst a time is of.
         const bool every = times.size() == samples.total_ms.size();
-        return spread_of(std::move(times), every ? std::span<const std::size_t>(samples.bursts) : std::span<const std::size_t>());
+        return spread_of(std::move(times),
+                         every ? std::span<const std::size_t>(samples.bursts) : std::span<const std::size_t>());
     };
     m.total_ms = spread(samples.total_ms);
     m.maps_ms = spread(samples.maps_ms);
     std::vector<double> rest = samples.total_ms;
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= samples.maps_ms[i];
     m.picture_ms = spread(std::move(rest));
-    for (const auto& pass : samples.passes)
-        m.passes.push_back({pass.name, spread(pass.gpu_ms), spread(pass.cpu_ms)});
+    for (const auto& pass : samples.passes) m.passes.push_back({pass.name, spread(pass.gpu_ms), spread(pass.cpu_ms)});
     m.settled = m.total_ms.bursts >= kLeastBursts && m.total_ms.relative() < settled_below;
     m.clock = samples.clock;
     return m;
@@ -137,11 +139,9 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
     const std::uint64_t fetched = settings.map.format == int(MapFormat::Colour) ? 4 : bytes;
     cost.map_bytes = cost.map_texels * bytes;
     // The blurred copy, which has no depth buffer beside it, and one map blurred along x alone as 32-bit floats.
-    if (settings.map.blur_texels > 0 && casting > 0)
-        cost.map_bytes += cost.map_texels * fetched + 4 * texels;
+    if (settings.map.blur_texels > 0 && casting > 0) cost.map_bytes += cost.map_texels * fetched + 4 * texels;
     const std::uint64_t pixels = std::uint64_t(frame.colour.width) * std::uint64_t(frame.colour.height);
-    cost.bytes_touched =
-        cost.map_bytes + casting * pixels * std::uint64_t(std::llround(cost.taps_per_pixel)) * fetched;
+    cost.bytes_touched = cost.map_bytes + casting * pixels * std::uint64_t(std::llround(cost.taps_per_pixel)) * fetched;
     for (const PassInfo& pass : frame.passes) {
         if (pass.state != PassState::Ran) continue;
         cost.draws += pass.draws;

@@ -20,8 +20,8 @@ struct TimeSamples {
         std::vector<double> gpu_ms, cpu_ms;
     };
     std::vector<double> total_ms;
-    std::vector<double> maps_ms;      ///< of the passes that draw or change shadow maps
-    std::vector<Pass> passes;         ///< those that ran, in the frame's order
+    std::vector<double> maps_ms;  ///< of the passes that draw or change shadow maps
+    std::vector<Pass> passes;     ///< those that ran, in the frame's order
     std::string clock;
     std::vector<std::size_t> bursts;  ///< first frame of each; the frames of one follow each other at once
     bool burst_ended = true;          ///< the next frame begins another
@@ -55,21 +55,21 @@ inline constexpr int kLeastBursts = 3;
 TimeMeasurement summary(const TimeSamples& samples, double settled_below = kSettledSpread);
 
 /// Collects the pass times of frames of one setting. Frames are to be drawn with FrameRequest::timing and ::force: a
-/// pass whose result is reused takes no time, which would be the wrong answer. Frames come in bursts spread over a while,
-/// since a machine's mood lasts longer than a few frames.
+/// pass whose result is reused takes no time, which would be the wrong answer. Frames come in bursts spread over a
+/// while, since a machine's mood lasts longer than a few frames.
 class TimeSampler {
 public:
     struct Limits {
         int least = 5, most = 60;  ///< frames
         double spread = kSettledSpread;
-        int bursts = 5;      ///< at least
-        double over_s = 1;   ///< that these are spread over, at least
+        int bursts = 5;     ///< at least
+        double over_s = 1;  ///< that these are spread over, at least
     };
     TimeSampler() : TimeSampler(Limits{}) {}
     explicit TimeSampler(const Limits& limits) : limits_(limits) {}
 
-    /// The first frame, and the first after a pause, warms up (programs are compiled, memory is touched, clocks rise) and
-    /// is not counted. @param now_s when it was done, by any clock
+    /// The first frame, and the first after a pause, warms up (programs are compiled, memory is touched, clocks rise)
+    /// and is not counted. @param now_s when it was done, by any clock
     void add(const FrameResult& frame, double now_s);
     /// How long to wait before the next frame; 0: at once.
     double pause_s() const { return pause_s_; }
@@ -103,9 +103,9 @@ TimeMeasurement sample_times(const TimeSampler::Limits& limits, const std::funct
 
 /// What a frame costs whatever machine draws it.
 struct WorkCost {
-    double taps_per_pixel = 0;          ///< texels fetched per light and lit pixel by the kernel, by gathers or a sampler
-    std::uint64_t map_texels = 0;       ///< of all shadow maps
-    std::uint64_t map_bytes = 0;        ///< that they take, copies of map.blur_texels included
+    double taps_per_pixel = 0;     ///< texels fetched per light and lit pixel by the kernel, by gathers or a sampler
+    std::uint64_t map_texels = 0;  ///< of all shadow maps
+    std::uint64_t map_bytes = 0;   ///< that they take, copies of map.blur_texels included
     /// map_bytes, and what the kernel fetches were each pixel lit by each casting light.
     std::uint64_t bytes_touched = 0;
     std::uint64_t draws = 0, triangles = 0;  ///< of all passes that ran

@@ -23,16 +23,20 @@ constexpr auto kErrors = std::to_array<ErrorKind>({
 }  // namespace
 
 std::string length_text(double m) {
-    return m < 1e-3 ? fmt::format("{:.3g} µm", m * 1e6) : m < 1 ? fmt::format("{:.3g} mm", m * 1e3) : fmt::format("{:.3g} m", m);
+    return m < 1e-3 ? fmt::format("{:.3g} µm", m * 1e6)
+           : m < 1  ? fmt::format("{:.3g} mm", m * 1e3)
+                    : fmt::format("{:.3g} m", m);
 }
 
 namespace {
 
 std::string cost_text(const BiasTrial& before, const BiasTrial& after) {
-    std::string text =
-        fmt::format("gap beside casters {} at the median, {} for 95 % (was {}, {}); {} px lost to bias (was {}); acne {} px (was {})",
-                    length_text(after.needs.gap_median_m), length_text(after.needs.gap_p95_m), length_text(before.needs.gap_median_m),
-                    length_text(before.needs.gap_p95_m), after.lost(), before.lost(), after.acne(), before.acne());
+    std::string text = fmt::format(
+        "gap beside casters {} at the median, {} for 95 % (was {}, {}); {} px lost to bias (was {}); acne {} px (was "
+        "{})",
+        length_text(after.needs.gap_median_m), length_text(after.needs.gap_p95_m),
+        length_text(before.needs.gap_median_m), length_text(before.needs.gap_p95_m), after.lost(), before.lost(),
+        after.acne(), before.acne());
     if (after.needs.folds > 0) text += fmt::format("; {} px stay a little darker in inner corners", after.needs.folds);
     return text;
 }
@@ -59,7 +63,8 @@ void Tuner::open_candidate() {
     Settings s = start_;
     // What the start needed, for this kernel's reach: where the search of its own begins.
     const BiasFound& known = *first_.best();
-    s.bias = scaled(known.bias, filters()[kernel_].reach_texels / filters()[std::size_t(start_.filter.kernel)].reach_texels);
+    s.bias =
+        scaled(known.bias, filters()[kernel_].reach_texels / filters()[std::size_t(start_.filter.kernel)].reach_texels);
     s.filter.kernel = int(kernel_);
     s.map.resolution = resolution_;
     candidates_.push_back({.settings = s});
@@ -174,8 +179,9 @@ std::string Tuner::summary() const {
         return fmt::format("least bias without acne: {} ({}); {}", bias_text(found->bias), theory_text(*found),
                            cost_text(first_.before(), found->trial));
     if (const TuneCandidate* c = best())
-        return fmt::format("{} at {}², {}: {} {:.4g}, {:.3g} ms a frame; {}", filters()[std::size_t(c->settings.filter.kernel)].label,
-                           c->settings.map.resolution, bias_text(c->settings.bias), goals_.error->key, c->error, *c->ms,
+        return fmt::format("{} at {}², {}: {} {:.4g}, {:.3g} ms a frame; {}",
+                           filters()[std::size_t(c->settings.filter.kernel)].label, c->settings.map.resolution,
+                           bias_text(c->settings.bias), goals_.error->key, c->error, *c->ms,
                            cost_text(first_.before(), *c->trial));
     const TuneCandidate* near = nullptr;
     for (const TuneCandidate& c : candidates_)

@@ -1,5 +1,5 @@
-// Searches bias, and with limits kernel and resolution too, for the setting that is least wrong or least costly. Says what
-// to measure next and draws nothing itself.
+// Searches bias, and with limits kernel and resolution too, for the setting that is least wrong or least costly. Says
+// what to measure next and draws nothing itself.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace si {
 /// An error that a search can bound.
 struct ErrorKind {
     std::string_view key, label;  ///< as in error_json()
-    double ErrorMetrics::* value;
+    double ErrorMetrics::*value;
 };
 std::span<const ErrorKind> error_kinds();
 
@@ -57,7 +57,8 @@ public:
     const BiasSearch& bias() const { return first_; }
     /// Without limits empty.
     const std::vector<TuneCandidate>& candidates() const { return candidates_; }
-    /// With a bound on the error the cheapest candidate within all limits, else the most accurate; nothing when none is.
+    /// With a bound on the error the cheapest candidate within all limits, else the most accurate; nothing when none
+    /// is.
     const TuneCandidate* best() const;
     /// The start with what was found; nothing when nothing leaves no acne within the limits.
     std::optional<Settings> result() const;

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
@@ -19,7 +18,8 @@ std::string_view type_name(LightType type) {
 void ensure_maps(FrameState& f) {
     const int n = f.map_resolution;
     const bool colour = f.settings.map.format == int(MapFormat::Colour);
-    const bool anew = f.gl.map.ensure("shadow maps", map_internal_format(MapFormat(f.settings.map.format)), n, n, f.view_count > 1 ? f.view_count : 0);
+    const bool anew = f.gl.map.ensure("shadow maps", map_internal_format(MapFormat(f.settings.map.format)), n, n,
+                                      f.view_count > 1 ? f.view_count : 0);
     if (colour)
         f.gl.map_depth.ensure("depth beside the colour map", GL_DEPTH_COMPONENT32F, n, n);
     else
@@ -90,9 +90,10 @@ void draw_view(FrameState& f, const gl::Target& map, bool unfiltered, const Fitt
         if (!drawn.cast || (drawn.blend && !blend_casts)) continue;
         Batch batch = drawn;
         batch.masked |= batch.blend;
-        const bool same = previous && previous->masked == batch.masked &&
-                          (!batch.masked || !previous->texture == !batch.texture);
-        const GLuint id = same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", {}, batch, true);
+        const bool same =
+            previous && previous->masked == batch.masked && (!batch.masked || !previous->texture == !batch.texture);
+        const GLuint id =
+            same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", {}, batch, true);
         if (id != current) {
             glUseProgram(current = id);
             glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
@@ -130,7 +131,8 @@ void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan) {
         key.add(f.map_resolution).add(f.settings.map.format).add(f.settings.caster.cull);
         key.add(f.settings.bias.raster_slope).add(f.settings.bias.raster_units).add(f.settings.bias.raster_clamp);
         for (const LightView& v : light.views)
-            key.add(v.clip_from_relative(light.map_origin)).add(v.curve.convention.zero_to_one)
+            key.add(v.clip_from_relative(light.map_origin))
+                .add(v.curve.convention.zero_to_one)
                 .add(v.curve.convention.reversed);
         key.add(light.map_origin).add(f.first_view[i]).add(f.gl.programs.source().generation());
         f.maps_key.add(key);
@@ -143,7 +145,8 @@ void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan) {
             const auto& batches = f.gl.scene->batches();
             const bool masks = std::any_of(batches.begin(), batches.end(),
                                            [](const Batch& b) { return b.cast && b.masked && !b.blend; });
-            info.reason += masks ? "; masked materials bring their alpha test" : "; no masked material, so no alpha variant";
+            info.reason +=
+                masks ? "; masked materials bring their alpha test" : "; no masked material, so no alpha variant";
         };
         plan.push_back(std::move(pass));
     }

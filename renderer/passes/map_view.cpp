@@ -1,8 +1,8 @@
 // A depth image as a picture for people: a shadow map, or the camera's depth.
 #include <algorithm>
 
-#include "renderer/inspect/depth_histogram.h"
 #include "renderer/frame/state.h"
+#include "renderer/inspect/depth_histogram.h"
 
 namespace si {
 namespace {

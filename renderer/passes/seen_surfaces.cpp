@@ -34,7 +34,8 @@ void add_seen_surfaces_pass(FrameState& f, std::vector<Pass>& plan) {
 }
 
 void bind_seen_surfaces(const FrameState& f) {
-    for (int i = 0; i < kSeenImages; ++i) glBindTextureUnit(GLuint(kSeenSurfaces + i), f.gl.seen[std::size_t(i)].texture.id());
+    for (int i = 0; i < kSeenImages; ++i)
+        glBindTextureUnit(GLuint(kSeenSurfaces + i), f.gl.seen[std::size_t(i)].texture.id());
 }
 
 }  // namespace si

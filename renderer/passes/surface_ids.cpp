@@ -14,8 +14,7 @@ void add_surface_ids_pass(FrameState& f, std::vector<Pass>& plan) {
     pass.cached = &f.gl.surface_ids.key;
     pass.run = [&f](PassInfo& info) {
         f.gl.surface_ids.ensure("surface ids", GL_RG32UI, f.request.width, f.request.height);
-        f.gl.surface_ids_framebuffer =
-            gl::make_framebuffer("surface ids", &f.gl.surface_ids, &f.gl.camera_depth);
+        f.gl.surface_ids_framebuffer = gl::make_framebuffer("surface ids", &f.gl.surface_ids, &f.gl.camera_depth);
         const GLuint framebuffer = f.gl.surface_ids_framebuffer.id();
         f.begin_camera_pass(framebuffer);
         const glm::uvec4 nothing(0);

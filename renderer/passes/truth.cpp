@@ -67,14 +67,15 @@ bool map_holds_all(const FrameState& f) {
     const auto light = std::size_t(f.settings.view.light);
     if (light >= f.gl.fitted.size()) return false;
     const FittedLight& fitted = f.gl.fitted[light];
-    return fitted.type == LightType::Directional && f.settings.lights[light].fit == int(LightFit::Scene) && fitted.casts &&
-           !fitted.views[0].curve.perspective;
+    return fitted.type == LightType::Directional && f.settings.lights[light].fit == int(LightFit::Scene) &&
+           fitted.casts && !fitted.views[0].curve.perspective;
 }
 
 /// Whether taps beyond the map's sides may tell anything but the truth: nothing lies there, and they answer that.
 bool seams_matter(const FrameState& f) {
     const MapSettings& m = f.settings.map;
-    const bool lit = m.outside == int(Outside::Lit) && (m.wrap == int(MapWrap::Border) || m.wrap == int(MapWrap::Range));
+    const bool lit =
+        m.outside == int(Outside::Lit) && (m.wrap == int(MapWrap::Border) || m.wrap == int(MapWrap::Range));
     return !map_holds_all(f) || !lit;
 }
 
@@ -129,7 +130,8 @@ Pass compare_pass(FrameState& f) {
     return pass;
 }
 
-/// Makes trials of the pixels that the comparison marked, kind by kind, as a CPU rasteriser takes both ways of a branch.
+/// Makes trials of the pixels that the comparison marked, kind by kind, as a CPU rasteriser takes both ways of a
+/// branch.
 Pass causes_pass(FrameState& f) {
     Pass pass;
     pass.name = "causes found";
@@ -157,8 +159,10 @@ Pass causes_pass(FrameState& f) {
             glUseProgram(f.program("passes/fullscreen.vert.glsl", fragment, std::move(kind)));
             FrameState::draw_fullscreen(info);
         };
-        draw(shared::MARK_FALSE_LIGHT, "passes/causes.frag.glsl", {{"FOR_FALSE_LIGHT", "1"}, {"FOR_FALSE_SHADOW", "0"}});
-        draw(shared::MARK_FALSE_SHADOW, "passes/causes.frag.glsl", {{"FOR_FALSE_LIGHT", "0"}, {"FOR_FALSE_SHADOW", "1"}});
+        draw(shared::MARK_FALSE_LIGHT, "passes/causes.frag.glsl",
+             {{"FOR_FALSE_LIGHT", "1"}, {"FOR_FALSE_SHADOW", "0"}});
+        draw(shared::MARK_FALSE_SHADOW, "passes/causes.frag.glsl",
+             {{"FOR_FALSE_LIGHT", "0"}, {"FOR_FALSE_SHADOW", "1"}});
         draw(shared::MARK_FAINT, "passes/faint_acne.frag.glsl", {{"FOR_FALSE_LIGHT", "0"}, {"FOR_FALSE_SHADOW", "1"}});
         glDepthRangef(0, 1);
         glDepthMask(GL_TRUE);
@@ -182,7 +186,8 @@ Pass evidence_pass(FrameState& f) {
             t.ensure("evidence", GL_RGBA32F, f.request.width, f.request.height);
             glNamedFramebufferTexture(f.gl.evidence_framebuffer.id(), buffers[i], t.texture.id(), 0);
         }
-        glNamedFramebufferTexture(f.gl.evidence_framebuffer.id(), GL_DEPTH_ATTACHMENT, f.gl.camera_depth.texture.id(), 0);
+        glNamedFramebufferTexture(f.gl.evidence_framebuffer.id(), GL_DEPTH_ATTACHMENT, f.gl.camera_depth.texture.id(),
+                                  0);
         glNamedFramebufferDrawBuffers(f.gl.evidence_framebuffer.id(), kEvidenceImages, buffers);
         f.begin_camera_pass(f.gl.evidence_framebuffer.id());
         const glm::vec4 nothing(0);
@@ -203,7 +208,8 @@ Sums read_tiles(const gl::Target& tiles) {
     const std::size_t per_layer = std::size_t(tiles.width) * std::size_t(tiles.height);
     std::vector<glm::vec4> values(per_layer * kTileValues);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(tiles.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.size() * sizeof(glm::vec4)), values.data());
+    glGetTextureImage(tiles.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.size() * sizeof(glm::vec4)),
+                      values.data());
     Sums sums;
     for (int t = 0; t < kTileValues; ++t)
         for (std::size_t i = 0; i < per_layer; ++i)
@@ -217,7 +223,8 @@ LiveError error_of(const Sums& s, const Truth& truth) {
     m.pixels = truth.pixels;
     m.counted = truth.counted();
     const double n = m.counted > 0 ? double(m.counted) : 1;
-    m.false_shadow = s.v[0][0] / n, m.false_light = s.v[0][1] / n, m.outside_map = s.v[0][2] / n, m.any_acne = s.v[0][3] / n;
+    m.false_shadow = s.v[0][0] / n, m.false_light = s.v[0][1] / n, m.outside_map = s.v[0][2] / n,
+    m.any_acne = s.v[0][3] / n;
     m.within_noise = s.v[1][0] / n, m.acne = s.v[1][1] / n, m.offset_false_shadow = s.v[1][2] / n;
     m.bias_false_light = (s.v[2][0] + s.v[2][1]) / n, m.lost_false_light = s.v[2][2] / n, m.leak = s.v[2][3] / n;
     m.boundary_false_shadow = (s.v[1][3] + s.v[3][0] + s.v[3][2] + s.v[4][0]) / n;

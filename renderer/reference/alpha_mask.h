@@ -33,7 +33,7 @@ public:
 private:
     std::vector<std::uint32_t> indices_;
     std::vector<glm::vec2> uv_;
-    std::vector<std::uint8_t> vertex_alpha_;  ///< empty: 1
+    std::vector<std::uint8_t> vertex_alpha_;       ///< empty: 1
     std::shared_ptr<const AlphaTexture> texture_;  ///< null: 1
     double base_, cutoff_;
 };

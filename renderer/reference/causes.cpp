@@ -5,14 +5,19 @@
 namespace si {
 namespace {
 
-constexpr std::uint32_t bit(Artefact a) { return 1u << int(a); }
+constexpr std::uint32_t bit(Artefact a) {
+    return 1u << int(a);
+}
 
-bool dark(float v) { return v < 0.5f; }
+bool dark(float v) {
+    return v < 0.5f;
+}
 
 Cause false_light(const CauseEvidence& e, const CauseContext& c) {
     if (e.place == CauseEvidence::kOutside) return {Artefact::OutsideMap};
     // Where no tap lies beyond, both answers are the same.
-    if (e.place == CauseEvidence::kInside && dark(e.beyond_dark) && !dark(e.beyond_lit)) return {.artefact = Artefact::OutsideMap, .seam = true};
+    if (e.place == CauseEvidence::kInside && dark(e.beyond_dark) && !dark(e.beyond_lit))
+        return {.artefact = Artefact::OutsideMap, .seam = true};
     if (e.gap_all >= e.least && e.least > e.gap_drawn)
         return {Artefact::LostCaster, e.gap_all < e.applied ? bit(Artefact::PeterPanning) : 0};
     // A surface nearer than the bias was passed by; else the receiver shadowing itself would pass for the caster.
@@ -24,7 +29,8 @@ Cause false_light(const CauseEvidence& e, const CauseContext& c) {
     if (by_bias && !by_offset) return {Artefact::PeterPanning, lost};
     if (by_offset && !by_bias) return {Artefact::PeterPanningOffset, lost};
     if (by_both || by_bias) {
-        if (e.strip_offset_m > e.strip_bias_m) return {Artefact::PeterPanningOffset, bit(Artefact::PeterPanning) | lost};
+        if (e.strip_offset_m > e.strip_bias_m)
+            return {Artefact::PeterPanningOffset, bit(Artefact::PeterPanning) | lost};
         return {Artefact::PeterPanning, bit(Artefact::PeterPanningOffset) | lost};
     }
     if (c.unfiltered_differs() && dark(e.unfiltered)) {
@@ -49,7 +55,8 @@ bool is_acne(const CauseEvidence& e, const CauseContext& c, float enough) {
 
 Cause false_shadow(const CauseEvidence& e, const CauseContext& c) {
     if (e.place == CauseEvidence::kOutside) return {Artefact::OutsideMap};
-    if (e.place == CauseEvidence::kInside && !dark(e.beyond_lit) && dark(e.beyond_dark)) return {.artefact = Artefact::OutsideMap, .seam = true};
+    if (e.place == CauseEvidence::kInside && !dark(e.beyond_lit) && dark(e.beyond_dark))
+        return {.artefact = Artefact::OutsideMap, .seam = true};
     if (is_acne(e, c, 0.5f)) return {Artefact::Acne};
     if (!dark(e.least_bare)) return {Artefact::OffsetShadow, e.worth < e.least ? bit(Artefact::Acne) : 0};
     if (!dark(e.unfiltered) || !dark(e.nearest_kept)) return {Artefact::Filter};

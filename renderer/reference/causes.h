@@ -1,5 +1,5 @@
-// Why a pixel of a shadow map's picture is wrong: it is tested again with one thing changed, and the first change that puts
-// it right names the cause. The GPU makes the trials (shaders/lib/evidence.glsl) and decides for whole frames
+// Why a pixel of a shadow map's picture is wrong: it is tested again with one thing changed, and the first change that
+// puts it right names the cause. The GPU makes the trials (shaders/lib/evidence.glsl) and decides for whole frames
 // (shaders/lib/cause.glsl); this is the same decision in C++, for a probed pixel and for the tests of the GPU's.
 #pragma once
 
@@ -12,13 +12,13 @@
 namespace si {
 
 enum class Artefact : std::uint8_t {
-    None,                ///< right, or not counted
-    Acne,                ///< dark though lit: the surface shadows itself, and more bias puts it right
-    PeterPanning,        ///< lit though dark: less depth bias (polygon offset included) puts it right
-    Leak,                ///< lit though dark: the nearest texel, unfiltered and at its own least bias, is right
-    EdgeAliasing,        ///< no change of bias, offset or filter puts it right: the map's texels decide
-    OutsideMap,          ///< wrong where the map holds nothing, or where taps reach beyond its sides
-    LostCaster,          ///< lit though dark: culling, the near plane or a mask's mip left out of the map what casts here
+    None,          ///< right, or not counted
+    Acne,          ///< dark though lit: the surface shadows itself, and more bias puts it right
+    PeterPanning,  ///< lit though dark: less depth bias (polygon offset included) puts it right
+    Leak,          ///< lit though dark: the nearest texel, unfiltered and at its own least bias, is right
+    EdgeAliasing,  ///< no change of bias, offset or filter puts it right: the map's texels decide
+    OutsideMap,    ///< wrong where the map holds nothing, or where taps reach beyond its sides
+    LostCaster,    ///< lit though dark: culling, the near plane or a mask's mip left out of the map what casts here
     PeterPanningOffset,  ///< lit though dark: without the normal offset it is right
     OffsetShadow,        ///< dark though lit: without the normal offset it is right
     Filter,              ///< dark though lit: the nearest texel, unfiltered and at its own least bias, is right
@@ -46,10 +46,10 @@ static_assert(sizeof(CauseEvidence) == kEvidenceImages * 4 * sizeof(float));
 
 /// What the renderer's settings make possible; the defines of the GPU's decision.
 struct CauseContext {
-    double reach_texels = 0.5;     ///< kappa of the kernel
-    bool raster_bias = false;      ///< bias.raster_*
-    bool mask_levels = false;      ///< masks of casters may be read from a coarser mip level in the map
-    bool depth_blur = false;       ///< map.blur_texels
+    double reach_texels = 0.5;  ///< kappa of the kernel
+    bool raster_bias = false;   ///< bias.raster_*
+    bool mask_levels = false;   ///< masks of casters may be read from a coarser mip level in the map
+    bool depth_blur = false;    ///< map.blur_texels
     bool unfiltered_differs() const { return raster_bias || mask_levels || depth_blur; }
 };
 

@@ -5,19 +5,19 @@
 #include <glm/glm.hpp>
 #include <limits>
 
-#include "renderer/view/light_fit.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/light_fit.h"
 
 namespace si {
 
 /// Directional lights are disks on the sky, spot lights disks across their axis, point lights spheres.
 struct Emitter {
     LightType type = LightType::Directional;
-    glm::dvec3 position_ws{0};   ///< spot and point
-    glm::dvec3 to_light{0, 1, 0};///< unit; directional: towards the light; spot: against its axis
-    double cos_cone = -1;        ///< of the spot's outer half angle
-    double range_m = 0;          ///< spot and point: no light from there on; 0: unlimited
-    double size = 0;             ///< light.size: angular radius in degrees (directional) or radius in metres
+    glm::dvec3 position_ws{0};     ///< spot and point
+    glm::dvec3 to_light{0, 1, 0};  ///< unit; directional: towards the light; spot: against its axis
+    double cos_cone = -1;          ///< of the spot's outer half angle
+    double range_m = 0;            ///< spot and point: no light from there on; 0: unlimited
+    double size = 0;               ///< light.size: angular radius in degrees (directional) or radius in metres
     bool casts = true;
 
     /// Unit vector from a point to the light's centre; metres to it, infinite for directional lights.
@@ -55,8 +55,8 @@ public:
 private:
     const Emitter& emitter_;
     glm::dvec3 point_;
-    glm::dmat3 axes_;        ///< across, across, towards the light
-    double radius_ = 0;      ///< of the disk: metres, or of the unit sphere of directions
+    glm::dmat3 axes_;           ///< across, across, towards the light
+    double radius_ = 0;         ///< of the disk: metres, or of the unit sphere of directions
     double one_minus_cos_ = 0;  ///< of the angle that a sphere or the sky's disk fills
     double distance_ = 0;
     int parts_;

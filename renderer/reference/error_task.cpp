@@ -27,8 +27,9 @@ void sum_up(MeasuredError& measured) {
     measured.metrics = error_metrics(measured.judged, *measured.traced.truth, joins_of(*measured.traced.receivers));
 }
 
-MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
-                            int light, const TruthOptions& options, TruthCache& cache, const Workers& workers) {
+MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settings& settings,
+                            const FrameRequest& request, int light, const TruthOptions& options, TruthCache& cache,
+                            const Workers& workers) {
     Settings shown = settings;
     shown.view.light = light;
     TruthOptions wanted = options;

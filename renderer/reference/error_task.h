@@ -17,16 +17,17 @@ struct MeasuredError {
     std::vector<FittedLight> lights;  ///< of the frame
     Camera camera;
     int light = 0, map_resolution = 0;
-    glm::ivec2 picture{0};            ///< size of the frame, of which the truth may be a part
+    glm::ivec2 picture{0};  ///< size of the frame, of which the truth may be a part
 };
 
 /// Traces the truth about `light` unless `cache` has it, draws the frame that is judged by it, and sums up.
 /// On the renderer's thread. @throws Cancelled; Error when there is no such light, or as Renderer::render() does
-MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
-                            int light, const TruthOptions& options, TruthCache& cache, const Workers& workers = {});
+MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settings& settings,
+                            const FrameRequest& request, int light, const TruthOptions& options, TruthCache& cache,
+                            const Workers& workers = {});
 
-/// What a frame found that was drawn with `picture` and asked for Outputs::judged. It need not be summed up where it was
-/// read: sum_up() takes any thread.
+/// What a frame found that was drawn with `picture` and asked for Outputs::judged. It need not be summed up where it
+/// was read: sum_up() takes any thread.
 MeasuredError read_judged(Renderer& renderer, const FrameResult& frame, const TruthPicture& picture, int light);
 /// Fills MeasuredError::metrics.
 void sum_up(MeasuredError& measured);

@@ -30,8 +30,8 @@ std::vector<std::uint8_t> contour(const Truth& truth, const std::vector<std::uin
 }
 
 /// @param step pixels of the picture per pixel of a and b
-void contour_distances(ErrorMetrics& m, const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b, int width,
-                       int height, int step) {
+void contour_distances(ErrorMetrics& m, const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b,
+                       int width, int height, int step) {
     const auto any = [](const std::vector<std::uint8_t>& s) { return std::find(s.begin(), s.end(), 1) != s.end(); };
     const bool has_a = any(a), has_b = any(b);
     if (!has_a && !has_b) return;
@@ -77,12 +77,14 @@ TruePixel true_pixel(const Truth& truth, std::size_t i) {
 }
 
 std::vector<JudgedPixel> judged_pixels(const FloatImage& judged) {
-    static_assert(kArtefacts <= 1 << shared::ARTEFACT_BITS && shared::ARTEFACT_BITS + shared::ALSO_SHIFT + kArtefacts <= 24,
-                  "a judgement has to fit into the digits of a float");
+    static_assert(
+        kArtefacts <= 1 << shared::ARTEFACT_BITS && shared::ARTEFACT_BITS + shared::ALSO_SHIFT + kArtefacts <= 24,
+        "a judgement has to fit into the digits of a float");
     std::vector<JudgedPixel> out(judged.data.size() / 2);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const auto code = std::uint32_t(judged.data[2 * i]);
-        out[i] = {Artefact(code & ((1u << shared::ARTEFACT_BITS) - 1)), code >> shared::ARTEFACT_BITS, judged.data[2 * i + 1]};
+        out[i] = {Artefact(code & ((1u << shared::ARTEFACT_BITS) - 1)), code >> shared::ARTEFACT_BITS,
+                  judged.data[2 * i + 1]};
     }
     return out;
 }
@@ -97,8 +99,8 @@ std::vector<std::uint8_t> joins_of(const Receivers& receivers) {
 ErrorMetrics error_metrics(const std::vector<JudgedPixel>& judged, const Truth& truth,
                            const std::vector<std::uint8_t>& joins) {
     if (judged.size() != truth.state.size())
-        throw Error(fmt::format("{} judged pixels cannot be compared with a truth of {} x {}", judged.size(), truth.width,
-                                truth.height));
+        throw Error(fmt::format("{} judged pixels cannot be compared with a truth of {} x {}", judged.size(),
+                                truth.width, truth.height));
     using J = JudgedPixel;
     ErrorMetrics m;
     m.pixels = truth.pixels;
@@ -118,27 +120,42 @@ ErrorMetrics error_metrics(const std::vector<JudgedPixel>& judged, const Truth& 
         m.within_noise += p.has(J::kWithinNoise);
         ++m.artefacts[std::size_t(p.artefact)];
         switch (p.artefact) {
-            case Artefact::None: break;
-            case Artefact::Acne: ++m.acne; break;
-            case Artefact::Leak: ++m.leak; break;
+            case Artefact::None:
+                break;
+            case Artefact::Acne:
+                ++m.acne;
+                break;
+            case Artefact::Leak:
+                ++m.leak;
+                break;
             case Artefact::PeterPanning:
-            case Artefact::PeterPanningOffset: ++m.bias_false_light; break;
-            case Artefact::LostCaster: ++m.lost_false_light; break;
-            case Artefact::OffsetShadow: ++m.offset_false_shadow; break;
-            case Artefact::OutsideMap: ++(fs ? m.outside_false_shadow : m.outside_false_light); break;
+            case Artefact::PeterPanningOffset:
+                ++m.bias_false_light;
+                break;
+            case Artefact::LostCaster:
+                ++m.lost_false_light;
+                break;
+            case Artefact::OffsetShadow:
+                ++m.offset_false_shadow;
+                break;
+            case Artefact::OutsideMap:
+                ++(fs ? m.outside_false_shadow : m.outside_false_light);
+                break;
             case Artefact::EdgeAliasing:
             case Artefact::Filter:
             case Artefact::Undersampled:
-            case Artefact::Penumbra: ++(fs ? m.boundary_false_shadow : m.boundary_false_light); break;
+            case Artefact::Penumbra:
+                ++(fs ? m.boundary_false_shadow : m.boundary_false_light);
+                break;
         }
     }
     m.artefacts[0] += truth.state.size() - m.counted;
     if (m.counted > 0) {
         const double n = double(m.counted);
-        for (double* fraction : {&m.false_shadow, &m.false_light, &m.acne, &m.leak, &m.bias_false_light,
-                                 &m.lost_false_light, &m.offset_false_shadow, &m.boundary_false_shadow,
-                                 &m.boundary_false_light, &m.outside_false_shadow, &m.outside_false_light, &m.any_acne,
-                                 &m.within_noise, &m.outside_map})
+        for (double* fraction :
+             {&m.false_shadow, &m.false_light, &m.acne, &m.leak, &m.bias_false_light, &m.lost_false_light,
+              &m.offset_false_shadow, &m.boundary_false_shadow, &m.boundary_false_light, &m.outside_false_shadow,
+              &m.outside_false_light, &m.any_acne, &m.within_noise, &m.outside_map})
             *fraction /= n;
         m.mae = absolute / n, m.rmse = std::sqrt(squares / n), m.signed_mean = sum / n;
     }

@@ -5,10 +5,10 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "renderer/view/camera.h"
 #include "renderer/frame/frame.h"
 #include "renderer/reference/truth_geometry.h"
 #include "renderer/reference/workers.h"
+#include "renderer/view/camera.h"
 
 namespace si {
 
@@ -45,7 +45,7 @@ struct Receivers {
 struct PixelRaster {
     int width = 0, height = 0;  ///< of the camera's picture
     int step = 1;
-    glm::ivec2 first{0};        ///< pixel of the picture that is placed first
+    glm::ivec2 first{0};  ///< pixel of the picture that is placed first
     int columns() const { return (width + step - 1) / step; }
     int rows() const { return (height + step - 1) / step; }
 };

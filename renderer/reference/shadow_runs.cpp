@@ -16,7 +16,12 @@ class Walker {
 public:
     Walker(const Truth& truth, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
            const Emitter& emitter, const std::vector<LightView>& views)
-        : truth_(truth), hard_(truth.hard()), receivers_(receivers), camera_(camera), raster_(raster), emitter_(emitter),
+        : truth_(truth),
+          hard_(truth.hard()),
+          receivers_(receivers),
+          camera_(camera),
+          raster_(raster),
+          emitter_(emitter),
           views_(views) {
         find_clearance();
     }
@@ -42,9 +47,9 @@ public:
             if (!std::isfinite(step.x) || !std::isfinite(step.y) || (step.x == 0 && step.y == 0)) continue;
             const Side before = walk(x, y, -step, view, axis), behind = walk(x, y, step, view, axis);
             found.edge_m = std::min({found.edge_m, before.change_m, behind.change_m});
-            found.run_m = std::min({found.run_m, before.change_m + behind.change_m,
-                                    std::max(before.change_m, before.next_run_m),
-                                    std::max(behind.change_m, behind.next_run_m)});
+            found.run_m =
+                std::min({found.run_m, before.change_m + behind.change_m, std::max(before.change_m, before.next_run_m),
+                          std::max(behind.change_m, behind.next_run_m)});
         }
         return found;
     }
@@ -65,7 +70,8 @@ private:
     bool joins_right(std::size_t i) const { return receivers_.pixels[i].joins_right; }
     bool joins_below(std::size_t i) const { return receivers_.pixels[i].joins_below; }
 
-    /// Chessboard distances by two sweeps (Rosenfeld, Pfaltz, Sequential operations in digital picture processing, 1966).
+    /// Chessboard distances by two sweeps (Rosenfeld, Pfaltz, Sequential operations in digital picture processing,
+    /// 1966).
     void find_clearance() {
         const int w = truth_.width, h = truth_.height;
         clearance_.assign(truth_.state.size(), std::uint8_t(kRunReach + 1));
@@ -85,15 +91,18 @@ private:
             here = std::min<std::uint8_t>(here, std::uint8_t(clearance_[index(u, v)] + 1));
         };
         for (int y = 0; y < h; ++y)
-            for (int x = 0; x < w; ++x) lower(x, y, x - 1, y), lower(x, y, x - 1, y - 1), lower(x, y, x, y - 1), lower(x, y, x + 1, y - 1);
+            for (int x = 0; x < w; ++x)
+                lower(x, y, x - 1, y), lower(x, y, x - 1, y - 1), lower(x, y, x, y - 1), lower(x, y, x + 1, y - 1);
         for (int y = h; y-- > 0;)
-            for (int x = w; x-- > 0;) lower(x, y, x + 1, y), lower(x, y, x + 1, y + 1), lower(x, y, x, y + 1), lower(x, y, x - 1, y + 1);
+            for (int x = w; x-- > 0;)
+                lower(x, y, x + 1, y), lower(x, y, x + 1, y + 1), lower(x, y, x, y + 1), lower(x, y, x - 1, y + 1);
     }
 
     /// A move of the truth's pixels, the longer component 1, that leads along a direction in the world.
     glm::dvec2 screen_step(const glm::dvec3& point, const glm::dvec3& along) const {
         const double away = glm::dot(camera_.eye - point, camera_.axes[2]);
-        const double pixel_m = (camera_.orthographic ? camera_.height : 2 * away * std::tan(0.5 * camera_.fov_y_rad)) / raster_.height;
+        const double pixel_m =
+            (camera_.orthographic ? camera_.height : 2 * away * std::tan(0.5 * camera_.fov_y_rad)) / raster_.height;
         const glm::dvec3 moved = point + along * (1e-3 * pixel_m / std::max(glm::length(along), 1e-300));
         const glm::dvec4 a = camera_.project(point, raster_.width, raster_.height);
         const glm::dvec4 b = camera_.project(moved, raster_.width, raster_.height);

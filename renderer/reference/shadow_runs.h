@@ -13,8 +13,8 @@ namespace si {
 /// In metres across the light, of the hard truth, along the two axes of the light's map (right and up). Infinite where
 /// nothing is found within kRunReach pixels of the truth, or before the surface ends in the picture.
 struct ShadowRuns {
-    /// The least texel that is too wide here: wider than the run of equal truth that the pixel lies in, or reaching from it
-    /// across a neighbouring run that is narrower than itself (a thin bar's shadow beside a lit pixel).
+    /// The least texel that is too wide here: wider than the run of equal truth that the pixel lies in, or reaching
+    /// from it across a neighbouring run that is narrower than itself (a thin bar's shadow beside a lit pixel).
     FloatImage run_m;
     FloatImage edge_m;  ///< to the nearest change of the truth along either axis
 };

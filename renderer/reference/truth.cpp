@@ -26,8 +26,8 @@ struct Batch {
     void clear() { plain.clear(), grazing.clear(), exact.clear(), grazing_of.clear(); }
 
     /// @param direction unit @param length unit frame
-    void add(std::uint32_t number, const Receiver& r, const glm::vec3& origin, const glm::dvec3& direction, double cosine,
-             double length) {
+    void add(std::uint32_t number, const Receiver& r, const glm::vec3& origin, const glm::dvec3& direction,
+             double cosine, double length) {
         if (cosine >= kGrazing) {
             plain.push_back(make_ray(origin, glm::vec3(direction), float(length), number));
             return;
@@ -88,8 +88,7 @@ public:
             for (int y = y0; y < y1; ++y)
                 for (int x = x0; x < x1; ++x) {
                     const std::size_t i = index(x, y);
-                    if (quick && y + 1 < y1)
-                        __builtin_prefetch(&receivers_.starts[i + std::size_t(receivers_.width)]);
+                    if (quick && y + 1 < y1) __builtin_prefetch(&receivers_.starts[i + std::size_t(receivers_.width)]);
                     ++pixels[std::size_t(quick ? classify_quickly(i, batch) : classify(i, batch))];
                 }
             batch.trace(scene_, culls_, [&](std::uint32_t i, bool occluded) {
@@ -133,7 +132,7 @@ private:
     std::mutex lock_;
     std::vector<float>& error_ = out_.standard_error.data;
     std::vector<std::uint16_t> parts_;  ///< across the light, of each pixel's estimate
-    glm::vec3 to_light_{0};     ///< of a directional light
+    glm::vec3 to_light_{0};             ///< of a directional light
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(receivers_.width) + std::size_t(x); }
     bool partial(std::size_t i) const { return out_.visibility.data[i] > 0 && out_.visibility.data[i] < 1; }
@@ -322,9 +321,11 @@ std::string noise_text(const Truth& truth) {
     if (!truth.is_area()) return {};
     const SamplesUsed& used = truth.samples;
     const std::string samples =
-        used.least == used.most ? fmt::format("{} sample{} a pixel", used.most, used.most == 1 ? "" : "s")
-                                : fmt::format("{} to {} samples a pixel ({:.0f} on average)", used.least, used.most, used.mean);
-    if (std::isnan(truth.noise)) return fmt::format("noise unknown, {}: truth.samples=4 is the least that tells", samples);
+        used.least == used.most
+            ? fmt::format("{} sample{} a pixel", used.most, used.most == 1 ? "" : "s")
+            : fmt::format("{} to {} samples a pixel ({:.0f} on average)", used.least, used.most, used.mean);
+    if (std::isnan(truth.noise))
+        return fmt::format("noise unknown, {}: truth.samples=4 is the least that tells", samples);
     std::string text = fmt::format("noise {:.4f}, {}", truth.noise, samples);
     if (truth.noise_unknown > 0) text += fmt::format(", noise of {} pixels unknown", truth.noise_unknown);
     return text;

@@ -72,18 +72,18 @@ struct Truth {
     /// of the surface (OutsideCone, BeyondRange), as the shadow mapped visibility has it.
     FloatImage visibility;
     FloatImage point_visibility;  ///< area: the same for a light without size; see hard()
-    /// Area: estimated standard error of `visibility`, 0 where it is no estimate. NaN where it is unknown: no two samples
-    /// that are neighbours on the light. Else empty.
+    /// Area: estimated standard error of `visibility`, 0 where it is no estimate. NaN where it is unknown: no two
+    /// samples that are neighbours on the light. Else empty.
     FloatImage standard_error;
     /// Metres along the pixel's light ray from its surface to the surface nearest the light, which is what a shadow map
     /// stores: under the culling of casters and beyond the map's near plane. NaN where none stands before the pixel's.
     /// Empty without TruthOptions::nearest.
     FloatImage nearest_m;
-    /// The same over all casters from both sides, whatever is culled and wherever the near plane stands: what a map would
-    /// store that loses no caster. NaN where the surface is lit. Empty without TruthOptions::nearest.
+    /// The same over all casters from both sides, whatever is culled and wherever the near plane stands: what a map
+    /// would store that loses no caster. NaN where the surface is lit. Empty without TruthOptions::nearest.
     FloatImage blocker_m;
     std::array<std::size_t, kPixelStates> pixels{};  ///< per state
-    std::uint64_t rays = 0;  ///< to the light
+    std::uint64_t rays = 0;                          ///< to the light
     /// Area: root mean square of the counted pixels' standard errors that are known; NaN when none is.
     double noise = 0;
     std::size_t noise_unknown = 0;  ///< area: counted pixels whose standard error is unknown

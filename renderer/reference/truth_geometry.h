@@ -15,7 +15,7 @@
 namespace si {
 
 struct TruthMesh {
-    std::vector<glm::vec3> positions;    ///< as uploaded: deformed, without degenerate triangles
+    std::vector<glm::vec3> positions;  ///< as uploaded: deformed, without degenerate triangles
     std::vector<std::uint32_t> indices;
     std::unique_ptr<const AlphaMask> mask;  ///< null: solid
     std::size_t triangles() const { return indices.size() / 3; }
@@ -32,8 +32,8 @@ struct TriangleWs {
     glm::dvec3 a{0}, b{0}, c{0};
 };
 
-/// A frame in which the scene is centred and about one long, scaled by a power of two: single-precision rays lose nothing
-/// in it at any scale and distance from the origin.
+/// A frame in which the scene is centred and about one long, scaled by a power of two: single-precision rays lose
+/// nothing in it at any scale and distance from the origin.
 struct UnitFrame {
     glm::dvec3 centre{0};
     double scale = 1;  ///< unit lengths per metre

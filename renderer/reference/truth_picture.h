@@ -1,8 +1,8 @@
 // A traced truth as frames take it: per pixel.
 //
-//     TruthTask task = truth_task(renderer, scene, settings, request, light, truth_options(settings), cache.geometry());
-//     request.truth = truth_picture(task, cache.trace(task));             // any thread
-//     FrameResult frame = renderer.render(scene, settings, request);      // frame.truth.met, frame.error
+//     TruthTask task = truth_task(renderer, scene, settings, request, light, truth_options(settings),
+//     cache.geometry()); request.truth = truth_picture(task, cache.trace(task));             // any thread FrameResult
+//     frame = renderer.render(scene, settings, request);      // frame.truth.met, frame.error
 #pragma once
 
 #include <memory>
@@ -13,9 +13,9 @@
 namespace si {
 
 struct TruthPicture {
-    std::uint64_t key = 0;        ///< truth_key() of the frames that it is for
-    std::uint64_t version = 0;    ///< another one for each content
-    int step = 1;                 ///< pixels of the frame per pixel of the truth
+    std::uint64_t key = 0;      ///< truth_key() of the frames that it is for
+    std::uint64_t version = 0;  ///< another one for each content
+    int step = 1;               ///< pixels of the frame per pixel of the truth
     TracedTruth traced;
     std::optional<TruthOptions> options;  ///< asked for in place of what truth.* of the settings say
 };

@@ -66,8 +66,8 @@ void filter(const RTCFilterFunctionNArguments* args) {
         c.t = RTCRayN_tfar(args->ray, n, i);
         const HitRules& rules = query.rules;
         const bool left_out = !rules.culls.empty() && culled(c, rules);
-        const bool met = (query.hits || !left_out) &&
-                         (rules.exact.empty() || hits_exactly(c, rules.exact[c.ray], *query.scene));
+        const bool met =
+            (query.hits || !left_out) && (rules.exact.empty() || hits_exactly(c, rules.exact[c.ray], *query.scene));
         if (met && query.hits) query.hits->push_back({c.t, left_out});
         if (!met || query.hits) args->valid[i] = 0;
     }

@@ -23,7 +23,7 @@ struct TruthScene::Impl : UnitFrame {
     embree::Scene scene;
     std::vector<Caster> casters;
     const TruthGeometry* geometry = nullptr;
-    double radius = 1; ///< of the scene, unit lengths
+    double radius = 1;  ///< of the scene, unit lengths
     std::size_t triangles = 0, instances = 0;
 };
 
@@ -39,8 +39,8 @@ inline constexpr double kGrazing = 1e-3;
 
 /// Which hits count.
 struct HitRules {
-    std::span<const ObjectTraits> culls;    ///< by object; empty: every face counts
-    std::span<const ExactRay> exact;        ///< by the ray's id; empty: none
+    std::span<const ObjectTraits> culls;  ///< by object; empty: every face counts
+    std::span<const ExactRay> exact;      ///< by the ray's id; empty: none
 };
 
 /// From `origin` along `direction` for `length` times its length.

@@ -137,8 +137,8 @@ TruthScene::TruthScene(std::shared_ptr<const TruthGeometry> geometry, const Work
     std::size_t flattened = 0;
     for (const TruthObject& o : geometry_->objects)
         if (o.casts) ++uses[o.mesh.get()], flattened += o.mesh->triangles();
-    const bool share = instancing == Instancing::Always ||
-                       (instancing == Instancing::Automatic && flattened > kMostFlattened);
+    const bool share =
+        instancing == Instancing::Always || (instancing == Instancing::Automatic && flattened > kMostFlattened);
     Builder builder(i, workers);
     i.scene = builder.new_scene();
     for (std::uint32_t k = 0; k < geometry_->objects.size(); ++k) {

@@ -14,7 +14,7 @@ namespace si {
 enum class Instancing {
     Automatic,  ///< shared when flattening would take more than kMostFlattened triangles
     Never,
-    Always,     ///< wherever a mesh is used twice
+    Always,  ///< wherever a mesh is used twice
 };
 
 /// Traces in a frame of its own: centred on the scene's bounds and scaled by a power of two to about unit size, both in

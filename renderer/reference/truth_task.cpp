@@ -20,7 +20,14 @@ Key query_key(const TruthQuery& query) {
     Key key;
     const Emitter& e = query.emitter;
     const TruthOptions& o = query.options;
-    key.add(e.type).add(e.position_ws).add(e.to_light).add(e.cos_cone).add(e.range_m).add(e.casts).add(o.area).add(o.as_rasterised);
+    key.add(e.type)
+        .add(e.position_ws)
+        .add(e.to_light)
+        .add(e.cos_cone)
+        .add(e.range_m)
+        .add(e.casts)
+        .add(o.area)
+        .add(o.as_rasterised);
     key.add(o.nearest).add(o.step);
     if (o.area) key.add(e.size).add(o.samples).add(o.noise);
     for (const ObjectTraits& t : query.traits) key.add(t.receives).add(t.cull);
@@ -99,8 +106,7 @@ TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
     TracedTruth out;
     if (!scene_ || scene_->geometry().key != task.geometry->key) {
         scene_.reset();  // the old hierarchy's memory first
-        scene_ = timed(out.build_ms,
-                       [&] { return std::make_shared<TruthScene>(task.geometry, workers.part(0, 0.1)); });
+        scene_ = timed(out.build_ms, [&] { return std::make_shared<TruthScene>(task.geometry, workers.part(0, 0.1)); });
     }
     if (!receivers_ || receivers_key_ != task.receivers_key) {
         receivers_ = timed(out.place_ms, [&] {
@@ -117,7 +123,8 @@ TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
         });
         known.runs = timed(out.runs_ms, [&] {
             return std::make_shared<ShadowRuns>(shadow_runs(*known.truth, *receivers_, task.camera, task.raster,
-                                                            task.query.emitter, task.query.views, workers.part(0.9, 1)));
+                                                            task.query.emitter, task.query.views,
+                                                            workers.part(0.9, 1)));
         });
         truths_.push_front(std::move(known));
         if (truths_.size() > kKept) truths_.pop_back();

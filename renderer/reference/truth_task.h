@@ -9,8 +9,8 @@
 #include <list>
 #include <memory>
 
-#include "renderer/reference/shadow_runs.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/reference/shadow_runs.h"
 
 namespace si {
 

@@ -16,10 +16,10 @@ struct Cancelled : Error {
 
 /// Who computes, who may stop it, and who hears of it.
 struct Workers {
-    int threads = 0;                             ///< 0: as many as the hardware runs at once
+    int threads = 0;  ///< 0: as many as the hardware runs at once
     std::stop_token stop;
     std::function<void(double)> progress = nullptr;  ///< 0..1, rising; called on the caller's thread only
-    int count() const;                           ///< the number of threads used, >= 1
+    int count() const;                               ///< the number of threads used, >= 1
     /// The same, with 0..1 of its progress shown as lo..hi.
     Workers part(double lo, double hi) const;
 };

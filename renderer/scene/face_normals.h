@@ -1,5 +1,5 @@
-// A normal for each triangle, carried by vertices: flat shading takes an attribute from one corner of a triangle, so each
-// triangle needs a corner that no triangle with another normal takes it from.
+// A normal for each triangle, carried by vertices: flat shading takes an attribute from one corner of a triangle, so
+// each triangle needs a corner that no triangle with another normal takes it from.
 #pragma once
 
 #include <cstdint>

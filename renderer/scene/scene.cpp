@@ -218,8 +218,8 @@ std::size_t drop_degenerate(Mesh& mesh, std::string_view label) {
         std::uint32_t highest = 0;
         for (std::size_t k = 0; k < corners; ++k) highest = std::max(highest, indices[first + k]);
         if (highest >= mesh.positions.size())
-            throw Error(
-                fmt::format("{}: index {} is out of range; there are {} vertices", label, highest, mesh.positions.size()));
+            throw Error(fmt::format("{}: index {} is out of range; there are {} vertices", label, highest,
+                                    mesh.positions.size()));
     };
     const auto keep = [&](std::size_t first, std::size_t corners) {
         if (kept != first) std::copy_n(indices + first, corners, indices + kept);

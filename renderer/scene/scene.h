@@ -57,14 +57,14 @@ struct Rig;
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;     ///< empty before finalise(): flat normals are made
-    std::vector<glm::vec2> uv;          ///< for the base colour texture, transforms applied
-    std::vector<glm::vec2> uv_normal;   ///< for the normal texture; empty: uv
-    std::vector<glm::vec4> tangents;    ///< xyz and handedness
-    std::vector<glm::vec4> colours;     ///< linear, multiplies the base colour
-    std::vector<std::uint32_t> indices; ///< triangle list
-    int material = -1;                  ///< -1: the default material
-    Bounds bounds;                      ///< local; set by finalise()
+    std::vector<glm::vec3> normals;            ///< empty before finalise(): flat normals are made
+    std::vector<glm::vec2> uv;                 ///< for the base colour texture, transforms applied
+    std::vector<glm::vec2> uv_normal;          ///< for the normal texture; empty: uv
+    std::vector<glm::vec4> tangents;           ///< xyz and handedness
+    std::vector<glm::vec4> colours;            ///< linear, multiplies the base colour
+    std::vector<std::uint32_t> indices;        ///< triangle list
+    int material = -1;                         ///< -1: the default material
+    Bounds bounds;                             ///< local; set by finalise()
     std::shared_ptr<const Deformer> deformer;  ///< morph targets and skin; null: rigid
 };
 
@@ -95,7 +95,7 @@ struct SceneCamera {
 
 struct SceneLight {
     std::string name;
-    int type = 0;  ///< LightType
+    int type = 0;           ///< LightType
     glm::dmat4 world{1.0};  ///< shines along -z
     glm::dvec3 colour{1};
     double intensity = 1;
@@ -104,8 +104,8 @@ struct SceneLight {
 };
 
 struct Scene {
-    std::string name;    ///< built-in key, or the file's path
-    std::string about;   ///< a sentence
+    std::string name;                      ///< built-in key, or the file's path
+    std::string about;                     ///< a sentence
     std::vector<std::string> file_scenes;  ///< names (or "") of the scenes in the file that this one is from
     int file_scene = 0;                    ///< which of them this is
     std::vector<Texture> textures;

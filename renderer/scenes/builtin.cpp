@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "renderer/base/error.h"
-#include "renderer/settings/param.h"
 #include "renderer/scenes/makers.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {

@@ -69,10 +69,11 @@ constexpr auto kMap = std::to_array<Param>({
              "then offset the perspective's coarse steps far away.",
      .shader = true},
     {SI_FIELD(map.blur_texels), .label = "Depth blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
-     .help = "Wrong on purpose: each stored depth becomes the mean of those up to this many texels away, along x and y. "
-             "The comparison then meets slopes between occluder and receiver that are not there: shadows grow and lose "
-             "their corners, thin ones vanish, and every edge stays hard. Filter the comparisons instead "
-             "(filter.kernel). 0 is off."},
+     .help =
+         "Wrong on purpose: each stored depth becomes the mean of those up to this many texels away, along x and y. "
+         "The comparison then meets slopes between occluder and receiver that are not there: shadows grow and lose "
+         "their corners, thin ones vanish, and every edge stays hard. Filter the comparisons instead "
+         "(filter.kernel). 0 is off."},
 });
 static_assert(kMap.size() == members<MapSettings>(), "a member of MapSettings has no row");
 
@@ -96,7 +97,8 @@ constexpr Choice kNormals[] = {
     {"shading", "shading",
      "The interpolated vertex normal, as the lectures do; wrong where it leaves the triangle's plane."},
     {"mapped", "normal-mapped",
-     "The interpolated normal with its normal map (shading.textures): bumps that the shadow map does not hold change the "
+     "The interpolated normal with its normal map (shading.textures): bumps that the shadow map does not hold change "
+     "the "
      "bias from pixel to pixel, and the shadow test with it."},
 };
 constexpr Choice kMethods[] = {
@@ -115,8 +117,9 @@ constexpr auto kCaster = std::to_array<Param>({
     {SI_FIELD(caster.cull), .label = "Cull casters", .unit = "", SI_CHOICES(kCulls),
      .help = "Which faces are left out of the shadow map. Objects may differ (object.PATH.cull)."},
     {SI_FIELD(caster.blend), .label = "Blended casters", .unit = "", SI_CHOICES(kBlends),
-     .help = "What materials whose alpha blends (glTF: BLEND) cast. A shadow map holds one depth a texel, so there is no "
-             "half shadow."},
+     .help =
+         "What materials whose alpha blends (glTF: BLEND) cast. A shadow map holds one depth a texel, so there is no "
+         "half shadow."},
 });
 static_assert(kCaster.size() == members<CasterSettings>(), "a member of CasterSettings has no row");
 

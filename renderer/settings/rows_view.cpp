@@ -84,10 +84,12 @@ static_assert(kCamera.size() == members<CameraSettings>(), "a member of CameraSe
 
 constexpr auto kScene = std::to_array<Param>({
     {SI_FIELD(scene.index), .label = "Scene of the file", .unit = "", .min = -1, .max = 9999,
-     .help = "Which scene of a glTF file is shown, counted from 0; -1 is the file's default. Another one is read anew."},
+     .help =
+         "Which scene of a glTF file is shown, counted from 0; -1 is the file's default. Another one is read anew."},
     {SI_FIELD(scene.animation), .label = "Animation", .unit = "", .min = -1, .max = 9999,
-     .help = "Which animation of the scene's file is shown, counted from 0; -1 is the rest pose. Without effect on scenes "
-             "without animations."},
+     .help =
+         "Which animation of the scene's file is shown, counted from 0; -1 is the rest pose. Without effect on scenes "
+         "without animations."},
     {SI_FIELD(scene.time), .label = "Time", .unit = "s", .min = 0, .max = 1e6,
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
      .help = "The moment of the animation that is shown. After its last key the scene stands still."},
@@ -100,11 +102,14 @@ std::string_view area_idle(const Settings& s, int) {
 
 constexpr auto kTruth = std::to_array<Param>({
     {SI_FIELD(truth.area), .label = "Light with its size", .unit = "",
-     .help = "Compare with a light of its size (light.size), which casts penumbras. Off: with a point or a direction, which "
+     .help = "Compare with a light of its size (light.size), which casts penumbras. Off: with a point or a direction, "
+             "which "
              "casts hard shadows."},
-    {SI_FIELD(truth.samples), .label = "Most rays", .unit = "", .min = 1, .max = 1 << 20, .logarithmic = true, .idle = area_idle,
-     .help = "Most rays of a pixel to a light of size: 64 everywhere, then four times as many, and again, where the noise "
-             "demands it."},
+    {SI_FIELD(truth.samples), .label = "Most rays", .unit = "", .min = 1, .max = 1 << 20, .logarithmic = true,
+     .idle = area_idle,
+     .help =
+         "Most rays of a pixel to a light of size: 64 everywhere, then four times as many, and again, where the noise "
+         "demands it."},
     {SI_FIELD(truth.noise), .label = "Noise", .unit = "", .min = 0, .max = 1, .logarithmic = true, .idle = area_idle,
      .help = "Wanted standard error of a pixel's true visibility under a light of size."},
     {SI_FIELD(truth.step), .label = "Pixel step", .unit = "px", .min = 1, .max = 8,

@@ -54,11 +54,11 @@ struct SceneSettings {
 
 struct MapSettings {
     int resolution = 2048;
-    int format = 2;  ///< MapFormat
-    int wrap = 0;    ///< MapWrap
-    int outside = 0; ///< Outside
+    int format = 2;   ///< MapFormat
+    int wrap = 0;     ///< MapWrap
+    int outside = 0;  ///< Outside
     bool far_guard = true;
-    int compare = 1; ///< Compare
+    int compare = 1;  ///< Compare
     bool reversed_z = false;
     int blur_texels = 0;
     bool operator==(const MapSettings&) const = default;

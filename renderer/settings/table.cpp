@@ -10,9 +10,8 @@ static_assert(rows::members<Settings>() == 12, "Settings has a member without ro
 std::span<const Param> params() {
     static const std::vector<Param> table = [] {
         std::vector<Param> all;
-        for (const auto group :
-             {map_rows(), bias_rows(), light_rows(), shading_rows(), camera_rows(), scene_rows(), view_rows(),
-              truth_rows(), object_rows()}) {
+        for (const auto group : {map_rows(), bias_rows(), light_rows(), shading_rows(), camera_rows(), scene_rows(),
+                                 view_rows(), truth_rows(), object_rows()}) {
             all.insert(all.end(), group.begin(), group.end());
         }
         for (Param& p : all) {

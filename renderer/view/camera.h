@@ -4,9 +4,9 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "renderer/view/light_fit.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/light_fit.h"
 
 namespace si {
 
@@ -15,9 +15,9 @@ struct Camera {
     glm::dmat3 axes{1.0};  ///< columns right, up, back
     bool orthographic = false;
     double fov_y_rad = 0.785;
-    double height = 10;    ///< orthographic: metres seen vertically
-    double focus = 10;     ///< distance to the target, metres
-    DepthCurve curve;      ///< reversed-Z, zero to one
+    double height = 10;  ///< orthographic: metres seen vertically
+    double focus = 10;   ///< distance to the target, metres
+    DepthCurve curve;    ///< reversed-Z, zero to one
     double aspect = 1;
     glm::dmat4 projection() const;
     glm::dmat4 clip_from_relative(const glm::dvec3& origin) const;

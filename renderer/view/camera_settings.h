@@ -1,8 +1,8 @@
 // Settings that describe a given camera.
 #pragma once
 
-#include "renderer/view/camera.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/camera.h"
 
 namespace si {
 

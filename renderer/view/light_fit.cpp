@@ -308,7 +308,10 @@ std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings
         light.target = target;
         light.map_origin = shape.centre;
         light.range_m = range_of(s);
-        const FitContext context{shape, s, {true, settings.map.reversed_z}, resolution,
+        const FitContext context{shape,
+                                 s,
+                                 {true, settings.map.reversed_z},
+                                 resolution,
                                  light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity()};
         switch (light.type) {
             case LightType::Directional:

@@ -1,8 +1,8 @@
 // A light's fitted map written out as settings by hand, so that one part of it can be moved and the rest stays.
 #pragma once
 
-#include "renderer/view/light_fit.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/light_fit.h"
 
 namespace si {
 

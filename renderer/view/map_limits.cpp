@@ -69,15 +69,15 @@ MapLimits map_limits(const SceneShape& shape, const std::vector<LightView>& view
 std::vector<std::string> map_limit_notes(const MapLimits& limits, int light) {
     std::vector<std::string> notes;
     if (limits.one_depth_step)
-        notes.push_back(
-            fmt::format("light {}: all that its map holds ({:.3g} m deep) lies in one step of map.format ({:.3g} m): no bias "
-                        "tells casters from receivers; bring light.near and light.far to the scene, or take a finer format",
-                        light, limits.depth_m, limits.step_m));
+        notes.push_back(fmt::format(
+            "light {}: all that its map holds ({:.3g} m deep) lies in one step of map.format ({:.3g} m): no bias "
+            "tells casters from receivers; bring light.near and light.far to the scene, or take a finer format",
+            light, limits.depth_m, limits.step_m));
     if (limits.one_texel)
-        notes.push_back(
-            fmt::format("light {}: one texel ({:.3g} m) is larger than the scene ({:.3g} m across): its map holds no shape; "
-                        "raise map.resolution or lower light.extent",
-                        light, limits.texel_m, limits.across_m));
+        notes.push_back(fmt::format(
+            "light {}: one texel ({:.3g} m) is larger than the scene ({:.3g} m across): its map holds no shape; "
+            "raise map.resolution or lower light.extent",
+            light, limits.texel_m, limits.across_m));
     return notes;
 }
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/view/light_fit.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/light_fit.h"
 
 namespace si {
 namespace {

@@ -48,7 +48,8 @@ layout(location=0) in vec3 p; layout(location=1) in vec3 n; layout(location=2) i
 uniform mat4 clip;
 out vec3 pos; out vec3 nor; out vec3 col; out vec2 uv;
 void main(){ pos=p; nor=n; col=c; uv=t; gl_Position=clip*vec4(p,1); })";
-constexpr const char* kDepthVertex = "layout(location=0) in vec3 p; uniform mat4 clip; void main(){gl_Position=clip*vec4(p,1);}";
+constexpr const char* kDepthVertex =
+    "layout(location=0) in vec3 p; uniform mat4 clip; void main(){gl_Position=clip*vec4(p,1);}";
 constexpr const char* kMaskedDepthVertex = R"(
 layout(location=0) in vec3 p; layout(location=3) in vec2 t; uniform mat4 clip; out vec2 uv;
 void main(){ uv=t; gl_Position=clip*vec4(p,1); })";
@@ -116,7 +117,9 @@ gl::Texture upload(const Texture& t) {
     glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GLint(wrap(t.wrap_t)));
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, t.nearest_mag ? GL_NEAREST : GL_LINEAR);
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER,
-                        levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : t.nearest_min ? GL_NEAREST : GL_LINEAR);
+                        levels > 1      ? GL_LINEAR_MIPMAP_LINEAR
+                        : t.nearest_min ? GL_NEAREST
+                                        : GL_LINEAR);
     if (levels > 1 && epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
         glTextureParameterf(texture.id(), GL_TEXTURE_MAX_ANISOTROPY_EXT, 4);
     return texture;
@@ -150,8 +153,8 @@ BareForward::BareForward(const Scene& scene, int kernel_size, int map_resolution
     for (const Object& object : scene.objects) {
         const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
         const glm::mat3 normal(glm::transpose(glm::inverse(glm::dmat3(object.world))));
-        const glm::vec3 colour = mesh.material < 0 ? glm::vec3(0.8f)
-                                                   : glm::vec3(scene.materials[std::size_t(mesh.material)].base_colour);
+        const glm::vec3 colour =
+            mesh.material < 0 ? glm::vec3(0.8f) : glm::vec3(scene.materials[std::size_t(mesh.material)].base_colour);
         const auto base = std::uint32_t(vertices.size());
         for (std::size_t i = 0; i < mesh.positions.size(); ++i)
             vertices.push_back({glm::vec3(glm::dvec3(object.world * glm::dvec4(mesh.positions[i], 1)) - origin_),

@@ -12,13 +12,13 @@
 
 #include "app/context/headless_context.h"
 #include "app/session/session.h"
-#include "renderer/settings/param.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
 #include "tests/bench/bare.h"
 #include "tests/bench/load_bench.h"
-#include "tests/support/agreed_scene.h"
 #include "tests/bench/median.h"
+#include "tests/support/agreed_scene.h"
 
 namespace si {
 namespace {
@@ -111,7 +111,8 @@ void whole_frame(benchmark::State& state, const char* file, const char* kernel, 
     casting.lights[0].cast = true;
     const FittedLight light = fit_lights(m.scene, casting)[0];
     BareForward bare(m.scene, size, resolution, kWidth, kHeight);
-    pair(state, [&] { bare.draw(facts.camera, light); }, [&] { m.renderer.render(m.scene, s, request); });
+    pair(
+        state, [&] { bare.draw(facts.camera, light); }, [&] { m.renderer.render(m.scene, s, request); });
 }
 
 /// Mean |A - B| of the channels, 0..1, of the bare program's picture and the renderer's.
@@ -154,14 +155,14 @@ void textured_frame(benchmark::State& state, const std::string& name, const Row&
     map.outputs = {.colour = false, .shadow_map = true};
     map.timing = true;
     m.renderer.render(m.scene, s, map);
-    pair(state, [&] { bare.draw(facts.camera, light); },
-         [&] { m.renderer.render(m.scene, s, request); },
-         [&] {
-             plain_ms.push_back(finished_ms(draw_plain));
-             if (row.size == 0) return;
-             depth_ms.push_back(finished_ms([&] { bare.draw(facts.camera, light, true, false); }));
-             own_depth_ms.push_back(m.renderer.render(m.scene, s, map).passes[0].gpu_ms);
-         });
+    pair(
+        state, [&] { bare.draw(facts.camera, light); }, [&] { m.renderer.render(m.scene, s, request); },
+        [&] {
+            plain_ms.push_back(finished_ms(draw_plain));
+            if (row.size == 0) return;
+            depth_ms.push_back(finished_ms([&] { bare.draw(facts.camera, light, true, false); }));
+            own_depth_ms.push_back(m.renderer.render(m.scene, s, map).passes[0].gpu_ms);
+        });
     state.counters["plain_ms"] = median(plain_ms);
     state.counters["plain_ratio"] = state.counters["ours_ms"] / median(plain_ms);
     if (row.size == 0) return;
@@ -199,8 +200,9 @@ void gather_against_sampler(benchmark::State& state, const char* kernel) {
     set_setting(gather, "filter.method", "gather");
     FrameRequest request{.width = kWidth, .height = kHeight};
     request.force = true;
-    pair(state, [&] { m.renderer.render(m.scene, sampler, request); },
-         [&] { m.renderer.render(m.scene, gather, request); });
+    pair(
+        state, [&] { m.renderer.render(m.scene, sampler, request); },
+        [&] { m.renderer.render(m.scene, gather, request); });
 }
 
 void unchanged_frame(benchmark::State& state) {
@@ -208,7 +210,8 @@ void unchanged_frame(benchmark::State& state) {
     const Settings s;
     FrameRequest forced{.width = kWidth, .height = kHeight}, cached = forced;
     forced.force = true;
-    pair(state, [&] { m.renderer.render(m.scene, s, forced); }, [&] { m.renderer.render(m.scene, s, cached); });
+    pair(
+        state, [&] { m.renderer.render(m.scene, s, forced); }, [&] { m.renderer.render(m.scene, s, cached); });
 }
 
 void first_frame_of_a_scene(benchmark::State& state, const char* name) {
@@ -229,7 +232,10 @@ int rounds() {
 
 void register_all() {
     const auto add = [](std::string name, auto function) {
-        benchmark::RegisterBenchmark(name.c_str(), function)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(rounds());
+        benchmark::RegisterBenchmark(name.c_str(), function)
+            ->UseManualTime()
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(rounds());
     };
     for (const Row& row : kRows) {
         for (const int resolution : {1024, 2048, 4096})

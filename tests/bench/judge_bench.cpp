@@ -1,21 +1,22 @@
-// What judging a frame costs: comparing every pixel with the truth and making the trials of the wrong ones, against drawing
-// the visibility that is judged, in the same frames. Read the ratio: of what runs while a bias or a kernel is changed, and
-// of all with what is kept while camera and light rest.
+// What judging a frame costs: comparing every pixel with the truth and making the trials of the wrong ones, against
+// drawing the visibility that is judged, in the same frames. Read the ratio: of what runs while a bias or a kernel is
+// changed, and of all with what is kept while camera and light rest.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 
 #include "app/context/headless_context.h"
-#include "renderer/settings/param.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
 #include "tests/bench/median.h"
 
 namespace si {
 namespace {
 
-void judge_against_visibility(benchmark::State& state, const char* scene_name, std::vector<std::pair<const char*, const char*>> sets) {
+void judge_against_visibility(benchmark::State& state, const char* scene_name,
+                              std::vector<std::pair<const char*, const char*>> sets) {
     const HeadlessContext context;
     Renderer renderer;
     const Scene scene = load_scene(scene_name);
@@ -31,7 +32,8 @@ void judge_against_visibility(benchmark::State& state, const char* scene_name, s
     for (auto _ : state) {
         const FrameResult f = renderer.render(scene, s, request);
         const auto ms = [&](const char* name) { return f.pass(name) ? f.pass(name)->gpu_ms : 0; };
-        compared.push_back(ms("pixels compared")), causes.push_back(ms("causes found")), unfiltered.push_back(ms("unfiltered map"));
+        compared.push_back(ms("pixels compared")), causes.push_back(ms("causes found")),
+            unfiltered.push_back(ms("unfiltered map"));
         seen.push_back(ms("surfaces seen"));
         judging.push_back(compared.back() + causes.back());
         visibility.push_back(ms("visibility"));
@@ -50,9 +52,16 @@ void judge_against_visibility(benchmark::State& state, const char* scene_name, s
     state.counters["wrong_share"] = wrong;
 }
 
-BENCHMARK_CAPTURE(judge_against_visibility, stage_pcf3, "stage", std::vector<std::pair<const char*, const char*>>{})->Iterations(15)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge_against_visibility, stage_pcf9, "stage", std::vector<std::pair<const char*, const char*>>{{"filter.kernel", "pcf9"}})->Iterations(15)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge_against_visibility, boxes_pcf3, "boxes", std::vector<std::pair<const char*, const char*>>{})->Iterations(15)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge_against_visibility, stage_pcf3, "stage", std::vector<std::pair<const char*, const char*>>{})
+    ->Iterations(15)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge_against_visibility, stage_pcf9, "stage",
+                  std::vector<std::pair<const char*, const char*>>{{"filter.kernel", "pcf9"}})
+    ->Iterations(15)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge_against_visibility, boxes_pcf3, "boxes", std::vector<std::pair<const char*, const char*>>{})
+    ->Iterations(15)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace si

@@ -17,8 +17,8 @@
 
 #include "app/context/headless_context.h"
 #include "app/session/session.h"
-#include "renderer/gltf/gltf.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/gltf/gltf.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 
@@ -77,8 +77,8 @@ void load_shared_million(benchmark::State& state) {
     load(state, path);
 }
 
-/// A million triangles of one indexed mesh: 24 MB with normals. Without, 18 MB become 84: each triangle gets vertices of
-/// its own.
+/// A million triangles of one indexed mesh: 24 MB with normals. Without, 18 MB become 84: each triangle gets vertices
+/// of its own.
 void load_plain_million(benchmark::State& state, bool normals) {
     const auto path = std::filesystem::path(SI_TEST_OUTPUT_DIR) / (normals ? "plain_1m.glb" : "flat_1m.glb");
     Mesh mesh = make_plane(20, 20, 708, 708);
@@ -106,9 +106,9 @@ Scene make_instances() {
     return scene;
 }
 
-/// What a person waits for in a scene of many objects, each as one frame of 1280 x 720: drawn for the first time (upload,
-/// arrangement, programs), with nothing changed, another bias, the light turned, one node moved, one object's culling
-/// changed, and all of it drawn anew.
+/// What a person waits for in a scene of many objects, each as one frame of 1280 x 720: drawn for the first time
+/// (upload, arrangement, programs), with nothing changed, another bias, the light turned, one node moved, one object's
+/// culling changed, and all of it drawn anew.
 void many_objects(benchmark::State& state, Scene (*make)()) {
     std::map<std::string, double> sum;
     for (auto _ : state) {
@@ -138,8 +138,7 @@ void many_objects(benchmark::State& state, Scene (*make)()) {
             scene.nodes.back().local[3].y += 0.1;
             refresh(scene);
         });
-        sum["object_culled_ms"] +=
-            frame_ms([&] { s.objects[scene.nodes.back().path].cull = int(ObjectCull::Back); });
+        sum["object_culled_ms"] += frame_ms([&] { s.objects[scene.nodes.back().path].cull = int(ObjectCull::Back); });
         request.force = true;
         state.SetIterationTime(frame_ms(nothing) / 1000);
     }

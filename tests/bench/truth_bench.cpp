@@ -1,5 +1,5 @@
-// The ray-traced truth against the quickest bare loop over prepared rays, in turn, on the same number of threads. Read the
-// ratio; the milliseconds hold for this machine and minute only.
+// The ray-traced truth against the quickest bare loop over prepared rays, in turn, on the same number of threads. Read
+// the ratio; the milliseconds hold for this machine and minute only.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 #include <memory>
 
 #include "app/context/headless_context.h"
+#include "renderer/frame/renderer.h"
 #include "renderer/reference/embree.h"
 #include "renderer/reference/truth_task.h"
-#include "renderer/frame/renderer.h"
-#include "tests/support/agreed_scene.h"
 #include "tests/bench/median.h"
+#include "tests/support/agreed_scene.h"
 
 namespace si {
 namespace {
@@ -121,8 +121,16 @@ void truth_against_bare(benchmark::State& state, test::AgreedSize size) {
     state.counters["rate_share"] = fastest / median(ours);
 }
 
-BENCHMARK_CAPTURE(truth_against_bare, 100k, test::AgreedSize::Triangles100k)->Arg(1)->Arg(2)->UseManualTime()->Iterations(9);
-BENCHMARK_CAPTURE(truth_against_bare, 1m, test::AgreedSize::Triangles1M)->Arg(1)->Arg(2)->UseManualTime()->Iterations(9);
+BENCHMARK_CAPTURE(truth_against_bare, 100k, test::AgreedSize::Triangles100k)
+    ->Arg(1)
+    ->Arg(2)
+    ->UseManualTime()
+    ->Iterations(9);
+BENCHMARK_CAPTURE(truth_against_bare, 1m, test::AgreedSize::Triangles1M)
+    ->Arg(1)
+    ->Arg(2)
+    ->UseManualTime()
+    ->Iterations(9);
 
 }  // namespace
 }  // namespace si

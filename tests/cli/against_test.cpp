@@ -23,9 +23,13 @@ class Against : public testing::Test {
 protected:
     void SetUp() override { folder_ = fresh_test_folder(); }
     std::string draw(const std::string& file, std::vector<std::string> more) {
-        std::vector<std::string> arguments = {"render", "boxes", "-o", file, "--size", "160x90", "--set",
-                                              "filter.kernel=hard", "--set", "bias.constant=0", "--set", "bias.normal=0",
-                                              "--set", "view.frustum=false"};
+        std::vector<std::string> arguments = {"render", "boxes",
+                                              "-o",     file,
+                                              "--size", "160x90",
+                                              "--set",  "filter.kernel=hard",
+                                              "--set",  "bias.constant=0",
+                                              "--set",  "bias.normal=0",
+                                              "--set",  "view.frustum=false"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const ProcessResult r = run_program(arguments, folder_);
         EXPECT_EQ(r.code, 0) << r.err;
@@ -60,11 +64,14 @@ TEST_F(Against, TheTruthBesideSwipedAndAsADifference) {
     const Picture swiped = picture("swiped.png");
     ASSERT_EQ(swiped.width, 160);
     EXPECT_TRUE(same(swiped, 0, plain, 0, 39));
-    EXPECT_TRUE(same(swiped, 41, [&] {
-        Picture right{160, 90, std::vector<std::uint8_t>(160 * 90 * 3)};
-        for (int y = 0; y < 90; ++y) std::memcpy(&right.rgb[std::size_t(y) * 160 * 3], beside.at(162, y), 160 * 3);
-        return right;
-    }(), 41, 119));
+    EXPECT_TRUE(same(
+        swiped, 41,
+        [&] {
+            Picture right{160, 90, std::vector<std::uint8_t>(160 * 90 * 3)};
+            for (int y = 0; y < 90; ++y) std::memcpy(&right.rgb[std::size_t(y) * 160 * 3], beside.at(162, y), 160 * 3);
+            return right;
+        }(),
+        41, 119));
     EXPECT_FALSE(same(beside, 162, plain, 0, 160)) << "without bias the map is far from true";
 
     draw("difference.png", {"--against", "truth", "--difference"});
@@ -82,14 +89,14 @@ TEST_F(Against, TheTruthBesideSwipedAndAsADifference) {
 }
 
 TEST_F(Against, APresetUnderTheSameCamera) {
-    const ProcessResult saved = run_program({"preset", "save", "boxes", "-o", "p.json", "--set", "light.azimuth=100", "--set",
-                                             "camera.source=manual", "--set", "camera.distance=3"},
+    const ProcessResult saved = run_program({"preset", "save", "boxes", "-o", "p.json", "--set", "light.azimuth=100",
+                                             "--set", "camera.source=manual", "--set", "camera.distance=3"},
                                             folder_);
     ASSERT_EQ(saved.code, 0) << saved.err;
     draw("plain.png", {});
     draw("against.png", {"--against", "p.json"});
-    const ProcessResult own = run_program({"render", "boxes", "-o", "own.png", "--size", "160x90", "--preset", "p.json", "--set",
-                                           "camera.source=auto", "--set", "view.frustum=false"},
+    const ProcessResult own = run_program({"render", "boxes", "-o", "own.png", "--size", "160x90", "--preset", "p.json",
+                                           "--set", "camera.source=auto", "--set", "view.frustum=false"},
                                           folder_);
     ASSERT_EQ(own.code, 0) << own.err;
     const Picture both = picture("against.png");
@@ -106,9 +113,10 @@ TEST_F(Against, OverlaysOfTheTruthAreTracedFor) {
             const std::uint8_t* c = p.at(x, y);
             acne += std::abs(c[0] - 213) < 2 && std::abs(c[1] - 94) < 2 && c[2] < 2;
         }
-    const ProcessResult measured = run_program({"measure", "boxes", "--json", "--no-time", "--size", "160x90", "--set",
-                                                "filter.kernel=hard", "--set", "bias.constant=0", "--set", "bias.normal=0"},
-                                               folder_);
+    const ProcessResult measured =
+        run_program({"measure", "boxes", "--json", "--no-time", "--size", "160x90", "--set", "filter.kernel=hard",
+                     "--set", "bias.constant=0", "--set", "bias.normal=0"},
+                    folder_);
     ASSERT_EQ(measured.code, 0) << measured.err;
     const Json error = Json::parse(measured.out)["error"];
     EXPECT_GT(acne, 500);

@@ -10,8 +10,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string> kScene{"boxes", "--set", "map.resolution=512", "--set", "bias.normal=0", "--set", "bias.constant=0",
-                                      "--size", "320x180", "--json"};
+const std::vector<std::string> kScene{"boxes",         "--set", "map.resolution=512", "--set",
+                                      "bias.normal=0", "--set", "bias.constant=0",    "--size",
+                                      "320x180",       "--json"};
 
 Json run(const char* command, std::vector<std::string> more) {
     std::vector<std::string> args{command};

@@ -53,13 +53,14 @@ TEST(Drivers, PresetsLookAlikeOnTwo) {
         for (std::size_t i = 0; i < a.size(); i += 4) {
             int most = 0;
             for (std::size_t c = 0; c < 4; ++c)
-                most = std::max(most, std::abs(int(static_cast<unsigned char>(a[i + c])) - int(static_cast<unsigned char>(b[i + c]))));
+                most = std::max(most, std::abs(int(static_cast<unsigned char>(a[i + c])) -
+                                               int(static_cast<unsigned char>(b[i + c]))));
             rounded += most > 0, far += most > 2;
         }
         for (std::size_t i = 0; i < va.size(); ++i) turned += std::abs(va[i] - vb[i]) > 0.02f;
         EXPECT_GT(std::set<char>(a.begin(), a.end()).size(), 10u) << "hardly a picture";
-        // Colours round differently. Where rounding decides whether a tap is lit (on edges; where a preset shows what too
-        // few depth steps do) a pixel may turn: the half percent seen is standard-depth's.
+        // Colours round differently. Where rounding decides whether a tap is lit (on edges; where a preset shows what
+        // too few depth steps do) a pixel may turn: the half percent seen is standard-depth's.
         const double pixels = double(a.size()) / 4;
         EXPECT_LE(double(rounded), 0.05 * pixels);
         EXPECT_LE(double(far), 0.01 * pixels) << "more than 2/255";

@@ -164,12 +164,18 @@ TEST(Report, MatricesAreRowsAndAgreeWithTheProbe) {
 
 // The light sees the tower's side edge-on: amounts without end are null in JSON and have a word in text.
 TEST(Probe, SaysInWordsWhatHasNoNumber) {
-    const std::vector<std::string> probe = {"probe", "boxes", "--pixel", "32,24", "--size", "64x48",
-                                            "--set", "light.elevation=90", "--set", "light.azimuth=90",
-                                            "--set", "camera.source=manual", "--set", "camera.azimuth=-12",
-                                            "--set", "camera.elevation=5", "--set", "camera.distance=3",
-                                            "--set", "camera.target_x=2", "--set", "camera.target_y=1.2",
-                                            "--set", "camera.target_z=-1.6"};
+    const std::vector<std::string> probe = {"probe",   "boxes",
+                                            "--pixel", "32,24",
+                                            "--size",  "64x48",
+                                            "--set",   "light.elevation=90",
+                                            "--set",   "light.azimuth=90",
+                                            "--set",   "camera.source=manual",
+                                            "--set",   "camera.azimuth=-12",
+                                            "--set",   "camera.elevation=5",
+                                            "--set",   "camera.distance=3",
+                                            "--set",   "camera.target_x=2",
+                                            "--set",   "camera.target_y=1.2",
+                                            "--set",   "camera.target_z=-1.6"};
     std::vector<std::string> as_json = probe;
     as_json.push_back("--json");
     const Json light = json_of(as_json)["lights"][0];
@@ -191,7 +197,7 @@ TEST(Probe, WritesTheTestOut) {
     for (const char* key :
          {"light",   "face",     "casts",      "clip",  "ndc",        "uvd",         "texel",  "n_dot_l",
           "stored",  "stored_m", "own",        "own_m", "bias_depth", "bias_texels", "bias_m", "normal_offset_m",
-          "texel_m", "compared", "visibility", "where", "verdict", "gap_m"}) {
+          "texel_m", "compared", "visibility", "where", "verdict",    "gap_m"}) {
         EXPECT_TRUE(light.contains(key)) << key;
     }
     const double w = light["clip"][3], x = light["clip"][0], ndc = light["ndc"][0], u = light["uvd"][0];
@@ -206,8 +212,9 @@ TEST(Probe, WritesTheTestOut) {
 }
 
 TEST(Probe, ExplainsThePixelAndNamesWhatPutsItRight) {
-    const std::vector<std::string> scene = {"probe",           "boxes", "--pixel", "160,130", "--size",       "320x180", "--set",
-                                            "bias.normal=0", "--set", "bias.constant=0",       "--set", "filter.kernel=pcf5"};
+    const std::vector<std::string> scene = {"probe",  "boxes",           "--pixel", "160,130",
+                                            "--size", "320x180",         "--set",   "bias.normal=0",
+                                            "--set",  "bias.constant=0", "--set",   "filter.kernel=pcf5"};
     const auto with = [&](std::vector<std::string> more) {
         more.insert(more.begin(), scene.begin(), scene.end());
         return more;

@@ -62,7 +62,8 @@ INSTANTIATE_TEST_SUITE_P(
                 2,
                 "varied twice"},
         Mistake{"sweep_shard", {"sweep", "boxes", "--vary", "bias.slope=1", "-o", "out", "--shard", "3/2"}, 2, "2/8"},
-        Mistake{"sweep_rounds", {"sweep", "boxes", "--vary", "bias.slope=1", "-o", "out", "--rounds", "0"}, 2, "--rounds"},
+        Mistake{
+            "sweep_rounds", {"sweep", "boxes", "--vary", "bias.slope=1", "-o", "out", "--rounds", "0"}, 2, "--rounds"},
         Mistake{"sweep_scene", {"sweep", "broken.gltf", "--vary", "bias.slope=1", "-o", "out"}, 1, "broken.gltf"},
         Mistake{"sweep_file", {"sweep", "boxes", "--vary", "bias.slope=1", "-o", "bad.json"}, 1, "bad.json"},
         Mistake{"merge_nothing", {"merge", "folder.png", "-o", "out"}, 1, "holds no sweep"},
@@ -73,7 +74,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"view", {"render", "boxes", "-o", "a.png", "--view", "visibilty"}, 2, "did you mean visibility?"},
         Mistake{"swipe_alone", {"render", "boxes", "-o", "a.png", "--swipe", "0.5"}, 2, "--against"},
         Mistake{"swipe_range", {"render", "boxes", "-o", "a.png", "--against", "truth", "--swipe", "2"}, 2, "--swipe"},
-        Mistake{"against_view", {"render", "boxes", "-o", "a.png", "--against", "truth", "--view", "normals"}, 2, "--view"},
+        Mistake{
+            "against_view", {"render", "boxes", "-o", "a.png", "--against", "truth", "--view", "normals"}, 2, "--view"},
         Mistake{"against_nothing", {"render", "boxes", "-o", "a.png", "--against", "bad.json"}, 1, "bad.json"},
         Mistake{"extension", {"render", "boxes", "-o", "a.jpg"}, 2, ".png"},
         Mistake{"float_picture", {"render", "boxes", "-o", "a.pfm"}, 2, "write it as .png"},

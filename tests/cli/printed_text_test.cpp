@@ -32,7 +32,8 @@ TEST(PrintedText, OfEveryCommandIsEncodedOnce) {
         {"render", "boxes", "-o", "x.png", "--size", "64x64", "--set", "map.resolution=1"},
     };
     for (const std::string& kind : list_kinds()) commands.push_back({"list", kind});
-    for (const char* command : {"render", "truth", "measure", "sweep", "merge", "tune", "probe", "list", "preset", "edit", "scene"})
+    for (const char* command :
+         {"render", "truth", "measure", "sweep", "merge", "tune", "probe", "list", "preset", "edit", "scene"})
         commands.push_back({command, "--help"});
     std::size_t printed = 0;
     for (const auto& command : commands) {

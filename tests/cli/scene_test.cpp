@@ -124,8 +124,8 @@ TEST(SceneCommand, SettingsChooseSceneAndCamera) {
     const auto folder = fresh_test_folder();
     write(folder / "two.glb", two_scenes());
     const auto run = [&](const std::vector<std::string>& sets) {
-        std::vector<std::string> arguments = {"render", "two.glb",  "-o",    "a.png", "--size",
-                                              "32x32",  "--report", "a.json"};
+        std::vector<std::string> arguments = {"render", "two.glb", "-o",       "a.png",
+                                              "--size", "32x32",   "--report", "a.json"};
         for (const std::string& set : sets) arguments.insert(arguments.end(), {"--set", set});
         return run_program(arguments, folder);
     };
@@ -171,10 +171,10 @@ TEST(SceneCommand, AnExportHoldsTheMomentAndTheSettings) {
     EXPECT_EQ(plain["settings"]["light.type"], "spot");
 
     // The animation ends one metre along x; the triangle spans 0 to 1.
-    const Json moved = exported({"--set", "scene.time=2.5", "--set", "bias.slope=2", "--set", "light.red=0.5",
-                                 "--set", "object.Tree.receive=false"});
-    EXPECT_NEAR(moved["scene"]["bounds"]["min"][0].get<double>(),
-                plain["scene"]["bounds"]["min"][0].get<double>() + 1, 1e-6);
+    const Json moved = exported({"--set", "scene.time=2.5", "--set", "bias.slope=2", "--set", "light.red=0.5", "--set",
+                                 "object.Tree.receive=false"});
+    EXPECT_NEAR(moved["scene"]["bounds"]["min"][0].get<double>(), plain["scene"]["bounds"]["min"][0].get<double>() + 1,
+                1e-6);
     EXPECT_EQ(moved["settings"]["bias.slope"], 2.0);
     EXPECT_EQ(moved["settings"]["light.red"], 0.5) << "not undone by the lamp of the file";
     EXPECT_EQ(moved["settings"]["light.type"], "spot");
@@ -189,8 +189,8 @@ TEST(SceneCommand, AnExportHoldsTheMomentAndTheSettings) {
                   .code,
               0);
     const Json half = exported({"--preset", "p.json", "--set", "map.resolution=512"});
-    EXPECT_NEAR(half["scene"]["bounds"]["min"][0].get<double>(),
-                plain["scene"]["bounds"]["min"][0].get<double>() + 0.5, 1e-6);
+    EXPECT_NEAR(half["scene"]["bounds"]["min"][0].get<double>(), plain["scene"]["bounds"]["min"][0].get<double>() + 0.5,
+                1e-6);
     EXPECT_EQ(half["settings"]["bias.slope"], 3.0);
     EXPECT_EQ(half["settings"]["light.intensity"], 0.25);
     EXPECT_EQ(half["settings"]["map.resolution"], 512);

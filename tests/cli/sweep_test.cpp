@@ -73,8 +73,10 @@ TEST(SweepCommand, WritesResultsAndReport) {
         EXPECT_EQ(number_at(row, "error.meaning"), 2);
         EXPECT_NEAR(number_at(row, "error.false_shadow"),
                     sum({"acne", "offset_false_shadow", "boundary_false_shadow", "outside_false_shadow"}), 1e-12);
-        EXPECT_NEAR(number_at(row, "error.false_light"),
-                    sum({"bias_false_light", "lost_false_light", "leak", "boundary_false_light", "outside_false_light"}), 1e-12);
+        EXPECT_NEAR(
+            number_at(row, "error.false_light"),
+            sum({"bias_false_light", "lost_false_light", "leak", "boundary_false_light", "outside_false_light"}),
+            1e-12);
         const double n = std::stod(row["settings"]["map.resolution"].get<std::string>());
         EXPECT_EQ(number_at(row, "cost.map_texels"), n * n);
         EXPECT_GT(fs::file_size(folder / "out" / row["picture"].get<std::string>()), 500u);
@@ -102,7 +104,8 @@ TEST(SweepCommand, WritesResultsAndReport) {
 
 TEST(SweepCommand, ASweepOverTheLightsSizeMeasuresEachSize) {
     const fs::path folder = fresh_test_folder();
-    const Words words = {"sweep", "boxes", "--vary", "light.size=0.1,2,8", "--size", "96x64", "--no-time", "-o", "area"};
+    const Words words = {"sweep",     "boxes", "--vary", "light.size=0.1,2,8", "--size", "96x64",
+                         "--no-time", "-o",    "area"};
     Words area = words;
     area.push_back("--area");
     ASSERT_EQ(run_program(area, folder).code, 0);
@@ -111,8 +114,9 @@ TEST(SweepCommand, ASweepOverTheLightsSizeMeasuresEachSize) {
     EXPECT_LT(number_at(rows[0], "error.mae"), number_at(rows[1], "error.mae"));
     EXPECT_LT(number_at(rows[1], "error.mae"), number_at(rows[2], "error.mae"));
     for (const OrderedJson& row : rows) {
-        const ProcessResult m = run_program({"measure", "boxes", "--area", "--no-time", "--json", "--size", "96x64", "--set",
-                                             "light.size=" + row["settings"]["light.size"].get<std::string>()});
+        const ProcessResult m =
+            run_program({"measure", "boxes", "--area", "--no-time", "--json", "--size", "96x64", "--set",
+                         "light.size=" + row["settings"]["light.size"].get<std::string>()});
         EXPECT_EQ(OrderedJson::parse(m.out)["error"]["mae"], row["error"]["mae"]);
     }
     Words hard = words;
@@ -126,14 +130,17 @@ TEST(SweepCommand, EachSceneOfAFileIsMeasured) {
     const fs::path folder = fresh_test_folder();
     test::GltfFile f;
     const auto at = [&](double height) {
-        return f.append("nodes", {{"mesh", 0}, {"translation", {0, height, 0}}, {"rotation", {-0.7071068, 0, 0, 0.7071068}},
+        return f.append("nodes", {{"mesh", 0},
+                                  {"translation", {0, height, 0}},
+                                  {"rotation", {-0.7071068, 0, 0, 0.7071068}},
                                   {"scale", {4, 4, 4}}});
     };
     f.add_triangle();
     f.json["scenes"].push_back({{"nodes", {at(0), at(1), at(2)}}});
     std::ofstream(folder / "two.glb", std::ios::binary) << f.glb();
     const auto sweep = [&](const std::string& axis) {
-        return run_program({"sweep", "two.glb", "--vary", axis, "--size", "96x64", "--no-time", "-o", "out", "--fresh"}, folder);
+        return run_program({"sweep", "two.glb", "--vary", axis, "--size", "96x64", "--no-time", "-o", "out", "--fresh"},
+                           folder);
     };
     ASSERT_EQ(sweep("scene.index=0,1,-1").code, 0);
     const OrderedJson rows = results_of(folder / "out")["rows"];
@@ -150,8 +157,10 @@ TEST(SweepCommand, EachSceneOfAFileIsMeasured) {
     const std::string before = file_bytes(folder / "out" / kJournalFile);
     for (const char* wrong : {"camera.index=0,9999", "scene.index=0,2", "object.Nowhere.cast=true,false"}) {
         const ProcessResult r = sweep(wrong);
-        const std::string key(wrong, std::string_view(wrong).find('=')), value(std::string_view(wrong).substr(std::string_view(wrong).find(',') + 1));
-        const ProcessResult set = run_program({"measure", "two.glb", "--no-time", "--size", "96x64", "--set", key + "=" + value}, folder);
+        const std::string key(wrong, std::string_view(wrong).find('=')),
+            value(std::string_view(wrong).substr(std::string_view(wrong).find(',') + 1));
+        const ProcessResult set =
+            run_program({"measure", "two.glb", "--no-time", "--size", "96x64", "--set", key + "=" + value}, folder);
         EXPECT_NE(r.code, 0) << wrong;
         EXPECT_EQ(r.code, set.code) << wrong;
         EXPECT_EQ(r.err, set.err) << wrong;
@@ -187,7 +196,8 @@ TEST(SweepCommand, ErrorsOfAnotherMeaningAreNeitherContinuedNorMerged) {
         ASSERT_EQ(run_program(sweep_of(part, {"--no-time", "--shard", std::string(part) + "/2"}), folder).code, 0);
     const fs::path file = folder / "1" / kJournalFile;
     std::string text = file_bytes(file);
-    for (auto at = text.find("\"meaning\":2,"); at != std::string::npos; at = text.find("\"meaning\":2,")) text.erase(at, 12);
+    for (auto at = text.find("\"meaning\":2,"); at != std::string::npos; at = text.find("\"meaning\":2,"))
+        text.erase(at, 12);
     std::ofstream(file, std::ios::binary) << text;
     const std::string said = "1/journal.jsonl: line ";
     const Words again = sweep_of("1", {"--no-time", "--shard", "1/2"});
@@ -280,10 +290,10 @@ std::string falling_leaf() {
 TEST(SweepCommand, AFailingCaseIsARow) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "leaf.glb", std::ios::binary) << falling_leaf();
-    const ProcessResult r = run_program(
-        {"sweep", "leaf.glb", "--vary", "view.light=0,7", "--vary", "scene.animation=-1,0", "--set", "map.resolution=64",
-         "--size", "48x32", "-o", "out", "--no-time"},
-        folder);
+    const ProcessResult r =
+        run_program({"sweep", "leaf.glb", "--vary", "view.light=0,7", "--vary", "scene.animation=-1,0", "--set",
+                     "map.resolution=64", "--size", "48x32", "-o", "out", "--no-time"},
+                    folder);
     ASSERT_EQ(r.code, 0) << r.err;
     const OrderedJson results = results_of(folder / "out");
     EXPECT_EQ(results["failed"], 2);

@@ -62,8 +62,8 @@ TEST_F(TruthCommand, OfOneSampleHasUnknownNoise) {
     EXPECT_TRUE(one["noise"].is_null()) << one["noise"];
     EXPECT_EQ(one["noise_unknown_px"], one["pixels"]["counted"]);
     EXPECT_EQ(one["samples_used"]["most"], 1);
-    const std::vector<std::string> measure{"measure", "boxes", "--area", "--set", "light.0.size=5", "--set",
-                                           "truth.samples=1", "--no-time", "--size", "160x90"};
+    const std::vector<std::string> measure{"measure", "boxes",           "--area",    "--set",  "light.0.size=5",
+                                           "--set",   "truth.samples=1", "--no-time", "--size", "160x90"};
     const ProcessResult words = run_program(measure, folder_);
     EXPECT_NE(words.out.find("noise unknown, 1 sample a pixel"), std::string::npos) << words.out;
     std::vector<std::string> json = measure;

@@ -13,9 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-
 Json measured(const fs::path& preset, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> args{"measure", "boxes", "--preset", preset.string(), "--size", "320x180", "--no-time", "--json"};
+    std::vector<std::string> args{"measure", "boxes",   "--preset",  preset.string(),
+                                  "--size",  "320x180", "--no-time", "--json"};
     args.insert(args.end(), more.begin(), more.end());
     const auto r = run_program(args);
     EXPECT_EQ(r.code, 0) << r.err;
@@ -51,7 +51,8 @@ TEST(Tune, WritesTheLeastBiasWithoutAcne) {
     std::vector<std::string> less;
     for (const char* key : {"bias.normal", "bias.slope", "bias.constant"})
         if (json["settings"].contains(key)) {
-            less.insert(less.end(), {"--set", std::string(key) + "=" + std::to_string(0.9 * json["settings"][key].get<double>())});
+            less.insert(less.end(),
+                        {"--set", std::string(key) + "=" + std::to_string(0.9 * json["settings"][key].get<double>())});
         }
     ASSERT_FALSE(less.empty());
     EXPECT_GT(measured(preset, less)["error"]["any_acne"], tuned["any_acne"]);
@@ -71,7 +72,8 @@ TEST(Tune, TakesTheTruthAsMeasureDoes) {
         const auto r = run_program(args), m = run_program(same);
         EXPECT_EQ(r.code, 0) << r.err;
         const Json before = Json::parse(r.out)["before"]["error"], error = Json::parse(m.out)["error"];
-        for (const char* key : {"pixels", "mae", "false_shadow", "boundary_px_mean"}) EXPECT_EQ(before[key], error[key]) << key;
+        for (const char* key : {"pixels", "mae", "false_shadow", "boundary_px_mean"})
+            EXPECT_EQ(before[key], error[key]) << key;
         return before;
     };
     const int all = tuned({})["pixels"]["counted"], some = tuned({"truth.step=4"})["pixels"]["counted"];
@@ -81,7 +83,8 @@ TEST(Tune, TakesTheTruthAsMeasureDoes) {
 
 TEST(Tune, KeepsToTheErrorThatIsAsked) {
     const fs::path preset = fresh_test_folder() / "accurate.json";
-    const auto r = run_program({"tune", "boxes", "--max-error", "0.02", "--size", "160x90", "-o", preset.string(), "--json"});
+    const auto r =
+        run_program({"tune", "boxes", "--max-error", "0.02", "--size", "160x90", "-o", preset.string(), "--json"});
     ASSERT_EQ(r.code, 0) << r.err;
     const Json json = Json::parse(r.out);
     int chosen = 0, resolution = 0;
@@ -95,7 +98,8 @@ TEST(Tune, KeepsToTheErrorThatIsAsked) {
     EXPECT_EQ(chosen, 1);
     EXPECT_EQ(json["families"].size(), 3u) << "all that were tried stand side by side";
     EXPECT_EQ(taken, cheapest);
-    const auto again = run_program({"measure", "boxes", "--preset", preset.string(), "--size", "160x90", "--no-time", "--json"});
+    const auto again =
+        run_program({"measure", "boxes", "--preset", preset.string(), "--size", "160x90", "--no-time", "--json"});
     EXPECT_LE(Json::parse(again.out)["error"]["mae"], 0.02);
     EXPECT_EQ(Json::parse(again.out)["map_resolution"], resolution);
 }

@@ -88,11 +88,12 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                     const RasterTraits& driver = renderer.driver();
                     double worst = 0;
                     const int count = each_inner(scene, p, [&](const test::Hit& hit, double value) {
-                        const BiasAccount a =
-                            bias_account(p.frame.lights[0], s, p.frame.map_resolution,
-                                         {.position_ws = hit.position, .geometric = hit.normal, .bias_normal = hit.normal,
-                                          .origin_ws = p.frame.camera.origin()},
-                                         driver);
+                        const BiasAccount a = bias_account(p.frame.lights[0], s, p.frame.map_resolution,
+                                                           {.position_ws = hit.position,
+                                                            .geometric = hit.normal,
+                                                            .bias_normal = hit.normal,
+                                                            .origin_ws = p.frame.camera.origin()},
+                                                           driver);
                         if (a.receiver.n_dot_l < 0.02) return;  // edge-on nothing of single precision is left
                         const double scale = a.amount(a.least.total()).texels;
                         worst = std::max(worst, std::abs(value - expected_texels(a)) / (1 + scale));
@@ -147,7 +148,8 @@ TEST_F(BiasOverlays, DensityIsBothSingularValues) {
                     one = at[k] && at[k]->triangle == at[0]->triangle;
                     if (one)
                         texel[k] = glm::dvec2(test::uvdw(test::view_of(wide.frame.lights[0], at[k]->position),
-                                                         at[k]->position)) * double(n);
+                                                         at[k]->position)) *
+                                   double(n);
                 }
                 const float sigma1 = wide.values.at(x, y), inverse2 = narrow.values.at(x, y);
                 if (!one || std::isnan(sigma1)) continue;

@@ -30,7 +30,8 @@ protected:
     static std::string counts(const MeasuredError& m) {
         std::string text;
         for (const ArtefactStyle& style : artefact_styles())
-            if (const std::size_t n = count(m, style.artefact)) text += std::string(style.key) + " " + std::to_string(n) + "  ";
+            if (const std::size_t n = count(m, style.artefact))
+                text += std::string(style.key) + " " + std::to_string(n) + "  ";
         return text;
     }
 
@@ -62,13 +63,15 @@ protected:
             const Cause cause = cause_of(evidence[i], true_pixel(truth, i), context);
             const JudgedPixel& p = gpu.judged[i];
             const bool acne = cause.faint || (cause.artefact == Artefact::Acne && truth.visibility.data[i] == 1);
-            const bool same = cause.artefact == p.artefact && cause.also == p.also() &&
-                              cause.seam == p.has(JudgedPixel::kSeam) && acne == p.has(JudgedPixel::kAnyAcne) &&
-                              (p.bits & ~(JudgedPixel::kAnyAcne | JudgedPixel::kSeam)) % (1 << JudgedPixel::kAlsoShift) ==
-                                  compared_bits(p.visibility, true_pixel(truth, i), evidence[i].place == CauseEvidence::kOutside);
+            const bool same =
+                cause.artefact == p.artefact && cause.also == p.also() && cause.seam == p.has(JudgedPixel::kSeam) &&
+                acne == p.has(JudgedPixel::kAnyAcne) &&
+                (p.bits & ~(JudgedPixel::kAnyAcne | JudgedPixel::kSeam)) % (1 << JudgedPixel::kAlsoShift) ==
+                    compared_bits(p.visibility, true_pixel(truth, i), evidence[i].place == CauseEvidence::kOutside);
             if (!same && ++differ <= 3)
-                ADD_FAILURE() << "pixel " << i << ": " << name(p.artefact) << " on the GPU, here " << name(cause.artefact)
-                              << ", also " << p.also() << " and " << cause.also << ", bits " << p.bits;
+                ADD_FAILURE() << "pixel " << i << ": " << name(p.artefact) << " on the GPU, here "
+                              << name(cause.artefact) << ", also " << p.also() << " and " << cause.also << ", bits "
+                              << p.bits;
         }
         EXPECT_EQ(differ, 0u);
         return gpu;
@@ -79,15 +82,15 @@ protected:
         return named(measure(scene, wrong), measure(scene, twin), causes, least);
     }
     /// Of the pixels that are wrong, and right in the twin, the share that names one of the causes.
-    double named(const MeasuredError& a, const MeasuredError& b, const std::vector<Artefact>& causes, std::size_t least = 100) {
+    double named(const MeasuredError& a, const MeasuredError& b, const std::vector<Artefact>& causes,
+                 std::size_t least = 100) {
         std::size_t cured = 0, told = 0;
         std::map<std::string_view, int> others;
         for (std::size_t i = 0; i < a.judged.size(); ++i) {
             if (a.judged[i].artefact == Artefact::None || b.judged[i].artefact != Artefact::None) continue;
             ++cured;
             bool hit = false;
-            for (const Artefact c : causes)
-                hit |= a.judged[i].artefact == c || (a.judged[i].also() >> int(c) & 1) != 0;
+            for (const Artefact c : causes) hit |= a.judged[i].artefact == c || (a.judged[i].also() >> int(c) & 1) != 0;
             told += hit;
             if (!hit) ++others[name(a.judged[i].artefact)];
         }
@@ -134,9 +137,15 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
     agree(box, s, "front culling", {.step = 2});
     const Scene teapot = load_scene("teapot");
     for (const char* slope : {"1", "3", "10"})
-        EXPECT_GT(count(agree(teapot, settings_for(teapot, {{"bias.normal_source", "shading"}, {"bias.constant", "0"}, {"bias.slope", slope},
-                                                            {"bias.normal", "1"}, {"map.resolution", "512"}}), "vertices' normals"),
-                        Artefact::EdgeAliasing), 20u);
+        EXPECT_GT(count(agree(teapot,
+                              settings_for(teapot, {{"bias.normal_source", "shading"},
+                                                    {"bias.constant", "0"},
+                                                    {"bias.slope", slope},
+                                                    {"bias.normal", "1"},
+                                                    {"map.resolution", "512"}}),
+                              "vertices' normals"),
+                        Artefact::EdgeAliasing),
+                  20u);
     const Scene stage = load_scene("stage");
     for (const char* extra : {"bias.constant=40", "caster.cull=front", "map.resolution=256", "bias.normal=30"}) {
         const std::string text = extra;
@@ -197,7 +206,8 @@ TEST_F(CausesTest, AFenceFinerThanATexelIsUndersampled) {
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
     const int bar = add_mesh(scene, "bar", make_box({0.03, 1.6, 0.03}), grey);
-    for (int i = 0; i < 24; ++i) add_object(scene, "bar " + std::to_string(i), -1, bar, moved(-3 + 0.25 * i + 0.013 * (i % 5), 0.9, 0));
+    for (int i = 0; i < 24; ++i)
+        add_object(scene, "bar " + std::to_string(i), -1, bar, moved(-3 + 0.25 * i + 0.013 * (i % 5), 0.9, 0));
     finalise(scene);
     request = {.width = 800, .height = 600};
     Settings s = test::texel_settings("hard", 128, 3);
@@ -206,8 +216,7 @@ TEST_F(CausesTest, AFenceFinerThanATexelIsUndersampled) {
     const std::size_t undersampled = count(m, Artefact::Undersampled);
     EXPECT_GT(undersampled, 500u);
     EXPECT_GT(double(undersampled), 0.9 * (m.metrics.false_light + m.metrics.false_shadow) * double(m.metrics.counted))
-        << counts(m) << "bars of 3 cm under texels of "
-                                                         << m.lights[0].views[0].texel_size(1, 128) << " m";
+        << counts(m) << "bars of 3 cm under texels of " << m.lights[0].views[0].texel_size(1, 128) << " m";
     s.map.resolution = 4096;
     EXPECT_LT(count(measure(scene, s), Artefact::Undersampled), undersampled / 20);
 }
@@ -222,8 +231,13 @@ TEST_F(CausesTest, EdgesOfABoxOnAPlaneStayEdges) {
         const double n = double(m.metrics.counted);
         EXPECT_EQ(count(m, Artefact::Acne), 0u) << kernel;
         EXPECT_GT(count(m, Artefact::EdgeAliasing), 8u) << counts(m);
-        EXPECT_LE(double(count(m, Artefact::LostCaster) + count(m, Artefact::PeterPanningOffset) + count(m, Artefact::OffsetShadow)), 0) << kernel;
-        EXPECT_GE(double(count(m, Artefact::EdgeAliasing) + count(m, Artefact::Filter) + count(m, Artefact::Leak)), 0.9 * n * (m.metrics.false_light + m.metrics.false_shadow)) << counts(m);
+        EXPECT_LE(double(count(m, Artefact::LostCaster) + count(m, Artefact::PeterPanningOffset) +
+                         count(m, Artefact::OffsetShadow)),
+                  0)
+            << kernel;
+        EXPECT_GE(double(count(m, Artefact::EdgeAliasing) + count(m, Artefact::Filter) + count(m, Artefact::Leak)),
+                  0.9 * n * (m.metrics.false_light + m.metrics.false_shadow))
+            << counts(m);
     }
 }
 
@@ -238,11 +252,17 @@ const std::vector<Fault>& faults() {
     static const std::vector<Fault> all = {
         {"little bias", [](Settings& s) { s.bias.constant = 0.3; }, {Artefact::Acne}},
         {"much bias", [](Settings& s) { s.bias.constant = 60; }, {Artefact::PeterPanning}},
-        {"much offset", [](Settings& s) { s.bias.normal = 30; }, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}},
+        {"much offset",
+         [](Settings& s) { s.bias.normal = 30; },
+         {Artefact::PeterPanningOffset, Artefact::OffsetShadow}},
         {"polygon offset", [](Settings& s) { s.bias.raster_slope = 60; }, {Artefact::PeterPanning}},
-        {"front culling", [](Settings& s) { s.caster.cull = int(Cull::Front); }, {Artefact::LostCaster, Artefact::PeterPanning}},
+        {"front culling",
+         [](Settings& s) { s.caster.cull = int(Cull::Front); },
+         {Artefact::LostCaster, Artefact::PeterPanning}},
         // At the bias of a narrow one it shadows itself, which more bias cures as well.
-        {"wide kernel", [](Settings& s) { s.filter.kernel = test::kernel("pcf9"); }, {Artefact::Filter, Artefact::Leak, Artefact::Acne}},
+        {"wide kernel",
+         [](Settings& s) { s.filter.kernel = test::kernel("pcf9"); },
+         {Artefact::Filter, Artefact::Leak, Artefact::Acne}},
     };
     return all;
 }
@@ -265,9 +285,12 @@ TEST_F(CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin) {
             faults()[a].wrong(both);
             if (both == twin) continue;
             // Thirty texels of offset are worth more than the plane needs: its constant is not too little then.
-            if (faults()[a].what == std::string("little bias") && faults()[b].what == std::string("much offset")) continue;
+            if (faults()[a].what == std::string("little bias") && faults()[b].what == std::string("much offset"))
+                continue;
             const double share = named(scene, both, twin, faults()[a].causes, 0);
-            const std::string line = std::string(faults()[a].what) + (a == b ? "" : std::string(" with ") + faults()[b].what) + ": " + std::to_string(share) + " of " + last_;
+            const std::string line = std::string(faults()[a].what) +
+                                     (a == b ? "" : std::string(" with ") + faults()[b].what) + ": " +
+                                     std::to_string(share) + " of " + last_;
             table += line + "\n";
             if (std::stoul(last_) < 30) continue;  // the other fault hides this one
             EXPECT_GE(share, 0.95) << line;
@@ -280,7 +303,9 @@ TEST_F(CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin) {
 Scene room() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    const auto wall = [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d) { return std::vector<glm::dvec3>{a, b, c, d}; };
+    const auto wall = [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d) {
+        return std::vector<glm::dvec3>{a, b, c, d};
+    };
     Mesh all = make_polygons("room", {wall({-3, 0, 3}, {3, 0, 3}, {3, 0, -3}, {-3, 0, -3}),
                                       wall({-3, 0, -3}, {3, 0, -3}, {3, 2, -3}, {-3, 2, -3}),
                                       wall({-3, 0, 3}, {-3, 0, -3}, {-3, 2, -3}, {-3, 2, 3})});
@@ -297,15 +322,18 @@ Scene tiles() {
     for (const double x : {-2.5, 2.5})
         for (const double z : {-2.5, 2.5}) {
             Mesh tile = make_plane(5, 5, 12, 12);
-            for (glm::vec3& p : tile.positions) p.y = float(0.2 * std::sin(1.3 * (p.x + x)) * std::cos(1.1 * (p.z + z)));
-            add_object(scene, "tile " + std::to_string(scene.objects.size()), -1, add_mesh(scene, "tile", std::move(tile), grey), moved(x, 0, z));
+            for (glm::vec3& p : tile.positions)
+                p.y = float(0.2 * std::sin(1.3 * (p.x + x)) * std::cos(1.1 * (p.z + z)));
+            add_object(scene, "tile " + std::to_string(scene.objects.size()), -1,
+                       add_mesh(scene, "tile", std::move(tile), grey), moved(x, 0, z));
         }
     add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.5, 0.6, 2}), grey), moved(0, 0.8, 0));
     finalise(scene);
     return scene;
 }
 
-/// A sheet over a floor with holes in it, as fine as it may be drawn by a coarse map. @param levels whether its mask has coarser ones
+/// A sheet over a floor with holes in it, as fine as it may be drawn by a coarse map. @param levels whether its mask
+/// has coarser ones
 Scene masked_sheet(bool levels) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -317,7 +345,8 @@ Scene masked_sheet(bool levels) {
     scene.textures.push_back(std::move(mask));
     scene.materials.push_back({.name = "lattice", .base_colour_texture = 0, .alpha = AlphaMode::Mask});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
-    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(3, 3), int(scene.materials.size()) - 1), moved(0, 1, 0));
+    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(3, 3), int(scene.materials.size()) - 1),
+               moved(0, 1, 0));
     finalise(scene);
     return scene;
 }
@@ -370,20 +399,28 @@ TEST_F(CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight) {
     std::vector<Place> places;
     places.push_back({"room", room(), [](Settings& s) { s.lights[0].azimuth = 40, s.lights[0].elevation = 50; }});
     places.push_back({"terrain in tiles", tiles(), [](Settings& s) { s.lights[0].elevation = 55; }});
-    places.push_back({"straight above", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) { s.lights[0].azimuth = 90, s.lights[0].elevation = 80; }});
-    places.push_back({"spot", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) { s.lights[0].type = int(LightType::Spot), s.lights[0].distance = 9; }});
-    places.push_back({"point", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) { s.lights[0].type = int(LightType::Point), s.lights[0].distance = 6; }});
-    places.push_back({"far away", [] {
-        Scene scene;
-        const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey), moved(1150, 30, -820));
-        add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.5, 0.6, 2}), grey), moved(1150, 30.6, -820));
-        finalise(scene);
-        return scene;
-    }(), [](Settings& s) { s.camera.target_x = 1150, s.camera.target_y = 30.2, s.camera.target_z = -820; }});
+    places.push_back({"straight above", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3),
+                      [](Settings& s) { s.lights[0].azimuth = 90, s.lights[0].elevation = 80; }});
+    places.push_back({"spot", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3),
+                      [](Settings& s) { s.lights[0].type = int(LightType::Spot), s.lights[0].distance = 9; }});
+    places.push_back({"point", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3),
+                      [](Settings& s) { s.lights[0].type = int(LightType::Point), s.lights[0].distance = 6; }});
+    places.push_back(
+        {"far away",
+         [] {
+             Scene scene;
+             const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+             add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey), moved(1150, 30, -820));
+             add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.5, 0.6, 2}), grey),
+                        moved(1150, 30.6, -820));
+             finalise(scene);
+             return scene;
+         }(),
+         [](Settings& s) { s.camera.target_x = 1150, s.camera.target_y = 30.2, s.camera.target_z = -820; }});
     for (const Place& place : places)
         for (std::size_t a = 0; a < faults().size(); ++a) {
-            if (faults()[a].what == std::string("front culling") || faults()[a].what == std::string("wide kernel")) continue;
+            if (faults()[a].what == std::string("front culling") || faults()[a].what == std::string("wide kernel"))
+                continue;
             Settings twin = test::texel_settings("hw2x2", 512, 4);
             twin.camera.distance = 9;
             place.light(twin);

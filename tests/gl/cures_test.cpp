@@ -21,8 +21,8 @@ protected:
         return s;
     }
 
-    /// Finds cures, demands of every row that it keeps what it says, and of the first that it cures nine of ten pixels with
-    /// one of the causes.
+    /// Finds cures, demands of every row that it keeps what it says, and of the first that it cures nine of ten pixels
+    /// with one of the causes.
     CureTable cured(const Scene& scene, const Settings& s, std::vector<Artefact> causes, std::size_t least) {
         const CureTable table = find_cures(renderer, scene, s, width, height, {}, cache);
         const MeasuredError before = measure(scene, s);
@@ -33,7 +33,8 @@ protected:
             const MeasuredError after = measure(scene, with(s, row));
             std::size_t cured = 0, broken = 0, of = 0;
             for (std::size_t i = 0; i < before.judged.size(); ++i) {
-                const bool was = before.judged[i].artefact != Artefact::None, is = after.judged[i].artefact != Artefact::None;
+                const bool was = before.judged[i].artefact != Artefact::None,
+                           is = after.judged[i].artefact != Artefact::None;
                 cured += was && !is, broken += !was && is;
             }
             for (const std::size_t n : row.cured_of) of += n;
@@ -63,7 +64,8 @@ TEST_F(CuresTest, PeterPanningIsCuredByTheLeastBias) {
     const CureTable table = cured(scene, s, {Artefact::PeterPanning}, 100);
     const Cure* least = row(table, "least bias, constant alone");
     ASSERT_TRUE(least);
-    EXPECT_GT(least->cured_of[std::size_t(Artefact::PeterPanning)], 0.9 * double(table.wrong_of[std::size_t(Artefact::PeterPanning)]));
+    EXPECT_GT(least->cured_of[std::size_t(Artefact::PeterPanning)],
+              0.9 * double(table.wrong_of[std::size_t(Artefact::PeterPanning)]));
 }
 
 TEST_F(CuresTest, AnOffsetsStripIsCured) {
@@ -84,7 +86,8 @@ TEST_F(CuresTest, AFenceIsCuredByTheResolutionThatItNeeds) {
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
     const int bar = add_mesh(scene, "bar", make_box({0.05, 1.6, 0.05}), grey);
-    for (int i = 0; i < 16; ++i) add_object(scene, "bar " + std::to_string(i), -1, bar, moved(-3 + 0.4 * i + 0.013 * (i % 5), 0.9, 0));
+    for (int i = 0; i < 16; ++i)
+        add_object(scene, "bar " + std::to_string(i), -1, bar, moved(-3 + 0.4 * i + 0.013 * (i % 5), 0.9, 0));
     finalise(scene);
     Settings s = test::texel_settings("hard", 128, 3);
     s.camera.distance = 7;
@@ -101,7 +104,8 @@ TEST_F(CuresTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
             pixel = {(i + width * height / 2) % width, (i + width * height / 2) / width};
     ASSERT_GE(pixel.x, 0);
     s.lights[0].type = int(LightType::Directional);
-    const CureTable table = find_cures(renderer, scene, s, width, height, {.pixel = pixel, .time = true, .frames = 3}, cache);
+    const CureTable table =
+        find_cures(renderer, scene, s, width, height, {.pixel = pixel, .time = true, .frames = 3}, cache);
     ASSERT_FALSE(table.rows.empty());
     EXPECT_TRUE(table.rows[0].pixel_right.value());
     EXPECT_TRUE(table.rows[0].ms);

@@ -1,6 +1,7 @@
 // The dossier of a probed pixel: taps that add up to what the GPU found, a truth that agrees with `measure`, verdicts,
 // and remedies that work.
 #include "renderer/inspect/dossier.h"
+
 #include "renderer/reference/error_task.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/techniques.h"
@@ -41,7 +42,9 @@ protected:
             }
         return best;
     }
-    static Settings plain(const char* kernel, double constant_texels) { return test::texel_settings(kernel, 512, constant_texels); }
+    static Settings plain(const char* kernel, double constant_texels) {
+        return test::texel_settings(kernel, 512, constant_texels);
+    }
     static void apply(Settings& s, const Remedy& remedy) {
         for (const auto& [key, value] : remedy.settings) set_setting(s, key, value);
     }
@@ -198,7 +201,8 @@ TEST_F(DossierTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
     EXPECT_NE(d.verdict.find(std::to_string(int(d.opening_resolution)) + "² would open the window"), std::string::npos);
     EXPECT_GT(d.opening_resolution, 128);
     // At that resolution there is such a bias, at half of it there is none.
-    for (const auto& [resolution, open] : {std::pair{int(d.opening_resolution), true}, {int(d.opening_resolution) / 2, false}}) {
+    for (const auto& [resolution, open] :
+         {std::pair{int(d.opening_resolution), true}, {int(d.opening_resolution) / 2, false}}) {
         s.map.resolution = resolution;
         EXPECT_EQ(dossier(scene, s, *pixel).window_open(), open) << resolution;
     }
@@ -219,8 +223,9 @@ TEST_F(DossierTest, NormalOffsetCountsByItsWorthAlongTheRay) {
     EXPECT_NEAR(d.lifted.metres, a.receiver.texel_m * cosine, 1e-6) << "towards the light only its part along it";
     EXPECT_NEAR(a.contact_gap_m(), a.receiver.texel_m * std::tan(std::acos(cosine)), 1e-6) << "h tan(theta)";
     // The least offset by the theory is where the account comes out even.
-    s.bias.normal = least_normal_offset(probed.lights[0].fitted.views[0], probed.position_ws, probed.normal_ws,
-                                        a.least.total()) / a.receiver.texel_m;
+    s.bias.normal =
+        least_normal_offset(probed.lights[0].fitted.views[0], probed.position_ws, probed.normal_ws, a.least.total()) /
+        a.receiver.texel_m;
     const Dossier even = dossier(scene, s, {80, 60});
     EXPECT_NEAR(even.has.depth / even.least.depth, 1, 1e-4);
 }
@@ -267,7 +272,8 @@ TEST_F(DossierTest, NamesTheBlurWhereTheMapWithoutItIsRight) {
 }
 
 TEST_F(DossierTest, ValuesOfRemediesAreShortDecimals) {
-    for (const auto& [from, to] : {std::pair{2.7501, 2.76}, {0.0027501, 0.00276}, {1e-7 * 1.2301, 1.24e-7}, {27501.0, 27600.0}, {3.0, 3.0}})
+    for (const auto& [from, to] :
+         {std::pair{2.7501, 2.76}, {0.0027501, 0.00276}, {1e-7 * 1.2301, 1.24e-7}, {27501.0, 27600.0}, {3.0, 3.0}})
         EXPECT_EQ(rounded_up(from), to);
 }
 

@@ -46,10 +46,11 @@ TEST_F(DriverTest, OffsetsAreMeasuredOnceAndOnlyWhereTheyAct) {
     Settings s = settings_for(scene);
     glPolygonOffset(0, 0);  // epoxy looks a function up when it is first called
     real_offset = epoxy_glPolygonOffset;
-    const Instead counted(epoxy_glPolygonOffset, +[](GLfloat factor, GLfloat units) {
-        ++offsets_set;
-        real_offset(factor, units);
-    });
+    const Instead counted(
+        epoxy_glPolygonOffset, +[](GLfloat factor, GLfloat units) {
+            ++offsets_set;
+            real_offset(factor, units);
+        });
     const auto set_by = [&](auto&& action) {
         offsets_set = 0;
         action();
@@ -87,10 +88,11 @@ std::vector<double> state() {
         glGetDoublev(name, values);
         out.insert(out.end(), values, values + count);
     };
-    for (const GLenum name : {GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING, GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING,
-                              GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_CLIP_ORIGIN, GL_CLIP_DEPTH_MODE, GL_POLYGON_OFFSET_FACTOR,
-                              GL_POLYGON_OFFSET_UNITS, GL_PACK_ALIGNMENT, GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND, GL_STENCIL_TEST,
-                              GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL, GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD})
+    for (const GLenum name :
+         {GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING, GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING,
+          GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_CLIP_ORIGIN, GL_CLIP_DEPTH_MODE, GL_POLYGON_OFFSET_FACTOR,
+          GL_POLYGON_OFFSET_UNITS, GL_PACK_ALIGNMENT, GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND, GL_STENCIL_TEST,
+          GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL, GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD})
         add(name, 1);
     add(GL_DEPTH_RANGE, 2);
     add(GL_VIEWPORT, 4);
@@ -109,7 +111,8 @@ TEST_F(DriverTest, MeasuringAnOffsetLeavesTheStateAsItWas) {
     glClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     glPolygonOffset(3, 5);
     glPixelStorei(GL_PACK_ALIGNMENT, 2);
-    for (const GLenum on : {GL_CULL_FACE, GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD})
+    for (const GLenum on :
+         {GL_CULL_FACE, GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD})
         glEnable(on);
     const std::vector<double> before = state();
     for (int format = 0; format < int(kMapFormats); ++format) {
@@ -137,10 +140,11 @@ TEST_F(DriverTest, PassTimesAreByTheClockThatTellsTheTruthAndSumUpToTheFrame) {
     glQueryCounter(query, GL_TIMESTAMP);  // epoxy looks a function up when it is first called
     glDeleteQueries(1, &query);
     real_stamp = epoxy_glQueryCounter;
-    const Instead counted(epoxy_glQueryCounter, +[](GLuint id, GLenum target) {
-        ++stamps;
-        real_stamp(id, target);
-    });
+    const Instead counted(
+        epoxy_glQueryCounter, +[](GLuint id, GLenum target) {
+            ++stamps;
+            real_stamp(id, target);
+        });
     const Settings s = settings_for(scene, {{"filter.kernel", "pcf9"}, {"map.resolution", "4096"}});
     FrameRequest request{.width = 1280, .height = 720};
     request.force = request.timing = true;
@@ -175,20 +179,23 @@ decltype(epoxy_glBeginQuery) real_begin = nullptr;
 TEST_F(DriverTest, TheClockFollowsWhatQueriesShowAndSaysSo) {
     { const gl::PassClock first; }  // epoxy looks functions up when they are first called
     {
-        const Instead lying(epoxy_glGetQueryObjectui64v, +[](GLuint, GLenum, GLuint64* ns) { *ns = 1000; });
+        const Instead lying(
+            epoxy_glGetQueryObjectui64v, +[](GLuint, GLenum, GLuint64* ns) { *ns = 1000; });
         const gl::PassClock clock;
         EXPECT_FALSE(clock.uses_queries());
         EXPECT_LT(clock.query_share(), 0.5);
         EXPECT_EQ(clock.name(), "finished wall time (CPU rasteriser)");
     }
     real_begin = epoxy_glBeginQuery;
-    const Instead begin(epoxy_glBeginQuery, +[](GLenum target, GLuint id) {
-        query_began = std::chrono::steady_clock::now();
-        real_begin(target, id);
-    });
-    const Instead honest(epoxy_glGetQueryObjectui64v, +[](GLuint, GLenum, GLuint64* ns) {
-        *ns = GLuint64(std::chrono::nanoseconds(std::chrono::steady_clock::now() - query_began).count());
-    });
+    const Instead begin(
+        epoxy_glBeginQuery, +[](GLenum target, GLuint id) {
+            query_began = std::chrono::steady_clock::now();
+            real_begin(target, id);
+        });
+    const Instead honest(
+        epoxy_glGetQueryObjectui64v, +[](GLuint, GLenum, GLuint64* ns) {
+            *ns = GLuint64(std::chrono::nanoseconds(std::chrono::steady_clock::now() - query_began).count());
+        });
     const gl::PassClock clock;
     EXPECT_TRUE(clock.uses_queries());
     EXPECT_NEAR(clock.query_share(), 1, 0.4);

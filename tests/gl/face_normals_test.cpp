@@ -1,7 +1,7 @@
-// Normals of triangles as shaders have them, against those of the geometry in double: near and far from the world's origin,
-// seen along the surface, mirrored, stretched and bent.
-#include "renderer/scene/animation.h"
+// Normals of triangles as shaders have them, against those of the geometry in double: near and far from the world's
+// origin, seen along the surface, mirrored, stretched and bent.
 #include "renderer/bias/account.h"
+#include "renderer/scene/animation.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
@@ -79,8 +79,9 @@ TEST_F(FaceNormalsOnGpu, StayPerpendicularUnderAnyTransform) {
         return scene;
     };
     const glm::dmat4 sheared(1, 0, 0, 0, 0.4, 1, 0, 0, 0, 0.3, 1, 0, 0, 0, 0, 1);
-    for (const glm::dmat4& m : {glm::dmat4(1), scaled(1, 0.05, 2), scaled(-1, 1, 1), scaled(-0.5, -2, -1), turned(77) * sheared,
-                                moved(115, 20, -300) * scaled(3, 1, 1), moved(1e4, 0, 1e4), scaled(1e-5, 1e-5, 1e-5)}) {
+    for (const glm::dmat4& m :
+         {glm::dmat4(1), scaled(1, 0.05, 2), scaled(-1, 1, 1), scaled(-0.5, -2, -1), turned(77) * sheared,
+          moved(115, 20, -300) * scaled(3, 1, 1), moved(1e4, 0, 1e4), scaled(1e-5, 1e-5, 1e-5)}) {
         const Scene scene = under(m);
         SCOPED_TRACE(testing::Message() << m[0].x << " " << m[1].y << " " << m[3].x);
         Settings s;  // the automatic camera and light
@@ -111,7 +112,8 @@ TEST_F(FaceNormalsOnGpu, FollowPoses) {
     auto source = std::make_shared<DeformSource>();
     source->positions = mesh.positions, source->normals = mesh.normals, source->indices = mesh.indices;
     source->targets.resize(1);
-    for (const glm::vec3& p : mesh.positions) source->targets[0].positions.push_back({0.5f * p.y * p.y, 0.4f * p.x, -0.3f * p.z});
+    for (const glm::vec3& p : mesh.positions)
+        source->targets[0].positions.push_back({0.5f * p.y * p.y, 0.4f * p.x, -0.3f * p.z});
     mesh.deformer = std::make_shared<Deformer>(Deformer{.source = source, .node = 0});
     auto rig = std::make_shared<Rig>();
     rig->rest.resize(scene.nodes.size());

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "app/context/headless_context.h"
-#include "renderer/settings/param.h"
-#include "renderer/inspect/probe.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/inspect/probe.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
 #include "tests/support/named_driver.h"
 
 namespace si {

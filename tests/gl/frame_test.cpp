@@ -64,7 +64,8 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
     }
 }
 
-// Beyond the far plane and before the near plane: a fixed-point format's sampler clamps what it compares, a float's does not.
+// Beyond the far plane and before the near plane: a fixed-point format's sampler clamps what it compares, a float's
+// does not.
 TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange) {
     const Scene scene = load_scene("boxes");
     FrameRequest request = small();
@@ -73,11 +74,17 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange) {
         for (const char* reversed : {"false", "true"})
             for (const char* compare : {"less", "lequal"})
                 for (const char* kernel : {"hard", "pcf3"}) {
-                    SCOPED_TRACE(testing::Message() << format << " reversed " << reversed << " " << compare << " " << kernel);
-                    Settings s = settings_for(scene, {{"filter.kernel", kernel}, {"map.format", format},
-                                                      {"map.reversed_z", reversed}, {"map.compare", compare},
-                                                      {"map.far_guard", "false"}, {"map.wrap", "clamp"}, {"map.resolution", "256"}});
-                    std::vector<float> pictures[2][2];  // gather, sampler; far plane through the scene, near plane behind it
+                    SCOPED_TRACE(testing::Message()
+                                 << format << " reversed " << reversed << " " << compare << " " << kernel);
+                    Settings s = settings_for(scene, {{"filter.kernel", kernel},
+                                                      {"map.format", format},
+                                                      {"map.reversed_z", reversed},
+                                                      {"map.compare", compare},
+                                                      {"map.far_guard", "false"},
+                                                      {"map.wrap", "clamp"},
+                                                      {"map.resolution", "256"}});
+                    std::vector<float>
+                        pictures[2][2];  // gather, sampler; far plane through the scene, near plane behind it
                     for (const bool sampler : {false, true})
                         for (const bool behind : {false, true}) {
                             set_setting(s, "filter.method", sampler ? "sampler" : "gather");
@@ -90,8 +97,10 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange) {
                     for (const bool behind : {false, true}) {
                         const auto &gather = pictures[0][behind], &sampled = pictures[1][behind];
                         std::size_t differing = 0;
-                        for (std::size_t i = 0; i < gather.size(); ++i) differing += std::abs(gather[i] - sampled[i]) > 1e-3f;
-                        EXPECT_LE(differing, gather.size() / 1000) << (behind ? "before the near plane" : "beyond the far plane");
+                        for (std::size_t i = 0; i < gather.size(); ++i)
+                            differing += std::abs(gather[i] - sampled[i]) > 1e-3f;
+                        EXPECT_LE(differing, gather.size() / 1000)
+                            << (behind ? "before the near plane" : "beyond the far plane");
                     }
                 }
 }
@@ -102,9 +111,11 @@ TEST_F(FrameTest, WiderKernelsSoftenMore) {
     request.outputs = {.colour = false, .visibility = true};
     std::size_t previous = 0;
     for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5", "pcf7", "pcf9"}) {
-        const Settings s = settings_for(scene, {{"filter.kernel", kernel}, {"map.resolution", "512"}, {"bias.normal", "8"}});
+        const Settings s =
+            settings_for(scene, {{"filter.kernel", kernel}, {"map.resolution", "512"}, {"bias.normal", "8"}});
         const FloatImage v = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
-        const auto grey = std::size_t(std::count_if(v.data.begin(), v.data.end(), [](float x) { return x > 0.01f && x < 0.99f; }));
+        const auto grey =
+            std::size_t(std::count_if(v.data.begin(), v.data.end(), [](float x) { return x > 0.01f && x < 0.99f; }));
         if (std::string_view(kernel) == "hard") {
             EXPECT_EQ(grey, 0u);
         } else {
@@ -133,7 +144,8 @@ TEST_F(FrameTest, EveryPermutationCompiles) {
                     };
                     put(rows[a], i);
                     put(rows[b], j);
-                    ASSERT_NO_THROW(renderer.render(scene, s, request)) << rows[a]->key << " " << i << ", " << rows[b]->key << " " << j;
+                    ASSERT_NO_THROW(renderer.render(scene, s, request))
+                        << rows[a]->key << " " << i << ", " << rows[b]->key << " " << j;
                 }
 }
 
@@ -143,8 +155,10 @@ TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
     for (const Overlay& overlay : overlays())
         for (const char* light : {"directional", "spot", "point"})
             for (const char* separate : {"false", "true"}) {
-                const Settings s = settings_for(scene, {{"view.overlay", std::string(overlay.key)}, {"light.type", light},
-                                                        {"shading.separate_visibility", separate}, {"map.resolution", "256"}});
+                const Settings s = settings_for(scene, {{"view.overlay", std::string(overlay.key)},
+                                                        {"light.type", light},
+                                                        {"shading.separate_visibility", separate},
+                                                        {"map.resolution", "256"}});
                 FrameRequest request{.width = 64, .height = 36};
                 request.outputs.overlay = true;
                 const FrameResult f = render_with_truth(renderer, scene, s, request, truths);
@@ -167,7 +181,8 @@ TEST_F(FrameTest, OverlayChangesThePictureAndItsOpacityMatters) {
     const Scene scene = load_scene("boxes");
     const ByteImage plain = picture(scene, settings_for(scene));
     const ByteImage full = picture(scene, settings_for(scene, {{"view.overlay", "n-dot-l"}}));
-    const ByteImage none = picture(scene, settings_for(scene, {{"view.overlay", "n-dot-l"}, {"view.overlay_opacity", "0"}}));
+    const ByteImage none =
+        picture(scene, settings_for(scene, {{"view.overlay", "n-dot-l"}, {"view.overlay_opacity", "0"}}));
     EXPECT_GT(different_pixels(plain, full), plain.data.size() / 4 / 3);
     EXPECT_EQ(different_pixels(plain, none), 0u);
 }
@@ -212,7 +227,8 @@ TEST_F(FrameTest, PlanReusesWhatIsUnchangedAndRunsWhatIsNot) {
     set_setting(s, "view.panes", "four");
     set_setting(s, "view.overlay_3", "n-dot-l");
     set_setting(s, "view.overlay_4", "n-dot-l");
-    EXPECT_EQ(ran(), (Names{"overlay values (n-dot-l)", "overlay over picture (n-dot-l)"})) << "drawn once for two panes";
+    EXPECT_EQ(ran(), (Names{"overlay values (n-dot-l)", "overlay over picture (n-dot-l)"}))
+        << "drawn once for two panes";
     EXPECT_EQ(ran(), Names{});
     set_setting(s, "view.slabs", "both");
     EXPECT_EQ(ran(), (Names{"texel slabs", "texel slabs (none)", "texel slabs (n-dot-l)"}));
@@ -291,24 +307,47 @@ void expect_cached_as_fresh(HeadlessContext& context, Renderer& renderer, const 
 
 TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings) {
     const Scene scene = load_scene("stage");
-    expect_cached_as_fresh(
-        context, renderer, scene, settings_for(scene),
-        {{"map.resolution", "512"}, {"filter.kernel", "hard"}, {"light.azimuth", "100"},
-         {"object.Stage/Ground.receive", "false"}, {"caster.cull", "front"}, {"map.reversed_z", "true"},
-         {"light.type", "point"}, {"shading.separate_visibility", "true"}, {"light.count", "2"},
-         {"light.1.elevation", "70"}, {"map.format", "colour"}, {"shading.textures", "false"},
-         {"camera.source", "manual"}, {"view.overlay", "light-uv"}, {"light.count", "1"}, {"map.format", "d24"}});
+    expect_cached_as_fresh(context, renderer, scene, settings_for(scene),
+                           {{"map.resolution", "512"},
+                            {"filter.kernel", "hard"},
+                            {"light.azimuth", "100"},
+                            {"object.Stage/Ground.receive", "false"},
+                            {"caster.cull", "front"},
+                            {"map.reversed_z", "true"},
+                            {"light.type", "point"},
+                            {"shading.separate_visibility", "true"},
+                            {"light.count", "2"},
+                            {"light.1.elevation", "70"},
+                            {"map.format", "colour"},
+                            {"shading.textures", "false"},
+                            {"camera.source", "manual"},
+                            {"view.overlay", "light-uv"},
+                            {"light.count", "1"},
+                            {"map.format", "d24"}});
 }
 
 TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews) {
     const Scene scene = load_scene("boxes");
-    expect_cached_as_fresh(
-        context, renderer, scene, settings_for(scene, {{"map.resolution", "256"}}),
-        {{"camera.source", "light"}, {"view.slabs", "stored"}, {"bias.constant", "2"}, {"view.slabs", "both"},
-         {"bias.unit", "metres"}, {"light.elevation", "60"}, {"view.panes", "two"}, {"view.overlay_2", "own-depth"},
-         {"view.overlay_range", "fitted"}, {"view.map_source", "camera"}, {"view.map_fit", "true"},
-         {"camera.source", "auto"}, {"view.map", "raw"}, {"view.overlay_2", "overdraw"}, {"view.overlay", "wireframe"},
-         {"view.map_source", "light"}, {"map.reversed_z", "true"}, {"view.slabs_u", "0.4"}, {"view.slabs", "none"}});
+    expect_cached_as_fresh(context, renderer, scene, settings_for(scene, {{"map.resolution", "256"}}),
+                           {{"camera.source", "light"},
+                            {"view.slabs", "stored"},
+                            {"bias.constant", "2"},
+                            {"view.slabs", "both"},
+                            {"bias.unit", "metres"},
+                            {"light.elevation", "60"},
+                            {"view.panes", "two"},
+                            {"view.overlay_2", "own-depth"},
+                            {"view.overlay_range", "fitted"},
+                            {"view.map_source", "camera"},
+                            {"view.map_fit", "true"},
+                            {"camera.source", "auto"},
+                            {"view.map", "raw"},
+                            {"view.overlay_2", "overdraw"},
+                            {"view.overlay", "wireframe"},
+                            {"view.map_source", "light"},
+                            {"map.reversed_z", "true"},
+                            {"view.slabs_u", "0.4"},
+                            {"view.slabs", "none"}});
 }
 
 TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {
@@ -379,8 +418,9 @@ TEST_F(FrameTest, MapViewerShowsTheMap) {
     request.outputs = {.colour = false, .shadow_map = true};
     for (const char* format : {"d16", "d24", "d32f", "colour"})
         for (const char* reversed : {"false", "true"}) {
-            const Settings s = settings_for(scene, {{"map.format", format}, {"map.reversed_z", reversed},
-                                                    {"map.resolution", "128"}, {"view.map", "raw"}});
+            const Settings s = settings_for(
+                scene,
+                {{"map.format", format}, {"map.reversed_z", reversed}, {"map.resolution", "128"}, {"view.map", "raw"}});
             const FrameResult f = renderer.render(scene, s, request);
             const ByteImage shown = renderer.read_colour(f.map_view);
             const FloatImage stored = renderer.read_shadow_map(0, 0);

@@ -22,7 +22,11 @@ const std::vector<Sets>& states() {
         {{"camera.source", "light"}},
         {{"camera.source", "manual"}, {"camera.orthographic", "true"}},
         {{"camera.source", "manual"}},
-        {{"light.count", "2"}, {"light.1.type", "spot"}, {"light.1.cast", "false"}, {"view.light", "1"}, {"camera.source", "light"}},
+        {{"light.count", "2"},
+         {"light.1.type", "spot"},
+         {"light.1.cast", "false"},
+         {"view.light", "1"},
+         {"camera.source", "light"}},
         {{"light.count", "0"}},
         {{"map.format", "colour"}},
         {{"map.wrap", "repeat"}, {"map.far_guard", "false"}},
@@ -61,7 +65,8 @@ std::vector<Value> others(const SettingRef& ref, const Value& present) {
 /// Pictures of a frame one after the other.
 using Bytes = std::vector<std::uint8_t>;
 
-/// A directional light's map stands elsewhere along its axis, so that depths round elsewhere: a step of the scale is no effect.
+/// A directional light's map stands elsewhere along its axis, so that depths round elsewhere: a step of the scale is no
+/// effect.
 std::string difference(const Bytes& a, const Bytes& b) {
     if (a.size() != b.size()) return "other pictures";
     std::size_t differ = 0;
@@ -107,7 +112,8 @@ TEST_F(IdleTest, WhatIsWithoutEffectChangesNoPixel) {
                 set_value(other, ref, value);
                 if (idle_reason(other, ref).empty() || !sanitise(other).empty()) continue;
                 EXPECT_EQ(difference(pictures(scene, other), before), "")
-                    << what << "\n" << setting_key(ref) << "=" << value_text(*ref.param, value) << ": " << idle_reason(s, ref);
+                    << what << "\n"
+                    << setting_key(ref) << "=" << value_text(*ref.param, value) << ": " << idle_reason(s, ref);
                 ++compared;
             }
         }

@@ -1,8 +1,9 @@
 // What a frame says is wrong with its shadows, against the same computed on the CPU.
+#include "renderer/reference/live_error.h"
+
 #include "renderer/bias/account.h"
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/reference/error_task.h"
-#include "renderer/reference/live_error.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
@@ -201,9 +202,9 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
                 ASSERT_EQ(std::isnan(nearest), std::isnan(value)) << x << ", " << y;
                 if (std::isnan(nearest)) continue;
                 const Receiver& r = request.truth->traced.receivers->pixels[i];
-                const BiasAccount account = bias_account(light, s, frame.map_resolution,
-                                                         {r.position_ws, r.normal_ws, r.normal_ws, frame.camera.origin()},
-                                                         renderer.driver());
+                const BiasAccount account =
+                    bias_account(light, s, frame.map_resolution,
+                                 {r.position_ws, r.normal_ws, r.normal_ws, frame.camera.origin()}, renderer.driver());
                 const glm::dvec3 axis = light.views[account.receiver.view].axes[2];
                 const double gap = nearest * glm::dot(account.receiver.to_light, axis) / account.receiver.texel_m;
                 const double texels = gap - account.amount(account.least.total()).texels;

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/inspect/depth_histogram.h"
 #include "renderer/base/error.h"
+#include "renderer/inspect/depth_histogram.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -22,15 +22,15 @@ protected:
     void sums_are_whole() const {
         const ErrorMetrics& m = measured.metrics;
         const auto px = [&](double share) { return std::llround(share * double(m.counted)); };
-        EXPECT_EQ(px(m.false_shadow), px(m.acne) + px(m.offset_false_shadow) + px(m.boundary_false_shadow) +
-                                          px(m.outside_false_shadow));
+        EXPECT_EQ(px(m.false_shadow),
+                  px(m.acne) + px(m.offset_false_shadow) + px(m.boundary_false_shadow) + px(m.outside_false_shadow));
         EXPECT_EQ(px(m.false_light), px(m.bias_false_light) + px(m.lost_false_light) + px(m.leak) +
                                          px(m.boundary_false_light) + px(m.outside_false_light));
         EXPECT_EQ(px(m.acne), (long long)count(Artefact::Acne));
         EXPECT_EQ(px(m.leak), (long long)count(Artefact::Leak));
         EXPECT_EQ(px(m.boundary_false_shadow + m.boundary_false_light),
-                  (long long)(count(Artefact::EdgeAliasing) + count(Artefact::Undersampled) + count(Artefact::Penumbra) +
-                              count(Artefact::Filter)));
+                  (long long)(count(Artefact::EdgeAliasing) + count(Artefact::Undersampled) +
+                              count(Artefact::Penumbra) + count(Artefact::Filter)));
         std::size_t wrong = 0;
         for (std::size_t a = 1; a < kArtefacts; ++a) wrong += m.artefacts[a];
         EXPECT_EQ(px(m.false_shadow + m.false_light), (long long)wrong);
@@ -132,7 +132,8 @@ TEST_F(MeasureTest, ErrorOfTheHardKernelFallsWithSlopeMinusOne) {
     }
     double mean_x = 0, mean_y = 0, xy = 0, xx = 0;
     for (std::size_t i = 0; i < x.size(); ++i) mean_x += x[i] / double(x.size()), mean_y += y[i] / double(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) xy += (x[i] - mean_x) * (y[i] - mean_y), xx += (x[i] - mean_x) * (x[i] - mean_x);
+    for (std::size_t i = 0; i < x.size(); ++i)
+        xy += (x[i] - mean_x) * (y[i] - mean_y), xx += (x[i] - mean_x) * (x[i] - mean_x);
     EXPECT_NEAR(xy / xx, -1, 0.2);
 }
 

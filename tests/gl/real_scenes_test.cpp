@@ -157,15 +157,14 @@ TEST_F(RealScenes, TangentsOfTheFileSayWhereAMapLeans) {
         glm::vec3 map;
         glm::dvec3 expected;
     };
-    for (const Case& c : {Case{{0, 0, 1, 1}, {0.6f, 0, 0.8f}, {0, 0.8, 0.6}},
-                          Case{{0, 0, 1, 1}, {0, 0.6f, 0.8f}, {0.6, 0.8, 0}},
-                          Case{{0, 0, 1, -1}, {0, 0.6f, 0.8f}, {-0.6, 0.8, 0}},
-                          Case{{1, 0, 0, -1}, {0, 0.6f, 0.8f}, {0, 0.8, 0.6}}}) {
+    for (const Case& c :
+         {Case{{0, 0, 1, 1}, {0.6f, 0, 0.8f}, {0, 0.8, 0.6}}, Case{{0, 0, 1, 1}, {0, 0.6f, 0.8f}, {0.6, 0.8, 0}},
+          Case{{0, 0, 1, -1}, {0, 0.6f, 0.8f}, {-0.6, 0.8, 0}}, Case{{1, 0, 0, -1}, {0, 0.6f, 0.8f}, {0, 0.8, 0.6}}}) {
         Scene scene = mapped_floor(c.map, true);
         scene.meshes[0].tangents.assign(4, c.tangent);
         finalise(scene);
-        const Settings s = settings_for(
-            scene, {{"camera.source", "manual"}, {"camera.elevation", "60"}, {"camera.distance", "3"}});
+        const Settings s =
+            settings_for(scene, {{"camera.source", "manual"}, {"camera.elevation", "60"}, {"camera.distance", "3"}});
         const glm::dvec3 n = middle(scene, s, "normals") * 2.0 - 1.0;
         EXPECT_LE(glm::distance(n, c.expected), 0.015) << n.x << ' ' << n.y << ' ' << n.z;
     }
@@ -184,8 +183,10 @@ TEST_F(RealScenes, PosesShareTheirTexturesAndOtherScenesBringTheirOwn) {
         return scene;
     };
     const auto normal = [&](Renderer& r, const Scene& scene) {
-        Settings s = settings_for(scene, {{"camera.source", "manual"}, {"camera.elevation", "60"},
-                                          {"camera.distance", "3"}, {"view.overlay", "normals"}});
+        Settings s = settings_for(scene, {{"camera.source", "manual"},
+                                          {"camera.elevation", "60"},
+                                          {"camera.distance", "3"},
+                                          {"view.overlay", "normals"}});
         FrameRequest request = small();
         request.outputs = {.colour = false, .overlay = true};
         return r.read_float(r.render(scene, s, request).overlay, 4).data;
@@ -206,7 +207,8 @@ TEST_F(RealScenes, PosesShareTheirTexturesAndOtherScenesBringTheirOwn) {
 }
 
 TEST_F(RealScenes, TheBiasFollowsTheNormalItIsToldTo) {
-    // Light from +x at 45 degrees; the floor's own normal is +y, its vertex normals lean to -x, its map leans them to +x.
+    // Light from +x at 45 degrees; the floor's own normal is +y, its vertex normals lean to -x, its map leans them to
+    // +x.
     Scene scene = mapped_floor({0.6f, 0, 0.8f}, true);
     const glm::dvec3 light = direction_from_angles(90, 45), vertex(-0.28, 0.96, 0), tangent(0.96, 0.28, 0);
     scene.meshes[0].normals.assign(4, glm::vec3(vertex));
@@ -219,9 +221,8 @@ TEST_F(RealScenes, TheBiasFollowsTheNormalItIsToldTo) {
                                                {"bias.constant", "0"},
                                                {"bias.slope", "1"},
                                                {"bias.normal", "0"}});
-    for (const auto& [source, normal] : {std::pair<const char*, glm::dvec3>{"geometric", {0, 1, 0}},
-                                         {"shading", vertex},
-                                         {"mapped", mapped}}) {
+    for (const auto& [source, normal] :
+         {std::pair<const char*, glm::dvec3>{"geometric", {0, 1, 0}}, {"shading", vertex}, {"mapped", mapped}}) {
         Settings s = base;
         set_setting(s, "bias.normal_source", source);
         const double slope = 1 - glm::dot(normal, light);

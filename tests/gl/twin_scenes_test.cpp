@@ -29,7 +29,8 @@ Scene baked(const Scene& moved) {
         for (glm::vec3& p : mesh.positions) p = glm::vec3(world * glm::dvec4(p, 1));
         for (glm::vec3& n : mesh.normals) n = glm::vec3(glm::normalize(normals * glm::dvec3(n)));
         if (glm::determinant(linear) < 0)  // a mirror image winds the other way round
-            for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) std::swap(mesh.indices[t], mesh.indices[t + 1]);
+            for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3)
+                std::swap(mesh.indices[t], mesh.indices[t + 1]);
         out.meshes.push_back(std::move(mesh));
         out.objects[i].mesh = int(i);
         out.objects[i].instance = glm::dmat4(1);
@@ -67,7 +68,8 @@ TEST_F(TwinScenes, MirroredAndShearedNodesLookLikeTheirPlainTwins) {
             // Single precision rounds the two differently: a few pixels on edges.
             const std::size_t pixels = std::size_t(small().width) * std::size_t(small().height), few = pixels / 200;
             for (const char* overlay : {"none", "visibility", "n-dot-l", "normals"})
-                EXPECT_LE(differences(by_nodes, plain, overlay, s), few) << name << ", " << overlay << ", cull " << cull;
+                EXPECT_LE(differences(by_nodes, plain, overlay, s), few)
+                    << name << ", " << overlay << ", cull " << cull;
         }
     }
 }
@@ -113,8 +115,13 @@ Scene sheet_over_floor(bool as_mask) {
     quad(scene.meshes[0], {-5, 0, -5}, {5, 0, 5});
     Mesh& sheet = scene.meshes[1];
     if (as_mask) {
-        Texture texture{.width = 4, .height = 4, .wrap_s = TextureWrap::Clamp, .wrap_t = TextureWrap::Clamp,
-                        .nearest_mag = true, .nearest_min = true, .mipmaps = false};
+        Texture texture{.width = 4,
+                        .height = 4,
+                        .wrap_s = TextureWrap::Clamp,
+                        .wrap_t = TextureWrap::Clamp,
+                        .nearest_mag = true,
+                        .nearest_min = true,
+                        .mipmaps = false};
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 4; ++x)
                 texture.rgba.insert(texture.rgba.end(), {255, 255, 255, std::uint8_t((x + y) % 2 ? 0 : 255)});

@@ -19,8 +19,8 @@
 #include <thread>
 #include <unordered_set>
 
-#include "renderer/gl/shader_source.h"
 #include "renderer/base/key.h"
+#include "renderer/gl/shader_source.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/techniques.h"
@@ -77,8 +77,9 @@ public:
             for (GLsizei i = 0; i < count; ++i)
                 text += lengths && lengths[i] >= 0 ? std::string(parts[i], std::size_t(lengths[i])) : parts[i];
             current->add({stage == GL_VERTEX_SHADER, std::move(text)});
-            const char* empty = stage == GL_VERTEX_SHADER ? "#version 450 core\nvoid main() { gl_Position = vec4(2.0); }"
-                                                          : "#version 450 core\nvoid main() {}";
+            const char* empty = stage == GL_VERTEX_SHADER
+                                    ? "#version 450 core\nvoid main() { gl_Position = vec4(2.0); }"
+                                    : "#version 450 core\nvoid main() {}";
             current->source_(shader, 1, &empty, nullptr);
         };
         epoxy_glDrawArrays = [](GLenum, GLint, GLsizei) {};
@@ -115,7 +116,8 @@ private:
     void check() {
         if (batch_.empty()) return;
         if (running_.size() >= std::max(std::thread::hardware_concurrency(), 1u)) collect();
-        running_.push_back(std::async(std::launch::async, validate, folder_ / std::to_string(batches_++), std::move(batch_)));
+        running_.push_back(
+            std::async(std::launch::async, validate, folder_ / std::to_string(batches_++), std::move(batch_)));
         batch_.clear();
     }
     void collect() {
@@ -195,7 +197,8 @@ Scene scene_of(bool every_kind) {
     scene.textures.push_back({.name = "flat", .width = 1, .height = 1, .rgba = {128, 128, 255, 255}, .srgb = false});
     const auto add = [&](AlphaMode alpha, bool textured, bool mapped, bool tangents) {
         const std::string name = scene.nodes.empty() ? "plain" : std::to_string(scene.nodes.size());
-        Material material{.name = name, .base_colour_texture = textured ? 0 : -1, .normal_texture = mapped ? 1 : -1, .alpha = alpha};
+        Material material{
+            .name = name, .base_colour_texture = textured ? 0 : -1, .normal_texture = mapped ? 1 : -1, .alpha = alpha};
         scene.materials.push_back(material);
         Mesh mesh = make_quad(1, 1);
         mesh.material = int(scene.materials.size()) - 1;
@@ -269,7 +272,8 @@ TEST_F(Permutations, AreValidByTheReferenceCompiler) {
         renderer_->render(every_kind, s, request);
         renderer_ = std::make_unique<Renderer>();
         glDrawArraysInstanced(GL_POINTS, 0, 0, 0);
-        while (glGetError() != GL_NO_ERROR) {}
+        while (glGetError() != GL_NO_ERROR) {
+        }
     }
     Recorder recorder(folder);
     renderer_->driver();  // the calibrations' shaders
@@ -288,7 +292,8 @@ TEST_F(Permutations, AreValidByTheReferenceCompiler) {
         const std::string text = file_bytes(entry.path());
         std::vector<const Axis*> mentioned;
         for (const Axis& axis : all)
-            if (std::any_of(axis.names.begin(), axis.names.end(), [&](const auto& name) { return gl::mentions(text, name); }))
+            if (std::any_of(axis.names.begin(), axis.names.end(),
+                            [&](const auto& name) { return gl::mentions(text, name); }))
                 mentioned.push_back(&axis);
         if (mentioned.size() < 3) continue;  // done above
         std::vector<std::size_t> at(mentioned.size(), 0);
@@ -314,14 +319,15 @@ TEST_F(Permutations, AreValidByTheReferenceCompiler) {
         EXPECT_TRUE(recorder.saw(last)) << entry.path() << " is in no program: " << last;
     }
     EXPECT_GT(recorder.texts(), 1000u);
-    std::printf("%zu texts of %d files from %d frames, drawn in %.0f s, checked in %.0f s\n", recorder.texts(), files, frames_, drawn_s,
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    std::printf("%zu texts of %d files from %d frames, drawn in %.0f s, checked in %.0f s\n", recorder.texts(), files,
+                frames_, drawn_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
 // What is wrong is found, and named.
 TEST(ReferenceCompiler, FindsWhatIsWrong) {
     const std::string head = "#version 450 core\nlayout(location = 0) out vec4 c;\n";
-    const std::vector<ShaderText> texts = {{false, head + "void main() { c = vec4(1.0); }\n"}, {false, head + "void main() { c = 1; }\n"}};
+    const std::vector<ShaderText> texts = {{false, head + "void main() { c = vec4(1.0); }\n"},
+                                           {false, head + "void main() { c = 1; }\n"}};
     const std::string errors = validate(fresh_test_folder(), texts);
     EXPECT_NE(errors.find("1.frag: ERROR: 0:3"), std::string::npos) << errors;
     EXPECT_EQ(errors.find("0.frag"), std::string::npos) << errors;

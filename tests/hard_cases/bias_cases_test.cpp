@@ -95,7 +95,8 @@ INSTANTIATE_TEST_SUITE_P(All, HardCase1,
 
 class OffsetAlone : public testing::TestWithParam<MapFormat> {};
 
-// What glPolygonOffset is worth was measured on this driver: no acne with as much of it as the plane needs, acne with less.
+// What glPolygonOffset is worth was measured on this driver: no acne with as much of it as the plane needs, acne with
+// less.
 TEST_P(OffsetAlone, ClearsAPlaneByItsWorthAndNotByATenthLess) {
     const Scene scene = plane_scene();
     const RasterTraits& driver = hard_renderer().driver();
@@ -109,8 +110,9 @@ TEST_P(OffsetAlone, ClearsAPlaneByItsWorthAndNotByATenthLess) {
             double needed = 0;
             for (double x : {-5.0, 0.0, 5.0})
                 for (double z : {-5.0, 0.0, 5.0}) {
-                    const BiasAccount a = bias_account(bare.light(), s, bare.frame.map_resolution,
-                                                       {{x, 0, z}, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()}, driver);
+                    const BiasAccount a =
+                        bias_account(bare.light(), s, bare.frame.map_resolution,
+                                     {{x, 0, z}, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()}, driver);
                     EXPECT_GT(a.raster, 0);
                     EXPECT_EQ(a.clears(), a.raster);
                     needed = std::max(needed, a.least.total() / a.raster);
@@ -119,7 +121,8 @@ TEST_P(OffsetAlone, ClearsAPlaneByItsWorthAndNotByATenthLess) {
             s.bias.*offset = needed;
             EXPECT_EQ(acne_share(shoot(scene, s)), 0) << needed;
             // The unit of a float format goes by the farthest depth of the whole triangle.
-            if (driver.offset[std::size_t(GetParam())].unit_steps > 0 && offset == &BiasSettings::raster_units) continue;
+            if (driver.offset[std::size_t(GetParam())].unit_steps > 0 && offset == &BiasSettings::raster_units)
+                continue;
             s.bias.*offset = 0.9 * needed;
             EXPECT_GT(acne_share(shoot(scene, s)), 0) << needed;
         }
@@ -128,20 +131,25 @@ TEST_P(OffsetAlone, ClearsAPlaneByItsWorthAndNotByATenthLess) {
 INSTANTIATE_TEST_SUITE_P(All, OffsetAlone, testing::ValuesIn(kFormats),
                          [](const auto& named) { return format_name(named.param); });
 
-// Away from home: the picture's shaders count from a grid point up to eight focus lengths away, the map's from the middle of
-// the scene. At the bias that each point of the account asks for, nothing may shadow itself.
+// Away from home: the picture's shaders count from a grid point up to eight focus lengths away, the map's from the
+// middle of the scene. At the bias that each point of the account asks for, nothing may shadow itself.
 TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
     struct Place {
         glm::dvec3 at;
         double size;
     };
-    for (const Place& place : {Place{{0, 0, 0}, 10}, {{115, 0, 70}, 10}, {{-1000, 40, 1000}, 10}, {{1e4, -2e3, 1e4}, 10},
-                               {{115, 0, 70}, 0.1}, {{115, 0, 70}, 1000}})
+    for (const Place& place : {Place{{0, 0, 0}, 10},
+                               {{115, 0, 70}, 10},
+                               {{-1000, 40, 1000}, 10},
+                               {{1e4, -2e3, 1e4}, 10},
+                               {{115, 0, 70}, 0.1},
+                               {{115, 0, 70}, 1000}})
         for (const LightType type : {LightType::Directional, LightType::Spot})
             for (const double theta : {0.0, 45.0, 75.0, 88.0}) {
-                SCOPED_TRACE(testing::Message() << place.size << " m at " << place.at.x << ", light " << int(type) << " at "
-                                                << theta);
-                const Scene scene = make_scene(make_plane(place.size, place.size), moved(place.at.x, place.at.y, place.at.z));
+                SCOPED_TRACE(testing::Message()
+                             << place.size << " m at " << place.at.x << ", light " << int(type) << " at " << theta);
+                const Scene scene =
+                    make_scene(make_plane(place.size, place.size), moved(place.at.x, place.at.y, place.at.z));
                 Settings s = plane_settings(MapFormat::D32F, "hard");
                 s.camera.target_x = place.at.x, s.camera.target_y = place.at.y, s.camera.target_z = place.at.z;
                 s.camera.distance *= place.size / 10;
@@ -158,7 +166,8 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
                             const glm::dvec3 at = origin + dir * ((place.at.y - origin.y) / dir.y);
                             const glm::dvec3 off = glm::abs(at - place.at);
                             const glm::dvec4 uvd = uvdw(shot.view(), at);
-                            if (std::max(off.x, off.z) < 0.49 * place.size && std::min(uvd.x, uvd.y) > 0.02 && std::max(uvd.x, uvd.y) < 0.98)
+                            if (std::max(off.x, off.z) < 0.49 * place.size && std::min(uvd.x, uvd.y) > 0.02 &&
+                                std::max(uvd.x, uvd.y) < 0.98)
                                 seen.emplace_back(std::size_t(y * shot.width + x), at);
                         }
                     return seen;
@@ -166,9 +175,9 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
                 Shot bare = shoot(scene, s);
                 double most = 0;
                 for (const auto& [pixel, at] : visible(bare)) {
-                    const BiasAccount a = bias_account(bare.light(), s, bare.frame.map_resolution,
-                                                       {at, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()},
-                                                       hard_renderer().driver());
+                    const BiasAccount a =
+                        bias_account(bare.light(), s, bare.frame.map_resolution,
+                                     {at, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()}, hard_renderer().driver());
                     most = std::max(most, a.amount(a.least.total()).texels);
                 }
                 s.bias.constant = most;

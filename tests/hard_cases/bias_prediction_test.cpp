@@ -1,5 +1,5 @@
-// The predicted least bias against what the renderer shows, over formats, kernels, lights and angles; and the table of it
-// in docs/bias-prediction.md. To measure the table anew:
+// The predicted least bias against what the renderer shows, over formats, kernels, lights and angles; and the table of
+// it in docs/bias-prediction.md. To measure the table anew:
 //   SI_UPDATE_ASSETS=1 test_hard_cases --gtest_filter='*BiasPrediction*'
 #include <fmt/format.h>
 
@@ -27,7 +27,8 @@ struct Case {
     LightType light;
     std::string heading() const {
         const char* formats[] = {"16-bit depth", "24-bit depth", "32-bit float depth"};
-        return fmt::format("## {}, {}", formats[int(format)], light == LightType::Spot ? "spot light" : "directional light");
+        return fmt::format("## {}, {}", formats[int(format)],
+                           light == LightType::Spot ? "spot light" : "directional light");
     }
 };
 
@@ -72,12 +73,15 @@ Seen seen_points(const Scene& scene, const FrameResult& frame) {
 
 struct Row {
     std::string config;  ///< "| hard | 45 | 0.71 |": with the prediction in texels
-    double texels = 0;  ///< at the point that needs most of them
-    double steps = 0;   ///< of the format and of single precision that the kernel's part there is worth
+    double texels = 0;   ///< at the point that needs most of them
+    double steps = 0;    ///< of the format and of single precision that the kernel's part there is worth
     double acne[std::size(kShares)] = {};  ///< percent of the pixels darker than lit
     std::string text() const {
         std::string out = config;
-        for (const double share : acne) out += share == 0 ? " 0 |" : share < 0.1 ? fmt::format(" {:.1g} |", share) : fmt::format(" {:.1f} |", share);
+        for (const double share : acne)
+            out += share == 0    ? " 0 |"
+                   : share < 0.1 ? fmt::format(" {:.1g} |", share)
+                                 : fmt::format(" {:.1f} |", share);
         return out;
     }
 };
@@ -142,10 +146,11 @@ void write_section(const Case& c, const std::vector<Row>& rows) {
     std::vector<std::string> lines = lines_of(kTable);
     auto [first, end] = section(lines, c.heading());
     if (first == 0) {
-        lines.insert(lines.end(), {"", c.heading(), "",
-                                   "| kernel | angle of light (degrees) | least bias (texels) | acne at none (%) | at 0.5 | "
-                                   "at 0.9 | at 0.99 | at 1.00 |",
-                                   "|---|---|---|---|---|---|---|---|"});
+        lines.insert(lines.end(),
+                     {"", c.heading(), "",
+                      "| kernel | angle of light (degrees) | least bias (texels) | acne at none (%) | at 0.5 | "
+                      "at 0.9 | at 0.99 | at 1.00 |",
+                      "|---|---|---|---|---|---|---|---|"});
         first = end = lines.size();
     }
     for (std::string& line : lines)
@@ -191,7 +196,8 @@ TEST_P(BiasPrediction, IsWhatIsMeasured) {
                 else
                     EXPECT_GT(row.acne[2], 0) << "a tenth less bias must show acne: the prediction is tight";
             }
-            rows.push_back(recorded.subpixel_bits == own.subpixel_bits ? row : measured(scene, c, filter, theta, recorded));
+            rows.push_back(recorded.subpixel_bits == own.subpixel_bits ? row
+                                                                       : measured(scene, c, filter, theta, recorded));
         }
     EXPECT_GE(judged, 12) << "too few cases in which quantisation does not decide";
     if (std::getenv("SI_UPDATE_ASSETS")) return write_section(c, rows);
@@ -203,7 +209,8 @@ TEST_P(BiasPrediction, IsWhatIsMeasured) {
         const auto shares = shares_of(line, std::min(rows[i].config.size(), line.size()));
         ASSERT_EQ(shares.size(), std::size(kShares)) << line;
         // The same biases as in the table; other drivers place vertices and round depths a little differently.
-        for (std::size_t k = 0; k < shares.size(); ++k) EXPECT_NEAR(shares[k], rows[i].acne[k], 2) << line << "\nnow " << rows[i].text();
+        for (std::size_t k = 0; k < shares.size(); ++k)
+            EXPECT_NEAR(shares[k], rows[i].acne[k], 2) << line << "\nnow " << rows[i].text();
     }
 }
 
@@ -213,12 +220,12 @@ std::string case_name(const testing::TestParamInfo<Case>& named) {
            (named.param.light == LightType::Spot ? "_spot" : "_directional");
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BiasPrediction,
-                         testing::Values(Case{MapFormat::D16, LightType::Directional}, Case{MapFormat::D16, LightType::Spot},
-                                         Case{MapFormat::D24, LightType::Directional}, Case{MapFormat::D24, LightType::Spot},
-                                         Case{MapFormat::D32F, LightType::Directional},
-                                         Case{MapFormat::D32F, LightType::Spot}),
-                         case_name);
+INSTANTIATE_TEST_SUITE_P(
+    All, BiasPrediction,
+    testing::Values(Case{MapFormat::D16, LightType::Directional}, Case{MapFormat::D16, LightType::Spot},
+                    Case{MapFormat::D24, LightType::Directional}, Case{MapFormat::D24, LightType::Spot},
+                    Case{MapFormat::D32F, LightType::Directional}, Case{MapFormat::D32F, LightType::Spot}),
+    case_name);
 
 }  // namespace
 }  // namespace si::test

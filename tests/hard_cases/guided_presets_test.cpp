@@ -5,8 +5,8 @@
 #include "app/base/output.h"
 #include "app/session/presets.h"
 #include "app/session/session.h"
-#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
 #include "tests/hard_cases/guided_claims.h"
 #include "tests/support/guided.h"
 

@@ -1,10 +1,10 @@
 // Hard cases 6 to 9: lights in awkward places.
 #include <cmath>
 
-#include "renderer/settings/param.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/param.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {
@@ -37,9 +37,11 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
     add_object(scene, "box", -1, box, moved(0, 0.5, 0));
     add_object(scene, "turned", -1, box, moved(2.5, 0.5, -1) * turned(37));
     finalise(scene);
-    for (const glm::dvec2& angles : {glm::dvec2(0, 90), {90, 90}, {-90, 90}, {180, 90}, {17, 90}, {90, 0}, {180, 40}, {-90, 25}})
+    for (const glm::dvec2& angles :
+         {glm::dvec2(0, 90), {90, 90}, {-90, 90}, {180, 90}, {17, 90}, {90, 0}, {180, 40}, {-90, 25}})
         for (const LightType type : {LightType::Directional, LightType::Spot}) {
-            SCOPED_TRACE(testing::Message() << "azimuth " << angles.x << " elevation " << angles.y << " type " << int(type));
+            SCOPED_TRACE(testing::Message()
+                         << "azimuth " << angles.x << " elevation " << angles.y << " type " << int(type));
             Settings s = hard_settings();
             s.lights[0].type = int(type);
             s.lights[0].azimuth = angles.x, s.lights[0].elevation = angles.y;
@@ -51,7 +53,8 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
                     glm::dvec3 origin, dir;
                     shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
                     const auto hit = rays.first_hit(origin, dir);
-                    if (!hit || std::abs(glm::dot(hit->normal, direction_to(shot.light(), hit->position))) > 1e-12) continue;
+                    if (!hit || std::abs(glm::dot(hit->normal, direction_to(shot.light(), hit->position))) > 1e-12)
+                        continue;
                     ++parallel, lit += shot.visibility.at(x, y) > 0;
                 }
             if (type == LightType::Directional) EXPECT_GT(parallel, 50);

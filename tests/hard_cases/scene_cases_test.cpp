@@ -8,7 +8,6 @@
 namespace si::test {
 namespace {
 
-
 const PassInfo* shadow_pass(const FrameResult& frame) {
     const auto it = std::find_if(frame.passes.begin(), frame.passes.end(),
                                  [](const PassInfo& p) { return p.name.rfind("shadow map", 0) == 0; });

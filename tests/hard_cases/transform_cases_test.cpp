@@ -26,7 +26,6 @@ Settings seen_from(Settings s, const glm::dvec3& target, double scale = 1) {
     return s;
 }
 
-
 // Case 10: a million metres from the origin.
 TEST(HardCase10, FarFromTheOrigin) {
     for (LightType type : kLightTypes) {

@@ -12,9 +12,14 @@ namespace {
 
 constexpr int kColours = 7, kBoxes = 100, kSpheres = 50, kTori = 10;
 constexpr double kSide = 40, kRim = 2;  // m; nothing stands on the ground's rim
-constexpr std::array<glm::vec3, kColours + 1> kColour = {
-    {{0.55f, 0.55f, 0.55f}, {0.8f, 0.25f, 0.2f}, {0.25f, 0.55f, 0.8f}, {0.85f, 0.7f, 0.25f},
-     {0.3f, 0.65f, 0.35f}, {0.6f, 0.4f, 0.7f}, {0.85f, 0.85f, 0.8f}, {0.9f, 0.5f, 0.2f}}};
+constexpr std::array<glm::vec3, kColours + 1> kColour = {{{0.55f, 0.55f, 0.55f},
+                                                          {0.8f, 0.25f, 0.2f},
+                                                          {0.25f, 0.55f, 0.8f},
+                                                          {0.85f, 0.7f, 0.25f},
+                                                          {0.3f, 0.65f, 0.35f},
+                                                          {0.6f, 0.4f, 0.7f},
+                                                          {0.85f, 0.85f, 0.8f},
+                                                          {0.9f, 0.5f, 0.2f}}};
 
 /// How finely the shapes are cut.
 struct Cut {
@@ -50,21 +55,25 @@ Scene agreed_scene(AgreedSize size) {
     Scene scene;
     scene.name = size == AgreedSize::Triangles100k ? "agreed scene, 100 k triangles" : "agreed scene, 1 M triangles";
     std::array<int, kColours + 1> material{};
-    for (std::size_t i = 0; i < material.size(); ++i) material[i] = add_material(scene, "m" + std::to_string(i), kColour[i]);
-    add_object(scene, "ground", -1, add_mesh(scene, "ground", make_plane(kSide, kSide, cut.ground, cut.ground), material[0]));
+    for (std::size_t i = 0; i < material.size(); ++i)
+        material[i] = add_material(scene, "m" + std::to_string(i), kColour[i]);
+    add_object(scene, "ground", -1,
+               add_mesh(scene, "ground", make_plane(kSide, kSide, cut.ground, cut.ground), material[0]));
     Dice dice;
     const double reach = 0.5 * kSide - kRim;
     /// Places `count` of one shape in all colours, each where place(x, z) says.
     const auto scatter = [&](const char* name, const Mesh& shape, int count, auto&& place) {
         std::array<int, kColours> mesh{};
-        for (int c = 0; c < kColours; ++c) mesh[std::size_t(c)] = add_mesh(scene, name + std::to_string(c), shape, material[std::size_t(c + 1)]);
+        for (int c = 0; c < kColours; ++c)
+            mesh[std::size_t(c)] = add_mesh(scene, name + std::to_string(c), shape, material[std::size_t(c + 1)]);
         for (int i = 0; i < count; ++i) {
             const double x = dice.between(-reach, reach), z = dice.between(-reach, reach);
             add_object(scene, name + std::to_string(i), -1, mesh[std::size_t(i % kColours)], place(x, z));
         }
     };
     scatter("box", unit_box(cut.box), kBoxes, [&](double x, double z) {
-        const double turn = dice.between(0, 180), wide = dice.between(0.4, 1.6), high = dice.between(0.5, 4), deep = dice.between(0.4, 1.6);
+        const double turn = dice.between(0, 180), wide = dice.between(0.4, 1.6), high = dice.between(0.5, 4),
+                     deep = dice.between(0.4, 1.6);
         return moved(x, 0, z) * turned(turn) * scaled(wide, high, deep);
     });
     scatter("sphere", make_sphere(1, cut.sphere_segments, cut.sphere_rings), kSpheres, [&](double x, double z) {

@@ -27,7 +27,11 @@ struct FakeMeter : CaseMeter {
         measured.push_back(c.id);
         const int n = c.settings.map.resolution;
         if (n == fails_at_resolution) throw Error("no memory for\nthis map");
-        return {{{"meaning", kErrorMeaning}, {"mae", 100.0 / n}}, {{"map_texels", n * n}, {"bytes_touched", 4 * n * n}}, {"a note"}, "jpg", "png"};
+        return {{{"meaning", kErrorMeaning}, {"mae", 100.0 / n}},
+                {{"map_texels", n * n}, {"bytes_touched", 4 * n * n}},
+                {"a note"},
+                "jpg",
+                "png"};
     }
     TimeSamples time(const SweepCase& c, int frames) override {
         timed.push_back(c.id);

@@ -44,7 +44,8 @@ Guided::Guided(const std::string& key, const std::vector<std::string>& changes, 
 ErrorMetrics Guided::error() const {
     TruthCache cache;
     const FrameRequest request{.width = shot.width, .height = shot.height};
-    return measure_error(hard_renderer(), scene, settings, request, settings.view.light, truth_options(settings), cache).metrics;
+    return measure_error(hard_renderer(), scene, settings, request, settings.view.light, truth_options(settings), cache)
+        .metrics;
 }
 
 bool Guided::looked_at(std::size_t pixel, const Nodes& receivers) const {

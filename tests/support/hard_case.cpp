@@ -50,7 +50,8 @@ void expect_finite(const FrameResult& frame) {
 }  // namespace
 
 Renderer& hard_renderer() {
-    // Neither static objects nor exit handlers: parts of the driver may be gone before those, while its threads still draw.
+    // Neither static objects nor exit handlers: parts of the driver may be gone before those, while its threads still
+    // draw.
     struct Shared : testing::EmptyTestEventListener {
         std::optional<HeadlessContext> context{std::in_place};
         std::optional<Renderer> renderer{std::in_place};

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/scene/scene.h"
 #include "renderer/view/camera.h"
 #include "renderer/view/light_fit.h"
-#include "renderer/scene/scene.h"
 
 namespace si::test {
 

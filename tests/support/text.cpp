@@ -8,7 +8,8 @@ namespace {
 constexpr char32_t kBroken = 0xfffd;
 // What the bytes 80 to 9f are in code page 1252: the second half of letters that were read by it.
 constexpr std::u32string_view kCp1252 =
-    U"\u20ac\u201a\u0192\u201e\u2026\u2020\u2021\u02c6\u2030\u0160\u2039\u0152\u017d\u2018\u2019\u201c\u201d\u2022\u2013"
+    U"\u20ac\u201a\u0192\u201e\u2026\u2020\u2021\u02c6\u2030\u0160\u2039\u0152\u017d\u2018\u2019\u201c\u201d\u2022"
+    U"\u2013"
     U"\u2014\u02dc\u2122\u0161\u203a\u0153\u017e\u0178";
 
 /// Whether the byte of UTF-8 that continues a letter, read as Latin-1 or code page 1252, is this.
@@ -30,9 +31,11 @@ std::u32string code_points(std::string_view text) {
     std::u32string out;
     for (std::size_t i = 0; i < text.size();) {
         const auto lead = static_cast<unsigned char>(text[i]);
-        const std::size_t more = lead < 0x80 ? 0 : lead >= 0xc2 && lead < 0xe0 ? 1 : lead >= 0xe0 && lead < 0xf0 ? 2
-                                 : lead >= 0xf0 && lead < 0xf5                 ? 3
-                                                                               : 9;
+        const std::size_t more = lead < 0x80                   ? 0
+                                 : lead >= 0xc2 && lead < 0xe0 ? 1
+                                 : lead >= 0xe0 && lead < 0xf0 ? 2
+                                 : lead >= 0xf0 && lead < 0xf5 ? 3
+                                                               : 9;
         char32_t c = more == 0 ? lead : lead & (0x3f >> more);
         bool whole = i + more < text.size() && more < 9;
         for (std::size_t k = 1; whole && k <= more; ++k) {

@@ -1,4 +1,5 @@
-// The cure table and the table of biases that were tried: what they ask for, what a click does, and both on real frames.
+// The cure table and the table of biases that were tried: what they ask for, what a click does, and both on real
+// frames.
 #include <gtest/gtest.h>
 
 #include "app/editor/headless_editor.h"
@@ -59,7 +60,8 @@ TEST(CuresPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     ui.cures = {.running = {}, .table = &table, .pixel = {}, .current = true};
     ui.frames(3);
     const std::string text = printed(ui);
-    for (const char* part : {"least bias", "1200", "< noise", "+12.5 ms", "+48 MiB", "not tried, only for a directional light"})
+    for (const char* part :
+         {"least bias", "1200", "< noise", "+12.5 ms", "+48 MiB", "not tried, only for a directional light"})
         EXPECT_NE(text.find(packed(part)), std::string::npos) << part << "\n" << text;
     const auto close = ui.find("Error", "", "Close##cures");
     ASSERT_TRUE(close);
@@ -88,12 +90,19 @@ TEST(CuresPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
 
 TEST(TunedFamilies, StandSideBySideAndAClickTakesOne) {
     UiHarness ui(1600, 900);
-    TunedFamily normal{.name = "normal offset", .bias_text = "bias.normal 3 texels", .bias = {}, .acne = 0, .wrong = 321, .lost = 20,
-                       .gap_p95_m = 0.012, .shift_p95_m = 0.034, .chosen = true};
+    TunedFamily normal{.name = "normal offset",
+                       .bias_text = "bias.normal 3 texels",
+                       .bias = {},
+                       .acne = 0,
+                       .wrong = 321,
+                       .lost = 20,
+                       .gap_p95_m = 0.012,
+                       .shift_p95_m = 0.034,
+                       .chosen = true};
     normal.bias.normal = 3;
     TunedFamily constant = normal;
-    constant.name = "constant bias", constant.bias.normal = 0, constant.bias.constant = 9, constant.wrong = 654, constant.shift_p95_m = 0,
-    constant.chosen = false;
+    constant.name = "constant bias", constant.bias.normal = 0, constant.bias.constant = 9, constant.wrong = 654,
+    constant.shift_p95_m = 0, constant.chosen = false;
     ui.tuned = {normal, constant};
     ui.state.search = "bias.";
     ui.frames(5);

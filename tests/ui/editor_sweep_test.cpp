@@ -1,6 +1,4 @@
 // Sweeps behind the editor: on a thread of their own, kept in a journal, cancelled and gone on with.
-#include "app/editor/sweep.h"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -8,6 +6,7 @@
 #include <thread>
 
 #include "app/editor/headless_editor.h"
+#include "app/editor/sweep.h"
 #include "app/sweep/results.h"
 #include "tests/support/process.h"
 
@@ -85,7 +84,8 @@ TEST(EditorSweep, CancelledItGoesOnWhereItWas) {
     {
         Swept s(boxes(state));
         s.ask([](EditorActions& a) { a.start_sweep = kWish; });
-        // Cancelled as soon as something is measured. An editor that never rests would keep a software driver's threads.
+        // Cancelled as soon as something is measured. An editor that never rests would keep a software driver's
+        // threads.
         while (s.facts().cases.empty() && s.editor.model().measuring()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
             s.editor.frame();

@@ -6,11 +6,11 @@
 #include <fstream>
 #include <set>
 
-#include "app/editor/headless_editor.h"
 #include "app/base/output.h"
+#include "app/editor/headless_editor.h"
 #include "app/session/presets.h"
-#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {

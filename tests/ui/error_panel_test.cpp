@@ -1,4 +1,5 @@
-// The error panel, the artefact legend and the picture against another over made-up facts: that they fit, and what they ask for.
+// The error panel, the artefact legend and the picture against another over made-up facts: that they fit, and what they
+// ask for.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -25,7 +26,13 @@ LiveError made_up_error() {
 }
 
 TruthFacts made_up_truth() {
-    return {.current = true, .wanted = true, .build_ms = 100, .trace_ms = 200, .rays = 1234567, .width = 640, .height = 480};
+    return {.current = true,
+            .wanted = true,
+            .build_ms = 100,
+            .trace_ms = 200,
+            .rays = 1234567,
+            .width = 640,
+            .height = 480};
 }
 
 /// Colours of all vertices of the last frame.
@@ -117,7 +124,9 @@ TEST(Against, TheLineIsDraggedAndNothingElse) {
     ui.frames(3);
     ASSERT_TRUE(ui.state.scene_view);
     const PictureView view = *ui.state.scene_view;
-    const auto at = [&](double x) { return glm::vec2(view.origin.x + x * view.size.x, view.origin.y + 0.75 * view.size.y); };
+    const auto at = [&](double x) {
+        return glm::vec2(view.origin.x + x * view.size.x, view.origin.y + 0.75 * view.size.y);
+    };
     const Settings before = ui.state.settings;
     ui.drag(at(0.5), at(0.2));
     EXPECT_NEAR(ui.state.against.at, 0.2, 0.01);

@@ -77,7 +77,8 @@ TEST(FrontierPanel, AClickOnADotTakesItsSettingsAndIsUndone) {
     const glm::vec2 right = dots[0].x > dots[1].x ? dots[0] : dots[1];
     p.ui.click(right);
     p.ui.frames(3);
-    EXPECT_EQ(value_text(*find_setting("filter.kernel")->param, get_value(p.ui.state.settings, *find_setting("filter.kernel"))),
+    EXPECT_EQ(value_text(*find_setting("filter.kernel")->param,
+                         get_value(p.ui.state.settings, *find_setting("filter.kernel"))),
               "pcf5");
     EXPECT_EQ(p.ui.state.settings.map.resolution, 1024);
     EXPECT_EQ(p.ui.state.sweep.chosen, 1);
@@ -154,8 +155,7 @@ TEST(FrontierPanel, PresentSettingsAreMeasuredOnlyWhileShown) {
 }
 
 TEST(FrontierPanel, FitsAtEverySizeWithEveryState) {
-    for (const auto& [width, height, scale] :
-         {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {3840, 2160, 2.0f}}) {
+    for (const auto& [width, height, scale] : {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {3840, 2160, 2.0f}}) {
         Panel p(width, height, scale);
         for (int variant = 0; variant < 5; ++variant) {
             SweepFacts facts = made_up_sweep();

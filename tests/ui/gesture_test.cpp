@@ -35,7 +35,8 @@ TEST(Gesture, PanKeepsTheFocusUnderTheCursor) {
         const glm::dvec3 point = target(s.camera);
         const glm::dvec4 p = before.project(point, kPictureWidth, kPictureHeight);
         pan(s.camera, before, 37, -21, kPictureHeight);
-        const glm::dvec4 q = make_camera(scene, s, double(kPictureWidth) / kPictureHeight).project(point, kPictureWidth, kPictureHeight);
+        const glm::dvec4 q =
+            make_camera(scene, s, double(kPictureWidth) / kPictureHeight).project(point, kPictureWidth, kPictureHeight);
         EXPECT_NEAR(q.x - p.x, 37, 1e-6);
         EXPECT_NEAR(q.y - p.y, -21, 1e-6);
     }
@@ -102,7 +103,8 @@ TEST(Gesture, FlyingMovesEyeAndTargetAlike) {
     const Camera before = make_camera(scene, s, 1.6);
     fly(s.camera, {2, 0.5, 3});
     const Camera after = make_camera(scene, s, 1.6);
-    const glm::dvec3 moved = after.eye - before.eye, expected = 2.0 * before.axes[0] + glm::dvec3(0, 0.5, 0) - 3.0 * before.axes[2];
+    const glm::dvec3 moved = after.eye - before.eye,
+                     expected = 2.0 * before.axes[0] + glm::dvec3(0, 0.5, 0) - 3.0 * before.axes[2];
     EXPECT_NEAR(glm::distance(moved, expected), 0, 1e-9);
     EXPECT_EQ(after.axes, before.axes);
     // Under parallel rays things grow only when less is seen.
@@ -143,7 +145,8 @@ TEST(Gesture, FramingShowsAllOfTheBoundsAndNotTooSmall) {
                 const glm::dvec3 corner(i & 1 ? b.hi.x : b.lo.x, i & 2 ? b.hi.y : b.lo.y, i & 4 ? b.hi.z : b.lo.z);
                 const glm::dvec4 p = c.project(corner, w, kPictureHeight);
                 EXPECT_GT(p.w, 0);
-                reach = std::max({reach, std::abs((p.x + 0.5) / w * 2 - 1), std::abs((p.y + 0.5) / kPictureHeight * 2 - 1)});
+                reach = std::max(
+                    {reach, std::abs((p.x + 0.5) / w * 2 - 1), std::abs((p.y + 0.5) / kPictureHeight * 2 - 1)});
             }
             EXPECT_LE(reach, 1.0) << "orthographic " << orthographic << " aspect " << aspect;
             EXPECT_GT(reach, 0.4);

@@ -387,9 +387,9 @@ TEST(LightHandles, NumbersAreThoseOfWhatIsDragged) {
     EXPECT_EQ(handle_numbers(pose, LightHandle::ConeTop), "41.0°");
     EXPECT_EQ(handle_numbers(pose, LightHandle::Direction), "azimuth 30.0°   elevation 20.0°");
     EXPECT_EQ(handle_numbers(pose, LightHandle::AxisY), "y " + metres_text(pose.position.y));
-    EXPECT_EQ(handle_numbers(pose, LightHandle::Position),
-              "x " + metres_text(pose.position.x) + "   y " + metres_text(pose.position.y) + "   z " +
-                  metres_text(pose.position.z));
+    EXPECT_EQ(handle_numbers(pose, LightHandle::Position), "x " + metres_text(pose.position.x) + "   y " +
+                                                               metres_text(pose.position.y) + "   z " +
+                                                               metres_text(pose.position.z));
 }
 
 TEST(LightHandles, UnderAFitOnlyALightWithAPlaceHasATarget) {
@@ -427,7 +427,8 @@ TEST(LightHandles, NoneStandBehindTheCameraOrOutsideThePicture) {
     wide.light.distance = 20;
     wide.light.extent = 100;  // the picture is 60 m wide
     const LightPose pose = wide.pose();
-    ASSERT_FALSE(front_view().contains(*front_view().point(handle_place(pose, LightHandle::ExtentRight, front_view()))));
+    ASSERT_FALSE(
+        front_view().contains(*front_view().point(handle_place(pose, LightHandle::ExtentRight, front_view()))));
     for (const PlacedHandle& h : place_handles(pose, front_view()))
         EXPECT_TRUE(front_view().contains(h.on_screen)) << handle_name(h.handle);
 }

@@ -2,14 +2,13 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "tests/ui/ui_harness.h"
 #include "tests/ui/screen.h"
+#include "tests/ui/ui_harness.h"
 #include "ui/scene_view/light_drag.h"
 #include "ui/scene_view/light_marks.h"
 
 namespace si::test {
 namespace {
-
 
 /// An editor whose camera sees all of the light and its frustum.
 struct Gizmo {

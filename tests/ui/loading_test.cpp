@@ -339,8 +339,8 @@ TEST(Loading, AnotherSceneOfTheFileIsReadWhenItsIndexIsChosen) {
     test::GltfFile file;
     file.add_triangle();
     file.json["scenes"][0]["name"] = "one";
-    file.json["scenes"].push_back({{"name", "two"}, {"nodes", {file.append("nodes", {{"mesh", 0}}),
-                                                               file.append("nodes", {{"mesh", 0}})}}});
+    file.json["scenes"].push_back(
+        {{"name", "two"}, {"nodes", {file.append("nodes", {{"mesh", 0}}), file.append("nodes", {{"mesh", 0}})}}});
     HeadlessEditor editor(first(folder.write("two.glb", file.glb()).string()));
     editor.settle();
     EditorModel& model = editor.model();

@@ -6,17 +6,16 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/editor/headless_editor.h"
 #include "app/base/output.h"
+#include "app/editor/headless_editor.h"
 #include "app/session/session.h"
-#include "tests/ui/screen.h"
 #include "renderer/scenes/builtin.h"
+#include "tests/ui/screen.h"
 #include "ui/map_view/depth_plots.h"
 #include "ui/map_view/map_marks.h"
 
 namespace si {
 namespace {
-
 
 EditorOptions options(const std::string& scene = "boxes") {
     EditorOptions o;

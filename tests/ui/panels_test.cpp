@@ -6,8 +6,8 @@
 #include <set>
 
 #include "renderer/settings/param.h"
-#include "tests/ui/ui_harness.h"
 #include "tests/ui/screen.h"
+#include "tests/ui/ui_harness.h"
 #include "ui/widgets/setting_widgets.h"
 
 namespace si::test {
@@ -310,7 +310,8 @@ TEST(Panels, TheListOfObjectsEditsOneAtATime) {
             ASSERT_EQ(differing[0].param->scope, Scope::Object);
             changed.insert(std::string(differing[0].param->key) + " of " + differing[0].object);
             ui.click({x, y});
-            ASSERT_EQ(ui.state.settings, before) << setting_key(differing[0]) << ": back at its default it is no override";
+            ASSERT_EQ(ui.state.settings, before)
+                << setting_key(differing[0]) << ": back at its default it is no override";
         }
     EXPECT_GE(changed.size(), 4u);
 }

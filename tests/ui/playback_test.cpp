@@ -31,9 +31,8 @@ GltfFile moving_sun() {
                     {"channels", {{{"sampler", 0}, {"target", {{"node", sun}, {"path", "rotation"}}}}}}};
     };
     // From 20 to 70 degrees above the horizon.
-    file.json["animations"] = {
-        animation("rise", {0, 0.5f}, {-0.17365f, 0, 0, 0.98481f, -0.57358f, 0, 0, 0.81915f}),
-        animation("noon", {0}, {-0.70711f, 0, 0, 0.70711f})};
+    file.json["animations"] = {animation("rise", {0, 0.5f}, {-0.17365f, 0, 0, 0.98481f, -0.57358f, 0, 0, 0.81915f}),
+                               animation("noon", {0}, {-0.70711f, 0, 0, 0.70711f})};
     return file;
 }
 

@@ -7,11 +7,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/editor/headless_editor.h"
 #include "app/base/output.h"
+#include "app/editor/headless_editor.h"
 #include "app/session/setting_json.h"
-#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
 #include "tests/support/process.h"
 #include "ui/state/playback.h"
 

@@ -1,5 +1,5 @@
-// What the panels print is what their sources say: UTF-8, encoded once, in letters that the font has. UiHarness::frame()
-// looks at every frame of every test; here are windows so tall that nothing is cut off.
+// What the panels print is what their sources say: UTF-8, encoded once, in letters that the font has.
+// UiHarness::frame() looks at every frame of every test; here are windows so tall that nothing is cut off.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -18,11 +18,12 @@ TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
     ui.state.settings.light_count = 2;
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.layout.bottom_height = 100;  // em
-    ui.truth = TruthFacts{.current = true, .rays = 1'000'000, .noise = "noise 0.0031, 64 samples a pixel", .width = 8, .height = 8};
+    ui.truth = TruthFacts{
+        .current = true, .rays = 1'000'000, .noise = "noise 0.0031, 64 samples a pixel", .width = 8, .height = 8};
     ui.error = LiveError{};
     ui.map_facts = MapFacts{};
-    for (const BottomTab tab : {BottomTab::Passes, BottomTab::Probe, BottomTab::Error, BottomTab::Objects, BottomTab::Compare,
-                                BottomTab::Frontier, BottomTab::Log}) {
+    for (const BottomTab tab : {BottomTab::Passes, BottomTab::Probe, BottomTab::Error, BottomTab::Objects,
+                                BottomTab::Compare, BottomTab::Frontier, BottomTab::Log}) {
         ui.state.open_tab = tab;
         ui.frames(4);
         const std::u32string text = ui.printed();

@@ -5,9 +5,9 @@
 
 #include "tests/support/box_scene.h"
 #include "ui/scene_view/camera_outline.h"
-#include "ui/widgets/clip.h"
 #include "ui/scene_view/probe_ray.h"
 #include "ui/state/selection.h"
+#include "ui/widgets/clip.h"
 
 namespace si {
 namespace {

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/editor/headless_editor.h"
 #include "app/base/output.h"
+#include "app/editor/headless_editor.h"
 #include "renderer/settings/param.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/scene_view/light_handles.h"

@@ -6,12 +6,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/editor/headless_editor.h"
 #include "app/base/output.h"
-#include "renderer/settings/param.h"
+#include "app/editor/headless_editor.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -25,7 +25,8 @@ EditorOptions options(const std::vector<std::string>& sets, int width = 1280, in
     return o;
 }
 
-const std::vector<std::string> kNoBias = {"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.frustum=false"};
+const std::vector<std::string> kNoBias = {"bias.constant=0", "bias.normal=0", "filter.kernel=hard",
+                                          "view.frustum=false"};
 
 void expect_calm(HeadlessEditor& editor) {
     for (const LogLine& line : editor.model().state.log.lines()) EXPECT_EQ(line.kind, LogKind::Info) << line.text;
@@ -83,7 +84,8 @@ TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
 TEST(EditorTruth, CancelIsHeededUntilSomethingChanges) {
     // More rays than can be traced before it is cancelled.
     std::vector<std::string> sets = kNoBias;
-    for (const char* set : {"truth.area=true", "truth.samples=4096", "truth.noise=0", "light.size=5"}) sets.push_back(set);
+    for (const char* set : {"truth.area=true", "truth.samples=4096", "truth.noise=0", "light.size=5"})
+        sets.push_back(set);
     HeadlessEditor editor(options(sets));
     editor.model().state.open_tab = BottomTab::Error;
     for (int i = 0; i < 20 && !editor.model().tracing(); ++i) {
@@ -112,7 +114,8 @@ TEST(EditorTruth, OverlayWaitsForTheTruthAndThenShowsIt) {
     ASSERT_TRUE(editor.model().facts().result);
     EXPECT_TRUE(editor.model().facts().result->panes.front().lacks_truth);
     const ByteImage waiting = editor.picture();
-    const int width = editor.model().facts().result->colour.width, height = editor.model().facts().result->colour.height;
+    const int width = editor.model().facts().result->colour.width,
+              height = editor.model().facts().result->colour.height;
     editor.settle();
     for (const Pane& pane : editor.model().facts().result->panes) {
         EXPECT_FALSE(pane.lacks_truth);

@@ -48,7 +48,8 @@ Probe made_up_probe(int lights) {
         l.n_dot_l = 0.6;
         l.taps_across = 2;
         for (const glm::ivec2 t : {glm::ivec2(4, 6), {5, 6}, {4, 7}, {5, 7}})
-            l.taps.push_back({.texel = t, .weight = 0.25, .stored = 0.4, .lit = t.x == 5, .meets = KernelTap::Meets::Own});
+            l.taps.push_back(
+                {.texel = t, .weight = 0.25, .stored = 0.4, .lit = t.x == 5, .meets = KernelTap::Meets::Own});
         l.verdict = "in shadow: its texel stores a surface 0.2 m nearer to the light";
         p.lights.push_back(l);
     }
@@ -121,7 +122,8 @@ EditorActions UiHarness::frame() {
     EditorActions actions = draw_editor(state, facts);
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
-    if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures || actions.forget_cures) last_wish = actions;
+    if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures || actions.forget_cures)
+        last_wish = actions;
     io.MouseWheel = 0;
     return actions;
 }
@@ -161,7 +163,8 @@ void UiHarness::type(const std::string& text) {
     frames(2);
 }
 
-std::optional<glm::vec2> UiHarness::find(const std::string& window, const std::string& group, const std::string& label) {
+std::optional<glm::vec2> UiHarness::find(const std::string& window, const std::string& group,
+                                         const std::string& label) {
     frames(2);
     std::vector<std::pair<ImGuiID, ImRect>> wanted;
     for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {

@@ -61,8 +61,8 @@ public:
     void click(glm::vec2 at, int button = 0);
     void drag(glm::vec2 from, glm::vec2 to, int button = 0);
     void type(const std::string& text);
-    /// The middle of the widget called `label` below the ID `group` (empty: none) of a window whose name holds `window`;
-    /// found by moving the mouse. Nothing when it is not on the screen.
+    /// The middle of the widget called `label` below the ID `group` (empty: none) of a window whose name holds
+    /// `window`; found by moving the mouse. Nothing when it is not on the screen.
     std::optional<glm::vec2> find(const std::string& window, const std::string& group, const std::string& label);
     /// The ID under the mouse, 0 for none.
     unsigned hovered() const;

@@ -3,8 +3,8 @@
 #include <imgui.h>
 
 #include "renderer/view/camera_settings.h"
-#include "tests/ui/ui_harness.h"
 #include "tests/ui/screen.h"
+#include "tests/ui/ui_harness.h"
 #include "ui/state/selection.h"
 
 namespace si::test {

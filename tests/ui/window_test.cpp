@@ -39,7 +39,9 @@ TEST_F(Window, WaitingEndsWithTheProgramAndWithTheServer) {
 }
 
 TEST_F(Window, ADotOfAFrontierIsClicked) {
-    const std::string command = std::string("cd '") + folder_.string() + "' && '" SI_PROGRAM
+    const std::string command =
+        std::string("cd '") + folder_.string() +
+        "' && '" SI_PROGRAM
         "' sweep boxes --vary filter.kernel=pcf3,pcf9 --vary map.resolution=64,4096 --size 64x48 --rounds 1 -o swept "
         "> sweep.log 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0);

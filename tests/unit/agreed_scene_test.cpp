@@ -11,7 +11,8 @@ namespace si::test {
 namespace {
 
 TEST(AgreedScene, HasItsTrianglesFlatColoursAndNoTextures) {
-    for (const auto& [size, triangles] : {std::pair{AgreedSize::Triangles100k, 100'088u}, {AgreedSize::Triangles1M, 999'810u}}) {
+    for (const auto& [size, triangles] :
+         {std::pair{AgreedSize::Triangles100k, 100'088u}, {AgreedSize::Triangles1M, 999'810u}}) {
         const Scene scene = agreed_scene(size);
         EXPECT_EQ(scene.triangle_count(), triangles);
         EXPECT_EQ(scene.objects.size(), 161u);

@@ -53,13 +53,15 @@ TEST(Architecture, PanelsCallNoGl) {
 TEST(Architecture, TextIsEncodedOnce) {
     std::size_t read = 0;
     const auto check = [&](const fs::path& path) {
-        static const std::set<std::string> kText = {".h", ".cpp", ".glsl", ".json", ".js", ".css", ".html", ".md", ".sh", ".txt"};
+        static const std::set<std::string> kText = {".h",   ".cpp",  ".glsl", ".json", ".js",
+                                                    ".css", ".html", ".md",   ".sh",   ".txt"};
         if (!kText.contains(path.extension().string())) return;
         EXPECT_EQ(si::test::text_fault(text_of(path)), "") << path;
         ++read;
     };
     for (const char* folder : {"app", "renderer", "ui", "shaders", "assets", "docs", "scripts", "tests"})
-        for (const auto& entry : fs::recursive_directory_iterator(fs::path(SI_SOURCE_DIR) / folder)) check(entry.path());
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(SI_SOURCE_DIR) / folder))
+            check(entry.path());
     check(fs::path(SI_SOURCE_DIR) / "README.md");
     EXPECT_GT(read, 400u);
     EXPECT_NE(si::test::text_fault("N\xc3\x82\xc2\xb7L"), "") << "a dot encoded twice";

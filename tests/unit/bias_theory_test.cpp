@@ -1,10 +1,9 @@
-#include "renderer/bias/theory.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "renderer/bias/theory.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

@@ -13,8 +13,8 @@
 
 #include "renderer/base/error.h"
 #include "renderer/gltf/gltf.h"
-#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "app/sweep/spec.h"
-#include "renderer/settings/param.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
 #include "tests/unit/gltf_test_file.h"
 
 namespace si {
@@ -24,8 +24,9 @@ std::string two_scenes() {
     for (const double z : {3.0, 4.0}) f.root({{"camera", camera}, {"translation", {0, 0, z}}});
     const int second = f.append("nodes", {{"name", "Second"}, {"mesh", mesh}});
     const int third = f.append("nodes", {{"name", "Third"}, {"mesh", mesh}, {"translation", {0, 0, -1}}});
-    const int lamp = f.append("nodes", {{"name", "Lamp"}, {"translation", {0, 5, 0}},
-                                        {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    const int lamp = f.append(
+        "nodes",
+        {{"name", "Lamp"}, {"translation", {0, 5, 0}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
     const int eye = f.append("nodes", {{"camera", camera}, {"translation", {0, 0, 6}}});
     f.json["scenes"].push_back({{"nodes", {second, third, lamp, eye}}});
     const int times = f.floats({0, 2}, "SCALAR"), places = f.floats({0, 5, 0, 4, 5, 0}, "VEC3");
@@ -75,7 +76,8 @@ protected:
             sessions.keep(std::move(base.scene), base.settings.scene);
             sessions.check(axes);
             const auto prepared = sessions.prepare(plan.cases.at(0).values);
-            out.settings = prepared.settings, out.content = scene_content_key(prepared.scene), out.notes = prepared.notes;
+            out.settings = prepared.settings, out.content = scene_content_key(prepared.scene),
+            out.notes = prepared.notes;
         });
         EXPECT_EQ(axis.error, set.error) << what;
         EXPECT_TRUE(axis.settings == set.settings) << what;
@@ -96,7 +98,8 @@ std::vector<std::string> texts_of(const Param& p, const Value& like) {
         texts.insert(texts.end(), {"true", "off", "2"});
     } else {
         const bool whole = std::holds_alternative<int>(like);
-        for (const double v : {p.min, p.max, p.min + 1, p.max + 1}) texts.push_back(value_text(p, whole ? Value(int(v)) : Value(v)));
+        for (const double v : {p.min, p.max, p.min + 1, p.max + 1})
+            texts.push_back(value_text(p, whole ? Value(int(v)) : Value(v)));
         texts.push_back("0.5");
     }
     return texts;

@@ -22,7 +22,8 @@ std::vector<std::array<std::uint32_t, 3>> triangles(std::span<const std::uint32_
 }
 
 TEST(FaceNormals, LastCornersCarryThemAndTheTrianglesStay) {
-    for (const Mesh& mesh : {make_sphere(1), make_box(glm::dvec3(1)), make_capsule(0.3, 1), make_plane(2, 3), make_teapot()}) {
+    for (const Mesh& mesh :
+         {make_sphere(1), make_box(glm::dvec3(1)), make_capsule(0.3, 1), make_plane(2, 3), make_teapot()}) {
         const FacedMesh faced = face_normals(mesh.positions, mesh.indices);
         const std::size_t own = mesh.positions.size();
         ASSERT_EQ(faced.normals.size(), own + faced.copies.size());
@@ -33,10 +34,12 @@ TEST(FaceNormals, LastCornersCarryThemAndTheTrianglesStay) {
             const auto at = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.indices[i + k]]); };
             const glm::dvec3 n = glm::cross(at(1) - at(0), at(2) - at(0));
             const glm::dvec3 carried(faced.normals[faced.indices[i + 2]]);
-            worst = std::max(worst, glm::length(n) > 0 ? glm::length(carried - glm::normalize(n)) : glm::length(carried));
+            worst =
+                std::max(worst, glm::length(n) > 0 ? glm::length(carried - glm::normalize(n)) : glm::length(carried));
         }
         EXPECT_LT(worst, 1e-7);
-        EXPECT_LE(own + faced.copies.size(), std::max(own, mesh.indices.size() / 3) * 1.1) << "copies where none are due";
+        EXPECT_LE(own + faced.copies.size(), std::max(own, mesh.indices.size() / 3) * 1.1)
+            << "copies where none are due";
     }
 }
 

@@ -28,9 +28,7 @@ TEST(GltfExtras, BuiltInScenesKeepTheirSentenceSuggestionsAndCameras) {
 }
 
 std::filesystem::path with_extras(const TemporaryFolder& folder, const Json& extras) {
-    const Json root = {{"asset", {{"version", "2.0"}}},
-                       {"scene", 0},
-                       {"scenes", {{{"extras", extras}}}}};
+    const Json root = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"extras", extras}}}}};
     return folder.write("extras.gltf", root.dump());
 }
 
@@ -42,9 +40,9 @@ TEST(GltfExtras, ForeignAndHostileExtrasAreWarningsAtMost) {
         EXPECT_TRUE(scene.suggested.empty()) << foreign;
         EXPECT_NE(scene.about.find("glTF"), std::string::npos) << foreign;
     }
-    const Json own = {{"suggested",
-                       {{"bias.constant", "2"}, {"bias.constnat", "2"}, {"bias.slope", 7}, {"map.resolution", "huge"}}},
-                      {"about", "one\x1b[2J"}};
+    const Json own = {
+        {"suggested", {{"bias.constant", "2"}, {"bias.constnat", "2"}, {"bias.slope", 7}, {"map.resolution", "huge"}}},
+        {"about", "one\x1b[2J"}};
     const Scene scene = load_gltf(with_extras(folder, {{"shadow_inspector", own}}));
     ASSERT_EQ(scene.suggested.size(), 1u);
     EXPECT_EQ(scene.suggested[0], std::pair(std::string("bias.constant"), std::string("2")));

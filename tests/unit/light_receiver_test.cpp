@@ -44,7 +44,8 @@ TEST(LightReceiver, AMetreOfBiasMovesAMetreAlongTheAxis) {
                 }
 }
 
-// What a person reads is a distance along the ray, at any size of it: not the slope's 101 m where the light is 10 m away.
+// What a person reads is a distance along the ray, at any size of it: not the slope's 101 m where the light is 10 m
+// away.
 TEST(LightReceiver, AmountsAreDistancesAlongTheRay) {
     for (const LightType type : {LightType::Spot, LightType::Point})
         for (const bool reversed : {false, true})
@@ -59,7 +60,8 @@ TEST(LightReceiver, AmountsAreDistancesAlongTheRay) {
                     const double z = 10 * (1 - gap_m / distance);
                     const double depth = std::abs(curve.depth(10) - curve.depth(z));
                     EXPECT_NEAR(a.amount(depth).metres / gap_m, 1, 1e-9) << int(type);
-                    EXPECT_NEAR(a.amount(depth).texels, (10 - z) / a.receiver.texel_m, 1e-9 * (10 - z) / a.receiver.texel_m);
+                    EXPECT_NEAR(a.amount(depth).texels, (10 - z) / a.receiver.texel_m,
+                                1e-9 * (10 - z) / a.receiver.texel_m);
                 }
                 EXPECT_LE(a.amount(1e9).metres, distance * (1 + 1e-9));
             }

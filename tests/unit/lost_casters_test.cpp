@@ -1,13 +1,13 @@
-#include "renderer/base/angles.h"
 #include "renderer/inspect/lost_casters.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "renderer/base/angles.h"
+
 namespace si {
 namespace {
-
 
 Mesh quad() {  // faces +y
     Mesh mesh;

@@ -29,7 +29,8 @@ TEST(MapLimits, OrdinaryMapsHaveNone) {
     for (const char* type : {"directional", "spot", "point"})
         for (const char* format : {"d16", "d24", "d32f", "colour"})
             for (const char* azimuth : {"-40", "0", "90"}) {
-                const FittedLight light = fitted({{"light.type", type}, {"map.format", format}, {"light.azimuth", azimuth}});
+                const FittedLight light =
+                    fitted({{"light.type", type}, {"map.format", format}, {"light.azimuth", azimuth}});
                 EXPECT_FALSE(light.limits.any()) << type << " " << format << " " << azimuth;
                 EXPECT_TRUE(light.notes.empty()) << type;
             }
@@ -38,8 +39,14 @@ TEST(MapLimits, OrdinaryMapsHaveNone) {
 TEST(MapLimits, AllDepthInOneStepOfTheFormat) {
     // From overhead the box is 2 m deep. 16 bits over 0 ... far step by far / 65535.
     const auto overhead = [](const char* format, const char* far, const char* reversed = "false") {
-        return fitted({{"light.elevation", "90"}, {"light.azimuth", "0"}, {"light.fit", "manual"}, {"light.far", far},
-                       {"light.near", "0.001"}, {"light.distance", "10"}, {"map.format", format}, {"map.reversed_z", reversed}});
+        return fitted({{"light.elevation", "90"},
+                       {"light.azimuth", "0"},
+                       {"light.fit", "manual"},
+                       {"light.far", far},
+                       {"light.near", "0.001"},
+                       {"light.distance", "10"},
+                       {"map.format", format},
+                       {"map.reversed_z", reversed}});
     };
     const FittedLight coarse = overhead("d16", "140000");
     EXPECT_TRUE(coarse.limits.one_depth_step);
@@ -49,15 +56,22 @@ TEST(MapLimits, AllDepthInOneStepOfTheFormat) {
     EXPECT_FALSE(overhead("d16", "120000").limits.one_depth_step) << "a step is 1.83 m";
     EXPECT_FALSE(overhead("d24", "140000").limits.any()) << "256 times finer";
     EXPECT_TRUE(overhead("d24", "40000000").limits.one_depth_step);
-    EXPECT_FALSE(overhead("d32f", "40000000").limits.any()) << "floats are fine near 0, where this light's near plane is";
+    EXPECT_FALSE(overhead("d32f", "40000000").limits.any())
+        << "floats are fine near 0, where this light's near plane is";
     EXPECT_TRUE(overhead("d32f", "100000000", "true").limits.one_depth_step) << "reversed, the scene lies near 1";
 }
 
 TEST(MapLimits, PerspectiveDepthsCrowdAtTheFarPlane) {
     // d = far (z - near) / (z (far - near)): between z and z + 2 it moves by about 2 near / z^2.
     const auto spot = [](const char* near, const char* format) {
-        return fitted({{"light.type", "spot"}, {"light.elevation", "90"}, {"light.azimuth", "0"}, {"light.fit", "manual"},
-                       {"light.near", near}, {"light.far", "1000"}, {"light.distance", "100"}, {"map.format", format}});
+        return fitted({{"light.type", "spot"},
+                       {"light.elevation", "90"},
+                       {"light.azimuth", "0"},
+                       {"light.fit", "manual"},
+                       {"light.near", near},
+                       {"light.far", "1000"},
+                       {"light.distance", "100"},
+                       {"map.format", format}});
     };
     EXPECT_FALSE(spot("10", "d16").limits.any());
     const FittedLight crowded = spot("0.01", "d16");
@@ -68,7 +82,10 @@ TEST(MapLimits, PerspectiveDepthsCrowdAtTheFarPlane) {
 
 TEST(MapLimits, ATexelLargerThanTheScene) {
     const auto light = [](const char* resolution, const char* extent) {
-        return fitted({{"light.elevation", "90"}, {"light.azimuth", "0"}, {"light.fit", "manual"}, {"light.extent", extent},
+        return fitted({{"light.elevation", "90"},
+                       {"light.azimuth", "0"},
+                       {"light.fit", "manual"},
+                       {"light.extent", extent},
                        {"map.resolution", resolution}});
     };
     const FittedLight coarse = light("64", "320");

@@ -1,10 +1,11 @@
 // Error metrics over pictures made by hand, and the distances that they rest on.
+#include "renderer/reference/metrics.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "renderer/reference/distance_transform.h"
-#include "renderer/reference/metrics.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/support/traced.h"
 
@@ -20,7 +21,9 @@ Truth truth_of(const std::vector<std::string>& rows) {
     t.width = int(rows[0].size()), t.height = int(rows.size());
     for (const std::string& row : rows)
         for (const char c : row) {
-            t.state.push_back(c == ' ' ? PixelState::Background : c == 'o' ? PixelState::FacesAway : PixelState::Counted);
+            t.state.push_back(c == ' '   ? PixelState::Background
+                              : c == 'o' ? PixelState::FacesAway
+                                         : PixelState::Counted);
             ++t.pixels[std::size_t(t.state.back())];
             t.visibility.data.push_back(c == '#' || c == 'o' ? 0.f : c == '+' ? 0.5f : 1.f);
             t.nearest_m.data.push_back(c == '#' ? 1.f : kNaN);
@@ -78,7 +81,8 @@ TEST(Metrics, AreTheSumsOfTheirCauses) {
     // One false shadow and one false light of each cause that can be either.
     const Truth truth = truth_of({"......................######################"});
     std::vector<JudgedPixel> judged = judged_of({"############..........############.........."}, truth);
-    for (std::size_t a = 1; a < kArtefacts; ++a) judged[a].artefact = Artefact(a), judged[std::min<std::size_t>(33 + a, 43)].artefact = Artefact(a);
+    for (std::size_t a = 1; a < kArtefacts; ++a)
+        judged[a].artefact = Artefact(a), judged[std::min<std::size_t>(33 + a, 43)].artefact = Artefact(a);
     judged[0].artefact = Artefact::Acne;
     const ErrorMetrics m = error_metrics(judged, truth);
     EXPECT_DOUBLE_EQ(m.false_shadow * 44, 12);
@@ -87,7 +91,8 @@ TEST(Metrics, AreTheSumsOfTheirCauses) {
     for (std::size_t a = 1; a < kArtefacts; ++a) wrong += m.artefacts[a];
     EXPECT_EQ(wrong, 22u);
     const double all = m.acne + m.leak + m.bias_false_light + m.lost_false_light + m.offset_false_shadow +
-                       m.boundary_false_shadow + m.boundary_false_light + m.outside_false_shadow + m.outside_false_light;
+                       m.boundary_false_shadow + m.boundary_false_light + m.outside_false_shadow +
+                       m.outside_false_light;
     EXPECT_NEAR(all, m.false_shadow + m.false_light, 1e-12);
     EXPECT_DOUBLE_EQ(m.acne * 44, double(m.artefacts[std::size_t(Artefact::Acne)]));
     EXPECT_DOUBLE_EQ(m.leak * 44, double(m.artefacts[std::size_t(Artefact::Leak)]));
@@ -103,7 +108,8 @@ TEST(Metrics, CallNothingWrongThatTheTruthsNoiseExplains) {
     truth.standard_error.data = {0.05f, 0.01f, 0.f, kNaN, 0.05f, 0.f};
     std::vector<JudgedPixel> judged(6);
     const float v[] = {0.45f, 0.45f, 0.45f, 0.f, 0.55f, 0.9f};
-    for (std::size_t i = 0; i < 6; ++i) judged[i] = {Artefact::None, compared_bits(v[i], true_pixel(truth, i), false), v[i]};
+    for (std::size_t i = 0; i < 6; ++i)
+        judged[i] = {Artefact::None, compared_bits(v[i], true_pixel(truth, i), false), v[i]};
     using J = JudgedPixel;
     EXPECT_EQ(judged[0].bits, J::kCounts | J::kWithinNoise);
     EXPECT_EQ(judged[1].bits, J::kCounts | J::kFalseShadow) << "0.1 apart, noise 0.01";
@@ -126,7 +132,8 @@ TEST(Metrics, MeasureHowFarContoursAreApart) {
     EXPECT_DOUBLE_EQ(m.boundary_px_mean, 1.5) << "one contour pixel of each lies 1 px off, the other 2";
     EXPECT_EQ(m.boundary_px_max, 2);
     EXPECT_EQ(m.boundary_px_p95, 2);
-    const ErrorMetrics none = error_metrics(judged_of(std::vector<std::string>(8, "............"), truth_of(rows)), truth_of(rows));
+    const ErrorMetrics none =
+        error_metrics(judged_of(std::vector<std::string>(8, "............"), truth_of(rows)), truth_of(rows));
     EXPECT_TRUE(std::isnan(none.boundary_px_mean));
     // Every fourth pixel of a picture: the same contours are four times as far apart in it.
     Truth coarse = truth_of(rows);

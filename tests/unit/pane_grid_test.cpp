@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include "renderer/settings/settings.h"
 #include "renderer/frame/value_range.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
 namespace {

@@ -72,11 +72,11 @@ TEST(SettingsTable, EachRowReachesAMemberOfItsOwn) {
         void* address = std::visit([](auto* at) -> void* { return at; }, p.field(s, 3, &object));
         EXPECT_TRUE(members.insert(address).second) << p.key;
     }
-    EXPECT_EQ(members.size(), rows::members<CameraSettings>() + rows::members<MapSettings>() +
-                                  rows::members<CasterSettings>() + rows::members<BiasSettings>() +
-                                  rows::members<FilterSettings>() + rows::members<LightSettings>() +
-                                  rows::members<ShadingSettings>() + rows::members<ViewSettings>() +
-                                  rows::members<ObjectSettings>() + rows::members<TruthSettings>() + rows::members<SceneSettings>() + 1 /* light.count */);
+    EXPECT_EQ(members.size(),
+              rows::members<CameraSettings>() + rows::members<MapSettings>() + rows::members<CasterSettings>() +
+                  rows::members<BiasSettings>() + rows::members<FilterSettings>() + rows::members<LightSettings>() +
+                  rows::members<ShadingSettings>() + rows::members<ViewSettings>() + rows::members<ObjectSettings>() +
+                  rows::members<TruthSettings>() + rows::members<SceneSettings>() + 1 /* light.count */);
 }
 
 TEST(SettingsTable, DefaultsLieInTheirRangesAndTakePartInNoRepair) {

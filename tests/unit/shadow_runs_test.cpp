@@ -1,5 +1,5 @@
-// How far light and shadow reach around a pixel, over pictures made by hand: a floor seen from straight above under a sun
-// straight above, so that pixels are squares of metres across the light.
+// How far light and shadow reach around a pixel, over pictures made by hand: a floor seen from straight above under a
+// sun straight above, so that pixels are squares of metres across the light.
 #include "renderer/reference/shadow_runs.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,8 @@ struct Floor {
                     r.position_ws = at + glm::dvec3((x + 0.5) * kPixel_m, c == '|' ? 1 : 0, (y + 0.5) * kPixel_m);
                     r.normal_ws = {0, 1, 0};
                     const auto same = [&](int u, int v) {
-                        return u < w && v < h && (rows[std::size_t(v)][std::size_t(u)] == '|') == (c == '|') && rows[std::size_t(v)][std::size_t(u)] != ' ';
+                        return u < w && v < h && (rows[std::size_t(v)][std::size_t(u)] == '|') == (c == '|') &&
+                               rows[std::size_t(v)][std::size_t(u)] != ' ';
                     };
                     r.joins_right = same(x + 1, y), r.joins_below = same(x, y + 1);
                 }
@@ -59,7 +60,8 @@ struct Floor {
 };
 
 std::string row(int lit_before, int dark, int lit_after) {
-    return std::string(std::size_t(lit_before), '.') + std::string(std::size_t(dark), '#') + std::string(std::size_t(lit_after), '.');
+    return std::string(std::size_t(lit_before), '.') + std::string(std::size_t(dark), '#') +
+           std::string(std::size_t(lit_after), '.');
 }
 
 TEST(ShadowRuns, AreTheWidthsOfStripesInMetres) {
@@ -71,7 +73,8 @@ TEST(ShadowRuns, AreTheWidthsOfStripesInMetres) {
             EXPECT_NEAR(runs.run_m.at(x, 15), 0.6, 1e-6) << x;
             EXPECT_NEAR(runs.edge_m.at(x, 15), kPixel_m * (std::min(x - 40, 45 - x) + 0.5), 1e-6) << x;
         }
-        // Beside it the light is wide, but the bar is not: texels of 0.6 m can be wrong within 0.6 m of it, wider ones farther.
+        // Beside it the light is wide, but the bar is not: texels of 0.6 m can be wrong within 0.6 m of it, wider ones
+        // farther.
         EXPECT_NEAR(runs.run_m.at(38, 15), 0.6, 1e-6);
         EXPECT_NEAR(runs.edge_m.at(38, 15), 0.15, 1e-6);
         EXPECT_NEAR(runs.run_m.at(20, 15), 1.95, 1e-6) << "a texel has to reach the bar";
@@ -108,7 +111,8 @@ TEST(ShadowRuns, OfAPartReachingFarEnoughAreThoseOfTheWhole) {
     const ShadowRuns whole = Floor(rows).runs();
     const int cx = 110, cy = 75;
     std::vector<std::string> part;
-    for (int y = cy - kRunReach; y <= cy + kRunReach; ++y) part.push_back(rows[std::size_t(y)].substr(cx - kRunReach, 2 * kRunReach + 1));
+    for (int y = cy - kRunReach; y <= cy + kRunReach; ++y)
+        part.push_back(rows[std::size_t(y)].substr(cx - kRunReach, 2 * kRunReach + 1));
     Floor small(part, {(cx - kRunReach) * kPixel_m, 0, (cy - kRunReach) * kPixel_m});
     const ShadowRuns runs = small.runs();
     EXPECT_NEAR(runs.run_m.at(kRunReach, kRunReach), whole.run_m.at(cx, cy), 1e-6);

@@ -43,7 +43,8 @@ TEST(SweepAxes, MistakesAreNamed) {
 }
 
 TEST(SweepAxes, TheCrossProductVariesTheLastAxisFastest) {
-    const SweepPlan plan = plan_sweep({}, {parse_axis("map.resolution=512,1024"), parse_axis("filter.kernel=hard,pcf3")});
+    const SweepPlan plan =
+        plan_sweep({}, {parse_axis("map.resolution=512,1024"), parse_axis("filter.kernel=hard,pcf3")});
     ASSERT_EQ(plan.cases.size(), 4u);
     EXPECT_EQ(plan.cases[0].id, "map.resolution=512 filter.kernel=hard");
     EXPECT_EQ(plan.cases[1].id, "map.resolution=512 filter.kernel=pcf3");

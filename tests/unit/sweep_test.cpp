@@ -1,11 +1,12 @@
 // Sweeps without a GPU: the journal, continuing, rounds, shards and merging, over a meter that makes numbers up.
+#include "app/editor/sweep.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
-#include "app/editor/sweep.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/merge.h"
 #include "renderer/base/error.h"

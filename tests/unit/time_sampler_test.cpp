@@ -64,10 +64,13 @@ TEST(TimeSampler, GoesOnUntilTheFigureStandsStill) {
     FakeTime time;
     const auto draws = [&](double ms) { return time.now += ms / 1000, frame_of(ms, 0); };
     int calm = 0;
-    EXPECT_TRUE(sample_times({}, [&] { return ++calm, draws(5); }, time.clock()).settled);
+    EXPECT_TRUE(sample_times(
+                    {}, [&] { return ++calm, draws(5); }, time.clock())
+                    .settled);
     EXPECT_EQ(calm, 5 * 4) << "bursts of three and one that warms up";
     int wild = 0;
-    const TimeMeasurement m = sample_times({}, [&] { return draws(wild++ / 4 % 2 ? 10 : 1); }, time.clock());
+    const TimeMeasurement m = sample_times(
+        {}, [&] { return draws(wild++ / 4 % 2 ? 10 : 1); }, time.clock());
     EXPECT_EQ(m.total_ms.samples, 60);
     EXPECT_FALSE(m.settled);
 }
@@ -75,15 +78,18 @@ TEST(TimeSampler, GoesOnUntilTheFigureStandsStill) {
 TEST(TimeSampler, BurstsAreSpreadOverASecond) {
     FakeTime time;
     const double start = time.now;
-    const TimeMeasurement quick = sample_times({}, [&] { return time.now += 0.004, frame_of(1, 3); }, time.clock());
+    const TimeMeasurement quick = sample_times(
+        {}, [&] { return time.now += 0.004, frame_of(1, 3); }, time.clock());
     EXPECT_EQ(quick.total_ms.bursts, 5);
-    // The last burst begins after four fifths of the second that follows the first frame, warms up, and has three frames.
+    // The last burst begins after four fifths of the second that follows the first frame, warms up, and has three
+    // frames.
     EXPECT_NEAR(quick.seconds, 0.8 + 4 * 0.004, 1e-9);
     EXPECT_NEAR(time.now - start, 1 + 0.004, 0.2);
     EXPECT_EQ(time.pauses.size(), 4u);
     // Slow frames need no pauses, nor bursts of several.
     time.pauses.clear();
-    const TimeMeasurement slow = sample_times({}, [&] { return time.now += 0.5, frame_of(100, 400); }, time.clock());
+    const TimeMeasurement slow = sample_times(
+        {}, [&] { return time.now += 0.5, frame_of(100, 400); }, time.clock());
     EXPECT_TRUE(time.pauses.empty());
     EXPECT_EQ(slow.total_ms.samples, 5);
     EXPECT_EQ(slow.total_ms.bursts, 5);

@@ -5,8 +5,8 @@
 #include <atomic>
 #include <cmath>
 
-#include "renderer/settings/param.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/param.h"
 #include "tests/support/traced.h"
 
 namespace si {
@@ -97,8 +97,8 @@ TEST(Casters, MasksHaveTheirHoles) {
     const auto shares = [&](const Settings& settings = {}) {
         finalise(scene);
         const auto geometry = geometry_of(scene, settings);
-        const Truth truth = trace_visibility(TruthScene(geometry), floor_points(3, 60),
-                                             query_for(scene, sun({0, 1, 0})), {});
+        const Truth truth =
+            trace_visibility(TruthScene(geometry), floor_points(3, 60), query_for(scene, sun({0, 1, 0})), {});
         std::size_t wrong = 0;
         for (int z = 0; z < 60; ++z)
             for (int x = 0; x < 60; ++x) {
@@ -149,7 +149,7 @@ struct CullCase {
 };
 
 TEST(Casters, CulledFacesCastInTruthAndNotAsRasterised) {
-    const CullCase cases[] = {{"none", "inherit", false, false, true},  {"back", "inherit", false, false, true},
+    const CullCase cases[] = {{"none", "inherit", false, false, true},   {"back", "inherit", false, false, true},
                               {"front", "inherit", false, false, false}, {"front", "inherit", true, false, false},
                               {"back", "inherit", true, false, true},    {"back", "inherit", false, true, false},
                               {"front", "inherit", false, true, true},   {"front", "none", false, false, true},
@@ -245,8 +245,8 @@ TEST(Instances, ShareAndFlattenAlike) {
 }
 
 TEST(Instances, DoNotShadowThemselves) {
-    Scene scene = floor_and(make_sphere(1, 24, 12), {moved(300, 2, -200) * turned(30, {1, 2, 3}) * scaled(1, 2, 0.5),
-                                                     moved(-1e3, 500, 0)});
+    Scene scene = floor_and(make_sphere(1, 24, 12),
+                            {moved(300, 2, -200) * turned(30, {1, 2, 3}) * scaled(1, 2, 0.5), moved(-1e3, 500, 0)});
     finalise(scene);
     const auto geometry = geometry_of(scene);
     const TruthScene casters(geometry, {}, Instancing::Always);
@@ -320,7 +320,11 @@ TEST(Tracing, OutlivesItsScene) {
 }
 
 TEST(Workers, PassOnWhatFails) {
-    EXPECT_THROW(for_blocks(100, {.threads = 3}, [](std::size_t i) { if (i == 40) throw Error("no"); }), Error);
+    EXPECT_THROW(for_blocks(100, {.threads = 3},
+                            [](std::size_t i) {
+                                if (i == 40) throw Error("no");
+                            }),
+                 Error);
     std::atomic<int> sum{0};
     for_blocks(100, {.threads = 5}, [&](std::size_t i) { sum += int(i); });
     EXPECT_EQ(sum, 4950);

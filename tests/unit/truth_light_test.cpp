@@ -96,9 +96,9 @@ TEST(AreaLight, SpotsDiskBehindAnEdge) {
     spot.size = radius, spot.cos_cone = 0.2;
     // The point x sees the light's part at y < x (1 - D / H) through the edge.
     const double reach = 2 * radius / (height / kHeight - 1);
-    expect_penumbra(penumbra(spot, reach, kFine,
-                             [&](double x) { return disk_share(x * (1 - height / kHeight) / radius); }),
-                    "spot");
+    expect_penumbra(
+        penumbra(spot, reach, kFine, [&](double x) { return disk_share(x * (1 - height / kHeight) / radius); }),
+        "spot");
 }
 
 TEST(AreaLight, PointLightsSphereBehindAnEdge) {
@@ -192,8 +192,8 @@ TEST(AreaLight, KnowsTheErrorOfEachPixelHoweverTheSamplesDivide) {
     const auto share = [&](double x) { return disk_share(-x / (kHeight * tangent)); };
     // Five by five and seven by seven parts leave a row and a column outside of the squares of two by two.
     for (const int samples : {16, 25, 49, 64}) {
-        const Penumbra p = penumbra(sun({0, 1, 0}, 2), 2 * kHeight * tangent,
-                                    {.area = true, .samples = samples, .noise = 0}, share);
+        const Penumbra p =
+            penumbra(sun({0, 1, 0}, 2), 2 * kHeight * tangent, {.area = true, .samples = samples, .noise = 0}, share);
         double ratio = 0;
         for (std::size_t i = 0; i < p.truth.state.size(); ++i) {
             const double x = 2 * kHeight * tangent * (2 * (double(i % 400) + 0.5) / 400 - 1);
@@ -216,8 +216,8 @@ TEST(AreaLight, OfSizeZeroIsHard) {
 
 TEST(AreaLight, GrazingSunCountsOnlyWhatIsAboveTheHorizon) {
     // Half of this sun is below the floor's horizon; of the rest the floor hides nothing.
-    const Penumbra p = penumbra(sun({-1, 0.001, 0}, 3), 0.5, {.area = true, .samples = 256, .noise = 0},
-                                [](double) { return 1.0; });
+    const Penumbra p =
+        penumbra(sun({-1, 0.001, 0}, 3), 0.5, {.area = true, .samples = 256, .noise = 0}, [](double) { return 1.0; });
     EXPECT_EQ(p.truth.counted(), p.truth.state.size());
     EXPECT_EQ(p.largest, 0);
 }

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/settings/param.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/param.h"
 #include "tests/support/ray_truth.h"
 #include "tests/support/traced.h"
 
@@ -216,7 +216,8 @@ TEST(Truth, TheQuickWayForDirectionalLightsIsTheSame) {
         for (const double elevation : {45.0, 0.05, 0.0, -0.05}) {
             settings.lights[0].elevation = elevation;
             const TruthQuery query = truth_query(scene, settings, fit_lights(scene, settings), 0);
-            const Truth a = trace_visibility(casters, receivers, query, {}), b = trace_visibility(casters, slow, query, {});
+            const Truth a = trace_visibility(casters, receivers, query, {}),
+                        b = trace_visibility(casters, slow, query, {});
             EXPECT_EQ(a.state, b.state) << elevation;
             EXPECT_EQ(a.visibility.data, b.visibility.data) << elevation;
             EXPECT_EQ(a.rays, b.rays) << elevation;

@@ -12,8 +12,8 @@ namespace {
 
 /// A frame of tilted planes: what each needs, and what a bias is worth to it, in texels.
 struct MadeUpFrame {
-    double harder = 1;        ///< the surfaces need this many times what theory says
-    double lost_by_normal = 0;///< pixels that a texel of normal offset loses
+    double harder = 1;          ///< the surfaces need this many times what theory says
+    double lost_by_normal = 0;  ///< pixels that a texel of normal offset loses
     double kappa = 1;
 
     static double theta(int i) { return (0.02 + 0.95 * i / 99.0) * M_PI / 2; }
@@ -32,7 +32,8 @@ struct MadeUpFrame {
         t.error.counted = 1000;
         int acne = 0;
         double gap = 0;
-        for (int i = 0; i < 100; ++i) acne += worth(b, i) < harder * need(i), gap = std::max(gap, worth(b, i) * std::sin(theta(i)));
+        for (int i = 0; i < 100; ++i)
+            acne += worth(b, i) < harder * need(i), gap = std::max(gap, worth(b, i) * std::sin(theta(i)));
         t.needs.faint_acne = std::size_t(acne);
         t.error.artefacts[std::size_t(Artefact::PeterPanningOffset)] = std::size_t(b.normal * lost_by_normal);
         t.needs.pixels = 100;
@@ -111,7 +112,8 @@ TEST(BiasSearch, SaysWhenNothingHelps) {
 /// Errors and times of kernels and resolutions: finer maps are more accurate and slower, wider kernels too.
 struct MadeUpWorld {
     static double ms(const Settings& s) {
-        return 1 + 1e-6 * s.map.resolution * s.map.resolution + 0.5 * filters()[std::size_t(s.filter.kernel)].sampler_taps / 9.0;
+        return 1 + 1e-6 * s.map.resolution * s.map.resolution +
+               0.5 * filters()[std::size_t(s.filter.kernel)].sampler_taps / 9.0;
     }
     static double error(const Settings& s) {
         return 2.0 / s.map.resolution / std::sqrt(double(filters()[std::size_t(s.filter.kernel)].size));
@@ -166,8 +168,9 @@ TEST(Tuner, WithoutLimitsChangesTheBiasOnly) {
 }
 
 TEST(Tuner, FindsTheCheapestWithinTheErrorAndTheMostAccurateWithinTheTime) {
-    for (const TuneGoals& goals : {TuneGoals{.most_error = 0.001}, TuneGoals{.most_error = 0.003}, TuneGoals{.most_ms = 3},
-                                   TuneGoals{.most_ms = 1.2}, TuneGoals{.most_error = 0.002, .most_ms = 3}}) {
+    for (const TuneGoals& goals :
+         {TuneGoals{.most_error = 0.001}, TuneGoals{.most_error = 0.003}, TuneGoals{.most_ms = 3},
+          TuneGoals{.most_ms = 1.2}, TuneGoals{.most_error = 0.002, .most_ms = 3}}) {
         MadeUpWorld world;
         const Tuner tuner = world.run(goals);
         ASSERT_TRUE(tuner.result());
@@ -189,7 +192,8 @@ TEST(Tuner, SaysWhatCameNearestWhenNothingIsWithinTheLimits) {
     MadeUpWorld world;
     const Tuner impossible = world.run({.most_error = 1e-7});
     EXPECT_FALSE(impossible.result());
-    EXPECT_NE(impossible.summary().find("no kernel and resolution is within the limits: the least mae was"), std::string::npos)
+    EXPECT_NE(impossible.summary().find("no kernel and resolution is within the limits: the least mae was"),
+              std::string::npos)
         << impossible.summary();
     const Tuner too_fast = world.run({.most_ms = 0.01});
     EXPECT_FALSE(too_fast.result());

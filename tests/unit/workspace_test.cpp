@@ -27,7 +27,8 @@ TEST(Workspace, RemembersLayoutWindowAndRecentFiles) {
         });
     }
     const Workspace again(folder);
-    EXPECT_EQ(again.data().layout, (EditorLayout{.settings_width = 30, .bottom_height = 12.5f, .map_share = 0.25f, .map_plots = false}));
+    EXPECT_EQ(again.data().layout,
+              (EditorLayout{.settings_width = 30, .bottom_height = 12.5f, .map_share = 0.25f, .map_plots = false}));
     EXPECT_EQ(again.data().window_width, 1400);
     EXPECT_EQ(again.data().window_height, 800);
     EXPECT_TRUE(again.data().maximised);

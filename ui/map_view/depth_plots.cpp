@@ -111,7 +111,8 @@ void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
             const float tall = float(std::log1p(double(h.counts[i])) / full) * (hi.y - lo.y);
             const double middle = h.lo + (h.hi - h.lo) * (double(i) + 0.5) / double(h.counts.size());
             const float x = lo.x + float(i) * step;
-            list.AddRectFilled({x, hi.y - tall}, {x + std::max(step, 1.0f), hi.y}, bands ? band_colour(v, middle) : kBar);
+            list.AddRectFilled({x, hi.y - tall}, {x + std::max(step, 1.0f), hi.y},
+                               bands ? band_colour(v, middle) : kBar);
         }
         list.AddLine({lo.x, hi.y}, {hi.x, hi.y}, theme::kLine);
         if (frame.map_facts->statistics.drawn == 0)
@@ -124,14 +125,14 @@ void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
     ImGui::Dummy(size);
 }
 
-void draw_depth_curve(const EditorState& state, const FrameResult& result, std::optional<double> marked_m, ImVec2 size) {
+void draw_depth_curve(const EditorState& state, const FrameResult& result, std::optional<double> marked_m,
+                      ImVec2 size) {
     const DepthCurve& curve = result.map_view_curve;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     // The number that surprises: how little of the way takes half of the depth values under perspective.
     const double half_m = distance_at_share(curve, 0.5);
     const double half_share = (half_m - curve.near) / (curve.far - curve.near);
-    const auto [lo, hi] =
-        frame_of_plot(size, fmt::format("Half of depth: {:.3g} % of the way", 100 * half_share));
+    const auto [lo, hi] = frame_of_plot(size, fmt::format("Half of depth: {:.3g} % of the way", 100 * half_share));
     if (hi.x > lo.x + 8 && hi.y > lo.y + 8) {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const auto at = [lo = lo, hi = hi, &curve](double metres) {

@@ -17,9 +17,7 @@ struct MapRect {
     ImVec2 lo{0, 0}, size{1, 1};
     glm::ivec2 texels{1};
     glm::dvec2 uv(ImVec2 p) const { return {(p.x - lo.x) / size.x, 1 - (p.y - lo.y) / size.y}; }
-    ImVec2 screen(const glm::dvec2& uv) const {
-        return {lo.x + float(uv.x) * size.x, lo.y + float(1 - uv.y) * size.y};
-    }
+    ImVec2 screen(const glm::dvec2& uv) const { return {lo.x + float(uv.x) * size.x, lo.y + float(1 - uv.y) * size.y}; }
     float texel_pixels() const { return size.x / float(texels.x); }
     bool holds(glm::ivec2 texel) const {
         return texel.x >= 0 && texel.y >= 0 && texel.x < texels.x && texel.y < texels.y;

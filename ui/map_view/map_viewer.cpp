@@ -10,11 +10,11 @@
 
 #include "renderer/inspect/probe.h"
 #include "renderer/settings/techniques.h"
-#include "ui/scene_view/camera_outline.h"
 #include "ui/map_view/depth_plots.h"
-#include "ui/scene_view/kernel_marks.h"
 #include "ui/map_view/map_marks.h"
 #include "ui/map_view/map_readout.h"
+#include "ui/scene_view/camera_outline.h"
+#include "ui/scene_view/kernel_marks.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -141,8 +141,7 @@ void mark_pixels_texels(const EditorState& state, const EditorFrame& frame, cons
                         ImU32 colour) {
     const FloatImage* c = frame.map_coordinates;
     if (!c || pixel.x < 0 || pixel.y < 0 || pixel.x >= c->width || pixel.y >= c->height) return;
-    if (c->at(pixel.x, pixel.y, 3) <= 0 ||
-        int(c->at(pixel.x, pixel.y, 2)) != shown_face(state.settings, *frame.result))
+    if (c->at(pixel.x, pixel.y, 3) <= 0 || int(c->at(pixel.x, pixel.y, 2)) != shown_face(state.settings, *frame.result))
         return;
     const auto kernels = filters();
     const std::size_t kernel = std::size_t(std::clamp(state.settings.filter.kernel, 0, int(kernels.size()) - 1));
@@ -265,8 +264,8 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         }
         if (frame.probe && frame.probe->hit)
             for (const Probe::PerLight& p : frame.probe->lights)
-                if (p.casts && p.light == shown_light(state.settings) &&
-                    p.face == shown_face(state.settings, result) && p.where == "inside")
+                if (p.casts && p.light == shown_light(state.settings) && p.face == shown_face(state.settings, result) &&
+                    p.where == "inside")
                     mark_taps(rect, p);
         if (state.hovered_pixel) mark_pixels_texels(state, frame, rect, *state.hovered_pixel, theme::kLinked);
     }

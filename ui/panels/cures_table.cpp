@@ -19,7 +19,9 @@ std::string about(const Cure& cure, const CureTable& table) {
     for (const ArtefactStyle& style : artefact_styles())
         if (const std::size_t all = table.wrong_of[std::size_t(style.artefact)]; all > 0)
             text += fmt::format("{}: {} of {} cured\n", style.label, cure.cured_of[std::size_t(style.artefact)], all);
-    if (cure.ms) text += fmt::format("time {:+.3g} ms, noise {:.2g} ms, of the passes that it changes\n", cure.ms->value, cure.ms->noise);
+    if (cure.ms)
+        text += fmt::format("time {:+.3g} ms, noise {:.2g} ms, of the passes that it changes\n", cure.ms->value,
+                            cure.ms->noise);
     return text + "A click applies it; Ctrl+Z takes it back.";
 }
 
@@ -65,11 +67,15 @@ void cures_button(const EditorFrame& frame, EditorActions& actions, std::optiona
     if (ImGui::Button("Find cures")) actions.find_cures = CureWish{pixel};
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", wrong ? "Draws and judges each change that may help: pixels cured, pixels broken, time and bytes of the maps."
-                                      : "Nothing is wrong here.");
+        ImGui::SetTooltip(
+            "%s",
+            wrong
+                ? "Draws and judges each change that may help: pixels cured, pixels broken, time and bytes of the maps."
+                : "Nothing is wrong here.");
 }
 
-void cures_table(EditorState& state, const EditorFrame& frame, EditorActions& actions, std::optional<glm::ivec2> pixel) {
+void cures_table(EditorState& state, const EditorFrame& frame, EditorActions& actions,
+                 std::optional<glm::ivec2> pixel) {
     const CureSearch& search = frame.cures;
     if (!search.table || search.pixel != pixel) return;
     if (search.current)
@@ -78,7 +84,8 @@ void cures_table(EditorState& state, const EditorFrame& frame, EditorActions& ac
         ImGui::TextDisabled("of other settings: search again");
     ImGui::SameLine();
     if (ImGui::SmallButton("Close##cures")) actions.forget_cures = true;
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
+    constexpr ImGuiTableFlags flags =
+        ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("cures", 5, flags)) return;
     ImGui::TableSetupColumn("cure");
     ImGui::TableSetupColumn("cured");

@@ -1,4 +1,5 @@
-// How far the shown light's shadows are from the ray-traced truth: numbers that follow every setting at once, and causes.
+// How far the shown light's shadows are from the ray-traced truth: numbers that follow every setting at once, and
+// causes.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -28,8 +29,7 @@ struct Row {
 constexpr Row kRows[] = {
     {"False shadow", &ErrorMetrics::false_shadow, Row::Share,
      "#{R >= 1/2 and V < 1/2} / n\nDark though lit: acne, and shadows that are too large. The sum of the rows below."},
-    {"   acne", &ErrorMetrics::acne, Row::Share,
-     "Surfaces that shadow themselves: more bias puts these pixels right."},
+    {"   acne", &ErrorMetrics::acne, Row::Share, "Surfaces that shadow themselves: more bias puts these pixels right."},
     {"   by normal offset", &ErrorMetrics::offset_false_shadow, Row::Share,
      "Without the normal offset these pixels are right."},
     {"   at edges", &ErrorMetrics::boundary_false_shadow, Row::Share,
@@ -53,8 +53,10 @@ constexpr Row kRows[] = {
     {"Outside the map", &ErrorMetrics::outside_map, Row::Share,
      "Pixels beside the map, beyond its far plane or behind the light, right or wrong, / n"},
     {"Within the noise", &ErrorMetrics::within_noise, Row::Share,
-     "V and R on different sides of 1/2, but no further apart than three times the truth's own noise, / n:\nnot called wrong. "
-     "A smaller truth.noise decides them.", true},
+     "V and R on different sides of 1/2, but no further apart than three times the truth's own noise, / n:\nnot called "
+     "wrong. "
+     "A smaller truth.noise decides them.",
+     true},
     {"Mean |V - R|", &ErrorMetrics::mae, Row::Number, "sum |V - R| / n, of visibility: 0 to 1"},
     {"Root mean square", &ErrorMetrics::rmse, Row::Number, "sqrt(sum (V - R)^2 / n), of visibility: 0 to 1"},
     {"Mean V - R", &ErrorMetrics::signed_mean, Row::Signed, "sum (V - R) / n: above 0 too light, below too dark"},
@@ -65,7 +67,8 @@ constexpr int kCauses = 11;  ///< rows of false shadow and false light
 
 std::string text_of(const Row& row, double value) {
     if (!std::isfinite(value)) return "-";
-    if (row.kind == Row::Share) return value == 0 ? "0 %" : fmt::format("{:.{}f} %", 100 * value, value < 0.0095 ? 4 : 2);
+    if (row.kind == Row::Share)
+        return value == 0 ? "0 %" : fmt::format("{:.{}f} %", 100 * value, value < 0.0095 ? 4 : 2);
     return row.kind == Row::Signed ? fmt::format("{:+.5f}", value) : fmt::format("{:.5f}", value);
 }
 
@@ -175,7 +178,8 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     flow(em * 4);
     save_button(state, frame, actions);
     flow(em * 6);
-    cures_button(frame, actions, {}, frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
+    cures_button(frame, actions, {},
+                 frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
     flow(em * 12);
     ImGui::AlignTextToFramePadding();
     const bool busy = !frame.truth->doing.empty();
@@ -191,7 +195,8 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     const int columns = width > em * 56 ? 4 : width > em * 34 ? 2 : 1;
     const ImVec2 padding = ImGui::GetStyle().CellPadding;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding.x, padding.y * 0.6f});
-    if (!ImGui::BeginTable("error blocks", columns, ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
+    if (!ImGui::BeginTable("error blocks", columns,
+                           ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
         ImGui::PopStyleVar();
         return;
     }

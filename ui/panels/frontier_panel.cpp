@@ -89,9 +89,8 @@ std::size_t draw_axes(EditorState& state, std::vector<std::string>& axes) {
         if (!c.problem.empty()) ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
         ImGui::InputTextWithHint("##values", "1,2,4 or 1:4:0.5", &axis.values);
         if (!c.problem.empty()) ImGui::PopStyleColor();
-        tooltip(c.problem.empty()
-                    ? "V1,V2,... or from:to:step (step *2 doubles); * is every choice"
-                    : c.problem.c_str());
+        tooltip(c.problem.empty() ? "V1,V2,... or from:to:step (step *2 doubles); * is every choice"
+                                  : c.problem.c_str());
         ImGui::SameLine();
         if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0})) removed = i;
         tooltip("Do not vary this setting");
@@ -145,13 +144,14 @@ void draw_controls(EditorState& state, const SweepFacts& facts, EditorActions& a
         if (ImGui::Button(fmt::format("Sweep {} combinations###sweep", product).c_str()))
             actions.start_sweep = SweepWish{axes, panel.width, panel.height, panel.area};
         ImGui::EndDisabled();
-        tooltip("Error against ray-traced truth and time of every combination, in the background. Settings without "
-                "effect in a combination collapse. An interrupted sweep goes on.");
+        tooltip(
+            "Error against ray-traced truth and time of every combination, in the background. Settings without "
+            "effect in a combination collapse. An interrupted sweep goes on.");
     }
     ImGui::Checkbox("Measure the present settings", &panel.follow);
     tooltip("The diamond: measured anew when a setting, the camera or the scene changes");
-    const float buttons = ImGui::CalcTextSize("SaveOpen").x + 4 * ImGui::GetStyle().FramePadding.x +
-                          2 * ImGui::GetStyle().ItemSpacing.x;
+    const float buttons =
+        ImGui::CalcTextSize("SaveOpen").x + 4 * ImGui::GetStyle().FramePadding.x + 2 * ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttons);
     ImGui::InputTextWithHint("##folder", "folder of a sweep", &panel.folder);
     tooltip("Folder with results.csv, results.json, report.html and pictures");
@@ -301,9 +301,9 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
     ImGui::SameLine();
     choose_column(facts, "##cost", false, state.sweep.cost);
     if (facts.total > 0) {
-        const std::string count = facts.failed > 0 ? fmt::format("{} of {} cases, {} failed", facts.cases.size(),
-                                                                 facts.total, facts.failed)
-                                                   : fmt::format("{} of {} cases", facts.cases.size(), facts.total);
+        const std::string count =
+            facts.failed > 0 ? fmt::format("{} of {} cases, {} failed", facts.cases.size(), facts.total, facts.failed)
+                             : fmt::format("{} of {} cases", facts.cases.size(), facts.total);
         flow(ImGui::CalcTextSize(count.c_str()).x);
         ImGui::TextDisabled("%s", count.c_str());
         if (ImGui::IsItemHovered()) {
@@ -318,7 +318,9 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
             ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
             ImGui::TextUnformatted("CPU rasteriser");
             ImGui::PopStyleColor();
-            tooltip("OpenGL runs on the processor here: times say nothing of a GPU. Costs in bytes and taps hold anywhere.");
+            tooltip(
+                "OpenGL runs on the processor here: times say nothing of a GPU. Costs in bytes and taps hold "
+                "anywhere.");
         }
     }
     const MeasuredColumn *cost = column_of(facts, state.sweep.cost), *error = column_of(facts, state.sweep.error);

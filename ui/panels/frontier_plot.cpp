@@ -82,8 +82,10 @@ void draw_names(const Area& a, const SweepFacts& facts) {
         const std::string& name = facts.cases[m.of].name;
         const ImVec2 p = a.at(m.dot);
         const float w = text_width(name);
-        const ImVec2 places[] = {{p.x + gap, p.y - line - gap * 0.3f}, {p.x + gap, p.y - line * 0.5f},
-                                 {p.x + gap, p.y + gap * 0.3f},        {p.x - gap - w, p.y + gap * 0.3f},
+        const ImVec2 places[] = {{p.x + gap, p.y - line - gap * 0.3f},
+                                 {p.x + gap, p.y - line * 0.5f},
+                                 {p.x + gap, p.y + gap * 0.3f},
+                                 {p.x - gap - w, p.y + gap * 0.3f},
                                  {p.x - gap - w, p.y - line - gap * 0.3f}};
         for (const ImVec2 lo : places) {
             const ImVec2 hi(lo.x + w, lo.y + line);

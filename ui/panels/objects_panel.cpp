@@ -74,9 +74,10 @@ void lost_line(EditorState& state, const EditorFrame& frame, const std::vector<R
     ImGui::TextUnformatted(fmt::format("{} lost to culling", frame.lost_casters.size()).c_str());
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Objects that are to cast a shadow but leave nothing in light %d's map: every one of their\n"
-                          "triangles faces the way that is culled. Floors and open meshes have no back.",
-                          shown_light(state.settings));
+        ImGui::SetTooltip(
+            "Objects that are to cast a shadow but leave nothing in light %d's map: every one of their\n"
+            "triangles faces the way that is culled. Floors and open meshes have no back.",
+            shown_light(state.settings));
     ImGui::SameLine();
     ImGui::Checkbox("Only these", &state.only_lost);
     ImGui::SameLine();

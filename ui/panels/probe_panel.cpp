@@ -7,8 +7,8 @@
 
 #include "renderer/inspect/dossier.h"
 #include "renderer/settings/param.h"
-#include "ui/scene_view/kernel_marks.h"
 #include "ui/panels/cures_table.h"
+#include "ui/scene_view/kernel_marks.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/theme.h"
 
@@ -53,8 +53,8 @@ void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
     if (p.where != "inside" || resolution <= 0) return;
     ViewSettings& v = s.view;
     const double u = (p.texel.x + 0.5) / resolution, w = (p.texel.y + 0.5) / resolution;
-    const bool here = v.slabs != int(Slabs::None) && v.light == p.light && v.face == p.face && v.slabs_u == u &&
-                      v.slabs_v == w;
+    const bool here =
+        v.slabs != int(Slabs::None) && v.light == p.light && v.face == p.face && v.slabs_u == u && v.slabs_v == w;
     if (ImGui::SmallButton(here ? "Hide texel slabs" : "Texel slabs here")) {
         if (here) {
             v.slabs = int(Slabs::None);
@@ -65,9 +65,10 @@ void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
         }
     }
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Draw the texels around this one into the scene, each where its stored depth lies\n"
-                          "(view.slabs, %d texels across)",
-                          v.slabs_texels);
+        ImGui::SetTooltip(
+            "Draw the texels around this one into the scene, each where its stored depth lies\n"
+            "(view.slabs, %d texels across)",
+            v.slabs_texels);
 }
 
 /// Text at the right end of the table's next column.
@@ -105,15 +106,19 @@ void bias_terms(const BiasAccount& a) {
     if (!begin_amounts("terms")) return;
     amount_row("constant", a.amount(a.constant), "bias.constant; 0 where the slope bias is larger");
     amount_row("slope", a.amount(a.slope), "bias.slope times (1 - n.l); 0 where bias.constant is larger");
-    amount_row("normal offset", a.amount(a.normal),
-               "What bias.normal is worth along the light: offset / cos(angle of light), as the look-up moves along the "
-               "plane");
+    amount_row(
+        "normal offset", a.amount(a.normal),
+        "What bias.normal is worth along the light: offset / cos(angle of light), as the look-up moves along the "
+        "plane");
     if (a.raster != 0)
-        amount_row("while drawing", a.amount(a.raster),
-                   "What bias.raster_* add to the stored depth of this plane: the least that a driver may make of them");
+        amount_row(
+            "while drawing", a.amount(a.raster),
+            "What bias.raster_* add to the stored depth of this plane: the least that a driver may make of them");
     amount_row("worth in all", a.amount(a.clears()), "Against acne: it has to be as much as the least bias");
-    amount_row("least bias", a.amount(a.least.total()), "Less, and the triangle's plane shadows itself; the sum of the next");
-    amount_row("  kernel", a.amount(a.least.kernel), "The kernel compares texels beside the fragment, where the plane is higher");
+    amount_row("least bias", a.amount(a.least.total()),
+               "Less, and the triangle's plane shadows itself; the sum of the next");
+    amount_row("  kernel", a.amount(a.least.kernel),
+               "The kernel compares texels beside the fragment, where the plane is higher");
     amount_row("  format", a.amount(a.least.quantum), "One step of the depth format");
     amount_row("  sub-pixel", a.amount(a.least.snapping), "The rasteriser snaps corners to parts of a texel");
     amount_row("  rounding", a.amount(a.least.rounding), "Shaders compute in single precision");
@@ -125,7 +130,8 @@ void depths(const Probe::PerLight& p) {
     const auto depth = [](double raw, double linear, double metres) {
         return fmt::format("{:.7f}   linear {:.5f}   {}", raw, linear, metres_text(metres));
     };
-    row("stored depth", depth(p.stored, p.stored_linear, p.stored_m), "Nearest texel: as stored, from 0 at the near to 1 at the far plane, metres along the light's axis");
+    row("stored depth", depth(p.stored, p.stored_linear, p.stored_m),
+        "Nearest texel: as stored, from 0 at the near to 1 at the far plane, metres along the light's axis");
     row("own depth", depth(p.own, p.own_linear, p.own_m), "Before any bias");
     row("compared depth", fmt::format("{:.7f}", p.compared), "Own depth after bias and normal offset");
     row("nearer by", metres_text(p.gap_m), "How much nearer to the light the stored surface is, along the light's ray");
@@ -143,7 +149,8 @@ void space(const Probe::PerLight& p) {
     row("texel", fmt::format("{}, {}   {} wide", p.texel.x, p.texel.y, metres_text(p.texel_m)));
     row("N·L", fmt::format("{:.5f}   {:.1f}°", p.n_dot_l, p.account.theta_rad * 180 / M_PI),
         "Of the triangle's normal; the angle between it and the light");
-    row("bias", fmt::format("{:.3g} of depth   {:.3g} texels   {}", p.bias_depth, p.bias_texels, metres_text(p.bias_m)));
+    row("bias",
+        fmt::format("{:.3g} of depth   {:.3g} texels   {}", p.bias_depth, p.bias_texels, metres_text(p.bias_m)));
     row("normal offset", metres_text(p.normal_offset_m));
     ImGui::EndTable();
 }
@@ -161,11 +168,13 @@ void window_bar(const Dossier& d) {
     if (to > from) list.AddRectFilled({from, at.y}, {to, at.y + high}, IM_COL32(0, 158, 115, 200));
     if (to < from) list.AddRectFilled({to, at.y}, {from, at.y + high}, IM_COL32(213, 94, 0, 120));
     const float has = x(d.has.texels);
-    list.AddRectFilled({has - em * 0.08f, at.y - em * 0.12f}, {has + em * 0.08f, at.y + high + em * 0.12f}, IM_COL32_WHITE);
+    list.AddRectFilled({has - em * 0.08f, at.y - em * 0.12f}, {has + em * 0.08f, at.y + high + em * 0.12f},
+                       IM_COL32_WHITE);
     ImGui::Dummy({width, high});
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Green: every bias that is right here, from the least that this surface needs to the surface\n"
-                          "that shadows it. White: the bias that it has. Orange: no bias is right.");
+        ImGui::SetTooltip(
+            "Green: every bias that is right here, from the least that this surface needs to the surface\n"
+            "that shadows it. White: the bias that it has. Orange: no bias is right.");
 }
 
 void truth_column(const Dossier& d) {
@@ -225,7 +234,8 @@ private:
 
 /// @param cures draws what puts the pixel right, below the verdict
 template <typename Cures>
-void draw_light(const Probe::PerLight& p, const Dossier* d, bool tracing, Settings& settings, int resolution, Cures&& cures) {
+void draw_light(const Probe::PerLight& p, const Dossier* d, bool tracing, Settings& settings, int resolution,
+                Cures&& cures) {
     if (!p.casts) {
         verdict(p.verdict.empty() ? fmt::format("Light {} casts no shadow: lit.", p.light) : p.verdict);
         return;
@@ -272,12 +282,13 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
         for (const Dossier& d : frame.dossiers)
             if (d.light == light.light) dossier = &d;
         const bool wrong = dossier && dossier->cause().artefact != Artefact::None;
-        draw_light(light, dossier, frame.tracing_probe, state.settings, frame.result ? frame.result->map_resolution : 0, [&] {
-            // Cures are those of the light whose shadows are judged.
-            if (!wrong || light.light != state.settings.view.light) return;
-            cures_button(frame, actions, state.probe_pixel, wrong);
-            cures_table(state, frame, actions, state.probe_pixel);
-        });
+        draw_light(light, dossier, frame.tracing_probe, state.settings, frame.result ? frame.result->map_resolution : 0,
+                   [&] {
+                       // Cures are those of the light whose shadows are judged.
+                       if (!wrong || light.light != state.settings.view.light) return;
+                       cures_button(frame, actions, state.probe_pixel, wrong);
+                       cures_table(state, frame, actions, state.probe_pixel);
+                   });
         ImGui::PopID();
     }
 }

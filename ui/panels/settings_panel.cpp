@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "ui/panels/tune_controls.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
-#include "ui/panels/tune_controls.h"
 
 namespace si {
 namespace {
@@ -23,9 +23,15 @@ struct Group {
 // Headings for the groups there are; a group that is missing here is called by its prefix.
 // Most turned first.
 constexpr Group kGroups[] = {
-    {"bias", "Bias", true},      {"filter", "Filter", true},    {"map", "Shadow map", true},
-    {"caster", "Casters", true}, {"light", "Lights", true},     {"camera", "Camera", false},
-    {"scene", "Scene and time", false},    {"shading", "Shading", false}, {"view", "View", false},
+    {"bias", "Bias", true},
+    {"filter", "Filter", true},
+    {"map", "Shadow map", true},
+    {"caster", "Casters", true},
+    {"light", "Lights", true},
+    {"camera", "Camera", false},
+    {"scene", "Scene and time", false},
+    {"shading", "Shading", false},
+    {"view", "View", false},
     {"truth", "Truth", false},
 };
 

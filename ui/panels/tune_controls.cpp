@@ -24,15 +24,18 @@ void limit(const char* label, const char* about, bool& on, double& value, double
 void limits_popup(TunePanel& panel, EditorActions& actions) {
     if (!ImGui::BeginPopup("tune limits")) return;
     ImGui::TextUnformatted("Search kernels and resolutions, each with its least bias");
-    limit("Error at most", "Mean |visibility - truth| over the pixels that count. The cheapest that is this accurate\nis chosen.",
+    limit("Error at most",
+          "Mean |visibility - truth| over the pixels that count. The cheapest that is this accurate\nis chosen.",
           panel.bound_error, panel.most_error, 1e-6, "%.5f");
-    limit("Time at most, ms", "Of a frame of this picture's size. Without a bound on the error the most accurate that is\n"
-                              "this fast is chosen.",
+    limit("Time at most, ms",
+          "Of a frame of this picture's size. Without a bound on the error the most accurate that is\n"
+          "this fast is chosen.",
           panel.bound_ms, panel.most_ms, 1e-3, "%.3g");
     ImGui::Checkbox("A light of its size", &panel.area);
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Judge by soft shadows (light.size). Against a point or direction the hardest kernel is always the\n"
-                          "most accurate one.");
+        ImGui::SetTooltip(
+            "Judge by soft shadows (light.size). Against a point or direction the hardest kernel is always the\n"
+            "most accurate one.");
     const bool any = panel.bound_error || panel.bound_ms;
     ImGui::BeginDisabled(!any);
     if (ImGui::Button("Search")) {
@@ -45,13 +48,17 @@ void limits_popup(TunePanel& panel, EditorActions& actions) {
     ImGui::EndPopup();
 }
 
-std::string shown_length(double m) { return m == 0 ? "0" : length_text(m); }
+std::string shown_length(double m) {
+    return m == 0 ? "0" : length_text(m);
+}
 
 /// All ways that were tried, side by side.
 void families_table(std::span<const TunedFamily> families, bool current, Settings& settings) {
     if (families.empty()) return;
     if (!current) ImGui::TextDisabled("of other settings: search again");
-    if (!ImGui::BeginTable("tuned", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;
+    if (!ImGui::BeginTable("tuned", 4,
+                           ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings))
+        return;
     ImGui::TableSetupColumn("tried", ImGuiTableColumnFlags_WidthStretch, 2);
     ImGui::TableSetupColumn("wrong px");
     ImGui::TableSetupColumn("strip");
@@ -65,10 +72,11 @@ void families_table(std::span<const TunedFamily> families, bool current, Setting
         if (ImGui::Selectable(f.name.c_str(), taken, ImGuiSelectableFlags_SpanAllColumns)) settings.bias = f.bias;
         ImGui::EndDisabled();
         if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-            ImGui::SetTooltip("%s%s\n%zu pixels wrong, %zu of them by the price of bias; %zu px of acne\nlit strip at contacts %s, "
-                              "edges moved by %s (95 %% of the lit surface)\nA click takes it; Ctrl+Z takes it back.",
-                              f.bias_text.c_str(), f.chosen ? ": chosen, as it loses the fewest pixels" : "", f.wrong, f.lost, f.acne,
-                              shown_length(f.gap_p95_m).c_str(), shown_length(f.shift_p95_m).c_str());
+            ImGui::SetTooltip(
+                "%s%s\n%zu pixels wrong, %zu of them by the price of bias; %zu px of acne\nlit strip at contacts %s, "
+                "edges moved by %s (95 %% of the lit surface)\nA click takes it; Ctrl+Z takes it back.",
+                f.bias_text.c_str(), f.chosen ? ": chosen, as it loses the fewest pixels" : "", f.wrong, f.lost, f.acne,
+                shown_length(f.gap_p95_m).c_str(), shown_length(f.shift_p95_m).c_str());
         ImGui::TableNextColumn();
         if (f.acne > 0)
             ImGui::TextDisabled("acne");
@@ -91,18 +99,21 @@ void draw_tune_controls(EditorState& state, const EditorFrame& frame, EditorActi
     };
     if (frame.tuning) {
         const std::string text = fmt::format("{:.0f} %", 100 * frame.tuning->progress);
-        ImGui::ProgressBar(float(frame.tuning->progress), {std::max(room - width_of("Cancel") - gap, 20.f), 0}, text.c_str());
+        ImGui::ProgressBar(float(frame.tuning->progress), {std::max(room - width_of("Cancel") - gap, 20.f), 0},
+                           text.c_str());
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Trying %s", frame.tuning->about.c_str());
         ImGui::SameLine();
         if (ImGui::Button("Cancel")) actions.cancel_tune = true;
         return;
     }
     ImGui::BeginDisabled(!frame.result || !frame.scene);
-    if (ImGui::Button("Least bias without acne", {std::max(room - width_of("Tune...") - gap, 20.f), 0})) actions.tune = TuneWish{};
+    if (ImGui::Button("Least bias without acne", {std::max(room - width_of("Tune...") - gap, 20.f), 0}))
+        actions.tune = TuneWish{};
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Measures this picture against the ray-traced truth and sets the least constant bias, slope bias or\n"
-                          "normal offset under which nothing in it shadows itself: the one that makes the fewest pixels wrong.\n"
-                          "One step of undo; the log says what it costs.");
+        ImGui::SetTooltip(
+            "Measures this picture against the ray-traced truth and sets the least constant bias, slope bias or\n"
+            "normal offset under which nothing in it shadows itself: the one that makes the fewest pixels wrong.\n"
+            "One step of undo; the log says what it costs.");
     ImGui::SameLine();
     if (ImGui::Button("Tune...")) ImGui::OpenPopup("tune limits");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Search kernel and resolution, too, within limits of error and time");

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "ui/state/panels.h"
 #include "ui/scene_view/picture_marks.h"
+#include "ui/state/panels.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
@@ -43,8 +43,7 @@ void against_widgets(EditorState& state, const EditorFrame& frame) {
     ImGui::SetNextItemWidth(em * 6.5f);
     int view = int(a.view);
     if (ImGui::Combo("##against view", &view, kViews, int(std::size(kViews)))) a.view = AgainstView(view);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Hold the picture against another one of the same frame (B)");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Hold the picture against another one of the same frame (B)");
     if (a.view == AgainstView::Off) return;
     flow(em * 9);
     ImGui::SetNextItemWidth(em * 9);
@@ -62,8 +61,9 @@ void against_widgets(EditorState& state, const EditorFrame& frame) {
         ImGui::EndCombo();
     }
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("The other side: light, maps, bias, filter and shading of a preset, or the traced truth of the "
-                          "shown light, under the same camera");
+        ImGui::SetTooltip(
+            "The other side: light, maps, bias, filter and shading of a preset, or the traced truth of the "
+            "shown light, under the same camera");
 }
 
 bool steer_swipe(EditorState& state, const PictureView& view) {
@@ -71,7 +71,8 @@ bool steer_swipe(EditorState& state, const PictureView& view) {
     if (a.view != AgainstView::Swipe) return a.held = false;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const float line = float(view.origin.x) + a.at * float(view.size.x), near = ImGui::GetFontSize() * 0.5f;
-    const bool over = std::abs(mouse.x - line) <= near && mouse.y >= float(view.origin.y) && mouse.y < float(view.origin.y) + float(view.size.y);
+    const bool over = std::abs(mouse.x - line) <= near && mouse.y >= float(view.origin.y) &&
+                      mouse.y < float(view.origin.y) + float(view.size.y);
     if (ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && over) a.held = true;
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left) && !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) a.held = false;
     if (a.held) a.at = std::clamp((mouse.x - float(view.origin.x)) / std::max(float(view.size.x), 1.0f), 0.0f, 1.0f);
@@ -90,8 +91,8 @@ void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 
     if (right_half && !there) list.AddRectFilled(p, q, theme::kWell);
     if (!there) {
         std::string text = frame.against && !frame.against->problem.empty() ? frame.against->problem
-                           : a.truth && frame.truth ? truth_status(frame)
-                                                    : "Drawing the other side …";
+                           : a.truth && frame.truth                         ? truth_status(frame)
+                                                                            : "Drawing the other side …";
         if (a.view != AgainstView::SideBySide || right_half) veiled_text({p.x + em * 0.8f, q.y - em * 2.2f}, text);
         return;
     }
@@ -122,7 +123,8 @@ void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 
             list.AddImage(texture_id(facts.difference.texture), p, q, {0, 1}, {1, 0});
             label({p.x, top}, size.x, fmt::format("2 |A - B|, B: {}   mean |A - B| {:.5f}", other, facts.mae), false);
             break;
-        case AgainstView::Off: break;
+        case AgainstView::Off:
+            break;
     }
 }
 

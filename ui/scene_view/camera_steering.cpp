@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/view/camera_settings.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/camera_settings.h"
 #include "ui/scene_view/camera_gesture.h"
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"

@@ -1,8 +1,8 @@
 // The camera under mouse and keys in the scene picture: orbit, pan, zoom, fly, look through the light.
 #pragma once
 
-#include "ui/state/editor_ui.h"
 #include "ui/scene_view/picture_view.h"
+#include "ui/state/editor_ui.h"
 
 namespace si {
 

@@ -1,8 +1,8 @@
 // The axes of the world in a corner of the scene picture; a click looks along one.
 #pragma once
 
-#include "ui/state/editor_ui.h"
 #include "ui/scene_view/picture_painter.h"
+#include "ui/state/editor_ui.h"
 
 namespace si {
 

@@ -21,23 +21,27 @@ ImU32 self_shadow() {
 
 const char* meets_text(const KernelTap& t) {
     switch (t.meets) {
-        case KernelTap::Meets::Nothing: return "nothing was drawn there";
-        case KernelTap::Meets::Own: return "the surface itself";
-        case KernelTap::Meets::Nearer: return "a surface nearer to the light";
-        case KernelTap::Meets::Farther: return "a surface farther from the light";
+        case KernelTap::Meets::Nothing:
+            return "nothing was drawn there";
+        case KernelTap::Meets::Own:
+            return "the surface itself";
+        case KernelTap::Meets::Nearer:
+            return "a surface nearer to the light";
+        case KernelTap::Meets::Farther:
+            return "a surface farther from the light";
     }
     return "";
 }
 
 void tooltip(const Probe::PerLight& p, const KernelTap& t) {
-    const std::string text =
-        fmt::format("texel {}, {}: {}\n"
-                    "stored    {:.8f}   {}   {}\n"
-                    "compared  {:.8f}\n"
-                    "own plane {:.8f}\n"
-                    "weighs {:.3g} % of the kernel",
-                    t.texel.x, t.texel.y, t.lit ? "passes, lit" : "fails, dark", t.stored, metres_text(t.stored_m),
-                    meets_text(t), p.compared, t.plane, 100 * t.weight);
+    const std::string text = fmt::format(
+        "texel {}, {}: {}\n"
+        "stored    {:.8f}   {}   {}\n"
+        "compared  {:.8f}\n"
+        "own plane {:.8f}\n"
+        "weighs {:.3g} % of the kernel",
+        t.texel.x, t.texel.y, t.lit ? "passes, lit" : "fails, dark", t.stored, metres_text(t.stored_m), meets_text(t),
+        p.compared, t.plane, 100 * t.weight);
     ImGui::SetTooltip("%s", text.c_str());
 }
 

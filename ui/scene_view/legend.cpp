@@ -50,7 +50,8 @@ void draw_legend(const Pane& pane, float left, float bottom, ImVec2 room) {
         hi(lo.x + box_width + 2 * pad, bottom - em * 0.6f);
     list.AddRectFilled(lo, hi, theme::kVeil, em * 0.25f);
     const float top = lo.y + pad * 0.6f;
-    list.AddText({lo.x + pad + (small ? width + pad : 0), top + (small ? bar + em * 0.2f : 0)}, theme::kText, title.c_str());
+    list.AddText({lo.x + pad + (small ? width + pad : 0), top + (small ? bar + em * 0.2f : 0)}, theme::kText,
+                 title.c_str());
     if (!overlay.scalar) return;
     const Stops stops = stops_of(overlay);
     const float x0 = lo.x + pad, x2 = x0 + width, x1 = 0.5f * (x0 + x2), y0 = top + head, y1 = y0 + bar;

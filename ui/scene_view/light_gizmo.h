@@ -1,8 +1,8 @@
 // The lights in the scene picture: frusta and marks of all, handles of the shown one.
 #pragma once
 
-#include "ui/state/editor_ui.h"
 #include "ui/scene_view/picture_painter.h"
+#include "ui/state/editor_ui.h"
 
 namespace si {
 

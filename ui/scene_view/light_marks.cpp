@@ -121,7 +121,8 @@ void draw_shown_light(const PicturePainter& p, const LightPose& pose, bool point
 
 void draw_other_light(const PicturePainter& p, const LightPose& pose, const FittedLight& fitted, bool hovered) {
     if (pose.has_map && fitted.views.size() == 1)
-        for (const Segment& s : frustum_edges(pose.view)) p.thin_line(s.from, s.to, faded(theme::kLight, hovered ? 120 : 55));
+        for (const Segment& s : frustum_edges(pose.view))
+            p.thin_line(s.from, s.to, faded(theme::kLight, hovered ? 120 : 55));
     if (const auto at = p.view().point(pose.position))
         p.dot(*at, hovered ? 5.5 : 4, faded(theme::kLight, hovered ? 255 : 150));
 }

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "renderer/settings/techniques.h"
-#include "ui/state/panels.h"
 #include "ui/scene_view/picture_painter.h"
+#include "ui/state/panels.h"
 #include "ui/widgets/theme.h"
 
 namespace si {

@@ -2,8 +2,8 @@
 // words.
 #pragma once
 
-#include "ui/state/editor_ui.h"
 #include "ui/scene_view/picture_painter.h"
+#include "ui/state/editor_ui.h"
 
 namespace si {
 

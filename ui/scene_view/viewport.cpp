@@ -10,10 +10,10 @@
 #include "ui/scene_view/camera_steering.h"
 #include "ui/scene_view/gnomon.h"
 #include "ui/scene_view/light_gizmo.h"
-#include "ui/state/panels.h"
 #include "ui/scene_view/picture_marks.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/scene_view/scene_marks.h"
+#include "ui/state/panels.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
@@ -113,7 +113,7 @@ void no_picture(const EditorFrame& frame, ImVec2 origin, ImVec2 size) {
 struct Panorama {
     PaneGrid grid;  ///< in pixels of the pictures
     ImVec2 origin;
-    float pixels;   ///< of a picture per unit of the screen
+    float pixels;  ///< of a picture per unit of the screen
     ImVec2 lo(int pane) const {
         const glm::vec2 corner = glm::vec2(grid.corner(pane)) / pixels;
         return {origin.x + corner.x, origin.y + corner.y};
@@ -180,7 +180,8 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     else
         draw_legend(pane, lo.x, hi.y, size);
     if (state.hovered_pixel && index == state.active_pane) {
-        const float below = panes.grid.count() > 1 ? ImGui::GetFrameHeight() * 1.3f : 0;  // the pane's overlay stands there
+        const float below =
+            panes.grid.count() > 1 ? ImGui::GetFrameHeight() * 1.3f : 0;  // the pane's overlay stands there
         hover_readout(frame, pane, {lo.x, lo.y + below}, *state.hovered_pixel);
     }
     list.PopClipRect();
@@ -210,8 +211,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     const int shown_panes = against == AgainstView::Off          ? state.settings.view.panes
                             : against == AgainstView::SideBySide ? int(Panes::Two)
                                                                  : int(Panes::One);
-    const Panorama panes{pane_grid(shown_panes, int(size.x * pixels), int(size.y * pixels),
-                                   int(em * pixels * 0.2f)),
+    const Panorama panes{pane_grid(shown_panes, int(size.x * pixels), int(size.y * pixels), int(em * pixels * 0.2f)),
                          origin, pixels};
     actions.scene_width = panes.grid.width;
     actions.scene_height = panes.grid.height;

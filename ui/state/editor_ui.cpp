@@ -17,7 +17,7 @@ namespace si {
 namespace {
 
 constexpr float kPictures = 10;  ///< least height of the pictures that the tabs below leave, ems
-constexpr float kSplitter = 5;  ///< at scale 1, pixels
+constexpr float kSplitter = 5;   ///< at scale 1, pixels
 
 bool pressed(char key) {
     return ImGui::IsKeyPressed(int(key), false);
@@ -30,7 +30,7 @@ bool pressed(ImGuiKey key) {
 void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || state.flight.on || state.handle_drag) return;  // letters and Escape mean something else
-    if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {  // keys are for it
+    if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {           // keys are for it
         if (pressed(ImGuiKey_Escape)) state.show_shortcuts = false;
         return;
     }

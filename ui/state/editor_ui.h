@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "renderer/view/camera.h"
-#include "renderer/inspect/depth_histogram.h"
 #include "renderer/frame/frame.h"
-#include "renderer/inspect/lost_casters.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/inspect/depth_histogram.h"
+#include "renderer/inspect/lost_casters.h"
 #include "renderer/inspect/texel_usage.h"
-#include "ui/widgets/file_dialog.h"
-#include "ui/state/history.h"
+#include "renderer/view/camera.h"
 #include "ui/scene_view/light_drag.h"
+#include "ui/state/history.h"
 #include "ui/state/log.h"
 #include "ui/state/measured.h"
+#include "ui/widgets/file_dialog.h"
 
 namespace si {
 
@@ -52,7 +52,7 @@ struct Flight {
 struct FrozenCamera {
     Camera camera;
     CameraSettings settings;  ///< that make this camera
-    glm::ivec2 pixels{1};  ///< of its picture
+    glm::ivec2 pixels{1};     ///< of its picture
 };
 
 /// How scene.time runs while it plays.
@@ -76,9 +76,9 @@ struct CompareWith {
 enum class AgainstView { Off, Swipe, SideBySide, Difference };
 struct Against {
     AgainstView view = AgainstView::Off;
-    bool truth = true;   ///< the ray-traced truth; else what EditorState::compare names
-    float at = 0.5f;     ///< where the swipe's line stands: share of the picture's width, what is shown on its left
-    bool held = false;   ///< the line is being dragged
+    bool truth = true;  ///< the ray-traced truth; else what EditorState::compare names
+    float at = 0.5f;    ///< where the swipe's line stands: share of the picture's width, what is shown on its left
+    bool held = false;  ///< the line is being dragged
 };
 
 /// A file that exists and is to be replaced, once a person agrees.
@@ -97,11 +97,11 @@ struct EditorState {
     Settings settings;
     History history;
     Log log;
-    std::string scene_name;   ///< built-in key or path, as loaded
-    std::string scene_input;  ///< path being typed
+    std::string scene_name;                   ///< built-in key or path, as loaded
+    std::string scene_input;                  ///< path being typed
     std::string preset_path = "preset.json";  ///< the file that is saved to
-    GuideNote guide;           ///< of the preset that was opened last
-    std::string hidden_guide;  ///< key of the note that is not to be shown
+    GuideNote guide;                          ///< of the preset that was opened last
+    std::string hidden_guide;                 ///< key of the note that is not to be shown
     CompareWith compare;
     Against against;
     std::string error_path = "error.json";  ///< that the error panel's Save writes
@@ -123,13 +123,13 @@ struct EditorState {
     BottomTab tab = BottomTab::Passes;
     std::optional<BottomTab> open_tab = BottomTab::Passes;  ///< brought to the front in the next frame
     std::string object_search;
-    bool only_lost = false;        ///< the object list shows lost casters only
+    bool only_lost = false;       ///< the object list shows lost casters only
     std::string selected_object;  ///< node path; empty: none
     bool show_shortcuts = false;
-    double wheel_until = 0;    ///< a turn of the wheel counts as one gesture until this time, seconds
-    bool dragging = false;     ///< a drag in a picture is under way
+    double wheel_until = 0;                 ///< a turn of the wheel counts as one gesture until this time, seconds
+    bool dragging = false;                  ///< a drag in a picture is under way
     std::optional<PictureView> scene_view;  ///< where the scene picture was drawn last
-    bool press_moved = false;  ///< the press in the scene picture became a drag
+    bool press_moved = false;               ///< the press in the scene picture became a drag
     bool press_taken = false;  ///< the press in the scene picture is on a mark in it, no gesture of the camera
     std::optional<LightHit> hovered_light;  ///< under the mouse in the scene picture
     std::optional<HandleDrag> handle_drag;  ///< under way
@@ -137,7 +137,7 @@ struct EditorState {
     Flight flight;
     std::optional<CameraSettings> camera_before_light;  ///< what looking through the light goes back to
     std::optional<FrozenCamera> frozen;
-    bool select_probed = false;    ///< the next probe of a click chooses the selected object
+    bool select_probed = false;  ///< the next probe of a click chooses the selected object
 };
 
 /// A preset that ships with the program.
@@ -160,15 +160,15 @@ struct ComparisonFacts {
 
 /// What is known of the ray-traced truth about the frame.
 struct TruthFacts {
-    bool current = false;          ///< the frame shown is judged by it
-    bool wanted = false;           ///< something that is shown asks for it
-    std::string doing;             ///< what runs in the background: "Tracing rays"; empty: nothing
-    double progress = 0;           ///< 0..1, of that
-    std::string problem;           ///< why there is none
+    bool current = false;                             ///< the frame shown is judged by it
+    bool wanted = false;                              ///< something that is shown asks for it
+    std::string doing;                                ///< what runs in the background: "Tracing rays"; empty: nothing
+    double progress = 0;                              ///< 0..1, of that
+    std::string problem;                              ///< why there is none
     double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time of the last trace; 0 where it was known
     std::uint64_t rays = 0;
-    std::string noise;             ///< noise_text() of a light of size
-    int width = 0, height = 0;     ///< in pixels
+    std::string noise;          ///< noise_text() of a light of size
+    int width = 0, height = 0;  ///< in pixels
 };
 
 /// The picture that the one shown is held against.
@@ -230,12 +230,12 @@ struct EditorFrame {
     const FrameResult* result = nullptr;
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
-    const Probe* probe = nullptr;            ///< of state.probe_pixel
-    std::span<const Dossier> dossiers;       ///< one for each light of the probe, once the truth is there
-    bool tracing_probe = false;              ///< dossiers will follow
+    const Probe* probe = nullptr;       ///< of state.probe_pixel
+    std::span<const Dossier> dossiers;  ///< one for each light of the probe, once the truth is there
+    bool tracing_probe = false;         ///< dossiers will follow
     std::optional<TuneFacts> tuning;
-    std::span<const TunedFamily> tuned;      ///< all that the last search for the least bias tried, for this scene
-    bool tuned_current = false;             ///< the present settings, whatever their bias, would give the same
+    std::span<const TunedFamily> tuned;  ///< all that the last search for the least bias tried, for this scene
+    bool tuned_current = false;          ///< the present settings, whatever their bias, would give the same
     CureSearch cures;
     const FloatImage* map_values = nullptr;  ///< the map viewer's depth image as stored, row 0 at the top
     const MapFacts* map_facts = nullptr;
@@ -243,7 +243,7 @@ struct EditorFrame {
     const TexelUsage* texel_usage = nullptr;      ///< of the shown light and face
     const TexelUsage* frozen_usage = nullptr;     ///< the same by the pixels of state.frozen
     const FloatImage* overlay_values = nullptr;   ///< of the active pane
-    std::span<const LostCaster> lost_casters;  ///< of the shown light
+    std::span<const LostCaster> lost_casters;     ///< of the shown light
     std::span<const PresetEntry> presets;
     std::span<const std::string> recent_scenes, recent_presets;  ///< paths, the newest first
     const ComparisonFacts* comparison = nullptr;
@@ -261,13 +261,13 @@ struct EditorFrame {
 struct EditorActions {
     int scene_width = 0, scene_height = 0;  ///< wanted size of the scene picture; 0: not shown
     bool want_map = false;
-    bool want_map_values = false;  ///< the cursor is over the map
-    bool want_map_facts = false;   ///< the plots are shown
+    bool want_map_values = false;      ///< the cursor is over the map
+    bool want_map_facts = false;       ///< the plots are shown
     bool want_overlay_values = false;  ///< a scene picture is hovered
-    bool want_links = false;       ///< which pixel reads which texel: a picture is hovered and nothing is dragged
-    bool want_frozen_usage = false;  ///< what the frozen camera reads: the map is shown and nothing is dragged
+    bool want_links = false;           ///< which pixel reads which texel: a picture is hovered and nothing is dragged
+    bool want_frozen_usage = false;    ///< what the frozen camera reads: the map is shown and nothing is dragged
     bool want_timing = false;
-    bool want_error = false;        ///< the error panel is shown
+    bool want_error = false;  ///< the error panel is shown
     bool cancel_truth = false;
     std::optional<std::string> save_error;  ///< all metrics as JSON into this file
     std::optional<std::string> load_scene, load_preset, save_preset, save_map;
@@ -280,8 +280,8 @@ struct EditorActions {
     std::optional<SweepWish> start_sweep;
     bool cancel_sweep = false;
     std::optional<std::string> save_sweep, open_sweep;  ///< folders
-    bool take_sweep_base = false;  ///< the settings that the sweep's cases share
-    bool want_present = false;     ///< the present settings are to be measured
+    bool take_sweep_base = false;                       ///< the settings that the sweep's cases share
+    bool want_present = false;                          ///< the present settings are to be measured
     std::optional<TuneWish> tune;
     bool cancel_tune = false;
     std::optional<CureWish> find_cures;
@@ -289,7 +289,7 @@ struct EditorActions {
     bool copy_command_line = false;
     bool quit = false;
     bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies
-    bool redraw = false;  ///< something still moves: draw another frame soon
+    bool redraw = false;       ///< something still moves: draw another frame soon
 };
 
 /// Draws one frame of the editor into the current ImGui frame; edits state.settings in place.

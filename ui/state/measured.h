@@ -44,10 +44,11 @@ struct SweepFacts {
     std::vector<MeasuredCase> cases;  ///< finished and failed
     std::size_t total = 0;            ///< cases that the sweep has; 0: there is none
     std::size_t failed = 0;
-    std::string about;    ///< "stage, 640 x 360 pixels, hard truth; llvmpipe"
+    std::string about;      ///< "stage, 640 x 360 pixels, hard truth; llvmpipe"
     bool software = false;  ///< a CPU rasteriser took the times
     bool other_scene = false;
-    std::vector<std::string> other_settings;  ///< "Slope bias: 0.5 -> 1 texels": differ from the sweep's, and not varied
+    std::vector<std::string>
+        other_settings;  ///< "Slope bias: 0.5 -> 1 texels": differ from the sweep's, and not varied
     bool running = false, timing = false;
     double progress = 0, seconds_left = 0;  ///< of the whole; 0 s: not known yet
     std::string current;                    ///< "round 2 of at most 10: filter.kernel=pcf3"
@@ -72,8 +73,8 @@ struct SweepPanel {
     bool area = false;              ///< against a light that has its size
     bool follow = true;             ///< measure the present settings while the panel is shown
     std::string cost = "time.total_ms.median", error = "error.mae";  ///< keys of the axes
-    std::optional<int> chosen;      ///< number of the case that was clicked last
-    std::string folder = "sweep";   ///< that results are saved to and opened from
+    std::optional<int> chosen;                                       ///< number of the case that was clicked last
+    std::string folder = "sweep";                                    ///< that results are saved to and opened from
 };
 
 struct SweepWish {

@@ -3,8 +3,8 @@
 
 #include <imgui.h>
 
-#include "ui/state/editor_ui.h"
 #include "ui/scene_view/picture_view.h"
+#include "ui/state/editor_ui.h"
 
 namespace si {
 

@@ -9,7 +9,7 @@
 namespace si {
 namespace {
 
-constexpr double kMargin = 0.06;  // of the logarithm's range, beyond the outermost values
+constexpr double kMargin = 0.06;      // of the logarithm's range, beyond the outermost values
 constexpr double kLeastRange = 0.15;  // decades
 
 std::string tick_text(double value) {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "renderer/settings/param.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/settings/param.h"
 #include "ui/state/scene_choices.h"
 
 namespace si {
@@ -13,7 +13,8 @@ namespace si {
 /// pointer has to last until the next call.
 void use_driver(const DriverInfo* driver);
 
-/// Why turning the setting changes nothing: for what that driver lacks, or under the other settings. Empty when it acts.
+/// Why turning the setting changes nothing: for what that driver lacks, or under the other settings. Empty when it
+/// acts.
 std::string_view without_effect(const Settings& settings, const SettingRef& ref);
 
 /// The widget alone, `width` pixels wide (0: what is left). Returns whether the value changed.

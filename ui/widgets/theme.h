@@ -22,18 +22,18 @@ inline constexpr ImU32 kAxes[3] = {IM_COL32(222, 110, 98, 255), IM_COL32(126, 18
                                    IM_COL32(104, 152, 224, 255)};  ///< x, y, z
 
 // Marks in the scene picture and the map: one hue a thing, the same in both (tests/ui/theme_test.cpp keeps them apart).
-inline constexpr ImU32 kLight = IM_COL32(236, 186, 96, 255);      ///< frusta and handles
-inline constexpr ImU32 kLightFar = IM_COL32(196, 150, 72, 175);   ///< the far plane
-inline constexpr ImU32 kLit = IM_COL32(255, 244, 190, 255);       ///< what light reaches
-inline constexpr ImU32 kShadowed = IM_COL32(92, 146, 236, 255);   ///< what is kept from it
-inline constexpr ImU32 kOffset = IM_COL32(240, 120, 170, 255);    ///< the normal offset
-inline constexpr ImU32 kLinked = IM_COL32(88, 218, 224, 255);     ///< under the mouse in the other picture
-inline constexpr ImU32 kProbed = IM_COL32(170, 226, 90, 255);     ///< the probed pixel and its texels
-inline constexpr ImU32 kFrozen = IM_COL32(188, 146, 250, 240);    ///< the frozen camera
+inline constexpr ImU32 kLight = IM_COL32(236, 186, 96, 255);     ///< frusta and handles
+inline constexpr ImU32 kLightFar = IM_COL32(196, 150, 72, 175);  ///< the far plane
+inline constexpr ImU32 kLit = IM_COL32(255, 244, 190, 255);      ///< what light reaches
+inline constexpr ImU32 kShadowed = IM_COL32(92, 146, 236, 255);  ///< what is kept from it
+inline constexpr ImU32 kOffset = IM_COL32(240, 120, 170, 255);   ///< the normal offset
+inline constexpr ImU32 kLinked = IM_COL32(88, 218, 224, 255);    ///< under the mouse in the other picture
+inline constexpr ImU32 kProbed = IM_COL32(170, 226, 90, 255);    ///< the probed pixel and its texels
+inline constexpr ImU32 kFrozen = IM_COL32(188, 146, 250, 240);   ///< the frozen camera
 inline constexpr ImU32 kSelected = IM_COL32(236, 236, 234, 255);
-inline constexpr ImU32 kBounds = IM_COL32(168, 186, 206, 74);     ///< boxes of all casters
-inline constexpr ImU32 kLive = IM_COL32(150, 150, 148, 160);      ///< the camera that flies while another is frozen
-inline constexpr ImU32 kShade = IM_COL32(0, 0, 0, 160);           ///< around marks, so that they show on any ground
+inline constexpr ImU32 kBounds = IM_COL32(168, 186, 206, 74);  ///< boxes of all casters
+inline constexpr ImU32 kLive = IM_COL32(150, 150, 148, 160);   ///< the camera that flies while another is frozen
+inline constexpr ImU32 kShade = IM_COL32(0, 0, 0, 160);        ///< around marks, so that they show on any ground
 
 inline constexpr ImU32 kNote = IM_COL32(50, 50, 52, 255);  ///< behind remarks to the person
 inline constexpr ImU32 kVeil = IM_COL32(18, 18, 19, 205);  ///< under text on pictures
