@@ -23,14 +23,14 @@ namespace {
 /// One letter a tap, the map's top row first.
 void print_taps(const Probe::PerLight& p) {
     if (p.taps.size() < 2) return;
-    const int n = p.taps_across;
-    for (int y = n - 1; y >= 0; --y) {
-        std::string row;
-        for (int x = 0; x < n; ++x) {
-            const KernelTap& t = p.taps[std::size_t(y * n + x)];
-            row += t.lit ? " ." : t.meets == KernelTap::Meets::Own ? " S" : " #";
-        }
-        fmt::print("    {}{}\n", row, y == n - 1 ? "    . lit, # dark, S dark by the surface itself" : "");
+    std::vector<std::string> rows(std::size_t(p.taps_size.y), std::string(2 * std::size_t(p.taps_size.x), ' '));
+    for (const KernelTap& t : p.taps) {
+        const glm::ivec2 at = t.texel - p.taps_first;
+        rows[std::size_t(at.y)][2 * std::size_t(at.x) + 1] = t.lit ? '.' : t.meets == KernelTap::Meets::Own ? 'S' : '#';
+    }
+    for (std::size_t y = rows.size(); y-- > 0;) {
+        fmt::print("    {}{}\n", rows[y],
+                   y + 1 == rows.size() ? "    . lit, # dark, S dark by the surface itself" : "");
     }
 }
 

@@ -88,7 +88,7 @@ Json per_light_json(const Probe::PerLight& p) {
                  {"verdict", p.verdict}};
     if (!p.casts) return json;
     json["bias"] = account_json(p.account);
-    json["taps_across"] = p.taps_across;
+    json["taps_across"] = p.taps_size.x, json["taps_up"] = p.taps_size.y;
     json["taps"] = taps_json(p);
     return json;
 }

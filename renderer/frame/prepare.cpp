@@ -102,6 +102,8 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"KERNEL_REACH", fmt::format("{:.1f}", filter.reach_texels)});
     f.defines.push_back({"SUBPIXEL_BITS", std::to_string(f.driver.subpixel_bits)});
     f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
+    f.defines.push_back({"SAMPLER_BILINEAR", filter.bilinear ? "1" : "0"});
+    f.defines.push_back({"COMPARE_BY_HAND", "0"});
     f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
     if (f.gl.scene->coloured()) f.defines.push_back({"VERTEX_COLOURS", "1"});
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});

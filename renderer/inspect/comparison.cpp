@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "renderer/inspect/kernel_taps.h"
+#include <map>
 
 namespace si {
 namespace {
@@ -107,6 +106,24 @@ KernelTap::Meets met(const BiasAccount& account, const DepthConvention& conventi
     return KernelTap::Meets::Own;
 }
 
+/// Each texel once with all its weight, row by row from the lowest.
+std::vector<RecordedTap> merged(const std::vector<RecordedTap>& taps) {
+    std::map<std::pair<int, int>, RecordedTap> by_place;
+    for (const RecordedTap& t : taps)
+        by_place.try_emplace({t.texel.y, t.texel.x}, RecordedTap{t.texel, t.stored, 0}).first->second.weight +=
+            t.weight;
+    std::vector<RecordedTap> out;
+    for (const auto& [place, tap] : by_place) out.push_back(tap);
+    return out;
+}
+
+void enclose_taps(Probe::PerLight& p) {
+    if (p.taps.empty()) return;
+    glm::ivec2 lo = p.taps.front().texel, hi = lo;
+    for (const KernelTap& t : p.taps) lo = glm::min(lo, t.texel), hi = glm::max(hi, t.texel);
+    p.taps_first = lo, p.taps_size = hi - lo + 1;
+}
+
 }  // namespace
 
 Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, const Settings& settings, int n,
@@ -145,18 +162,17 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     p.stored = guarded ? depths.border() : depths.at(p.texel);
     p.stored_m = view.curve.distance(p.stored), p.stored_linear = linear(p.stored_m);
     p.gap_m = (p.own_m - p.stored_m) / r.axis_per_ray;
-    const Filter& filter = filters()[std::size_t(settings.filter.kernel)];
     if (r.place != MapPlace::Behind) {
-        p.taps_across = footprint_width(filter);
-        for (const KernelTexel& k : kernel_texels(filter, centre)) {
-            KernelTap tap{.texel = k.texel, .weight = k.weight, .stored = depths.at(k.texel)};
+        for (const RecordedTap& recorded : merged(pixel.taps)) {
+            KernelTap tap{.texel = recorded.texel, .weight = recorded.weight, .stored = recorded.stored};
             tap.stored_m = view.curve.distance(tap.stored);
-            tap.plane = p.account.plane.at((glm::dvec2(k.texel) + 0.5) / double(n));
+            tap.plane = p.account.plane.at((glm::dvec2(tap.texel) + 0.5) / double(n));
             tap.lit = passes(settings, p.compared, tap.stored);
-            tap.meets = depths.inside(k.texel) ? met(p.account, view.curve.convention, tap.stored, tap.plane)
-                                               : KernelTap::Meets::Nothing;
+            tap.meets = depths.inside(tap.texel) ? met(p.account, view.curve.convention, tap.stored, tap.plane)
+                                                 : KernelTap::Meets::Nothing;
             p.taps.push_back(tap);
         }
+        enclose_taps(p);
     }
     p.verdict = dark.empty() ? verdict(settings, p) : dark;
     return p;

@@ -6,12 +6,19 @@
 
 namespace si {
 
+/// A texel that the kernel read while it ran on the GPU; the same one may be read more than once.
+struct RecordedTap {
+    glm::ivec2 texel{0};  ///< x to the right, y up, before map.wrap
+    double stored = 0, weight = 0;
+};
+
 /// What the GPU found at a pixel.
 struct TestedPixel {
     int light = 0;
     SurfacePoint point;
     bool receives = true;
-    double visibility = 1;  ///< by the renderer's filter
+    double visibility = 1;          ///< by the renderer's filter
+    std::vector<RecordedTap> taps;  ///< of its kernel
 };
 
 /// @param settings sanitised and within the driver's limits

@@ -14,6 +14,8 @@
 namespace si {
 namespace {
 
+constexpr int kMostTaps = 1024;
+
 struct PixelFacts {
     std::array<glm::vec4, 4> values{};  // the outputs of probe.frag.glsl
     bool hit() const { return values[0].w > 0.5f; }
@@ -44,6 +46,7 @@ public:
         const glm::vec4 nothing(0);
         for (GLint i = 0; i < GLint(Count); ++i) glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, i, &nothing.x);
     }
+    const gl::Target& target(std::size_t i) const { return targets_[i]; }
     glm::vec4 value(std::size_t i) const {
         std::array<glm::vec4, 4> block;
         glGetTextureImage(targets_[i].texture.id(), 0, GL_RGBA, GL_FLOAT, sizeof block, block.data());
@@ -66,6 +69,34 @@ PixelFacts draw_pixel(FrameState& f, int x, int y_bottom, int light) {
     PixelFacts facts;
     for (std::size_t i = 0; i < 4; ++i) facts.values[i] = block.value(i);
     return facts;
+}
+
+/// Runs the kernel once for each texel that it reads, with that one lit and all others dark: exact for every kernel
+/// that is linear in its comparisons.
+std::vector<RecordedTap> draw_taps(FrameState& f, int x, int y_bottom, int light) {
+    const Block<kSeenImages> block(f, x, y_bottom);
+    PassInfo info;
+    f.draw_from_camera("passes/seen_surfaces.frag.glsl", {}, info);
+    gl::Target taps;
+    taps.ensure("taps", GL_RGBA32F, kMostTaps, 1);
+    const gl::Framebuffer framebuffer = gl::make_framebuffer("taps", &taps, nullptr);
+    f.begin_fullscreen_pass(framebuffer.id(), kMostTaps, 1);
+    f.bind_maps();
+    for (int i = 0; i < kSeenImages; ++i)
+        glBindTextureUnit(GLuint(kSeenSurfaces + i), block.target(std::size_t(i)).texture.id());
+    const GLuint program =
+        f.program("passes/fullscreen.vert.glsl", "passes/taps.frag.glsl",
+                  {{"LIGHT_INDEX", std::to_string(light)}, {"RECORD_TAPS", "1"}, {"COMPARE_BY_HAND", "1"}});
+    glUseProgram(program);
+    glUniform2i(glGetUniformLocation(program, "pixel"), x & 1, y_bottom & 1);
+    FrameState::draw_fullscreen(info);
+    std::vector<glm::vec4> values(kMostTaps);
+    glGetTextureImage(taps.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.size() * sizeof(glm::vec4)),
+                      values.data());
+    std::vector<RecordedTap> out;
+    for (const glm::vec4& v : values)
+        if (v.w >= 0) out.push_back({glm::ivec2(glm::clamp(glm::vec2(v), -1e9f, 1e9f)), v.z, v.w});
+    return out;
 }
 
 CauseEvidence draw_trials(FrameState& f, int x, int y_bottom, int light) {
@@ -133,6 +164,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                                   : source == int(NormalSource::Shading) ? vertex
                                                                          : out.normal_ws;
         pixel.point.origin_ws = f.origin;
+        if (f.gl.fitted[i].casts) pixel.taps = draw_taps(f, x, y_bottom, int(i));
         out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
         out.lights.back().evidence = draw_trials(f, x, y_bottom, int(i));
         out.lights.back().causes = cause_context(f.settings, f.mask_levels);

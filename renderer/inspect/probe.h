@@ -58,11 +58,11 @@ struct Probe {
         double normal_offset_m = 0;
         glm::dvec3 offset_position_ws{0};  ///< after the normal offset
         double texel_m = 0;
-        double compared = 0;  ///< depth after bias; of 16 and 24-bit maps within [0,1]
-        int taps_across = 1;
-        std::vector<KernelTap> taps;  ///< row by row from the lowest
-        double visibility = 1;        ///< what the renderer's filter computed
-        CauseEvidence evidence;       ///< trials of the pixel; gaps, run_m and edge_m are the truth's to fill in
+        double compared = 0;                     ///< depth after bias; of 16 and 24-bit maps within [0,1]
+        std::vector<KernelTap> taps;             ///< row by row from the lowest, each texel once
+        glm::ivec2 taps_first{0}, taps_size{0};  ///< the rectangle of texels that holds all of them
+        double visibility = 1;                   ///< what the renderer's filter computed
+        CauseEvidence evidence;  ///< trials of the pixel; gaps, run_m and edge_m are the truth's to fill in
         CauseContext causes;
         std::string where;    ///< inside, sides, beyond far, behind, before near
         std::string verdict;  ///< a sentence

@@ -87,6 +87,7 @@ std::vector<gl::Define> trial_defines(const FrameState& f) {
                            {"MAP_TRIALS", "1"},
                            {"SEAM_TRIALS", std::to_string(int(seams_matter(f)))},
                            {"FILTER_SAMPLER", "0"},
+                           {"COMPARE_BY_HAND", "1"},
                            {"RASTER_BIAS", std::to_string(int(c.raster_bias))},
                            {"MASK_LEVELS", std::to_string(int(c.mask_levels))},
                            {"DEPTH_BLUR", std::to_string(int(c.depth_blur))},

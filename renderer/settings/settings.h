@@ -84,9 +84,12 @@ struct BiasSettings {
     bool operator==(const BiasSettings&) const = default;
 };
 
+/// The row of the filter table that is chosen where nobody chooses: by its key, wherever it stands.
+int default_filter();
+
 struct FilterSettings {
-    int kernel = 3;  ///< row of the filter table
-    int method = 0;  ///< FilterMethod
+    int kernel = default_filter();  ///< row of the filter table
+    int method = 0;                 ///< FilterMethod
     bool operator==(const FilterSettings&) const = default;
 };
 

@@ -1,5 +1,6 @@
 #include "renderer/settings/techniques.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -28,6 +29,14 @@ constexpr Filter kFilters[] = {
      .label = "PCF 3x3 by hand",
      .help = "The mean of 3x3 nearest comparisons, as the lectures write it: ten grey levels.",
      .file = "filters/pcf_nearest.glsl",
+     .size = 3,
+     .reach_texels = 1.5,
+     .gathers = 0,
+     .sampler_taps = 9},
+    {.key = "tent3",
+     .label = "Tent 3x3",
+     .help = "3x3 nearest comparisons that weigh 1, 2 and 4 sixteenths: softer at its ends than the plain mean.",
+     .file = "filters/tent3.glsl",
      .size = 3,
      .reach_texels = 1.5,
      .gathers = 0,
@@ -249,6 +258,11 @@ std::vector<Choice> choices_of(const Row (&rows)[N]) {
 
 bool uses_sampler(const Settings& settings) {
     return settings.filter.method == int(FilterMethod::Sampler) && settings.map.format != int(MapFormat::Colour);
+}
+
+int default_filter() {
+    static const int row = int(std::ranges::find(kFilters, "pcf3", &Filter::key) - std::begin(kFilters));
+    return row;
 }
 
 std::span<const Filter> filters() {

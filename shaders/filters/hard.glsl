@@ -1,8 +1,2 @@
 // One nearest tap: the lectures' comparison of stored and own depth.
-float filter_visibility(Receiver r) {
-#if FILTER_SAMPLER
-    return map_compare_at(r.uvd_offset.xy, r.layer, r.reference);
-#else
-    return depth_test(r.reference, map_depth(r.uvd_offset.xy, r.layer));
-#endif
-}
+float filter_visibility(Receiver r) { return compares_lit(r, r.uvd_offset.xy); }

@@ -5,13 +5,6 @@ float filter_visibility(Receiver r) {
     float step_uv = 1.0 / float(map_resolution);
     float sum = 0.0;
     for (int y = -radius; y <= radius; ++y)
-        for (int x = -radius; x <= radius; ++x) {
-            vec2 at = r.uvd_offset.xy + vec2(x, y) * step_uv;
-#if FILTER_SAMPLER
-            sum += map_compare_at(at, r.layer, r.reference);
-#else
-            sum += depth_test(r.reference, map_depth(at, r.layer));
-#endif
-        }
+        for (int x = -radius; x <= radius; ++x) sum += compares_lit(r, r.uvd_offset.xy + vec2(x, y) * step_uv);
     return sum / float(KERNEL_SIZE * KERNEL_SIZE);
 }

@@ -7,8 +7,7 @@ layout(binding = 13) uniform sampler2D seen_bias_normal_map;
 #endif
 
 /// Of the interpolated normals only that which bias.normal_source chooses is known; the direction to the eye is not.
-Surface seen_surface() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+Surface seen_surface(ivec2 at) {
     vec4 position = texelFetch(seen_position_map, at, 0);
     Surface s;
     s.position = position.xyz;
@@ -22,3 +21,5 @@ Surface seen_surface() {
     s.to_eye = vec3(0.0);
     return s;
 }
+
+Surface seen_surface() { return seen_surface(ivec2(gl_FragCoord.xy)); }

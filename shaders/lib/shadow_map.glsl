@@ -4,14 +4,17 @@ layout(binding = 0) uniform sampler2DArray shadow_map;               // nearest,
 layout(binding = 1) uniform sampler2DArrayShadow shadow_map_compare; // comparison as map_compare has it
 float stored_depth(vec2 at, int layer) { return texture(shadow_map, vec3(at, layer)).r; }
 vec4 stored_gather(vec2 at, int layer) { return textureGather(shadow_map, vec3(at, layer)); }
-float map_compare_at(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec4(at, layer, own)); }
+float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec4(at, layer, own)); }
 #else
 layout(binding = 0) uniform sampler2D shadow_map;
 layout(binding = 1) uniform sampler2DShadow shadow_map_compare;
 float stored_depth(vec2 at, int layer) { return texture(shadow_map, at).r; }
 vec4 stored_gather(vec2 at, int layer) { return textureGather(shadow_map, at); }
-float map_compare_at(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec3(at, own)); }
+float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec3(at, own)); }
 #endif
+
+/// A depth that every comparison finds lit, or dark.
+float depth_of(bool lit) { return lit == (map_reversed_z == 0) ? 3e38 : -3e38; }
 
 #ifdef MAP_TRIALS
 // The same kernels on another map, and with an answer in place of what lies beyond the map's sides.
@@ -31,7 +34,7 @@ vec4 answered(vec4 depth, vec4 u, vec4 v) {
 #endif
     if (beyond_answer < 0.0) return depth;
     // Beyond every depth on the side that answers.
-    float always = (beyond_answer > 0.5) == (map_reversed_z == 0) ? 3e38 : -3e38;
+    float always = depth_of(beyond_answer > 0.5);
     bvec4 inside = bvec4(ivec4(greaterThanEqual(u, vec4(0.0))) * ivec4(lessThanEqual(u, vec4(1.0))) *
                          ivec4(greaterThanEqual(v, vec4(0.0))) * ivec4(lessThanEqual(v, vec4(1.0))));
     return mix(vec4(always), depth, inside);
@@ -49,7 +52,42 @@ vec4 map_gather(vec2 at, int layer) {
     vec4 u = at.x + vec4(-1.0, 1.0, 1.0, -1.0) * half_texel.x, v = at.y + vec4(1.0, 1.0, -1.0, -1.0) * half_texel.y;
     return answered(depth, u, v);
 }
+#elif defined(RECORD_TAPS)
+// One of the texels that a kernel reads, and what it weighs: the kernel's result where it alone is lit.
+int tap_wanted = 0, taps_read = 0;
+vec3 tap_found = vec3(0.0);  // texel, stored depth
+
+float recorded(vec2 texel, float stored) {
+    bool wanted = taps_read++ == tap_wanted;
+    if (wanted) tap_found = vec3(texel, stored);
+    return depth_of(wanted);
+}
+
+float map_depth(vec2 at, int layer) { return recorded(floor(at * float(map_resolution)), stored_depth(at, layer)); }
+
+vec4 map_gather(vec2 at, int layer) {
+    vec2 texel = round(at * float(map_resolution)) - 1.0;
+    vec4 stored = stored_gather(at, layer);
+    stored.x = recorded(texel + vec2(0.0, 1.0), stored.x);
+    stored.y = recorded(texel + vec2(1.0, 1.0), stored.y);
+    stored.z = recorded(texel + vec2(1.0, 0.0), stored.z);
+    stored.w = recorded(texel, stored.w);
+    return stored;
+}
 #else
 float map_depth(vec2 at, int layer) { return stored_depth(at, layer); }
 vec4 map_gather(vec2 at, int layer) { return stored_gather(at, layer); }
 #endif
+
+/// One comparison as the shadow sampler of the kernel's row makes it: with the nearest texel, or bilinearly with 2x2.
+float map_compare_at(vec2 at, int layer, float own) {
+#if !COMPARE_BY_HAND
+    return sampler_compare(at, layer, own);
+#elif SAMPLER_BILINEAR
+    vec2 between = at * float(map_resolution) - 0.5, texel = floor(between), f = between - texel;
+    vec4 lit = depth_test(own, map_gather((texel + 1.0) / float(map_resolution), layer));
+    return mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
+#else
+    return depth_test(own, map_depth(at, layer));
+#endif
+}

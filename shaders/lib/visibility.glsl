@@ -1,6 +1,16 @@
 // Visibility of one light from one surface point: the guards, then the chosen kernel.
 #include "lib/receiver.glsl"
 #include "shared/judged.h"
+
+/// One comparison of the receiver's depth at a place of its map, by filter.method.
+float compares_lit(Receiver r, vec2 at) {
+#if FILTER_SAMPLER
+    return map_compare_at(at, r.layer, r.reference);
+#else
+    return depth_test(r.reference, map_depth(at, r.layer));
+#endif
+}
+
 #include FILTER_FILE
 
 float outside_visibility() {
@@ -25,7 +35,7 @@ bool is_guarded(Receiver r) {
 
 /// The depth that is compared, as shadow samplers have it with formats that hold nothing beyond 0 to 1.
 float reference_of(float depth) {
-#if !FILTER_SAMPLER && (map_format == map_format_d16 || map_format == map_format_d24)
+#if (!FILTER_SAMPLER || COMPARE_BY_HAND) && (map_format == map_format_d16 || map_format == map_format_d24)
     return clamp(depth, 0.0, 1.0);
 #else
     return depth;

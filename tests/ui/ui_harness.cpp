@@ -46,7 +46,7 @@ Probe made_up_probe(int lights) {
         l.texel = {5, 7};
         l.where = "inside";
         l.n_dot_l = 0.6;
-        l.taps_across = 2;
+        l.taps_first = {4, 6}, l.taps_size = {2, 2};
         for (const glm::ivec2 t : {glm::ivec2(4, 6), {5, 6}, {4, 7}, {5, 7}})
             l.taps.push_back(
                 {.texel = t, .weight = 0.25, .stored = 0.4, .lit = t.x == 5, .meets = KernelTap::Meets::Own});

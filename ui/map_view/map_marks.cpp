@@ -21,8 +21,11 @@ std::pair<ImVec2, ImVec2> MapRect::square(glm::ivec2 first, int count) const {
     return {a, b};
 }
 
-void outline_texels(const MapRect& rect, glm::ivec2 first, int count, ImU32 colour) {
-    const auto [lo, hi] = rect.square(first, count);
+void outline_texels(const MapRect& rect, glm::ivec2 first, glm::ivec2 size, ImU32 colour) {
+    const auto [left, bottom] = rect.square(first, 1);
+    const auto [right, top] = rect.square(first + size - 1, 1);
+    const ImVec2 lo(std::min(left.x, right.x), std::min(left.y, right.y));
+    const ImVec2 hi(std::max(bottom.x, top.x), std::max(bottom.y, top.y));
     const float em = ImGui::GetFontSize();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (hi.x - lo.x < em * 0.5f) {

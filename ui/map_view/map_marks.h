@@ -27,7 +27,7 @@ struct MapRect {
 };
 
 /// Outlines a square of texels; one that is too small to see gets a ring around it.
-void outline_texels(const MapRect& rect, glm::ivec2 first, int count, ImU32 colour);
+void outline_texels(const MapRect& rect, glm::ivec2 first, glm::ivec2 size, ImU32 colour);
 
 /// Writes each visible texel's stored value into it, when texels are large enough to hold one.
 /// @param values one channel, top row first, of the image shown

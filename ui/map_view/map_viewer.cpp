@@ -147,7 +147,7 @@ void mark_pixels_texels(const EditorState& state, const EditorFrame& frame, cons
     const std::size_t kernel = std::size_t(std::clamp(state.settings.filter.kernel, 0, int(kernels.size()) - 1));
     const KernelFootprint f = kernel_footprint(c->at(pixel.x, pixel.y, 0), c->at(pixel.x, pixel.y, 1), rect.texels.x,
                                                kernels[kernel].reach_texels);
-    outline_texels(rect, f.first, f.count, colour);
+    outline_texels(rect, f.first, glm::ivec2(f.count), colour);
 }
 
 /// The texels that a probed kernel compares, each in the colour of its result.
@@ -159,7 +159,7 @@ void mark_taps(const MapRect& rect, const Probe::PerLight& p) {
             const auto [lo, hi] = rect.square(t.texel, 1);
             ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, faded(tap_colour(t, heaviest), 110));
         }
-    outline_texels(rect, p.taps.front().texel, p.taps_across, theme::kProbed);
+    outline_texels(rect, p.taps_first, p.taps_size, theme::kProbed);
 }
 
 std::string usage_text(const EditorState& state, const EditorFrame& frame) {
@@ -252,9 +252,9 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     }
     if (camera) {
         if (state.probe_pixel)
-            outline_texels(rect, {state.probe_pixel->x, n.y - 1 - state.probe_pixel->y}, 1, theme::kProbed);
+            outline_texels(rect, {state.probe_pixel->x, n.y - 1 - state.probe_pixel->y}, {1, 1}, theme::kProbed);
         if (state.hovered_pixel)
-            outline_texels(rect, {state.hovered_pixel->x, n.y - 1 - state.hovered_pixel->y}, 1, IM_COL32_WHITE);
+            outline_texels(rect, {state.hovered_pixel->x, n.y - 1 - state.hovered_pixel->y}, {1, 1}, IM_COL32_WHITE);
     } else {
         // What the frozen camera sees of the map; the live one's outline stands beside it once it has moved away.
         const LightView& light_view = fitted->views[std::size_t(shown_face(state.settings, result))];
@@ -279,7 +279,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         const glm::ivec2 texel(glm::floor(uv * glm::dvec2(n)));
         if (rect.holds(texel)) {
             state.hovered_texel = texel;
-            outline_texels(rect, texel, 1, IM_COL32_WHITE);
+            outline_texels(rect, texel, {1, 1}, IM_COL32_WHITE);
             text = texel_readout(texel, n, frame.map_values, result.map_view_curve, shown_usage(state, frame),
                                  state.frozen.has_value());
             if (frame.map_values && frame.map_values->width == n.x && frame.map_values->height == n.y)

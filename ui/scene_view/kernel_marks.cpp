@@ -60,26 +60,25 @@ ImU32 tap_colour(const KernelTap& t, double heaviest) {
 }
 
 const KernelTap* draw_tap_grid(const Probe::PerLight& p, float side) {
-    const int n = p.taps_across;
+    const int n = std::max({p.taps_size.x, p.taps_size.y, 1});
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("taps", {side, side});
-    if (p.taps.size() != std::size_t(n) * std::size_t(n)) return nullptr;
+    if (p.taps.empty()) return nullptr;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + side, at.y + side}, theme::kWell);
     const float cell = side / float(n), gap = cell > 8 ? 1.0f : 0.0f;
     const double heaviest = heaviest_tap(p);
     const KernelTap* hovered = nullptr;
-    for (int y = 0; y < n; ++y)
-        for (int x = 0; x < n; ++x) {
-            const KernelTap& t = p.taps[std::size_t(y * n + x)];
-            const ImVec2 lo(at.x + float(x) * cell, at.y + float(n - 1 - y) * cell);
-            const ImVec2 hi(lo.x + cell - gap, lo.y + cell - gap);
-            list.AddRectFilled(lo, hi, tap_colour(t, heaviest));
-            if (ImGui::IsItemHovered() && ImGui::IsMouseHoveringRect(lo, {lo.x + cell, lo.y + cell})) {
-                list.AddRect(lo, hi, IM_COL32_WHITE, 0, 0, 2);
-                hovered = &t;
-            }
+    for (const KernelTap& t : p.taps) {
+        const glm::ivec2 place = t.texel - p.taps_first;
+        const ImVec2 lo(at.x + float(place.x) * cell, at.y + float(n - 1 - place.y) * cell);
+        const ImVec2 hi(lo.x + cell - gap, lo.y + cell - gap);
+        list.AddRectFilled(lo, hi, tap_colour(t, heaviest));
+        if (ImGui::IsItemHovered() && ImGui::IsMouseHoveringRect(lo, {lo.x + cell, lo.y + cell})) {
+            list.AddRect(lo, hi, IM_COL32_WHITE, 0, 0, 2);
+            hovered = &t;
         }
+    }
     if (hovered) tooltip(p, *hovered);
     return hovered;
 }

@@ -1,0 +1,112 @@
+// The taps that kernels make on the GPU: recorded while they run, held against the weights that each kernel's
+// definition gives in closed form, and against what the kernel found.
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/techniques.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+/// Weight of the column (or row) `texel` for a kernel centred at `centre`, in texels from the map's corner.
+double closed_form(std::string_view kernel, int texel, double centre) {
+    const auto nearest = [&](std::initializer_list<double> weights) {
+        const int at = texel - (int(std::floor(centre)) - int(weights.size()) / 2);
+        return at < 0 || at >= int(weights.size()) ? 0 : *(weights.begin() + at);
+    };
+    const auto bilinear = [&](int n) {  // the box of n texels about the centre, by how much of each texel it covers
+        const double lo = std::max(centre - 0.5 * n, double(texel)), hi = std::min(centre + 0.5 * n, texel + 1.0);
+        return std::max(hi - lo, 0.0) / n;
+    };
+    if (kernel == "hard") return nearest({1});
+    if (kernel == "pcf3_nearest") return nearest({1 / 3.0, 1 / 3.0, 1 / 3.0});
+    if (kernel == "pcf5_nearest") return nearest({0.2, 0.2, 0.2, 0.2, 0.2});
+    if (kernel == "tent3") return nearest({0.25, 0.5, 0.25});
+    if (kernel == "hw2x2") return bilinear(1);
+    if (kernel == "pcf3") return bilinear(3);
+    if (kernel == "pcf5") return bilinear(5);
+    if (kernel == "pcf7") return bilinear(7);
+    if (kernel == "pcf9") return bilinear(9);
+    ADD_FAILURE() << kernel << " has no closed form here";
+    return 0;
+}
+
+class TapsTest : public FrameTest {
+protected:
+    const FrameRequest picture{.width = 160, .height = 120};
+};
+
+TEST_F(TapsTest, WeighWhatEachKernelsDefinitionSays) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const Filter& filter : filters())
+        for (const char* method : {"gather", "sampler"}) {
+            Settings s = test::texel_settings(filter.key, 128, 0.7);
+            s.bias.normal = 0.5;
+            set_setting(s, "filter.method", method);
+            int checked = 0;
+            for (int y = 20; y < 110; y += 29)
+                for (int x = 13; x < 150; x += 31) {
+                    const Probe p = renderer.probe(scene, s, picture, x, y);
+                    if (!p.hit || p.lights[0].n_dot_l <= 0) continue;
+                    SCOPED_TRACE(std::string(filter.key) + " " + method);
+                    const Probe::PerLight& l = p.lights[0];
+                    const glm::dvec2 centre = glm::dvec2(l.tap) * double(p.map_resolution);
+                    // A nearest texel is chosen in single precision.
+                    if (const glm::dvec2 f = centre - glm::floor(centre); std::min({f.x, f.y, 1 - f.x, 1 - f.y}) < 1e-3)
+                        continue;
+                    ++checked;
+                    double sum = 0;
+                    for (const KernelTap& t : l.taps) {
+                        sum += t.weight;
+                        EXPECT_NEAR(
+                            t.weight,
+                            closed_form(filter.key, t.texel.x, centre.x) * closed_form(filter.key, t.texel.y, centre.y),
+                            2e-4)
+                            << t.texel.x << ", " << t.texel.y;
+                        const glm::dvec2 off = glm::abs(glm::dvec2(t.texel) + 0.5 - centre);
+                        EXPECT_LE(std::max(off.x, off.y), filter.reach_texels + 1e-3) << "kappa of its row";
+                    }
+                    EXPECT_NEAR(sum, 1, 1e-5);
+                    const int across = filter.bilinear ? filter.size + 1 : filter.size;
+                    EXPECT_EQ(l.taps.size(), std::size_t(across * across)) << "each texel once";
+                    EXPECT_EQ(l.taps_size, glm::ivec2(across));
+                }
+            EXPECT_GT(checked, 8) << filter.key;
+        }
+}
+
+TEST_F(TapsTest, StoreWhatTheMapHoldsThereAndAnswerBeyondIt) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = test::texel_settings("pcf5", 64, 1);
+    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].extent = 2;
+    int inside = 0, beyond = 0;
+    for (const char* wrap : {"border", "clamp", "repeat"}) {
+        set_setting(s, "map.wrap", wrap);
+        for (int y = 10; y < 115; y += 9)
+            for (int x = 5; x < 155; x += 11) {
+                const Probe p = renderer.probe(scene, s, picture, x, y);
+                if (!p.hit || p.lights[0].where == "behind") continue;
+                const FloatImage map = renderer.read_shadow_map(0, 0);
+                const int n = p.map_resolution;
+                for (const KernelTap& t : p.lights[0].taps) {
+                    glm::ivec2 at = t.texel;
+                    const bool in = at.x >= 0 && at.y >= 0 && at.x < n && at.y < n;
+                    ++(in ? inside : beyond);
+                    if (std::string_view(wrap) == "repeat") at = ((at % n) + n) % n;
+                    if (std::string_view(wrap) == "border" && !in) {
+                        EXPECT_EQ(t.stored, 1.0);
+                        continue;
+                    }
+                    at = glm::clamp(at, glm::ivec2(0), glm::ivec2(n - 1));
+                    EXPECT_EQ(float(t.stored), map.at(at.x, n - 1 - at.y))
+                        << wrap << " " << t.texel.x << ", " << t.texel.y;
+                }
+            }
+    }
+    EXPECT_GT(inside, 1000);
+    EXPECT_GT(beyond, 200);
+}
+
+}  // namespace
+}  // namespace si
