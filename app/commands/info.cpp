@@ -1,13 +1,9 @@
 #include <fmt/format.h>
 
-#include "app/base/notes.h"
-#include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
 #include "app/report/report.h"
-#include "renderer/base/error.h"
 #include "renderer/frame/renderer.h"
-#include "renderer/gltf/gltf.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -42,24 +38,6 @@ void run_info(bool json) {
     }
     fmt::print("extensions     glPolygonOffsetClamp {}, anisotropic filtering {}\n",
                d.polygon_offset_clamp ? "yes" : "no", d.anisotropy ? "yes" : "no");
-}
-
-void run_export(const SessionOptions& options, const std::string& output) {
-    const std::string extension = lower_extension(output);
-    if (extension != ".gltf" && extension != ".glb") {
-        throw UsageError(fmt::format("{}: the file must end in .gltf or .glb", output));
-    }
-    require_writable(output);
-    Session session = open_session(options);
-    if (!options.preset.empty() || !options.sets.empty()) {
-        session.scene.suggested.clear();
-        for (const SettingRef& ref : changed_settings(session.settings))
-            if (!ref.param->key.starts_with("scene."))  // the file holds that moment alone
-                session.scene.suggested.emplace_back(setting_key(ref),
-                                                     value_text(*ref.param, get_value(session.settings, ref)));
-    }
-    save_gltf(session.scene, output);
-    print_notes(session.notes);
 }
 
 }  // namespace si

@@ -1,9 +1,8 @@
+#include "renderer/view/depth_curve.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "renderer/view/light_fit.h"
-#include "renderer/view/projection.h"
 
 namespace si {
 namespace {
@@ -46,46 +45,6 @@ double DepthCurve::metres_nearer(double z, double depth) const {
     if (std::isinf(depth)) return depth;
     const double by_slope = depth / slope(z);
     return by_slope > -z ? 1 / (1 / by_slope + 1 / z) : -std::numeric_limits<double>::infinity();
-}
-
-glm::dmat4 projection_matrix(const DepthCurve& curve, double half_x, double half_y) {
-    const double n = curve.near, f = curve.far, range = f - n;
-    const bool reversed = curve.convention.reversed;
-    glm::dmat4 m(0.0);
-    m[0][0] = 1 / half_x;
-    m[1][1] = 1 / half_y;
-    double a, b;  // clip z = a z_view + b, in [0,w]
-    if (curve.perspective) {
-        a = reversed ? n / range : -f / range;
-        b = reversed ? f * (n / range) : -f * (n / range);
-        m[2][3] = -1;
-        if (!curve.convention.zero_to_one) a = 2 * a + 1, b = 2 * b;
-    } else {
-        a = reversed ? 1 / range : -1 / range;
-        b = reversed ? f / range : -n / range;
-        m[3][3] = 1;
-        if (!curve.convention.zero_to_one) a = 2 * a, b = 2 * b - 1;
-    }
-    m[2][2] = a;
-    m[3][2] = b;
-    return m;
-}
-
-glm::dmat4 clip_from_relative(const glm::dmat4& projection, const glm::dmat3& axes, const glm::dvec3& eye,
-                              const glm::dvec3& origin) {
-    const glm::dmat3 rotation = glm::transpose(axes);
-    glm::dmat4 view(rotation);
-    view[3] = glm::dvec4(rotation * (origin - eye), 1.0);
-    return projection * view;
-}
-
-glm::dmat4 LightView::clip_from_relative(const glm::dvec3& origin) const {
-    return si::clip_from_relative(projection, axes, eye, origin);
-}
-
-glm::dvec3 LightView::position_ws(const glm::dvec2& uv, double z) const {
-    const double half = half_width * (curve.perspective ? z : 1.0);
-    return eye + axes * glm::dvec3((2.0 * uv - 1.0) * half, -z);
 }
 
 }  // namespace si

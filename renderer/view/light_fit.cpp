@@ -344,4 +344,13 @@ std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings
     return lights;
 }
 
+glm::dmat4 LightView::clip_from_relative(const glm::dvec3& origin) const {
+    return si::clip_from_relative(projection, axes, eye, origin);
+}
+
+glm::dvec3 LightView::position_ws(const glm::dvec2& uv, double z) const {
+    const double half = half_width * (curve.perspective ? z : 1.0);
+    return eye + axes * glm::dvec3((2.0 * uv - 1.0) * half, -z);
+}
+
 }  // namespace si

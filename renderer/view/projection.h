@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "renderer/view/light_fit.h"
+#include "renderer/view/depth_curve.h"
 
 namespace si {
 

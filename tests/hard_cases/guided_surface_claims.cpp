@@ -144,6 +144,11 @@ const Claims& guided_surface_claims() {
              EXPECT_LE(Guided("pcf-by-hand").grey_levels(), 8) << "ten levels with black and white";
              EXPECT_GE(Guided("pcf-by-hand").grey_levels(), 6);
          }},
+        {"tent",
+         [] {
+             EXPECT_GT(Guided("tent").grey_levels(), Guided("pcf-by-hand").grey_levels());
+             EXPECT_LE(Guided("tent").grey_levels(), 15) << "sixteenths without black and white";
+         }},
         {"hardware-pcf",
          [] {
              EXPECT_GT(Guided("hardware-pcf").grey_levels(), 50);

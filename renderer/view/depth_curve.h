@@ -1,0 +1,35 @@
+// Depth as a projection stores it. Pure CPU, double precision.
+#pragma once
+
+namespace si {
+
+/// Depth range and direction of a projection's clip space, from which compare, clear value, linearisation
+/// and bias sign follow.
+struct DepthConvention {
+    bool zero_to_one = true;  ///< clip z in [0,w] (glClipControl) instead of [-w,w]
+    bool reversed = false;    ///< near maps to 1, far to 0
+    bool operator==(const DepthConvention&) const = default;
+    double near_depth() const { return reversed ? 1.0 : 0.0; }
+    double far_depth() const { return reversed ? 0.0 : 1.0; }
+};
+
+/// A projection's depth as a function of distance along its axis, and back.
+struct DepthCurve {
+    bool perspective = false;
+    double near = 0.1, far = 100;
+    DepthConvention convention;
+    /// Depth-buffer value in [0,1] at distance z (metres along the axis).
+    double depth(double z) const;
+    /// Metres along the axis at depth-buffer value d. Inverse of depth().
+    double distance(double d) const;
+    /// |d depth / d z| at distance z, per metre.
+    double slope(double z) const;
+    /// By how much the depth of a point at distance z changes when it comes that many metres along the axis nearer to
+    /// the light (below 0: farther), in depth-buffer units. It comes no nearer than a thousandth of `near`.
+    double depth_nearer(double z, double metres) const;
+    /// Metres along the axis that a point at distance z comes nearer when its depth changes so much towards the light:
+    /// the inverse of depth_nearer(). Not more than z in perspective; infinite where the depth is.
+    double metres_nearer(double z, double depth) const;
+};
+
+}  // namespace si
