@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "renderer/base/key.h"
@@ -183,7 +184,7 @@ void add_visibility_pass(FrameState& f, std::vector<Pass>& plan);
 void add_unfiltered_map_pass(FrameState& f, std::vector<Pass>& plan);
 /// The surface of every pixel, kept while the camera rests.
 void add_seen_surfaces_pass(FrameState& f, std::vector<Pass>& plan);
-void bind_seen_surfaces(const FrameState& f);
+void bind_seen_surfaces(std::span<const gl::Target, kSeenImages> seen);
 /// Uploads the truth, compares each pixel with it, finds why some are wrong, and sums up.
 void add_truth_passes(FrameState& f, std::vector<Pass>& plan);
 /// All trials of every pixel of a light into eight colour attachments, see CauseEvidence.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "renderer/base/error.h"
 
 namespace si::gl {
@@ -40,6 +42,12 @@ void attach(GLuint framebuffer, GLenum point, const Target& t, int layer) {
     else
         glNamedFramebufferTextureLayer(framebuffer, point, t.texture.id(), 0, layer);
 }
+
+void require_complete(const Framebuffer& fb, std::string_view label) {
+    const GLenum status = glCheckNamedFramebufferStatus(fb.id(), GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(fmt::format("the driver cannot draw into {} (framebuffer status {:#x})", label, status));
+}
 }  // namespace
 
 Framebuffer make_framebuffer(std::string_view label, const Target* colour, const Target* depth, int colour_layer,
@@ -49,9 +57,20 @@ Framebuffer make_framebuffer(std::string_view label, const Target* colour, const
     if (depth) attach(fb.id(), GL_DEPTH_ATTACHMENT, *depth, depth_layer);
     glNamedFramebufferDrawBuffer(fb.id(), colour ? GL_COLOR_ATTACHMENT0 : GL_NONE);
     glNamedFramebufferReadBuffer(fb.id(), colour ? GL_COLOR_ATTACHMENT0 : GL_NONE);
-    const GLenum status = glCheckNamedFramebufferStatus(fb.id(), GL_FRAMEBUFFER);
-    if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(fmt::format("the driver cannot draw into {} (framebuffer status {:#x})", label, status));
+    require_complete(fb, label);
+    return fb;
+}
+
+Framebuffer make_framebuffer(std::string_view label, std::span<const Target> colours, const Target& depth) {
+    auto fb = Framebuffer::create(label);
+    std::vector<GLenum> buffers;
+    for (const Target& colour : colours) {
+        buffers.push_back(GL_COLOR_ATTACHMENT0 + GLenum(buffers.size()));
+        attach(fb.id(), buffers.back(), colour, -1);
+    }
+    attach(fb.id(), GL_DEPTH_ATTACHMENT, depth, -1);
+    glNamedFramebufferDrawBuffers(fb.id(), GLsizei(buffers.size()), buffers.data());
+    require_complete(fb, label);
     return fb;
 }
 

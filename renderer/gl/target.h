@@ -1,6 +1,7 @@
 // Textures one can draw into.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "renderer/gl/handle.h"
@@ -22,5 +23,8 @@ struct Target {
 /// A framebuffer of up to one colour and one depth attachment; layer -1 attaches whole textures.
 Framebuffer make_framebuffer(std::string_view label, const Target* colour, const Target* depth, int colour_layer = -1,
                              int depth_layer = -1);
+
+/// One of several colour attachments, in their order, and a depth.
+Framebuffer make_framebuffer(std::string_view label, std::span<const Target> colours, const Target& depth);
 
 }  // namespace si::gl

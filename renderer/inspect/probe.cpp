@@ -30,15 +30,9 @@ template <std::size_t Count>
 class Block {
 public:
     Block(FrameState& f, int x, int y_bottom) : f_(f), x_(x), y_(y_bottom) {
-        std::array<GLenum, Count> buffers{};
-        for (std::size_t i = 0; i < Count; ++i) {
-            targets_[i].ensure("probe", GL_RGBA32F, 2, 2);
-            buffers[i] = GL_COLOR_ATTACHMENT0 + GLenum(i);
-            glNamedFramebufferTexture(framebuffer_.id(), buffers[i], targets_[i].texture.id(), 0);
-        }
+        for (gl::Target& t : targets_) t.ensure("probe", GL_RGBA32F, 2, 2);
         depth_.ensure("probe depth", GL_DEPTH_COMPONENT32F, 2, 2);
-        glNamedFramebufferTexture(framebuffer_.id(), GL_DEPTH_ATTACHMENT, depth_.texture.id(), 0);
-        glNamedFramebufferDrawBuffers(framebuffer_.id(), GLsizei(Count), buffers.data());
+        framebuffer_ = gl::make_framebuffer("probe", targets_, depth_);
         const std::uint64_t pictures = std::exchange(f.gl.depth_key, 0);  // this depth is fresh, and not the picture's
         f.begin_camera_pass(framebuffer_.id());
         f.gl.depth_key = pictures;
@@ -46,7 +40,7 @@ public:
         const glm::vec4 nothing(0);
         for (GLint i = 0; i < GLint(Count); ++i) glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, i, &nothing.x);
     }
-    const gl::Target& target(std::size_t i) const { return targets_[i]; }
+    const std::array<gl::Target, Count>& targets() const { return targets_; }
     glm::vec4 value(std::size_t i) const {
         std::array<glm::vec4, 4> block;
         glGetTextureImage(targets_[i].texture.id(), 0, GL_RGBA, GL_FLOAT, sizeof block, block.data());
@@ -58,7 +52,7 @@ private:
     int x_, y_;
     std::array<gl::Target, Count> targets_;
     gl::Target depth_;
-    gl::Framebuffer framebuffer_ = gl::Framebuffer::create("probe");
+    gl::Framebuffer framebuffer_;
 };
 
 PixelFacts draw_pixel(FrameState& f, int x, int y_bottom, int light) {
@@ -82,8 +76,7 @@ std::vector<RecordedTap> draw_taps(FrameState& f, int x, int y_bottom, int light
     const gl::Framebuffer framebuffer = gl::make_framebuffer("taps", &taps, nullptr);
     f.begin_fullscreen_pass(framebuffer.id(), kMostTaps, 1);
     f.bind_maps();
-    for (int i = 0; i < kSeenImages; ++i)
-        glBindTextureUnit(GLuint(kSeenSurfaces + i), block.target(std::size_t(i)).texture.id());
+    bind_seen_surfaces(block.targets());
     const GLuint program =
         f.program("passes/fullscreen.vert.glsl", "passes/taps.frag.glsl",
                   {{"LIGHT_INDEX", std::to_string(light)}, {"RECORD_TAPS", "1"}, {"COMPARE_BY_HAND", "1"}});

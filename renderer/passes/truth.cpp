@@ -121,7 +121,7 @@ Pass compare_pass(FrameState& f) {
         f.bind_maps();
         glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
         bind_truth(f);
-        bind_seen_surfaces(f);
+        bind_seen_surfaces(f.gl.seen);
         std::vector<gl::Define> extra = truth_defines(f);
         extra.push_back({"LIGHT_INDEX", std::to_string(f.settings.view.light)});
         extra.push_back({"MAP_HOLDS_ALL", map_holds_all(f) ? "1" : "0"});
@@ -151,7 +151,7 @@ Pass causes_pass(FrameState& f) {
         f.bind_maps();
         glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
         bind_truth(f);
-        bind_seen_surfaces(f);
+        bind_seen_surfaces(f.gl.seen);
         bind_unfiltered(f);
         const auto draw = [&](float mark, const char* fragment, std::vector<gl::Define> kind) {
             glDepthRangef(mark, mark);
@@ -179,17 +179,8 @@ Pass evidence_pass(FrameState& f) {
     pass.writes = {"evidence"};
     pass.idle_reason = "nothing asks for trials";
     pass.run = [&f](PassInfo& info) {
-        f.gl.evidence_framebuffer = gl::Framebuffer::create("evidence");
-        GLenum buffers[kEvidenceImages];
-        for (int i = 0; i < kEvidenceImages; ++i) {
-            buffers[i] = GL_COLOR_ATTACHMENT0 + GLenum(i);
-            gl::Target& t = f.gl.evidence[std::size_t(i)];
-            t.ensure("evidence", GL_RGBA32F, f.request.width, f.request.height);
-            glNamedFramebufferTexture(f.gl.evidence_framebuffer.id(), buffers[i], t.texture.id(), 0);
-        }
-        glNamedFramebufferTexture(f.gl.evidence_framebuffer.id(), GL_DEPTH_ATTACHMENT, f.gl.camera_depth.texture.id(),
-                                  0);
-        glNamedFramebufferDrawBuffers(f.gl.evidence_framebuffer.id(), kEvidenceImages, buffers);
+        for (gl::Target& t : f.gl.evidence) t.ensure("evidence", GL_RGBA32F, f.request.width, f.request.height);
+        f.gl.evidence_framebuffer = gl::make_framebuffer("evidence", f.gl.evidence, f.gl.camera_depth);
         f.begin_camera_pass(f.gl.evidence_framebuffer.id());
         const glm::vec4 nothing(0);
         for (GLint i = 0; i < kEvidenceImages; ++i)

@@ -29,9 +29,6 @@ int judged_artefact(vec4 judged) { return int(judged.x) & ((1 << ARTEFACT_BITS) 
 int judged_bits(vec4 judged) { return int(judged.x) >> ARTEFACT_BITS; }
 float judged_visibility(vec4 judged) { return judged.y; }
 
-/// Of what was drawn; what is no number is dark.
-float drawn_visibility(float v) { return isnan(v) ? 0.0 : v; }
-
 /// How the visibility v compares with the truth. Wrong: on the other side of one half, by more than the truth's noise can
 /// explain. Faint: darker than wholly lit, and not wrong.
 int compared_bits(float v, vec4 truth, bool outside) {

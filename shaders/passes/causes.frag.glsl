@@ -3,14 +3,14 @@
 #include "lib/visibility.glsl"
 #include "lib/truth.glsl"
 #include "lib/cause.glsl"
-layout(binding = 3) uniform sampler2DArray visibility_map;
+#include "lib/drawn_visibility.glsl"
 
 layout(location = 0) out vec2 judged_out;  // judgement()
 
 void main() {
     vec4 truth = truth_here(), more = more_truth_here();
     Receiver r = make_receiver(seen_surface(), LIGHT_INDEX);
-    float v = drawn_visibility(texelFetch(visibility_map, ivec3(gl_FragCoord.xy, LIGHT_INDEX), 0).r);
+    float v = drawn_visibility();
     int place = place_in_map(r);
     int bits = compared_bits(v, truth, place == PLACE_OUTSIDE);
     Evidence e = gather_evidence(r, v, truth, more);

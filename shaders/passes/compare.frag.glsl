@@ -2,7 +2,7 @@
 #include "lib/truth.glsl"
 #include "lib/seen_surface.glsl"
 #include "lib/visibility.glsl"
-layout(binding = 3) uniform sampler2DArray visibility_map;
+#include "lib/drawn_visibility.glsl"
 
 layout(location = 0) out vec2 judged_out;  // judgement()
 
@@ -16,7 +16,7 @@ void main() {
 #else
     bool outside = place_in_map(make_receiver(seen_surface(), LIGHT_INDEX)) == PLACE_OUTSIDE;
 #endif
-    float v = drawn_visibility(texelFetch(visibility_map, ivec3(gl_FragCoord.xy, LIGHT_INDEX), 0).r);
+    float v = drawn_visibility();
     int bits = compared_bits(v, truth, outside);
     judged_out = judgement(ARTEFACT_NONE, bits, v);
     gl_FragDepth = (bits & FALSE_LIGHT) != 0    ? MARK_FALSE_LIGHT
