@@ -10,8 +10,9 @@
 #include "app/session/setting_json.h"
 #include "renderer/base/error.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
-#include "renderer/settings/techniques.h"
 
 namespace si {
 namespace {

@@ -13,8 +13,8 @@
 #include "app/sweep/progress_line.h"
 #include "app/sweep/tuning.h"
 #include "renderer/base/error.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
-#include "renderer/settings/techniques.h"
 
 namespace si {
 namespace {

@@ -8,8 +8,8 @@
 #include "app/base/output.h"
 #include "renderer/base/error.h"
 #include "renderer/reference/truth_picture.h"
+#include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
-#include "renderer/settings/techniques.h"
 
 namespace si {
 namespace {

@@ -7,6 +7,7 @@
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/reference/truth_picture.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 
 namespace si {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/frame/settings_block.h"
+#include "renderer/settings/filters.h"
 
 namespace si {
 

@@ -17,7 +17,7 @@
 #include "renderer/gl/program_cache.h"
 #include "renderer/gl/target.h"
 #include "renderer/gl/timer.h"
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/overlays.h"
 #include "shaders/shared/frame.h"
 
 namespace si {

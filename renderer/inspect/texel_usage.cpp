@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
 
 namespace si {
 namespace {

@@ -8,8 +8,8 @@
 #include "renderer/bias/account.h"
 #include "renderer/measure/axes.h"
 #include "renderer/measure/time_sampler.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
-#include "renderer/settings/techniques.h"
 #include "renderer/view/manual_light.h"
 
 namespace si {

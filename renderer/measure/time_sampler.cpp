@@ -5,7 +5,7 @@
 #include <cmath>
 #include <thread>
 
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
 
 namespace si {
 

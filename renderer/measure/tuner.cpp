@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
 
 namespace si {
 namespace {

@@ -1,6 +1,6 @@
 #include "renderer/reference/error_task.h"
 
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
 
 namespace si {
 

@@ -1,8 +1,8 @@
 // Settings as people read them: labels, units, changes.
 #include <fmt/format.h>
 
+#include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
-#include "renderer/settings/techniques.h"
 
 namespace si {
 namespace {

@@ -1,6 +1,6 @@
 // Rows of the shadow technique: map, caster, bias and filter.
+#include "renderer/settings/filters.h"
 #include "renderer/settings/rows.h"
-#include "renderer/settings/techniques.h"
 
 namespace si {
 namespace {

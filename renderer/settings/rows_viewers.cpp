@@ -1,6 +1,6 @@
 // Rows of what is looked at: the map viewer, the panes with their overlays, the texel slabs.
+#include "renderer/settings/overlays.h"
 #include "renderer/settings/rows.h"
-#include "renderer/settings/techniques.h"
 
 namespace si {
 namespace {

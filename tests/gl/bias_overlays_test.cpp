@@ -1,7 +1,6 @@
 // Overlays of bias and texel density against the same formulas in double, pixel by pixel.
 #include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/settings/techniques.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 

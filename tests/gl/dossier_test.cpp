@@ -4,7 +4,7 @@
 
 #include "renderer/reference/error_task.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 

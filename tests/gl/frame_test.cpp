@@ -4,7 +4,8 @@
 #include <set>
 
 #include "renderer/reference/truth_picture.h"
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/overlays.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -1,7 +1,7 @@
 // The taps that kernels make on the GPU: recorded while they run, held against the weights that each kernel's
 // definition gives in closed form, and against what the kernel found.
 #include "renderer/scenes/shapes.h"
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 

@@ -23,7 +23,7 @@
 #include "renderer/gl/shader_source.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/overlays.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
 

@@ -10,7 +10,7 @@
 
 #include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {

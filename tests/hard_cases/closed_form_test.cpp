@@ -1,7 +1,7 @@
 // The shadow of a box on a plane, whose outline is known exactly.
 #include <cmath>
 
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {

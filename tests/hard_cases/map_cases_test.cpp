@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "renderer/scenes/shapes.h"
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {

@@ -3,7 +3,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "renderer/scenes/shapes.h"
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/overlays.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {

@@ -5,7 +5,8 @@
 
 #include "app/context/headless_context.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/overlays.h"
 #include "tests/support/named_driver.h"
 
 namespace si::test {

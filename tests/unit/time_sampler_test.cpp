@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
 
 namespace si {
 namespace {

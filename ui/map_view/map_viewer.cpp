@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "renderer/inspect/probe.h"
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/filters.h"
 #include "ui/map_view/depth_plots.h"
 #include "ui/map_view/map_marks.h"
 #include "ui/map_view/map_readout.h"

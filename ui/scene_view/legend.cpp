@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/overlays.h"
 #include "shaders/shared/colours.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/theme.h"

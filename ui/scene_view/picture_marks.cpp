@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/overlays.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/theme.h"

@@ -6,7 +6,7 @@
 
 #include "renderer/frame/pane_grid.h"
 #include "renderer/inspect/probe.h"
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/overlays.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/scene_view/gnomon.h"
 #include "ui/scene_view/light_gizmo.h"

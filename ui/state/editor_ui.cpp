@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "renderer/settings/techniques.h"
+#include "renderer/settings/overlays.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"

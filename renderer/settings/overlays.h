@@ -1,0 +1,30 @@
+// The table of overlays: a new one is one row here and one GLSL file.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "renderer/settings/param.h"
+
+namespace si {
+
+/// How an overlay's values come about: per visible fragment, along the edges of all triangles, or as a count of
+/// every fragment whatever its depth.
+enum class OverlayDraw { Fragments, Edges, Count };
+
+/// An overlay. Its file defines `vec4 overlay(Receiver r)`; scalars in x, NaN where undefined.
+struct Overlay {
+    std::string_view key, label, unit, help;
+    std::string_view file;
+    bool scalar = true;             ///< x goes through the colour scale; otherwise rgba as it is
+    double min = 0, max = 1;        ///< colour scale when view.overlay_range is declared
+    bool diverging = false;         ///< the scale is centred on zero
+    bool reads_visibility = false;  ///< asks for the visibility texture
+    bool reads_truth = false;       ///< asks for the traced truth and for what it makes of the visibility
+    OverlayDraw draw = OverlayDraw::Fragments;
+};
+
+std::span<const Overlay> overlays();
+std::span<const Choice> overlay_choices();  ///< "none" first
+
+}  // namespace si
