@@ -12,7 +12,7 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     const double distance = glm::length(away);
     r.to_light = light.type == LightType::Directional || !(distance > 0) ? light.to_light : away / distance;
     r.n_dot_l = glm::dot(geometric_normal, r.to_light);
-    r.view = view_index(-away, light.views.size());
+    r.view = light.chooser.choose(light.views, position_ws).view;
     const LightView& view = light.views[r.view];
     const auto to_unit = [&](const glm::dvec3& ndc) {
         const double z = view.curve.convention.zero_to_one ? ndc.z : ndc.z * 0.5 + 0.5;
@@ -49,14 +49,6 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
               : r.own_m < view.curve.near ? MapPlace::BeforeNear
                                           : MapPlace::Inside;
     return r;
-}
-
-std::size_t view_index(const glm::dvec3& d, std::size_t views) {
-    if (views != 6) return 0;
-    const glm::dvec3 a = glm::abs(d);
-    if (a.x >= a.y && a.x >= a.z) return d.x >= 0 ? 0 : 1;
-    if (a.y >= a.z) return d.y >= 0 ? 2 : 3;
-    return d.z >= 0 ? 4 : 5;
 }
 
 }  // namespace si

@@ -42,8 +42,4 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
                              const glm::dvec3& position_ws, const glm::dvec3& geometric_normal,
                              const glm::dvec3& bias_normal);
 
-/// The view whose map a point falls into: the only one, or of six the one of the largest coordinate.
-/// @param from_light the point relative to the light's place
-std::size_t view_index(const glm::dvec3& from_light, std::size_t views);
-
 }  // namespace si

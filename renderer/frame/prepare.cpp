@@ -24,18 +24,47 @@ glm::dmat4 uvd_from_clip(const DepthConvention& convention) {
     return m;
 }
 
-void fit(FrameState& f) {
+/// Everything that place_lights() and fit_maps() read but the camera.
+Key lights_as_placed_key(const FrameState& f) {
     Key key;
     key.add(f.scene.id).add(f.settings.light_count).add(f.settings.map.resolution).add(f.settings.map.reversed_z);
-    key.add(f.settings.filter.kernel);
+    key.add(f.settings.map.format).add(f.settings.filter.kernel);
     for (const Param& p : params())
         if (p.scope == Scope::Light)
             for (int i = 0; i < std::min(f.settings.light_count, kMaxLights); ++i)
                 std::visit([&](auto v) { key.add(v); }, get_value(f.settings, {&p, i, {}}));
     for (const auto& [path, o] : f.settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
-    if (key.value() != f.gl.fit_key) {
-        f.gl.fitted = fit_lights(f.scene, f.settings, f.driver.max_texture_size);
-        f.gl.fit_key = key.value();
+    return key;
+}
+
+bool any_fit_reads_camera(const Settings& settings) {
+    for (int i = 0; i < settings.light_count; ++i)
+        if (fit_reads_camera(settings, i)) return true;
+    return false;
+}
+
+/// Everything that the camera's place, direction, projection and planes are made of.
+void add_camera(Key& key, const Camera& c) {
+    key.add(c.eye).add(c.axes[0]).add(c.axes[1]).add(c.axes[2]).add(c.orthographic).add(c.fov_y_rad).add(c.height);
+    key.add(c.aspect).add(c.curve.near).add(c.curve.far);
+}
+
+/// Places the lights, makes the camera, which may look through one of them, and fits the maps, which may be for what
+/// the camera sees. Lights are fitted anew when the camera moves only where a fit reads it.
+void fit(FrameState& f) {
+    Resources& r = f.gl;
+    Key key = lights_as_placed_key(f);
+    if (key.value() != r.as_placed_key) {
+        r.placed = place_lights(f.scene, f.settings);
+        r.as_placed = fit_maps(r.placed, f.settings, nullptr, f.driver.max_texture_size);
+        r.as_placed_key = key.value();
+    }
+    f.camera = make_camera(f.scene, f.settings, double(f.request.width) / f.request.height, r.as_placed);
+    const bool camera = any_fit_reads_camera(f.settings);
+    if (camera) add_camera(key, f.camera);
+    if (key.value() != r.fit_key) {
+        r.fitted = camera ? fit_maps(r.placed, f.settings, &f.camera, f.driver.max_texture_size) : r.as_placed;
+        r.fit_key = key.value();
     }
     f.view_count = 0;
     f.first_view.clear();
@@ -45,7 +74,7 @@ void fit(FrameState& f) {
     }
 }
 
-/// Fits the lights at the asked resolution, then halves it until all maps fit into memory.
+/// Makes camera and lights at the asked resolution, then halves it until all maps fit into memory.
 void fit_within_limits(FrameState& f) {
     int& n = f.settings.map.resolution;
     const int asked = n;
@@ -75,7 +104,6 @@ std::string light_constants(const FrameState& f) {
         return out + ");\n";
     };
     const auto& lights = f.gl.fitted;
-    const auto view = [&](std::size_t i) { return lights[i].casts ? &lights[i].views.front() : nullptr; };
     // Written out per light: a loop that the compiler does not unroll would index uniforms per pixel.
     std::string each = "#define EACH_LIGHT(DO)";
     for (std::size_t i = 0; i < count; ++i) each += fmt::format(" DO({})", i);
@@ -83,8 +111,9 @@ std::string light_constants(const FrameState& f) {
            array("LIGHT_RANGED", [&](std::size_t i) { return int(lights[i].range_m > 0); }) +
            array("LIGHT_CASTS", [&](std::size_t i) { return int(lights[i].casts); }) +
            array("LIGHT_FIRST_VIEW", [&](std::size_t i) { return f.first_view[i]; }) +
-           array("LIGHT_VIEWS", [&](std::size_t i) { return lights[i].casts ? int(lights[i].views.size()) : 0; }) +
-           array("LIGHT_PERSPECTIVE", [&](std::size_t i) { return view(i) ? int(view(i)->curve.perspective) : 0; });
+           array("LIGHT_CHOICE", [&](std::size_t i) { return lights[i].casts ? int(lights[i].chooser.choice) : 0; }) +
+           array("LIGHT_PERSPECTIVE",
+                 [&](std::size_t i) { return int(lights[i].casts && lights[i].is_perspective()); });
 }
 
 bool needs_surface_flags(const FrameState& f) {
@@ -190,10 +219,13 @@ shared::LightBlock light_block(const FrameState& f, std::size_t i) {
     b.position = glm::vec4(glm::vec3(light.position - f.origin), float(light.range_m));
     b.to_light = glm::vec4(glm::vec3(light.to_light), float(light.cos_cone_outer));
     b.radiance = glm::vec4(glm::vec3(light.radiance), float(light.cos_cone_inner));
-    if (light.casts) {
-        const LightView& v = light.views.front();  // a point light's faces share their range and size
-        b.curve = glm::vec4(v.curve.near, v.curve.far, v.half_width, 1.0 / f.map_resolution);
-    }
+    return b;
+}
+
+shared::ViewBlock view_block(const FrameState& f, const LightView& v) {
+    shared::ViewBlock b{};
+    b.uvd_from_relative = glm::mat4(uvd_from_clip(v.curve.convention) * v.clip_from_relative(f.origin));
+    b.curve = glm::vec4(v.curve.near, v.curve.far, v.half_width, 1.0 / f.map_resolution);
     return b;
 }
 
@@ -232,7 +264,6 @@ FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings,
         f.notes.push_back(
             "bias.raster_clamp needs GL_EXT_polygon_offset_clamp, which this driver lacks; it is ignored");
 
-    f.camera = make_camera(scene, f.settings, double(request.width) / request.height, resources.fitted);
     if (f.settings.camera.source == int(CameraSource::Light) && resources.fitted.empty())
         f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
     f.origin = f.camera.origin();
@@ -262,8 +293,7 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
         const FittedLight& light = f.gl.fitted[i];
         if (!light.casts) continue;
         for (std::size_t v = 0; v < light.views.size(); ++v)
-            block.uvd_from_relative[std::size_t(f.first_view[i]) + v] =
-                glm::mat4(uvd_from_clip(light.views[v].curve.convention) * light.views[v].clip_from_relative(f.origin));
+            block.views[std::size_t(f.first_view[i]) + v] = view_block(f, light.views[v]);
     }
     glNamedBufferSubData(resources.frame_block.id(), 0, sizeof block, &block);
     const auto bytes = settings_block_bytes(f.settings);

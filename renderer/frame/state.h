@@ -90,8 +90,11 @@ struct Resources {
         true_shaded_framebuffer;
     std::shared_ptr<const LiveError> error;  ///< of the error tiles
     std::uint64_t depth_key = 0;             ///< of the camera depth: what of the scene is in it
+    PlacedLights placed;
+    std::vector<FittedLight> as_placed;  ///< fitted without a camera
+    std::uint64_t as_placed_key = 0;
+    std::vector<FittedLight> fitted;  ///< for the frame's camera where a fit reads it
     std::uint64_t fit_key = 0;
-    std::vector<FittedLight> fitted;
     glm::vec2 drawn_range{0, 1};  ///< smallest and largest drawn depth, as in depth_range
     /// What the last frame's map view was made of, for reading it back; light -1: the frame had none.
     struct Shown {

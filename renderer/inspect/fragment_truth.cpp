@@ -24,9 +24,10 @@ FragmentTruth fragment_truth(const TruthScene& scene, const Probe& probe, const 
     TruthQuery query{emitter_of(light.fitted, settings.lights[std::size_t(light.light)]),
                      {traits.begin(), traits.end()},
                      light.fitted.views,
+                     light.fitted.chooser,
                      {.nearest = false}};
     const Truth neighbours = trace_visibility(scene, around, query, here);
-    const ShadowRuns runs = shadow_runs(neighbours, around, probe.camera, raster, query.emitter, query.views, here);
+    const ShadowRuns runs = shadow_runs(neighbours, around, probe.camera, raster, query, here);
     const glm::ivec2 at = glm::ivec2(probe.x, probe.y) - probe.around_at;
     query.options = {.area = true};
     const Truth own = trace_visibility(scene, {1, 1, {around.at(at.x, at.y)}}, query, here);

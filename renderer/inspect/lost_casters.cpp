@@ -12,8 +12,8 @@ namespace {
 bool light_in_object_space(const FittedLight& light, const glm::dmat4& world, glm::dvec4& out) {
     // Relative to the object's origin, so that a distant scene loses no digits.
     const glm::dvec3 origin(world[3]);
-    const bool parallel = light.views.front().curve.perspective == false;
-    const glm::dvec3 from = parallel ? light.views.front().axes[2] : light.views.front().eye - origin;
+    const bool parallel = !light.is_perspective();
+    const glm::dvec3 from = parallel ? light.to_light : light.position - origin;
     const glm::dmat3 m(world);
     const double det = glm::determinant(m);
     if (det == 0 || !std::isfinite(det)) return false;  // flattened: no triangle has an area

@@ -143,10 +143,8 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
         if (object < scene.objects.size()) out.object = scene.nodes[std::size_t(scene.objects[object].node)].path;
         if (i >= f.gl.fitted.size()) break;
         FloatImage map;
-        if (f.gl.fitted[i].casts) {
-            const glm::dvec3 d = out.position_ws - f.gl.fitted[i].position;
-            map = read_shadow_map(int(i), int(view_index(d, f.gl.fitted[i].views.size())));
-        }
+        if (const FittedLight& light = f.gl.fitted[i]; light.casts)
+            map = read_shadow_map(int(i), int(light.chooser.choose(light.views, out.position_ws).view));
         TestedPixel pixel{.light = int(i),
                           .point = {.position_ws = out.position_ws, .geometric = out.normal_ws},
                           .receives = facts.receives(),

@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "renderer/bias/light_receiver.h"
-
 namespace si {
 namespace {
 
@@ -15,14 +13,8 @@ constexpr float kInfinite = std::numeric_limits<float>::infinity();
 class Walker {
 public:
     Walker(const Truth& truth, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
-           const Emitter& emitter, const std::vector<LightView>& views)
-        : truth_(truth),
-          hard_(truth.hard()),
-          receivers_(receivers),
-          camera_(camera),
-          raster_(raster),
-          emitter_(emitter),
-          views_(views) {
+           const TruthQuery& query)
+        : truth_(truth), hard_(truth.hard()), receivers_(receivers), camera_(camera), raster_(raster), query_(query) {
         find_clearance();
     }
 
@@ -36,9 +28,9 @@ public:
         if (truth_.state[i] != PixelState::Counted || clearance_[i] > kRunReach) return found;
         const Receiver& r = receivers_.pixels[i];
         double distance = 0;
-        const glm::dvec3 to_light = emitter_.direction_from(r.position_ws, distance);
+        const glm::dvec3 to_light = query_.emitter.direction_from(r.position_ws, distance);
         const double facing = glm::dot(r.normal_ws, to_light);
-        const LightView& view = views_[view_index(r.position_ws - emitter_.position_ws, views_.size())];
+        const LightView& view = query_.views[query_.chooser.choose(query_.views, r.position_ws).view];
         for (int a = 0; a < 2; ++a) {
             const glm::dvec3 axis = view.axes[a];
             // Within the receiver's plane; along the light's ray the map's other coordinate stays.
@@ -60,8 +52,7 @@ private:
     const Receivers& receivers_;
     const Camera& camera_;
     const PixelRaster& raster_;
-    const Emitter& emitter_;
-    const std::vector<LightView>& views_;
+    const TruthQuery& query_;
     std::vector<std::uint8_t> clearance_;  ///< pixels, at least, to a change of the truth or an end of the surface
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(truth_.width) + std::size_t(x); }
@@ -175,13 +166,13 @@ private:
 }  // namespace
 
 ShadowRuns shadow_runs(const Truth& truth, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
-                       const Emitter& emitter, const std::vector<LightView>& views, const Workers& workers) {
+                       const TruthQuery& query, const Workers& workers) {
     ShadowRuns out;
     const std::vector<float> nothing(truth.state.size(), kInfinite);
     out.run_m = {truth.width, truth.height, 1, nothing};
     out.edge_m = out.run_m;
-    if (views.empty()) return out;
-    const Walker walker(truth, receivers, camera, raster, emitter, views);
+    if (query.views.empty()) return out;
+    const Walker walker(truth, receivers, camera, raster, query);
     for_blocks(std::size_t(truth.height), workers, [&](std::size_t y) {
         for (int x = 0; x < truth.width; ++x) {
             const Walker::Found found = walker.at(x, int(y));

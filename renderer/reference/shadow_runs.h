@@ -1,6 +1,6 @@
 // How far the truth about shadows stays as it is around each pixel, measured across the light.
 //
-//     ShadowRuns runs = shadow_runs(truth, receivers, camera, raster, emitter, views, {});
+//     ShadowRuns runs = shadow_runs(truth, receivers, camera, raster, query, {});
 //     runs.run_m.at(x, y) < texel_m;   // the lit or dark strip that the pixel lies in is narrower than a texel
 #pragma once
 
@@ -25,9 +25,9 @@ inline constexpr int kRunReach = 64;
 /// Found on the surface that the camera sees, from pixel to pixel, also behind what stands before it, so that no ray is
 /// traced and a part of a picture that reaches kRunReach beyond a pixel gives the very numbers of the whole.
 /// @param raster of the picture that the truth's pixels are of
-/// @param views of the light's map; empty: everything is infinite
+/// @param query that the truth answers; without views everything is infinite
 /// @throws Cancelled
 ShadowRuns shadow_runs(const Truth& truth, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
-                       const Emitter& emitter, const std::vector<LightView>& views, const Workers& workers);
+                       const TruthQuery& query, const Workers& workers);
 
 }  // namespace si

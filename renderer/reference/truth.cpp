@@ -223,7 +223,7 @@ private:
 
     double metres_to_near_plane(const glm::dvec3& point, const glm::dvec3& direction) const {
         if (query_.views.empty()) return std::numeric_limits<double>::infinity();
-        const LightView& view = query_.views[view_index(point - query_.emitter.position_ws, query_.views.size())];
+        const LightView& view = query_.views[query_.chooser.choose(query_.views, point).view];
         const double z = glm::dot(view.eye - point, view.axes[2]), rises = glm::dot(direction, view.axes[2]);
         return rises > 0 ? (z - view.curve.near) / rises : std::numeric_limits<double>::infinity();
     }
@@ -314,7 +314,7 @@ TruthQuery truth_query(const Scene& scene, const Settings& settings, const std::
         throw Error(fmt::format("view.light is {}, but light.count is {}", light, lights.size()));
     const FittedLight& fitted = lights[std::size_t(light)];
     return {emitter_of(fitted, settings.lights[std::size_t(light)]), object_traits(scene, settings), fitted.views,
-            options};
+            fitted.chooser, options};
 }
 
 std::string noise_text(const Truth& truth) {

@@ -51,6 +51,7 @@ struct TruthQuery {
     Emitter emitter;
     std::vector<ObjectTraits> traits;  ///< by object
     std::vector<LightView> views;      ///< whose near planes bound what a map stores; may be empty
+    ViewChooser chooser;               ///< of them
     TruthOptions options;
 };
 

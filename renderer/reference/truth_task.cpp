@@ -122,9 +122,8 @@ TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
             return std::make_shared<Truth>(trace_visibility(*scene_, *receivers_, task.query, workers.part(0.2, 0.9)));
         });
         known.runs = timed(out.runs_ms, [&] {
-            return std::make_shared<ShadowRuns>(shadow_runs(*known.truth, *receivers_, task.camera, task.raster,
-                                                            task.query.emitter, task.query.views,
-                                                            workers.part(0.9, 1)));
+            return std::make_shared<ShadowRuns>(
+                shadow_runs(*known.truth, *receivers_, task.camera, task.raster, task.query, workers.part(0.9, 1)));
         });
         truths_.push_front(std::move(known));
         if (truths_.size() > kKept) truths_.pop_back();

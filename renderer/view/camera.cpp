@@ -153,7 +153,8 @@ glm::dvec4 Camera::project(const glm::dvec3& world, int width, int height_px) co
     return {(ndc.x + 1) / 2 * width - 0.5, (1 - ndc.y) / 2 * height_px - 0.5, depth, clip.w};
 }
 
-Camera make_camera(const Scene& scene, const Settings& settings, double aspect, std::span<const FittedLight> fitted) {
+Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
+                   std::span<const FittedLight> as_placed) {
     const CameraSettings& s = settings.camera;
     const Bounds bounds = view_bounds(scene);
     Camera c;
@@ -165,8 +166,8 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect, 
     double near = 0, far = 0;
     if (s.source == int(CameraSource::Light)) {
         std::vector<FittedLight> own;
-        if (fitted.empty()) fitted = own = fit_lights(scene, settings);
-        if (look_through_light(c, settings, bounds, fitted)) {
+        if (as_placed.empty()) as_placed = own = fit_lights(scene, settings);
+        if (look_through_light(c, settings, bounds, as_placed)) {
             c.curve.perspective = !c.orthographic;
             return c;
         }

@@ -45,7 +45,7 @@ void widen_range(DepthCurve& curve, double texel, double scale) {
     }
 }
 
-void note(FittedLight& light, std::string text) {
+void note(PlacedLight& light, std::string text) {
     if (std::find(light.notes.begin(), light.notes.end(), text) == light.notes.end())
         light.notes.push_back(std::move(text));
 }
@@ -64,6 +64,7 @@ void manual_range(FittedLight& light, const LightSettings& s, DepthCurve& curve)
     }
 }
 
+/// What the fit of one light goes by.
 struct FitContext {
     const SceneShape& shape;
     const LightSettings& settings;
@@ -191,64 +192,74 @@ void fit_faces(FittedLight& light, const FitContext& c) {
         face.curve = range;
         finish_view(light, face, c, range.far);
     }
+    light.chooser = {ViewChoice::Face, light.position};
     if (c.settings.projection == int(LightProjection::Orthographic))
         note(light, "six faces are always perspective: light.projection has no effect");
 }
 
-/// Half the cone's angle in radians, clamped; `wide` when one map cannot hold it.
-double half_cone(FittedLight& light, const LightSettings& s, bool& wide) {
+/// Half the cone's angle in radians, clamped.
+double half_cone(PlacedLight& light, const LightSettings& s) {
     double half = 0.5 * s.cone * kDegree;
     if (std::isnan(half) || half < kMinHalfAngle) {
         note(light, fmt::format("light.cone {:.4g} degrees is too narrow: {:.3g} is used", s.cone,
                                 2 * kMinHalfAngle / kDegree));
         half = kMinHalfAngle;
     }
-    wide = half > kMaxHalfAngle;
-    if (half > std::numbers::pi) half = std::numbers::pi;
-    return half;
+    return std::min(half, std::numbers::pi);
 }
 
-void fit_directional(FittedLight& light, const FitContext& c, const glm::dvec3& target) {
-    const bool perspective = c.settings.projection == int(LightProjection::Perspective);
-    const double automatic = (perspective ? 4 : 2) * c.shape.radius;
-    LightView view;
-    view.axes = orthonormal_basis(light.to_light);
-    view.eye = target + light.to_light * positive_or(c.settings.distance, automatic);
-    light.position = view.eye;
-    if (perspective)
-        fit_perspective(light, view, c, 0);
-    else
-        fit_orthographic(light, view, c, 0, false);
+void place_spot(PlacedLight& light, const LightSettings& s) {
+    light.half_cone_rad = half_cone(light, s);
+    const double blend = std::clamp(finite_or(s.cone_blend, 0), 0.0, 1.0);
+    light.cos_cone_outer = std::cos(light.half_cone_rad);
+    light.cos_cone_inner = std::cos(light.half_cone_rad * (1 - blend));
+    light.six_faces = light.half_cone_rad > kMaxHalfAngle;
+    if (light.six_faces) note(light, "the cone is wider than one map can hold: it is drawn as six faces");
 }
 
-void fit_spot(FittedLight& light, const FitContext& c, const glm::dvec3& target) {
-    bool wide = false;
-    const double half = half_cone(light, c.settings, wide);
-    const double blend = std::clamp(finite_or(c.settings.cone_blend, 0), 0.0, 1.0);
-    light.cos_cone_outer = std::cos(half);
-    light.cos_cone_inner = std::cos(half * (1 - blend));
-    // Automatic: far enough for the sphere around the scene to fit into the cone.
-    const double automatic = c.shape.radius / std::sin(std::min(half, kMaxHalfAngle));
-    const double distance = positive_or(c.settings.distance, automatic);
-    light.position = target + light.to_light * distance;
-    if (wide) {
-        note(light, "the cone is wider than one map can hold: it is drawn as six faces");
-        return fit_faces(light, c);
+/// How far from its target a light stands where the settings leave it open.
+double automatic_distance(const PlacedLight& light, const LightSettings& s, double radius) {
+    switch (light.type) {
+        case LightType::Directional:
+            return (s.projection == int(LightProjection::Perspective) ? 4 : 2) * radius;
+        case LightType::Spot:  // far enough for the sphere around the scene to fit into the cone
+            return radius / std::sin(std::min(light.half_cone_rad, kMaxHalfAngle));
+        case LightType::Point:
+            break;
     }
-    LightView view;
-    view.eye = light.position;
-    view.axes = orthonormal_basis(light.to_light);
-    // As the cone's circle touches the map's sides, only kernels at its rim need the margin.
-    const double tangent = with_margin(std::tan(half), 0, c.resolution);
-    if (c.settings.projection == int(LightProjection::Orthographic))
-        fit_orthographic(light, view, c, tangent * distance, true);
-    else
-        fit_perspective(light, view, c, tangent);
+    return 1.5 * radius;
 }
 
-void fit_point(FittedLight& light, const FitContext& c, const glm::dvec3& target) {
-    light.position = target + light.to_light * positive_or(c.settings.distance, 1.5 * c.shape.radius);
-    fit_faces(light, c);
+PlacedLight place(const LightSettings& s, const SceneShape& shape) {
+    PlacedLight light;
+    light.type = LightType(std::clamp(s.type, 0, 2));
+    light.to_light = direction_from_angles(finite_or(s.azimuth, -40), finite_or(s.elevation, 45));
+    light.radiance = positive_or(s.intensity, 0) *
+                     glm::dvec3(positive_or(s.red, 0), positive_or(s.green, 0), positive_or(s.blue, 0));
+    light.target =
+        shape.centre + glm::dvec3(finite_or(s.target_x, 0), finite_or(s.target_y, 0), finite_or(s.target_z, 0));
+    light.map_origin = shape.centre;
+    light.range_m = range_of(s);
+    if (light.type == LightType::Spot) place_spot(light, s);
+    if (light.type == LightType::Point) light.six_faces = true;
+    light.distance_m = positive_or(s.distance, automatic_distance(light, s, shape.radius));
+    light.position = light.target + light.to_light * light.distance_m;
+    return light;
+}
+
+void fit_one_view(FittedLight& light, const FitContext& c) {
+    LightView view;
+    view.axes = orthonormal_basis(light.to_light);
+    view.eye = light.position;
+    const bool directional = light.type == LightType::Directional;
+    // As the cone's circle touches the map's sides, only kernels at its rim need the margin.
+    const double tangent = directional ? 0 : with_margin(std::tan(light.half_cone_rad), 0, c.resolution);
+    const int projection = c.settings.projection;
+    if (directional ? projection == int(LightProjection::Perspective)
+                    : projection != int(LightProjection::Orthographic))
+        fit_perspective(light, view, c, tangent);
+    else
+        fit_orthographic(light, view, c, tangent * light.distance_m, !directional);
 }
 
 /// Whether any box begins within the range; along the views' axes, so that a few may pass that do not.
@@ -264,7 +275,7 @@ bool reaches_anything(const FittedLight& light, const SceneShape& shape) {
 
 /// Divides spot and point radiances by what the brightest of them brings to the scene's centre, where the shaders'
 /// 1/d^2 makes it 1 again. Nearer than a quarter of the scene's radius counts as that far.
-void normalise_punctual(std::vector<FittedLight>& lights, const Settings& settings, const SceneShape& shape) {
+void normalise_punctual(std::vector<PlacedLight>& lights, const Settings& settings, const SceneShape& shape) {
     double brightest = 0;
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (lights[i].type == LightType::Directional) continue;
@@ -273,7 +284,7 @@ void normalise_punctual(std::vector<FittedLight>& lights, const Settings& settin
         brightest = std::max(brightest, intensity / (d * d));
     }
     if (!(brightest > 0)) return;
-    for (FittedLight& light : lights)
+    for (PlacedLight& light : lights)
         if (light.type != LightType::Directional) light.radiance /= brightest;
 }
 
@@ -291,39 +302,36 @@ glm::dvec3 direction_from_angles(double azimuth_deg, double elevation_deg) {
     return glm::dvec3(el.cosine * az.sine, el.sine, el.cosine * az.cosine) + 0.0;  // no zero has a sign
 }
 
-std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, int max_resolution) {
-    const SceneShape shape = scene_shape(scene, settings);
+PlacedLights place_lights(const Scene& scene, const Settings& settings) {
+    const auto shape = std::make_shared<const SceneShape>(scene_shape(scene, settings));
+    PlacedLights out{shape, {}};
+    for (int i = 0; i < std::clamp(settings.light_count, 0, kMaxLights); ++i)
+        out.lights.push_back(place(settings.lights[std::size_t(i)], *shape));
+    normalise_punctual(out.lights, settings, *shape);
+    return out;
+}
+
+bool fit_reads_camera(const Settings&, int) {
+    return false;
+}
+
+std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Settings& settings, const Camera*,
+                                  int max_resolution) {
+    const SceneShape& shape = *placed.shape;
     const int resolution = std::clamp(settings.map.resolution, 1, std::max(1, max_resolution));
-    const int count = std::clamp(settings.light_count, 0, kMaxLights);
-    std::vector<FittedLight> lights(count);
-    for (int i = 0; i < count; ++i) {
+    std::vector<FittedLight> lights;
+    for (std::size_t i = 0; i < placed.lights.size(); ++i) {
         const LightSettings& s = settings.lights[i];
-        FittedLight& light = lights[i];
-        light.type = LightType(std::clamp(s.type, 0, 2));
-        light.to_light = direction_from_angles(finite_or(s.azimuth, -40), finite_or(s.elevation, 45));
-        light.radiance = positive_or(s.intensity, 0) *
-                         glm::dvec3(positive_or(s.red, 0), positive_or(s.green, 0), positive_or(s.blue, 0));
-        const glm::dvec3 target =
-            shape.centre + glm::dvec3(finite_or(s.target_x, 0), finite_or(s.target_y, 0), finite_or(s.target_z, 0));
-        light.target = target;
-        light.map_origin = shape.centre;
-        light.range_m = range_of(s);
+        FittedLight& light = lights.emplace_back(FittedLight{placed.lights[i]});
         const FitContext context{shape,
                                  s,
                                  {true, settings.map.reversed_z},
                                  resolution,
                                  light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity()};
-        switch (light.type) {
-            case LightType::Directional:
-                fit_directional(light, context, target);
-                break;
-            case LightType::Spot:
-                fit_spot(light, context, target);
-                break;
-            case LightType::Point:
-                fit_point(light, context, target);
-                break;
-        }
+        if (light.six_faces)
+            fit_faces(light, context);
+        else
+            fit_one_view(light, context);
         if (light.range_m > 0 && !reaches_anything(light, shape))
             note(light, fmt::format("light.range: nothing lies within {:.4g} m of light {}", light.range_m, i));
         if (!s.cast)
@@ -338,19 +346,13 @@ std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings
         if (!light.casts) continue;
         light.clipped_casters = count_clipped(shape, light.views);
         light.limits = map_limits(shape, light.views, MapFormat(settings.map.format), resolution);
-        for (std::string& text : map_limit_notes(light.limits, i)) note(light, std::move(text));
+        for (std::string& text : map_limit_notes(light.limits, int(i))) note(light, std::move(text));
     }
-    normalise_punctual(lights, settings, shape);
     return lights;
 }
 
-glm::dmat4 LightView::clip_from_relative(const glm::dvec3& origin) const {
-    return si::clip_from_relative(projection, axes, eye, origin);
-}
-
-glm::dvec3 LightView::position_ws(const glm::dvec2& uv, double z) const {
-    const double half = half_width * (curve.perspective ? z : 1.0);
-    return eye + axes * glm::dvec3((2.0 * uv - 1.0) * half, -z);
+std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, const Camera* camera) {
+    return fit_maps(place_lights(scene, settings), settings, camera);
 }
 
 }  // namespace si

@@ -2,31 +2,19 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/depth_curve.h"
+#include "renderer/view/light_view.h"
+#include "renderer/view/view_choice.h"
 
 namespace si {
 
-/// One square shadow map image: a view and projection.
-struct LightView {
-    glm::dvec3 eye{0};           ///< world
-    glm::dmat3 axes{1.0};        ///< columns right, up, back (the view looks along -back)
-    glm::dmat4 projection{1.0};  ///< to clip space of curve.convention
-    DepthCurve curve;
-    double half_width = 1;  ///< orthographic: half extent in metres; perspective: tan of the half angle
-    /// Clip space from positions relative to `origin` (world), composed in double.
-    glm::dmat4 clip_from_relative(const glm::dvec3& origin) const;
-    /// The world position seen at map coordinates `uv`, z metres along the axis.
-    glm::dvec3 position_ws(const glm::dvec2& uv, double z) const;
-    /// World size of a texel at distance z (metres).
-    double texel_size(double z, int resolution) const {
-        return 2 * half_width * (curve.perspective ? z : 1.0) / resolution;
-    }
-};
+struct Camera;
+struct SceneShape;
 
 /// What no bias and no kernel can mend; see map_limits().
 struct MapLimits {
@@ -37,21 +25,32 @@ struct MapLimits {
     bool any() const { return one_depth_step || one_texel; }
 };
 
-struct FittedLight {
+/// A light where the settings place it, before it has a map. Nothing of it depends on the camera.
+struct PlacedLight {
     LightType type = LightType::Directional;
     glm::dvec3 position{0};        ///< world; directional: as the settings place it, before a fit centres the map
     glm::dvec3 target{0};          ///< world; what `position` is `to_light` away from
     glm::dvec3 to_light{0, 1, 0};  ///< unit; directional: towards the light; spot: against its axis
-    double cos_cone_outer = -1, cos_cone_inner = -1;
+    double distance_m = 0;         ///< of the place from the target
+    double half_cone_rad = 0, cos_cone_outer = -1, cos_cone_inner = -1;
+    bool six_faces = false;          ///< no single map holds all directions that it shines in
     double range_m = 0;              ///< of spot and point lights: no light from there on; 0: unlimited
-    glm::dvec3 radiance{1};          ///< colour × intensity, normalised to the scene's centre (see fit_lights)
-    bool casts = false;              ///< has views and anything to draw into them
-    std::string reason;              ///< why it casts nothing
+    glm::dvec3 radiance{1};          ///< colour × intensity, normalised to the scene's centre (see place_lights)
     glm::dvec3 map_origin{0};        ///< world; what the shaders that draw its maps count positions from
-    std::vector<LightView> views;    ///< 1, or 6 faces (+x -x +y -y +z -z)
-    int clipped_casters = 0;         ///< objects reaching in front of the near plane
-    MapLimits limits;                ///< of lights that cast
-    std::vector<std::string> notes;  ///< values clamped on the way, and what the map cannot do
+    std::vector<std::string> notes;  ///< values clamped on the way, and (fitted) what the map cannot do
+};
+
+struct FittedLight : PlacedLight {
+    bool casts = false;            ///< has views and anything to draw into them
+    std::string reason;            ///< why it casts nothing
+    std::vector<LightView> views;  ///< all perspective or none; six faces: +x -x +y -y +z -z
+    ViewChooser chooser;           ///< which of them a point is looked up in
+    int clipped_casters = 0;       ///< objects reaching in front of the near plane
+    MapLimits limits;              ///< of lights that cast
+    /// Whether its maps are drawn in perspective, all of them; false when it has none.
+    bool is_perspective() const { return !views.empty() && views[0].curve.perspective; }
+    /// The view whose map a point falls into.
+    const LightView& view_of(const glm::dvec3& point_ws) const { return views[chooser.choose(views, point_ws).view]; }
 };
 
 /// Whether a light of this range (0: unlimited) shines so far.
@@ -59,10 +58,28 @@ constexpr bool within_range(double distance_m, double range_m) {
     return range_m <= 0 || distance_m < range_m;
 }
 
-/// Fits every light 0..light_count-1 to the scene. Spot and point intensities fall with the square of the distance
-/// and are scaled together so that the brightest light contributes 1 at the scene's centre.
+/// The lights 0..light_count-1 of the settings, and what of the scene their maps may have to cover.
+struct PlacedLights {
+    std::shared_ptr<const SceneShape> shape;
+    std::vector<PlacedLight> lights;
+};
+
+/// Spot and point intensities fall with the square of the distance and are scaled together so that the brightest light
+/// contributes 1 at the scene's centre.
+PlacedLights place_lights(const Scene& scene, const Settings& settings);
+
+/// Whether the fit that these settings choose for a light depends on the camera.
+bool fit_reads_camera(const Settings& settings, int light);
+
+/// Gives every placed light the views of its maps. A pure function.
+/// @param camera whose picture the maps are for; null: fits that depend on one hold the whole scene instead, as the
+///     camera that looks through a light has them
 /// @param max_resolution the GL limit on texture size
-std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, int max_resolution = 16384);
+std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Settings& settings, const Camera* camera,
+                                  int max_resolution = 16384);
+
+/// Both at once.
+std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, const Camera* camera = nullptr);
 
 /// A right-handed orthonormal basis whose third column is unit vector n, without branches on near-parallel axes.
 /// Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017.

@@ -3,7 +3,7 @@
 /// Cosine between the ray to the light and the view's axis, at least 1e-6: metres along the axis per metre along the ray.
 float axis_per_ray(Receiver r) {
     // The axis towards the light: perspective depth is the distance along it (w), other depth grows against it.
-    mat4 m = frame.uvd_from_relative[r.layer];
+    mat4 m = frame.views[r.layer].uvd_from_relative;
     vec3 axis = LIGHT_PERSPECTIVE[r.light] != 0 ? -vec3(m[0][3], m[1][3], m[2][3])
                                                : -away(1.0) * vec3(m[0][2], m[1][2], m[2][2]);
     return max(dot(r.to_light, axis) * inversesqrt(max(dot(axis, axis), 1e-37)), 1e-6);

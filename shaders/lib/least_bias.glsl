@@ -6,7 +6,7 @@
 vec2 plane_gradient(Receiver r) {
     vec3 n = r.surface.geometric;
     vec3 along = normalize(abs(n.x) > abs(n.z) ? vec3(-n.y, n.x, 0.0) : vec3(0.0, -n.z, n.y));
-    mat4 m = frame.uvd_from_relative[r.layer];
+    mat4 m = frame.views[r.layer].uvd_from_relative;
     vec4 p = m * vec4(along, 0.0), q = m * vec4(cross(n, along), 0.0);
     vec2 depth = vec2(p.z, q.z);
     vec2 a = p.xy, b = q.xy;

@@ -2,6 +2,7 @@
 #include "lib/frame.glsl"
 #include "lib/depth.glsl"
 #include "lib/shadow_map.glsl"
+#include "lib/view_choice.glsl"
 #include "shared/facing.h"
 
 const int INSIDE = 0, OUTSIDE_SIDES = 1, OUTSIDE_FAR = 2, BEHIND = 3, NO_MAP = 4;
@@ -43,13 +44,6 @@ float away(float depth_distance) {
 #endif
 }
 
-int face_of(vec3 d) {
-    vec3 a = abs(d);
-    if (a.x >= a.y && a.x >= a.z) return d.x >= 0.0 ? 0 : 1;
-    if (a.y >= a.z) return d.y >= 0.0 ? 2 : 3;
-    return d.z >= 0.0 ? 4 : 5;
-}
-
 /// Unit vector to the light; the distance is 0 for directional lights.
 vec3 direction_to(int index, vec3 position, out float distance_m) {
     LightBlock light = frame.lights[index];
@@ -71,7 +65,7 @@ const float NEAREST_SHARE = 1e-3;  // of the near plane: nothing is taken to be 
 /// DepthCurve::depth_nearer(), where the slope at r is not enough, as depth rises faster towards a perspective light.
 float depth_nearer(Receiver r, float z, float metres) {
     bool perspective = LIGHT_PERSPECTIVE[r.light] != 0;
-    float moved = perspective ? min(metres, z - NEAREST_SHARE * frame.lights[r.light].curve.x) : metres;
+    float moved = perspective ? min(metres, z - NEAREST_SHARE * frame.views[r.layer].curve.x) : metres;
     float steeper = perspective ? (r.z / z) * (r.z / (z - moved)) : 1.0;
     return moved * r.depth_per_m * steeper;
 }
@@ -100,29 +94,28 @@ vec3 bias_normal_of(Surface s) {
 
 Receiver make_receiver(Surface s, int index) {
     Receiver r;
-    LightBlock light = frame.lights[index];
     r.surface = s;
     r.light = index;
     r.to_light = direction_to(index, s.position, r.distance_m);
     r.geometric_n_dot_l = dot(s.geometric, r.to_light);
     vec3 bias_normal_ws = bias_normal_of(s);
     r.n_dot_l = dot(bias_normal_ws, r.to_light);
-    r.layer = LIGHT_FIRST_VIEW[index];
-    if (LIGHT_VIEWS[index] == 6) r.layer += face_of(s.position - light.position.xyz);
+    r.layer = LIGHT_FIRST_VIEW[index] + choose_view(index, s.position);
+    ViewBlock view = frame.views[r.layer];
 
-    vec4 h = frame.uvd_from_relative[r.layer] * vec4(s.position, 1.0);
+    vec4 h = view.uvd_from_relative * vec4(s.position, 1.0);
     if (LIGHT_PERSPECTIVE[index] == 0) h.w = 1.0;  // known, so the division below costs nothing
     r.w = h.w;
-    float near = light.curve.x, far = light.curve.y;
+    float near = view.curve.x, far = view.curve.y;
     bool perspective = LIGHT_PERSPECTIVE[index] != 0;
     r.z = perspective ? max(h.w, NEAREST_SHARE * near) : 1.0;
-    r.texel_m = 2.0 * light.curve.z * r.z * light.curve.w;
+    r.texel_m = 2.0 * view.curve.z * r.z * view.curve.w;
     r.depth_per_m = perspective ? near * far / ((far - near) * r.z * r.z) : 1.0 / (far - near);
 
     vec4 o = h;
     float offset_z = r.z;
 #if BIAS_NORMAL_OFFSET
-    o += frame.uvd_from_relative[r.layer] * vec4(bias_normal_ws * (bias_normal * r.texel_m), 0.0);
+    o += view.uvd_from_relative * vec4(bias_normal_ws * (bias_normal * r.texel_m), 0.0);
     if (!perspective) o.w = 1.0;
     offset_z = perspective ? max(o.w, NEAREST_SHARE * near) : 1.0;
 #endif

@@ -3,10 +3,10 @@
 
 vec4 overlay(Receiver r) {
     if (r.where >= BEHIND) return vec4(NOTHING);
-    LightBlock light = frame.lights[r.light];
+    vec4 curve = frame.views[r.layer].curve;
     bool perspective = LIGHT_PERSPECTIVE[r.light] != 0;
     float stored = map_depth(r.uvd.xy, r.layer);
-    float along_axis = metres_from_depth(r.uvd.z, light.curve.x, light.curve.y, perspective) -
-                       metres_from_depth(stored, light.curve.x, light.curve.y, perspective);
+    float along_axis = metres_from_depth(r.uvd.z, curve.x, curve.y, perspective) -
+                       metres_from_depth(stored, curve.x, curve.y, perspective);
     return vec4(along_axis / axis_per_ray(r));
 }

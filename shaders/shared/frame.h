@@ -16,7 +16,11 @@ struct LightBlock {
     vec4 position;  // xyz; spot and point. w: range in metres where LIGHT_RANGED
     vec4 to_light;  // xyz unit; directional: to the light, spot: against the axis. w: cos of the outer cone
     vec4 radiance;  // rgb; w: cos of the inner cone
-    vec4 curve;     // near, far, half width (orthographic: metres, perspective: tangent), 1 / map resolution
+};
+
+struct ViewBlock {
+    mat4 uvd_from_relative;  // homogeneous map coordinates and depth, all in [0,w]
+    vec4 curve;  // near, far, half width (orthographic: metres, perspective: tangent), 1 / map resolution
 };
 
 struct FrameBlock {
@@ -26,13 +30,15 @@ struct FrameBlock {
     vec4 map_origin;  // xyz relative: what the shaders that draw the maps count positions from
     vec4 offset;    // PolygonOffset of the map format: unit_depth, unit_steps, slope_gain; w: 1 slope_is_length
     LightBlock lights[SI_MAX_LIGHTS];
-    mat4 uvd_from_relative[SI_MAX_VIEWS];  // homogeneous map coordinates and depth, all in [0,w]
+    ViewBlock views[SI_MAX_VIEWS];
 };
 
 #ifdef __cplusplus
 }  // namespace si::shared
-static_assert(sizeof(si::shared::LightBlock) == 64);
+static_assert(sizeof(si::shared::LightBlock) == 48);
+static_assert(sizeof(si::shared::ViewBlock) == 80);
 static_assert(offsetof(si::shared::FrameBlock, lights) == 128);
-static_assert(offsetof(si::shared::FrameBlock, uvd_from_relative) == 128 + 64 * SI_MAX_LIGHTS);
+static_assert(offsetof(si::shared::FrameBlock, views) == 128 + 48 * SI_MAX_LIGHTS);
+static_assert(sizeof(si::shared::FrameBlock) <= 16384);  // the least that OpenGL grants
 #endif
 #endif

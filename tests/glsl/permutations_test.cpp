@@ -188,7 +188,7 @@ std::vector<Axis> axes() {
     out.push_back({{}, {{}, {{"caster.blend", "mask"}}}});
     out.push_back({{}, {{}, {{"view.slabs", "both"}}}});
     out.push_back({{}, {{}, {{"view.map_fit", "true"}}}});
-    out.push_back({{"MAP_LAYERS", "LIGHT_TYPE", "LIGHT_PERSPECTIVE"},
+    out.push_back({{"MAP_LAYERS", "LIGHT_TYPE", "LIGHT_CHOICE", "LIGHT_PERSPECTIVE"},
                    {{},
                     {{"light.type", "spot"}},
                     {{"light.type", "point"}},

@@ -52,7 +52,7 @@ Emitter sun(const glm::dvec3& to_light, double angular_radius_deg) {
 }
 
 TruthQuery query_for(const Scene& scene, const Emitter& emitter, const TruthOptions& options) {
-    return {emitter, object_traits(scene, Settings{}), {}, options};
+    return {emitter, object_traits(scene, Settings{}), {}, {}, options};
 }
 
 std::shared_ptr<const TruthGeometry> geometry_of(const Scene& scene, const Settings& settings) {

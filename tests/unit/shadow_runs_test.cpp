@@ -17,8 +17,7 @@ struct Floor {
     Receivers receivers;
     Camera camera;
     PixelRaster raster;
-    Emitter sun;
-    std::vector<LightView> views;
+    TruthQuery query;
 
     explicit Floor(const std::vector<std::string>& rows, const glm::dvec3& at = {0, 0, 0}) {
         const int w = int(rows[0].size()), h = int(rows.size());
@@ -49,14 +48,14 @@ struct Floor {
                 }
                 receivers.pixels.push_back(r);
             }
-        sun.type = LightType::Directional;
-        sun.to_light = {0, 1, 0};
-        sun.casts = true;
+        query.emitter.type = LightType::Directional;
+        query.emitter.to_light = {0, 1, 0};
+        query.emitter.casts = true;
         LightView view;
         view.axes = camera.axes;
-        views = {view};
+        query.views = {view};
     }
-    ShadowRuns runs() const { return shadow_runs(truth, receivers, camera, raster, sun, views, {.threads = 1}); }
+    ShadowRuns runs() const { return shadow_runs(truth, receivers, camera, raster, query, {.threads = 1}); }
 };
 
 std::string row(int lit_before, int dark, int lit_after) {
@@ -123,7 +122,7 @@ TEST(ShadowRuns, WithoutAMapOrBeyondWhatCountsAreEndless) {
     Floor floor(std::vector<std::string>(10, row(5, 5, 5)));
     floor.truth.state[5 * 15 + 7] = PixelState::FacesAway;
     EXPECT_TRUE(std::isinf(floor.runs().run_m.at(7, 5)));
-    floor.views.clear();
+    floor.query.views.clear();
     for (const float v : floor.runs().run_m.data) EXPECT_TRUE(std::isinf(v));
 }
 

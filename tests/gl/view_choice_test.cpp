@@ -1,0 +1,60 @@
+// Which view the GPU looks a point up in, and which one its twin in double says.
+#include "renderer/reference/truth_task.h"
+#include "tests/gl/frame_fixture.h"
+
+namespace si {
+namespace {
+
+using Change = std::vector<std::pair<std::string, std::string>>;
+
+class ViewChoiceTest : public FrameTest {
+protected:
+    /// Compares the two at every pixel that reads the map. @return pixels by view
+    std::vector<std::size_t> compare(const Scene& scene, const Settings& s) {
+        FrameRequest request = small();
+        request.outputs = {.colour = false, .shadow_map = true, .map_coordinates = true};
+        const FrameResult frame = renderer.render(scene, s, request);
+        const FloatImage at = renderer.read_float(frame.map_coordinates, 4);
+        const TruthTask task = truth_task(renderer, scene, s, request, 0, {}, {});
+        const Receivers receivers = place_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
+        const FittedLight& light = frame.lights[0];
+        std::vector<std::size_t> pixels(light.views.size());
+        for (int y = 0; y < at.height; ++y)
+            for (int x = 0; x < at.width; ++x) {
+                const Receiver& r = receivers.at(x, y);
+                if (!r.hit() || at.at(x, y, 3) == 0) continue;
+                const auto view = std::size_t(at.at(x, y, 2));
+                ++pixels.at(view);
+                // Single precision may err on the border between two.
+                const double eps = 1e-5 * (frame.camera.focus + glm::distance(r.position_ws, light.position));
+                bool same = false;
+                for (int i = 0; i < 9 && !same; ++i) {
+                    const glm::dvec3 aside = i == 8 ? glm::dvec3(0) : glm::dvec3(i & 1, i >> 1 & 1, i >> 2) - 0.5;
+                    same = light.chooser.choose(light.views, r.position_ws + eps * aside).view == view;
+                }
+                EXPECT_TRUE(same) << x << "," << y << ": view " << view;
+            }
+        return pixels;
+    }
+};
+
+TEST_F(ViewChoiceTest, FacesAreThoseOfTheTwin) {
+    Scene scene = load_scene("boxes");
+    for (const char* elevation : {"90", "30"})
+        for (const Change& kind : {Change{{"light.type", "point"}}, {{"light.type", "spot"}, {"light.cone", "250"}}}) {
+            Settings s = settings_for(scene, kind);
+            set_setting(s, "light.elevation", elevation);
+            set_setting(s, "light.distance", "4");
+            const auto pixels = compare(scene, s);
+            ASSERT_EQ(pixels.size(), 6u);
+            EXPECT_GE(std::count_if(pixels.begin(), pixels.end(), [](std::size_t n) { return n > 100; }), 3);
+        }
+}
+
+TEST_F(ViewChoiceTest, OneViewIsAlwaysTheFirst) {
+    const Scene scene = load_scene("boxes");
+    EXPECT_GT(compare(scene, settings_for(scene))[0], 1000u);
+}
+
+}  // namespace
+}  // namespace si
