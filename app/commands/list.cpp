@@ -54,11 +54,17 @@ Json filter_rows() {
     for (const Filter& f : filters()) {
         Json json = row(f.key, f.label, f.help);
         json["file"] = f.file;
+        const Reach reach = f.reach(f, Settings{}, std::numeric_limits<double>::infinity());
+        const FilterCost cost = f.cost(f, Settings{});
+        json["paper"] = f.paper;
         json["size"] = f.size;
         json["bilinear"] = f.bilinear;
-        json["reach_texels"] = f.reach_texels;
-        json["gathers"] = f.gathers;
-        json["sampler_taps"] = f.sampler_taps;
+        json["reach_texels"] = reach.bias;
+        json["edge_reach_texels"] = reach.edge;
+        json["read_reach_texels"] = reach.read;
+        json["gathers"] = cost.gathers;
+        json["sampler_taps"] = cost.sampler_taps;
+        json["settings"] = std::vector<std::string>(f.settings.begin(), f.settings.end());
         list.push_back(std::move(json));
     }
     return list;

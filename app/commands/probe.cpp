@@ -60,6 +60,11 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
     fmt::print("  9 nearest texel      {:.8g} {} {:.8g} is {}\n", p.compared, than, p.stored,
                lit ? "true: lit" : "false: in shadow");
     fmt::print(" 10 kernel             visibility {:.4g}\n", p.visibility);
+    if (!std::isnan(p.kernel.blocker_m))
+        fmt::print("    occluder {:.4g} m before it along the light's axis: penumbra {:.3g} texels ({:.4g} m) wide\n",
+                   p.kernel.blocker_m, p.kernel.penumbra_texels, p.kernel.penumbra_texels * p.texel_m);
+    if (!std::isnan(p.kernel.variance))
+        fmt::print("    variance of depths {:.4g} of the map's range squared\n", p.kernel.variance);
     print_taps(p);
     fmt::print("  {}\n", p.verdict);
 }

@@ -1,5 +1,7 @@
 #include "app/report/probe_json.h"
 
+#include <cmath>
+
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
 #include "renderer/measure/artefact_picture.h"
@@ -90,6 +92,10 @@ Json per_light_json(const Probe::PerLight& p) {
     json["bias"] = account_json(p.account);
     json["taps_across"] = p.taps_size.x, json["taps_up"] = p.taps_size.y;
     json["taps"] = taps_json(p);
+    json["kernel"] = {{"texels", p.kernel.texels}};
+    if (!std::isnan(p.kernel.blocker_m)) json["kernel"]["blocker_m"] = p.kernel.blocker_m;
+    if (!std::isnan(p.kernel.penumbra_texels)) json["kernel"]["penumbra_texels"] = p.kernel.penumbra_texels;
+    if (!std::isnan(p.kernel.variance)) json["kernel"]["variance"] = p.kernel.variance;
     return json;
 }
 

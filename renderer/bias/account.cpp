@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/settings/filters.h"
+#include "renderer/view/kernel_reach.h"
 
 namespace si {
 namespace {
@@ -44,7 +44,7 @@ BiasAccount bias_account(const FittedLight& light, const Settings& settings, int
     a.theta_rad = std::acos(std::clamp(r.n_dot_l, -1.0, 1.0));
     a.curve = view.curve;
     const double quantum = depth_quantum(MapFormat(settings.map.format), r.uvd.z);
-    const double kappa = filters()[std::size_t(settings.filter.kernel)].reach_texels;
+    const double kappa = reach_under(settings, light, resolution).bias;
     a.least = least_bias(a.plane.gradient, kappa, resolution, quantum, driver.subpixel_bits,
                          rounding_bias(view, p.position_ws, extent_m(light, view, r, resolution, p)));
     const double slope = bias.slope * (1 - std::clamp(glm::dot(p.bias_normal, r.to_light), 0.0, 1.0));

@@ -47,13 +47,20 @@ struct FrameRequest {
 
 enum class PassState { Ran, Reused, Skipped };
 
+/// What a pass's time is booked under.
+enum class PassCategory {
+    Maps,     ///< draws shadow maps or prepares them for look-ups
+    Picture,  ///< shades, with the look-ups
+    Tool,     ///< judges, measures or shows; no part of what an engine would draw
+};
+
 struct PassInfo {
     std::string name;
     PassState state = PassState::Skipped;
     std::string reason;
     double gpu_ms = 0, cpu_ms = 0;  ///< 0 unless timing was asked for
     std::uint64_t draws = 0, triangles = 0;
-    bool of_maps = false;  ///< draws or changes shadow maps; else it is a part of the picture
+    PassCategory category = PassCategory::Picture;
 };
 
 /// A texture of the frame: a GL name that the UI shows and the renderer can read back.

@@ -13,7 +13,7 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         const Pass& pass = passes[i];
         PassInfo& info = out[i];
         info.name = pass.name;
-        info.of_maps = std::find(pass.writes.begin(), pass.writes.end(), "shadow maps") != pass.writes.end();
+        info.category = pass.category;
         const bool live = std::any_of(pass.writes.begin(), pass.writes.end(),
                                       [&](const std::string& w) { return needed.contains(w); });
         if (!pass.unneeded.empty() && !(no_skip && pass.run && live)) {

@@ -12,6 +12,7 @@ namespace si {
 
 struct Pass {
     std::string name;
+    PassCategory category = PassCategory::Picture;
     std::vector<std::string> reads, writes;
     std::string unneeded;             ///< why the scene does not call for it; empty: it does
     std::uint64_t key = 0;            ///< of everything the result depends on

@@ -9,6 +9,7 @@
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/kernel_reach.h"
 
 namespace si {
 namespace {
@@ -28,7 +29,7 @@ glm::dmat4 uvd_from_clip(const DepthConvention& convention) {
 Key lights_as_placed_key(const FrameState& f) {
     Key key;
     key.add(f.scene.id).add(f.settings.light_count).add(f.settings.map.resolution).add(f.settings.map.reversed_z);
-    key.add(f.settings.map.format).add(f.settings.filter.kernel);
+    key.add(f.settings.map.format).add(std::ceil(reach_of(f.settings).read));
     for (const Param& p : params())
         if (p.scope == Scope::Light)
             for (int i = 0; i < std::min(f.settings.light_count, kMaxLights); ++i)
@@ -83,8 +84,8 @@ void fit_within_limits(FrameState& f) {
         f.notes.push_back(fmt::format("map.resolution {} is beyond the driver's limit; {} is used", asked, n));
     fit(f);
     const int before = n;
-    const int copies = f.settings.map.blur_texels > 0 ? 2 : 1;
-    while (n > 1 && 4.0 * n * n * copies * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
+    const double bytes = (f.settings.map.blur_texels > 0 ? 8.0 : 4.0) + prefilter_bytes_per_texel(f.settings);
+    while (n > 1 && bytes * n * n * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
     if (n != before) {
         f.notes.push_back(
             fmt::format("{} shadow map images of {}² need more than 2 GiB; {}² is used", f.view_count, before, n));
@@ -123,13 +124,12 @@ bool needs_surface_flags(const FrameState& f) {
 }
 
 void choose_kernel(FrameState& f) {
-    const Filter& filter = filters()[std::size_t(f.settings.filter.kernel)];
+    const Filter& filter = filter_of(f.settings);
     f.filter_sampler = uses_sampler(f.settings);
     if (f.settings.filter.method == int(FilterMethod::Sampler) && !f.filter_sampler)
         f.notes.push_back("filter.method sampler cannot compare a colour map; gather is used");
     f.defines = settings_defines(f.settings);
     f.defines.push_back({"KERNEL_SIZE", std::to_string(filter.size)});
-    f.defines.push_back({"KERNEL_REACH", fmt::format("{:.1f}", filter.reach_texels)});
     f.defines.push_back({"SUBPIXEL_BITS", std::to_string(f.driver.subpixel_bits)});
     f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
     f.defines.push_back({"SAMPLER_BILINEAR", filter.bilinear ? "1" : "0"});
@@ -192,7 +192,7 @@ void arrange_panes(FrameState& f) {
 
 void set_samplers(const FrameState& f) {
     const MapSettings& m = f.settings.map;
-    const bool bilinear = filters()[std::size_t(f.settings.filter.kernel)].bilinear;
+    const bool bilinear = filter_of(f.settings).bilinear;
     const float far_depth = m.reversed_z ? 0.f : 1.f;
     const float border = m.outside == int(Outside::Lit) ? far_depth : 1.f - far_depth;
     const glm::vec4 border_colour(border);
@@ -218,6 +218,8 @@ shared::LightBlock light_block(const FrameState& f, std::size_t i) {
     shared::LightBlock b{};
     b.position = glm::vec4(glm::vec3(light.position - f.origin), float(light.range_m));
     b.to_light = glm::vec4(glm::vec3(light.to_light), float(light.cos_cone_outer));
+    const Reach reach = reach_under(f.settings, light, f.map_resolution);
+    b.kernel = glm::vec4(light.size, reach.bias, reach.edge, reach.read);
     b.radiance = glm::vec4(glm::vec3(light.radiance), float(light.cos_cone_inner));
     return b;
 }
@@ -287,6 +289,7 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
     block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), 0.f);
     block.map_origin = glm::vec4(glm::vec3(f.scene.bounds.centre() - f.origin), 0.f);
     const PolygonOffset& offset = driver.offset[std::size_t(f.settings.map.format)];
+    block.pixel = glm::vec4(f.pixel_origin, cost_of(f.settings).texels, 0);
     block.offset = glm::vec4(offset.unit_depth, offset.unit_steps, offset.slope_gain, offset.slope_is_length ? 1 : 0);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         block.lights[i] = light_block(f, i);

@@ -67,6 +67,7 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
     std::vector<Pass> plan;
     add_light_depth_passes(f, plan);
     add_depth_blur_pass(f, plan);
+    add_moments_pass(f, plan);
     add_camera_depth_pass(f, plan);
     add_surface_ids_pass(f, plan);
     add_visibility_pass(f, plan);

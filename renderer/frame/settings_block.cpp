@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "renderer/settings/owners.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -78,7 +79,9 @@ std::vector<std::byte> settings_block_bytes(const Settings& s) {
 }
 
 void add_shader_settings(Key& key, const Settings& s) {
-    for_shader_params([&](const Param& p) { std::visit([&](auto v) { key.add(v); }, get_value(s, {&p, 0, {}})); });
+    for_shader_params([&](const Param& p) {
+        if (not_owned(s, {&p, 0, {}}).empty()) std::visit([&](auto v) { key.add(v); }, get_value(s, {&p, 0, {}}));
+    });
 }
 
 }  // namespace si

@@ -11,7 +11,7 @@ GLuint FrameState::program(std::string_view vertex, std::string_view fragment, s
     gl::ProgramRequest wanted;
     wanted.vertex = vertex;
     wanted.fragment = fragment;
-    wanted.includes["FILTER_FILE"] = filters()[std::size_t(settings.filter.kernel)].file;
+    wanted.includes["FILTER_FILE"] = filter_of(settings).file;
     wanted.defines = defines;
     for (gl::Define& d : extra) {
         if (d.name.ends_with("_FILE"))
@@ -36,6 +36,7 @@ void FrameState::bind_maps() const {
         glBindTextureUnit(kShadowMapCompare, map.texture.id());
         glBindSampler(kShadowMapCompare, gl.map_compare.id());
     }
+    bind_moments(*this);
 }
 
 void FrameState::begin_camera_pass(GLuint framebuffer) const {

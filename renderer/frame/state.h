@@ -8,6 +8,7 @@
 
 #include "renderer/base/key.h"
 #include "renderer/frame/frame.h"
+#include "renderer/frame/owned.h"
 #include "renderer/frame/plan.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/frame/scene_gpu.h"
@@ -35,7 +36,8 @@ enum Unit : GLuint {
     kMoreTruth,
     kJudged,
     kUnfilteredMap,
-    kSeenSurfaces
+    kSeenSurfaces,
+    kMoments = kSeenSurfaces + 3
 };
 
 inline constexpr int kMaxPanes = 4;
@@ -64,6 +66,7 @@ struct Resources {
     gl::VertexArray empty_vao;
     gl::Sampler map_nearest, map_compare;
     std::unique_ptr<SceneGpu> scene;
+    Owned owned;                       ///< what single passes keep
     gl::Target map, map_depth;         ///< shadow maps, one layer per view; depth beside a colour map
     gl::Target map_blurred, map_rows;  ///< of map.blur_texels: the maps' depths blurred, and one layer along x only
     /// The shadow maps that are compared, shown and read back.
@@ -116,6 +119,7 @@ struct FrameState {
     int view_count = 0;
     int map_resolution = 0;
     bool separate_visibility = false;
+    glm::ivec2 pixel_origin{0};                          ///< of the picture's pixel that is (0, 0) in what is drawn
     bool filter_sampler = false;                         ///< the kernel compares in a shadow sampler
     std::vector<gl::Define> defines;                     ///< from settings and kernel
     Key geometry_key, camera_key, lights_key, maps_key;  ///< what results depend on
@@ -180,6 +184,11 @@ void bind_truth(const FrameState& f);
 // One function per pass; each appends itself to the plan. (renderer/passes/)
 void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan);
 void add_depth_blur_pass(FrameState& f, std::vector<Pass>& plan);
+/// Mean and mean square of the maps' depths, for kernels that read those.
+void add_moments_pass(FrameState& f, std::vector<Pass>& plan);
+void bind_moments(const FrameState& f);
+/// What a pass reads that evaluates the kernel.
+std::vector<std::string> lookup_reads(const FrameState& f);
 void add_camera_depth_pass(FrameState& f, std::vector<Pass>& plan);
 void add_surface_ids_pass(FrameState& f, std::vector<Pass>& plan);
 void add_visibility_pass(FrameState& f, std::vector<Pass>& plan);

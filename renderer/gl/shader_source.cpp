@@ -25,7 +25,16 @@ std::string_view trimmed(std::string_view s) {
     return s;
 }
 
+std::map<std::string, std::string, std::less<>>& added_texts() {
+    static std::map<std::string, std::string, std::less<>> texts;
+    return texts;
+}
+
 }  // namespace
+
+void add_shader_text(std::string path, std::string text) {
+    added_texts().insert_or_assign(std::move(path), std::move(text));
+}
 
 bool mentions(std::string_view text, std::string_view identifier) {
     for (std::size_t at = text.find(identifier); at != std::string_view::npos; at = text.find(identifier, at + 1)) {
@@ -46,6 +55,7 @@ std::filesystem::path ShaderSource::default_tree() {
 ShaderSource::ShaderSource(std::filesystem::path tree) : tree_(std::move(tree)) {
     for (const auto& file : embedded_files())
         if (file.path.starts_with(kFolder)) texts_.emplace(file.path.substr(kFolder.size()), file.text);
+    for (const auto& [path, text] : added_texts()) texts_.insert_or_assign(path, text);
     read_tree();
 }
 

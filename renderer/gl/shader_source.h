@@ -13,6 +13,9 @@ namespace si::gl {
 /// Names that stand for a file in `#include NAME`, e.g. FILTER_FILE -> "filters/pcf.glsl".
 using IncludeNames = std::map<std::string, std::string, std::less<>>;
 
+/// Adds a text that every ShaderSource made from then on knows as `path` below shaders/, for what is not built in.
+void add_shader_text(std::string path, std::string text);
+
 class ShaderSource {
 public:
     /// @param tree a source tree whose shaders/ is read and watched; empty: the embedded texts alone. Development

@@ -135,6 +135,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     p.casts = light.casts;
     p.receives = pixel.receives;
     p.visibility = pixel.visibility;
+    p.kernel = pixel.kernel;
     const std::string dark = unreached(light, p.point.position_ws);
     if (!light.casts) {
         p.where = "no map";

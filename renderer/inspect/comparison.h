@@ -19,6 +19,7 @@ struct TestedPixel {
     bool receives = true;
     double visibility = 1;          ///< by the renderer's filter
     std::vector<RecordedTap> taps;  ///< of its kernel
+    KernelFacts kernel;
 };
 
 /// @param settings sanitised and within the driver's limits

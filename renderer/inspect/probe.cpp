@@ -10,6 +10,7 @@
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/inspect/comparison.h"
 #include "renderer/reference/error_task.h"
+#include "renderer/settings/filters.h"
 
 namespace si {
 namespace {
@@ -65,31 +66,43 @@ PixelFacts draw_pixel(FrameState& f, int x, int y_bottom, int light) {
     return facts;
 }
 
-/// Runs the kernel once for each texel that it reads, with that one lit and all others dark: exact for every kernel
-/// that is linear in its comparisons.
-std::vector<RecordedTap> draw_taps(FrameState& f, int x, int y_bottom, int light) {
+/// Runs the kernel of a pixel once for each of `width` fragments.
+std::vector<glm::vec4> run_kernel(FrameState& f, int x, int y_bottom, int light, int width,
+                                  std::vector<gl::Define> defines) {
     const Block<kSeenImages> block(f, x, y_bottom);
     PassInfo info;
     f.draw_from_camera("passes/seen_surfaces.frag.glsl", {}, info);
     gl::Target taps;
-    taps.ensure("taps", GL_RGBA32F, kMostTaps, 1);
+    taps.ensure("taps", GL_RGBA32F, width, 1);
     const gl::Framebuffer framebuffer = gl::make_framebuffer("taps", &taps, nullptr);
-    f.begin_fullscreen_pass(framebuffer.id(), kMostTaps, 1);
+    f.begin_fullscreen_pass(framebuffer.id(), width, 1);
     f.bind_maps();
     bind_seen_surfaces(block.targets());
-    const GLuint program =
-        f.program("passes/fullscreen.vert.glsl", "passes/taps.frag.glsl",
-                  {{"LIGHT_INDEX", std::to_string(light)}, {"RECORD_TAPS", "1"}, {"COMPARE_BY_HAND", "1"}});
+    defines.push_back({"LIGHT_INDEX", std::to_string(light)});
+    const GLuint program = f.program("passes/fullscreen.vert.glsl", "passes/taps.frag.glsl", std::move(defines));
     glUseProgram(program);
     glUniform2i(glGetUniformLocation(program, "pixel"), x & 1, y_bottom & 1);
     FrameState::draw_fullscreen(info);
-    std::vector<glm::vec4> values(kMostTaps);
+    std::vector<glm::vec4> values(std::size_t(width), glm::vec4(0));
     glGetTextureImage(taps.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.size() * sizeof(glm::vec4)),
                       values.data());
+    return values;
+}
+
+/// Each texel that the kernel reads with that one lit and all others dark: exact for every kernel that is linear in its
+/// comparisons.
+std::vector<RecordedTap> draw_taps(FrameState& f, int x, int y_bottom, int light) {
     std::vector<RecordedTap> out;
-    for (const glm::vec4& v : values)
+    if (!filter_of(f.settings).linear) return out;
+    for (const glm::vec4& v :
+         run_kernel(f, x, y_bottom, light, kMostTaps, {{"RECORD_TAPS", "1"}, {"COMPARE_BY_HAND", "1"}}))
         if (v.w >= 0) out.push_back({glm::ivec2(glm::clamp(glm::vec2(v), -1e9f, 1e9f)), v.z, v.w});
     return out;
+}
+
+KernelFacts draw_kernel_facts(FrameState& f, int x, int y_bottom, int light) {
+    const glm::vec4 v = run_kernel(f, x, y_bottom, light, 1, {}).front();
+    return {v.x, v.y, v.z, v.w};
 }
 
 CauseEvidence draw_trials(FrameState& f, int x, int y_bottom, int light) {
@@ -124,6 +137,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     maps.force = maps.timing = false;
     const SurfaceIds ids = read_surface_ids(render(scene, settings, maps).surface_ids);
     FrameState f = impl_->prepare(scene, settings, maps);
+    f.pixel_origin = {x & ~1, (request.height - 1 - y) & ~1};  // the block of pixels that is drawn
     impl_->upload_blocks(f);
     Probe out;
     out.x = x, out.y = y;
@@ -155,10 +169,13 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                                   : source == int(NormalSource::Shading) ? vertex
                                                                          : out.normal_ws;
         pixel.point.origin_ws = f.origin;
-        if (f.gl.fitted[i].casts) pixel.taps = draw_taps(f, x, y_bottom, int(i));
+        if (f.gl.fitted[i].casts) {
+            pixel.taps = draw_taps(f, x, y_bottom, int(i));
+            pixel.kernel = draw_kernel_facts(f, x, y_bottom, int(i));
+        }
         out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
         out.lights.back().evidence = draw_trials(f, x, y_bottom, int(i));
-        out.lights.back().causes = cause_context(f.settings, f.mask_levels);
+        out.lights.back().causes = cause_context(f.settings, f.gl.fitted[i], f.map_resolution, f.mask_levels);
     }
     return out;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,15 @@ struct KernelTap {
     double plane = 0;                 ///< depth of the receiver's plane at the texel's centre
     bool lit = false;                 ///< the comparison's result
     Meets meets = Meets::Nothing;
+};
+
+/// What a kernel learned besides visibility; not a number where it does not say.
+struct KernelFacts {
+    double blocker_m = std::numeric_limits<double>::quiet_NaN();  ///< how far along the light's axis the occluder that
+                                                                  ///< it found lies before the surface, on average
+    double penumbra_texels = std::numeric_limits<double>::quiet_NaN();  ///< width of the penumbra that it made
+    double texels = 0;                                                  ///< that it fetched
+    double variance = std::numeric_limits<double>::quiet_NaN();  ///< of depths, in squares of the map's depth range
 };
 
 struct Probe {
@@ -58,8 +68,9 @@ struct Probe {
         double normal_offset_m = 0;
         glm::dvec3 offset_position_ws{0};  ///< after the normal offset
         double texel_m = 0;
-        double compared = 0;                     ///< depth after bias; of 16 and 24-bit maps within [0,1]
-        std::vector<KernelTap> taps;             ///< row by row from the lowest, each texel once
+        double compared = 0;  ///< depth after bias; of 16 and 24-bit maps within [0,1]
+        KernelFacts kernel;
+        std::vector<KernelTap> taps;  ///< row by row from the lowest, each texel once; none of kernels that are no sum
         glm::ivec2 taps_first{0}, taps_size{0};  ///< the rectangle of texels that holds all of them
         double visibility = 1;                   ///< what the renderer's filter computed
         CauseEvidence evidence;  ///< trials of the pixel; gaps, run_m and edge_m are the truth's to fill in

@@ -133,8 +133,7 @@ std::vector<glm::ivec2> TexelUsage::readers(glm::ivec2 texel) const {
 }
 
 TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, int resolution, int layer) {
-    const Filter& filter = filters()[std::size_t(std::clamp(settings.filter.kernel, 0, int(filters().size()) - 1))];
-    return TexelUsage(map_coordinates, resolution, filter.reach_texels, MapWrap(settings.map.wrap), layer);
+    return TexelUsage(map_coordinates, resolution, reach_of(settings).read, MapWrap(settings.map.wrap), layer);
 }
 
 }  // namespace si

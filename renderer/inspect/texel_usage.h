@@ -16,7 +16,7 @@ struct KernelFootprint {
     int count = 1;
 };
 
-/// The texels whose centres lie within `reach_texels` (Filter::reach_texels) of the kernel's centre, per axis; of two
+/// The texels whose centres lie within `reach_texels` (Reach::read) of the kernel's centre, per axis; of two
 /// that lie exactly that far on either side the upper one. These are the texels that the kernels of shaders/filters
 /// fetch, whatever weight they give them.
 /// @param u, v the kernel's centre in map coordinates

@@ -10,6 +10,7 @@
 #include "renderer/measure/time_sampler.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/kernel_reach.h"
 #include "renderer/view/manual_light.h"
 
 namespace si {
@@ -34,7 +35,7 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
         const double gap_m = m.traced.truth->blocker_m.data[i];
         if (std::isfinite(gap_m)) {
             const double along = gap_m * glm::dot(a.receiver.to_light, light.views[a.receiver.view].axes[2]);
-            const double kappa = filters()[std::size_t(settings.filter.kernel)].reach_texels;
+            const double kappa = std::max(reach_under(settings, light, m.map_resolution).bias, 0.5);
             const double fixed = a.least.quantum + a.least.rounding,
                          falls = a.least.kernel * 0.5 / kappa + a.least.snapping;
             const double room = a.curve.depth_nearer(a.receiver.own_m, along) - fixed;
@@ -68,14 +69,18 @@ void cast_from_both_sides(Settings& s) {
     for (auto& [path, object] : s.objects) object.cull = int(ObjectCull::Inherit);
 }
 
-/// The kernels next narrower and next wider by their reach.
-std::pair<int, int> neighbours(int kernel) {
-    const double reach = filters()[std::size_t(kernel)].reach_texels;
+/// The square kernels next narrower and next wider by how far they displace edges.
+std::pair<int, int> neighbours(const Settings& settings) {
+    const auto edge = [&](int k) {
+        const Filter& row = filters()[std::size_t(k)];
+        return row.reach(row, settings, 0).edge;
+    };
+    const double reach = edge(settings.filter.kernel);
     int down = -1, up = -1;
     for (int k = 0; k < int(filters().size()); ++k) {
-        const double r = filters()[std::size_t(k)].reach_texels;
-        if (r < reach && (down < 0 || r > filters()[std::size_t(down)].reach_texels)) down = k;
-        if (r > reach && (up < 0 || r < filters()[std::size_t(up)].reach_texels)) up = k;
+        if (!filters()[std::size_t(k)].square) continue;
+        if (edge(k) < reach && (down < 0 || edge(k) > edge(down))) down = k;
+        if (edge(k) > reach && (up < 0 || edge(k) < edge(up))) up = k;
     }
     return {down, up};
 }
@@ -184,7 +189,7 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
                 s.bias = bias(fam);
             });
 
-    const auto [down, up] = neighbours(base.filter.kernel);
+    const auto [down, up] = neighbours(base);
     if (down >= 0) idea("narrower kernel", [&](Settings& s) { s.filter.kernel = down; });
     if (up >= 0) idea("wider kernel", [&](Settings& s) { s.filter.kernel = up; });
     idea("no depth blur", [](Settings& s) { s.map.blur_texels = 0; });

@@ -32,7 +32,7 @@ void TimeSamples::add(const FrameResult& frame) {
         pass.gpu_ms.push_back(info.gpu_ms);
         pass.cpu_ms.push_back(info.cpu_ms);
         total += info.gpu_ms;
-        if (info.of_maps) maps += info.gpu_ms;
+        if (info.category == PassCategory::Maps) maps += info.gpu_ms;
     }
     if (burst_ended) bursts.push_back(total_ms.size());
     burst_ended = false;
@@ -122,9 +122,7 @@ TimeMeasurement sample_times(const TimeSampler::Limits& limits, const std::funct
 
 WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
     WorkCost cost;
-    const auto kernels = filters();
-    const Filter& kernel = kernels[std::size_t(std::clamp(settings.filter.kernel, 0, int(kernels.size()) - 1))];
-    cost.taps_per_pixel = kernel.texels(uses_sampler(settings));
+    cost.taps_per_pixel = cost_of(settings).texels;
     const std::uint64_t texels = std::uint64_t(frame.map_resolution) * std::uint64_t(frame.map_resolution);
     std::uint64_t casting = 0;
     for (const FittedLight& light : frame.lights) {
@@ -138,6 +136,9 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
                                                                                 : 4;
     const std::uint64_t fetched = settings.map.format == int(MapFormat::Colour) ? 4 : bytes;
     cost.map_bytes = cost.map_texels * bytes;
+    // Moments of each map, and of one along x alone.
+    if (const auto prepared = std::uint64_t(prefilter_bytes_per_texel(settings)); casting > 0)
+        cost.map_bytes += prepared * (cost.map_texels + texels * (prepared > 0 ? 1 : 0));
     // The blurred copy, which has no depth buffer beside it, and one map blurred along x alone as 32-bit floats.
     if (settings.map.blur_texels > 0 && casting > 0) cost.map_bytes += cost.map_texels * fetched + 4 * texels;
     const std::uint64_t pixels = std::uint64_t(frame.colour.width) * std::uint64_t(frame.colour.height);

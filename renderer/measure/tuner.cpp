@@ -63,9 +63,8 @@ void Tuner::open_candidate() {
     Settings s = start_;
     // What the start needed, for this kernel's reach: where the search of its own begins.
     const BiasFound& known = *first_.best();
-    s.bias =
-        scaled(known.bias, filters()[kernel_].reach_texels / filters()[std::size_t(start_.filter.kernel)].reach_texels);
     s.filter.kernel = int(kernel_);
+    s.bias = scaled(known.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));
     s.map.resolution = resolution_;
     candidates_.push_back({.settings = s});
     search_.emplace(s, BiasSearch::Options{.only = known.family, .quick = true});

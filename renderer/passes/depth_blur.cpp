@@ -40,6 +40,7 @@ void blur_layer(FrameState& f, const gl::Framebuffer& rows, int layer, PassInfo&
 void add_depth_blur_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "depth blur";
+    pass.category = PassCategory::Maps;
     pass.reads = pass.writes = {"shadow maps"};
     pass.idle_reason = "nothing samples a shadow map";
     const int radius = f.settings.map.blur_texels;

@@ -120,6 +120,7 @@ void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan) {
         const FittedLight& light = f.gl.fitted[i];
         Pass pass;
         pass.name = fmt::format("shadow map {} ({})", i, type_name(light.type));
+        pass.category = PassCategory::Maps;
         pass.writes = {"shadow maps"};
         pass.idle_reason = "nothing samples a shadow map";
         if (!light.casts) {
@@ -151,12 +152,16 @@ void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan) {
         plan.push_back(std::move(pass));
     }
     if (f.gl.fitted.empty())
-        plan.push_back({.name = "shadow maps", .writes = {"shadow maps"}, .unneeded = "there are no lights"});
+        plan.push_back({.name = "shadow maps",
+                        .category = PassCategory::Maps,
+                        .writes = {"shadow maps"},
+                        .unneeded = "there are no lights"});
 }
 
 void add_unfiltered_map_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "unfiltered map";
+    pass.category = PassCategory::Tool;
     pass.reads = {"shadow maps"};
     pass.writes = {"unfiltered map"};
     pass.idle_reason = "nothing asks what is wrong";

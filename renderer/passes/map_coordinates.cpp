@@ -8,6 +8,7 @@ namespace si {
 void add_map_coordinates_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "map coordinates";
+    pass.category = PassCategory::Tool;
     pass.writes = {"map coordinates"};
     pass.idle_reason = "nobody asks which texels are read";
     if (!f.shown_view()) {

@@ -33,6 +33,7 @@ GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
 Pass range_pass(FrameState& f, const Key& shown, int layer) {
     Pass pass;
     pass.name = "drawn depth range";
+    pass.category = PassCategory::Tool;
     pass.writes = {"depth range"};
     if (!f.fits_greys()) pass.unneeded = "view.map_fit does not ask for it";
     pass.key = shown.value();
@@ -85,6 +86,7 @@ void add_map_view_passes(FrameState& f, std::vector<Pass>& plan) {
     const LightView* view = f.shown_view(&layer);
     Pass pass;
     pass.name = "map viewer";
+    pass.category = PassCategory::Tool;
     pass.reads = {camera ? "camera depth" : "shadow maps"};
     pass.writes = {"map view"};
     pass.idle_reason = "the map viewer is closed";

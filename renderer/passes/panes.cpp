@@ -60,7 +60,7 @@ private:
 Pass values_pass(FrameState& f, const ShownPane& pane) {
     Pass pass;
     pass.name = slot_name("overlay values", pane);
-    pass.reads = {"shadow maps"};
+    pass.reads = lookup_reads(f);
     if (f.separate_visibility) pass.reads.push_back("visibility");
     if (pane.row() && pane.row()->reads_truth) pass.reads.insert(pass.reads.end(), {"truth", "judged"});
     pass.writes = {slot_name("overlay", pane)};

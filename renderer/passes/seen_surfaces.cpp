@@ -6,6 +6,7 @@ namespace si {
 void add_seen_surfaces_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "surfaces seen";
+    pass.category = PassCategory::Tool;
     pass.writes = {"surfaces seen"};
     pass.idle_reason = "nothing evaluates pixels again";
     Key key = f.camera_depth_key();

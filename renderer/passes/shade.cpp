@@ -50,7 +50,9 @@ void draw_picture(FrameState& f, gl::Target& target, gl::Framebuffer& framebuffe
 void add_true_shade_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "shading by the truth";
-    pass.reads = {"visibility", "shadow maps", "truth"};
+    pass.reads = lookup_reads(f);
+    pass.reads.insert(pass.reads.end(), {"visibility", "truth"});
+    pass.category = PassCategory::Tool;
     pass.writes = {"true picture"};
     pass.idle_reason = "nobody asks for the true picture";
     if (!f.truth.met) {
@@ -76,7 +78,8 @@ void add_true_shade_pass(FrameState& f, std::vector<Pass>& plan) {
 void add_shade_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = f.separate_visibility ? "shading (reads visibility)" : "shading (with visibility)";
-    pass.reads = {f.separate_visibility ? "visibility" : "shadow maps", "shadow maps"};
+    pass.reads = lookup_reads(f);
+    if (f.separate_visibility) pass.reads.push_back("visibility");
     pass.writes = {"shaded"};
     pass.idle_reason = "the picture was not asked for";
     Key key = f.camera_key;

@@ -6,6 +6,7 @@ namespace si {
 void add_surface_ids_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "surface ids";
+    pass.category = PassCategory::Tool;
     pass.writes = {"surface ids"};
     pass.idle_reason = "nobody asks which triangle a pixel shows";
     Key key = f.camera_key;

@@ -48,6 +48,7 @@ void upload(const TracedTruth& traced, Resources& gl) {
 Pass upload_pass(FrameState& f) {
     Pass pass;
     pass.name = "truth uploaded";
+    pass.category = PassCategory::Tool;
     pass.writes = {"truth"};
     pass.idle_reason = "nothing asks for the truth";
     pass.key = f.truth_content;
@@ -81,7 +82,8 @@ bool seams_matter(const FrameState& f) {
 
 /// The kernels once more, with other biases and on the unfiltered map. What hardware samplers do is done by hand.
 std::vector<gl::Define> trial_defines(const FrameState& f) {
-    const CauseContext c = cause_context(f.settings, f.mask_levels);
+    const CauseContext c =
+        cause_context(f.settings, f.gl.fitted[std::size_t(f.settings.view.light)], f.map_resolution, f.mask_levels);
     std::vector<gl::Define> out = truth_defines(f);
     out.insert(out.end(), {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
                            {"MAP_TRIALS", "1"},
@@ -104,6 +106,7 @@ void bind_unfiltered(const FrameState& f) {
 Pass compare_pass(FrameState& f) {
     Pass pass;
     pass.name = "pixels compared";
+    pass.category = PassCategory::Tool;
     pass.reads = {"visibility", "surfaces seen", "truth"};
     pass.writes = {"compared"};
     pass.idle_reason = "nothing asks what is wrong";
@@ -136,7 +139,9 @@ Pass compare_pass(FrameState& f) {
 Pass causes_pass(FrameState& f) {
     Pass pass;
     pass.name = "causes found";
-    pass.reads = {"compared", "visibility", "surfaces seen", "shadow maps", "unfiltered map", "truth"};
+    pass.category = PassCategory::Tool;
+    pass.reads = lookup_reads(f);
+    pass.reads.insert(pass.reads.end(), {"compared", "visibility", "surfaces seen", "unfiltered map", "truth"});
     pass.writes = {"judged"};
     pass.idle_reason = "nothing asks why it is wrong";
     Key key;
@@ -174,7 +179,9 @@ Pass causes_pass(FrameState& f) {
 Pass evidence_pass(FrameState& f) {
     Pass pass;
     pass.name = "trials of every pixel";
-    pass.reads = {"shadow maps", "unfiltered map"};
+    pass.category = PassCategory::Tool;
+    pass.reads = lookup_reads(f);
+    pass.reads.push_back("unfiltered map");
     if (f.truth.met) pass.reads.push_back("truth");
     pass.writes = {"evidence"};
     pass.idle_reason = "nothing asks for trials";
@@ -246,6 +253,7 @@ LiveError error_of(const Sums& s, const Truth& truth) {
 Pass sums_pass(FrameState& f) {
     Pass pass;
     pass.name = "errors summed up";
+    pass.category = PassCategory::Tool;
     pass.reads = {"judged", "truth"};
     pass.writes = {"error"};
     pass.idle_reason = "nobody asks for numbers";

@@ -6,7 +6,7 @@ namespace si {
 void add_visibility_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "visibility";
-    pass.reads = {"shadow maps"};
+    pass.reads = lookup_reads(f);
     pass.writes = {"visibility"};
     pass.idle_reason = "nothing reads it: the shading pass evaluates it itself";
     Key key = f.camera_key;

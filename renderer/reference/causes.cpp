@@ -50,7 +50,7 @@ Cause false_light(const CauseEvidence& e, const CauseContext& c) {
 
 bool is_acne(const CauseEvidence& e, const CauseContext& c, float enough) {
     if (e.worth < e.least && e.raised >= enough) return true;
-    return e.worth < e.bent && e.bent_raised >= enough && e.edge_m > (float(c.reach_texels) + 1.f) * e.texel_m;
+    return e.worth < e.bent && e.bent_raised >= enough && e.edge_m > (float(c.edge_reach_texels) + 1.f) * e.texel_m;
 }
 
 Cause false_shadow(const CauseEvidence& e, const CauseContext& c) {

@@ -46,10 +46,10 @@ static_assert(sizeof(CauseEvidence) == kEvidenceImages * 4 * sizeof(float));
 
 /// What the renderer's settings make possible; the defines of the GPU's decision.
 struct CauseContext {
-    double reach_texels = 0.5;  ///< kappa of the kernel
-    bool raster_bias = false;   ///< bias.raster_*
-    bool mask_levels = false;   ///< masks of casters may be read from a coarser mip level in the map
-    bool depth_blur = false;    ///< map.blur_texels
+    double edge_reach_texels = 0.5;  ///< of the kernel
+    bool raster_bias = false;        ///< bias.raster_*
+    bool mask_levels = false;        ///< masks of casters may be read from a coarser mip level in the map
+    bool depth_blur = false;         ///< map.blur_texels
     bool unfiltered_differs() const { return raster_bias || mask_levels || depth_blur; }
 };
 

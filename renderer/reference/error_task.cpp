@@ -1,11 +1,11 @@
 #include "renderer/reference/error_task.h"
 
-#include "renderer/settings/filters.h"
+#include "renderer/view/kernel_reach.h"
 
 namespace si {
 
-CauseContext cause_context(const Settings& settings, bool mask_levels) {
-    return {.reach_texels = filters()[std::size_t(settings.filter.kernel)].reach_texels,
+CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels) {
+    return {.edge_reach_texels = reach_under(settings, light, map_resolution).edge,
             .raster_bias = settings.bias.raster_slope != 0 || settings.bias.raster_units != 0,
             .mask_levels = mask_levels,
             .depth_blur = settings.map.blur_texels > 0};

@@ -33,6 +33,6 @@ MeasuredError read_judged(Renderer& renderer, const FrameResult& frame, const Tr
 void sum_up(MeasuredError& measured);
 
 /// What of the settings and the scene's casters the causes depend on.
-CauseContext cause_context(const Settings& settings, bool mask_levels);
+CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels);
 
 }  // namespace si

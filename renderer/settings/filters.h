@@ -1,6 +1,7 @@
 // The table of filter kernels: a new one is one row here and one GLSL file.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -9,23 +10,71 @@
 
 namespace si {
 
+/// How far from the receiver a kernel's parts lie at most, per axis, in texels.
+struct Reach {
+    double bias = 0.5;  ///< kappa of the bias formula: centres of texels by which the receiver's own plane is compared
+    double edge = 0.5;  ///< by how much an edge of the shadow is displaced or widened
+    double read = 0.5;  ///< centres of texels that are read
+};
+
+/// What of the map a kernel reads.
+enum class Samples {
+    Depth,    ///< stored depths, which it compares
+    Moments,  ///< mean and mean square of depths (lib/moments.glsl), made by the moments pass
+};
+
+/// What a kernel does for each light and lit pixel.
+struct FilterCost {
+    int gathers = 0;       ///< textureGather calls with method gather; 0: one call fetches one texel
+    int sampler_taps = 1;  ///< texture calls otherwise
+    int texels = 1;        ///< that are fetched, by the method in use
+};
+
+/// How far a kernel may be from the truth where no edge is in its reach, and why.
+struct Tolerance {
+    double lit = 1e-5;   ///< visibility lacking on lit surfaces: weights round to a little less or more than one
+    double dark = 1e-5;  ///< visibility left in full shadow
+    std::string_view why = "rounding of the weights";
+};
+
 /// A shadow filter kernel. Its file defines `float filter_visibility(Receiver r)`.
 struct Filter {
     std::string_view key, label, help;
-    std::string_view file;      ///< below shaders/
-    int size = 1;               ///< taps per axis, the define KERNEL_SIZE
-    bool bilinear = false;      ///< each tap weighs 2x2 texels
-    double reach_texels = 0.5;  ///< kappa: how far a tap's texel centre may lie from the receiver, per axis
-    int gathers = 0;            ///< textureGather calls per light with method gather; 0: cannot
-    int sampler_taps = 1;       ///< texture calls per light with method sampler
-    /// Texels that are fetched per light, either way: a bilinear call of a shadow sampler compares 2x2, as a gather
-    /// fetches.
-    int texels(bool sampler) const { return !sampler && gathers > 0 ? 4 * gathers : (bilinear ? 4 : 1) * sampler_taps; }
+    std::string_view paper;  ///< where it comes from
+    std::string_view file;   ///< below shaders/
+    int size = 1;            ///< taps per axis of square kernels, the define KERNEL_SIZE
+    bool bilinear = false;   ///< each tap weighs 2x2 texels
+    bool square = true;      ///< size x size taps one texel apart
+    bool linear = true;      ///< a weighted sum of comparisons, so that each tap's weight can be told
+    Samples samples = Samples::Depth;
+    bool searches_blockers = false;  ///< and where it finds none, says lit and compares nothing
+    bool reads_light_size = false;
+    std::span<const std::string_view> settings = {};  ///< keys that only it and other rows that list them read
+    /// @param penumbra_texels radius of the widest penumbra under the light, for rows that read its size
+    Reach (*reach)(const Filter&, const Settings&, double penumbra_texels) = square_reach;
+    FilterCost (*cost)(const Filter&, const Settings&) = square_cost;
+
+    Tolerance tolerance = {};
+
+    static Reach square_reach(const Filter& row, const Settings&, double penumbra_texels);
+    static FilterCost square_cost(const Filter& row, const Settings& settings);
 };
+
+/// Bytes that a kernel wants prepared for each texel of the maps, besides the depths.
+int prefilter_bytes_per_texel(const Settings& settings);
+
 /// Whether a kernel compares in a shadow sampler: where filter.method asks for it and the map's format can.
 bool uses_sampler(const Settings& settings);
 
 std::span<const Filter> filters();
+/// Adds a row after the others, for kernels that are not built in; before anything else looks at the settings' table.
+/// Its GLSL comes by gl::add_shader_text().
+void add_filter(const Filter& row);
 std::span<const Choice> filter_choices();
+
+/// The row that the settings choose, its reach and its cost under them. Under a given light: reach_under().
+const Filter& filter_of(const Settings& settings);
+Reach reach_of(const Settings& settings, double penumbra_texels = std::numeric_limits<double>::infinity());
+FilterCost cost_of(const Settings& settings);
 
 }  // namespace si

@@ -165,6 +165,38 @@ constexpr Overlay kOverlays[] = {
      .min = -4,
      .max = 4,
      .diverging = true},
+    {.key = "taps",
+     .label = "Texels fetched",
+     .unit = "texels",
+     .help = "Texels that the kernel fetches for each fragment; kernels that search first end early where nothing "
+             "stands before the surface.",
+     .file = "overlays/taps.glsl",
+     .min = 0,
+     .max = 64},
+    {.key = "blocker-gap",
+     .label = "Occluder's distance",
+     .unit = "m",
+     .help = "How far before each fragment a kernel that searches (PCSS) took the occluder to be, along the light's "
+             "axis; nothing where it found none, or under other kernels.",
+     .file = "overlays/blocker_gap.glsl",
+     .min = 0,
+     .max = 5},
+    {.key = "penumbra-width",
+     .label = "Penumbra's width",
+     .unit = "texels",
+     .help = "How wide a penumbra the kernel made (PCSS), from the occluder's distance and the light's size.",
+     .file = "overlays/penumbra_width.glsl",
+     .min = 0,
+     .max = 32},
+    {.key = "depth-variance",
+     .label = "Depth variance",
+     .unit = "range^2",
+     .help = "The variance of depths about each fragment under kernels that read moments (VSM), in squares of the "
+             "map's depth range; below zero rounding has eaten it.",
+     .file = "overlays/depth_variance.glsl",
+     .min = -0.001,
+     .max = 0.001,
+     .diverging = true},
 };
 
 }  // namespace

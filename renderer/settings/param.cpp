@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "renderer/settings/owners.h"
+
 namespace si {
 namespace {
 
@@ -205,6 +207,7 @@ std::vector<SettingRef> differing_settings(const Settings& a, const Settings& b)
 
 std::string_view idle_reason(const Settings& s, const SettingRef& ref) {
     if (ref.param->scope == Scope::Light && ref.light >= s.light_count) return "without effect: the light is off";
+    if (const std::string_view reason = not_owned(s, ref); !reason.empty()) return reason;
     return ref.param->idle ? ref.param->idle(s, ref.light) : std::string_view();
 }
 

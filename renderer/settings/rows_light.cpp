@@ -1,4 +1,5 @@
 // Rows of the lights: light.count, and light.<i>.* for i below 16.
+#include "renderer/settings/filters.h"
 #include "renderer/settings/rows.h"
 
 namespace si {
@@ -55,6 +56,12 @@ std::string_view projection_idle(const Settings& s, int i) {
     return has_type(s, i, LightType::Point) ? "without effect: a point light has six perspective faces" : "";
 }
 
+std::string_view size_idle(const Settings& s, int) {
+    return s.truth.area || filter_of(s).reads_light_size
+               ? ""
+               : "without effect: this kernel takes lights for points, and truth.area is off";
+}
+
 // A directional light shines along its angles wherever it stands, and an orthographic fit centres itself.
 std::string_view place_idle(const Settings& s, int i) {
     return has_type(s, i, LightType::Directional) && is_orthographic(s, i) && of(s, i).fit != at(LightFit::Manual)
@@ -89,7 +96,7 @@ constexpr auto kLight = with_scope(
         {SI_LIGHT_FIELD(target_z), .label = "Target z", .unit = "m", .min = -1e8, .max = 1e8, .idle = place_idle,
          .help = "What the light looks at, along z from the centre of the scene's bounds."},
         {SI_LIGHT_FIELD(size), .label = "Size", .unit = "deg or m", .min = 0, .max = 100, .logarithmic = true,
-         SI_IDLE(!s.truth.area, "without effect: kernels treat lights as points, and truth.area is off"),
+         .idle = size_idle,
          .help = "How large the light is: angular radius in degrees for directional lights (the sun: 0.27), radius in "
                  "metres for spot and point lights. Larger lights make wider penumbrae."},
         {SI_LIGHT_FIELD(range), .label = "Range", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,

@@ -171,6 +171,39 @@ constexpr auto kFilter = std::to_array<Param>({
     {SI_FIELD(filter.method), .label = "Method", .unit = "", .cost = Cost::Program, SI_CHOICES(kMethods),
      SI_IDLE(s.map.format == at(MapFormat::Colour), "without effect: the sampler cannot compare map.format colour"),
      .help = "How the kernel reads the map. Both give the same picture at different cost.", .shader = true},
+    {SI_FIELD(filter.taps), .label = "Taps", .unit = "taps", .min = 1, .max = 64, .logarithmic = true,
+     .cost = Cost::Program,
+     .help = "How many places of the disk are compared. Few of them show as steps in each edge, or as noise where "
+             "each pixel turns the disk.",
+     .shader = true},
+    {SI_FIELD(filter.radius), .label = "Radius", .unit = "texels", .min = 0, .max = 32, .logarithmic = true,
+     .help = "Radius of the disk of taps. Wider is softer and calls for more bias.", .shader = true},
+    {SI_FIELD(filter.rotate), .label = "Turn by pixel", .unit = "", .cost = Cost::Program,
+     .help = "Turns the disk of taps by an angle of each pixel's own: noise in place of the steps that few taps leave. "
+             "Off: the same taps everywhere.",
+     .shader = true},
+    {SI_FIELD(filter.blocker_taps), .label = "Blocker taps", .unit = "taps", .min = 1, .max = 64, .logarithmic = true,
+     .cost = Cost::Program,
+     .help = "How many texels are searched for what stands between surface and light. Their mean distance gives the "
+             "penumbra's width; where none is found, the surface is lit.",
+     .shader = true},
+    {SI_FIELD(filter.max_radius), .label = "Largest radius", .unit = "texels", .min = 1, .max = 64, .logarithmic = true,
+     .help = "Most that the search and the penumbra reach to each side. Wider penumbras than that come out too narrow; "
+             "the bias must do for so wide a kernel.",
+     .shader = true},
+    {SI_FIELD(filter.blur), .label = "Blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
+     .help = "The moments of each texel become the mean of those up to this many texels away, along x and y: once for "
+             "the map, however many pixels read it. 0 leaves the 2x2 that bilinear sampling blends.",
+     .shader = true},
+    {SI_FIELD(filter.bleed), .label = "Light-bleed reduction", .unit = "", .min = 0, .max = 0.99,
+     .help = "Visibility below this share counts as shadow, and the rest is stretched to fill 0 to 1. Takes away light "
+             "that leaks in where shadows overlap, and hardens every edge.",
+     .shader = true},
+    {SI_FIELD(filter.min_variance), .label = "Least variance", .unit = "range^2", .min = 0, .max = 0.01,
+     .logarithmic = true,
+     .help = "Variance that every texel has at least, in squares of the map's depth range. Stands in for rounding: too "
+             "little leaves acne, too much lets light in near contacts.",
+     .shader = true},
 });
 static_assert(kFilter.size() == members<FilterSettings>(), "a member of FilterSettings has no row");
 

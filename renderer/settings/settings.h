@@ -90,6 +90,15 @@ int default_filter();
 struct FilterSettings {
     int kernel = default_filter();  ///< row of the filter table
     int method = 0;                 ///< FilterMethod
+    // Of single kernels: see the rows' `settings` in the filter table.
+    int taps = 16;
+    double radius = 3;
+    bool rotate = true;
+    int blocker_taps = 16;
+    double max_radius = 16;
+    int blur = 2;
+    double bleed = 0.2;
+    double min_variance = 1e-6;
     bool operator==(const FilterSettings&) const = default;
 };
 

@@ -10,6 +10,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/finite.h"
+#include "renderer/settings/filters.h"
 #include "renderer/view/fit_bounds.h"
 #include "renderer/view/map_limits.h"
 #include "renderer/view/projection.h"
@@ -18,10 +19,9 @@ namespace si {
 namespace {
 
 constexpr double kMinHalfAngle = 1e-3, kMaxHalfAngle = 1.5;  // rad; tan() stays below 15
-constexpr double kMarginTexels = 2;      // at each side, so that a kernel at the edge of the scene finds cleared texels
-constexpr double kFaceMarginTexels = 6;  // the widest kernel crosses from one face of six into the next
-constexpr double kNearShare = 1e-3;      // least near / far of a perspective map: D24 then resolves far / 2e4
-constexpr double kDepthMargin = 1e-4;    // of the depth range, at each end
+constexpr double kMarginTexels = 2;    // at each side, so that a kernel at the edge of the scene finds cleared texels
+constexpr double kNearShare = 1e-3;    // least near / far of a perspective map: D24 then resolves far / 2e4
+constexpr double kDepthMargin = 1e-4;  // of the depth range, at each end
 // 2^10 steps of a float: a thinner range or map has no useful resolution.
 constexpr double kMinShare = 1024.0 / (1 << 23);
 
@@ -64,14 +64,25 @@ void manual_range(FittedLight& light, const LightSettings& s, DepthCurve& curve)
     }
 }
 
+/// Kernels cross from one face of six into the next; a texel more for the normal offset's.
+double face_margin_texels(const Settings& settings) {
+    return std::max(6.0, std::ceil(reach_of(settings).read) + 1);
+}
+
 /// What the fit of one light goes by.
 struct FitContext {
     const SceneShape& shape;
     const LightSettings& settings;
     DepthConvention convention;
     int resolution;
+    double face_margin_texels;
     double reach_m;  ///< how far a spot or point light shines; infinite when unlimited
 };
+
+double size_of(const LightSettings& s) {
+    const double size = positive_or(s.size, 0);
+    return s.type == int(LightType::Directional) ? std::tan(std::min(size, 89.0) * kDegree) : size;
+}
 
 double range_of(const LightSettings& s) {
     return s.type == int(LightType::Directional) ? 0 : positive_or(s.range, 0);
@@ -181,7 +192,7 @@ void fit_faces(FittedLight& light, const FitContext& c) {
     for (int i = 0; i < 6; ++i) {
         faces[i].eye = light.position;
         faces[i].axes = cube_axes()[i];
-        faces[i].half_width = with_margin(1.0, 0, c.resolution, kFaceMarginTexels);
+        faces[i].half_width = with_margin(1.0, 0, c.resolution, c.face_margin_texels);
         const DepthCurve curve = perspective_curve(faces[i], c);
         if (i == 0) range = curve;
         range.near = std::min(range.near, curve.near);
@@ -240,6 +251,7 @@ PlacedLight place(const LightSettings& s, const SceneShape& shape) {
         shape.centre + glm::dvec3(finite_or(s.target_x, 0), finite_or(s.target_y, 0), finite_or(s.target_z, 0));
     light.map_origin = shape.centre;
     light.range_m = range_of(s);
+    light.size = size_of(s);
     if (light.type == LightType::Spot) place_spot(light, s);
     if (light.type == LightType::Point) light.six_faces = true;
     light.distance_m = positive_or(s.distance, automatic_distance(light, s, shape.radius));
@@ -327,6 +339,7 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Settings& se
                                  s,
                                  {true, settings.map.reversed_z},
                                  resolution,
+                                 face_margin_texels(settings),
                                  light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity()};
         if (light.six_faces)
             fit_faces(light, context);

@@ -33,6 +33,7 @@ struct PlacedLight {
     glm::dvec3 to_light{0, 1, 0};  ///< unit; directional: towards the light; spot: against its axis
     double distance_m = 0;         ///< of the place from the target
     double half_cone_rad = 0, cos_cone_outer = -1, cos_cone_inner = -1;
+    double size = 0;  ///< tangent of a directional light's angular radius (below 89 degrees), else its radius in metres
     bool six_faces = false;          ///< no single map holds all directions that it shines in
     double range_m = 0;              ///< of spot and point lights: no light from there on; 0: unlimited
     glm::dvec3 radiance{1};          ///< colour × intensity, normalised to the scene's centre (see place_lights)

@@ -62,19 +62,20 @@ float depth_of_gap(Receiver r, float metres) {
 /// @param v visibility as drawn, which stands for trials that the settings make no difference to
 Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
     Evidence e;
+    float reach = frame.lights[r.light].kernel.y;
     vec2 gradient = plane_gradient(r);
     float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
-    e.least = least_bias(r, gradient, KERNEL_REACH);
+    e.least = least_bias(r, gradient, reach);
     e.least_nearest = least_bias(r, gradient, 0.5);
-    e.slack = KERNEL_REACH * per_texel;
+    e.slack = reach * per_texel;
     e.own = r.bias_depth;
     e.offset = away(r.uvd.z + dot(gradient, r.uvd_offset.xy - r.uvd.xy) - r.uvd_offset.z);
     e.worth = bias_worth(r, gradient);
     float raster = e.worth - e.offset - e.own;
     e.applied = away(r.uvd.z - r.reference) + raster;
-    float reach_depth = depth_nearer(r, r.z, KERNEL_REACH * r.texel_m);
+    float reach_depth = depth_nearer(r, r.z, reach * r.texel_m);
     e.bent = 2.0 * e.least + reach_depth;
-    e.most = more.z > (KERNEL_REACH + 1.0) * r.texel_m ? e.bent : e.least;
+    e.most = more.z > (frame.lights[r.light].kernel.z + 1.0) * r.texel_m ? e.bent : e.least;
     e.far = 2.0 * max(e.own, e.least) + reach_depth;
     e.texel_m = r.texel_m;
     float cosine = clamp(r.geometric_n_dot_l, 1e-6, 1.0), sine = sqrt(max(1.0 - cosine * cosine, 0.0));

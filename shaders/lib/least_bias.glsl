@@ -40,7 +40,7 @@ float least_bias(Receiver r, vec2 gradient, float reach_texels) {
 }
 
 /// Of the chosen kernel.
-float least_bias(Receiver r, vec2 gradient) { return least_bias(r, gradient, KERNEL_REACH); }
+float least_bias(Receiver r, vec2 gradient) { return least_bias(r, gradient, frame.lights[r.light].kernel.y); }
 
 /// How far all bias brings the compared depth before the receiver's own plane.
 float bias_worth(Receiver r, vec2 gradient) {

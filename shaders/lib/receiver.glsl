@@ -14,6 +14,7 @@ struct Surface {
     vec3 vertex;     // unit interpolated normal, same side
     vec3 shading;    // the same with its normal map
     vec3 to_eye;     // unit
+    vec2 pixel;      // of the picture, its centre
     bool receives;
 };
 

@@ -79,6 +79,15 @@ float map_depth(vec2 at, int layer) { return stored_depth(at, layer); }
 vec4 map_gather(vec2 at, int layer) { return stored_gather(at, layer); }
 #endif
 
+/// A stored depth that decides where or how a kernel compares, and is no comparison itself.
+float searched_depth(vec2 at, int layer) {
+#ifdef RECORD_TAPS
+    return stored_depth(at, layer);
+#else
+    return map_depth(at, layer);
+#endif
+}
+
 /// One comparison as the shadow sampler of the kernel's row makes it: with the nearest texel, or bilinearly with 2x2.
 float map_compare_at(vec2 at, int layer, float own) {
 #if !COMPARE_BY_HAND

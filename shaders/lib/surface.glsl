@@ -12,6 +12,7 @@ flat in vec3 face_normal;
 Surface make_surface() {
     Surface s;
     s.position = position_rel;
+    s.pixel = gl_FragCoord.xy + frame.pixel.xy;
 #ifdef SURFACE_FLAGS
     s.receives = surface.x > 0.5;
 #else

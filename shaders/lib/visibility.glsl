@@ -2,6 +2,8 @@
 #include "lib/receiver.glsl"
 #include "shared/judged.h"
 
+#define UNKNOWN uintBitsToFloat(0x7fc00000u)
+
 /// One comparison of the receiver's depth at a place of its map, by filter.method.
 float compares_lit(Receiver r, vec2 at) {
 #if FILTER_SAMPLER
@@ -10,6 +12,15 @@ float compares_lit(Receiver r, vec2 at) {
     return depth_test(r.reference, map_depth(at, r.layer));
 #endif
 }
+
+/// What a kernel learns besides visibility; NaN where it does not say.
+struct Filtered {
+    float blocker_m;        // how far along the axis what it took for the occluder lies before the receiver
+    float penumbra_texels;  // width of the penumbra that it made
+    float taps;             // texels fetched
+    float variance;         // of the depths, in squares of the map's range
+};
+Filtered found = Filtered(UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN);
 
 #include FILTER_FILE
 

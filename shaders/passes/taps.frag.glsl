@@ -1,4 +1,4 @@
-// The texels that the kernel of one pixel reads, one a fragment, each with its weight.
+// The texels that the kernel of one pixel reads, one a fragment, each with its weight; or what else the kernel found.
 #include "lib/seen_surface.glsl"
 #include "lib/visibility.glsl"
 layout(location = 0) out vec4 tap_out;  // texel (x to the right, y up, before map.wrap), stored depth, weight; below 0: none
@@ -7,7 +7,12 @@ uniform ivec2 pixel;
 void main() {
     Receiver r = make_receiver(seen_surface(pixel), LIGHT_INDEX);
     r.reference = reference_of(r.reference);
+#ifdef RECORD_TAPS
     tap_wanted = int(gl_FragCoord.x);
     float weight = filter_visibility(r);
     tap_out = vec4(tap_found, tap_wanted < taps_read ? weight : -1.0);
+#else
+    filter_visibility(r);
+    tap_out = vec4(found.blocker_m, found.penumbra_texels, isnan(found.taps) ? frame.pixel.z : found.taps, found.variance);
+#endif
 }

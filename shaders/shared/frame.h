@@ -16,6 +16,8 @@ struct LightBlock {
     vec4 position;  // xyz; spot and point. w: range in metres where LIGHT_RANGED
     vec4 to_light;  // xyz unit; directional: to the light, spot: against the axis. w: cos of the outer cone
     vec4 radiance;  // rgb; w: cos of the inner cone
+    vec4 kernel;    // x: tangent of a directional light's angular radius, else its radius in metres; yzw: how far the
+                    // kernel reaches in texels, for the bias, for edges, for reads
 };
 
 struct ViewBlock {
@@ -28,6 +30,7 @@ struct FrameBlock {
     vec4 eye;       // xyz relative; w: 1 orthographic
     vec4 forward;   // unit viewing direction
     vec4 map_origin;  // xyz relative: what the shaders that draw the maps count positions from
+    vec4 pixel;     // xy: the picture's pixel at (0, 0) of what is drawn; z: texels that the kernel fetches
     vec4 offset;    // PolygonOffset of the map format: unit_depth, unit_steps, slope_gain; w: 1 slope_is_length
     LightBlock lights[SI_MAX_LIGHTS];
     ViewBlock views[SI_MAX_VIEWS];
@@ -35,10 +38,10 @@ struct FrameBlock {
 
 #ifdef __cplusplus
 }  // namespace si::shared
-static_assert(sizeof(si::shared::LightBlock) == 48);
+static_assert(sizeof(si::shared::LightBlock) == 64);
 static_assert(sizeof(si::shared::ViewBlock) == 80);
-static_assert(offsetof(si::shared::FrameBlock, lights) == 128);
-static_assert(offsetof(si::shared::FrameBlock, views) == 128 + 48 * SI_MAX_LIGHTS);
+static_assert(offsetof(si::shared::FrameBlock, lights) == 144);
+static_assert(offsetof(si::shared::FrameBlock, views) == 144 + 64 * SI_MAX_LIGHTS);
 static_assert(sizeof(si::shared::FrameBlock) <= 16384);  // the least that OpenGL grants
 #endif
 #endif

@@ -55,7 +55,8 @@ protected:
         const FrameResult frame = render_with_truth(renderer, scene, s, all, cache, {}, options);
         EXPECT_TRUE(frame.truth.met);
         const std::vector<CauseEvidence> evidence = read_evidence(frame, options.step);
-        const CauseContext context = cause_context(s, frame.mask_levels);
+        const CauseContext context =
+            cause_context(s, frame.lights[std::size_t(s.view.light)], frame.map_resolution, frame.mask_levels);
         const Truth& truth = *gpu.traced.truth;
         std::size_t differ = 0;
         for (std::size_t i = 0; i < truth.state.size(); ++i) {

@@ -173,10 +173,12 @@ std::vector<Axis> axes() {
         const std::string key(p.key);
         if (p.choices)
             for (const auto& choice : p.choices()) axis.choices.push_back({{key, std::string(choice.key)}});
+        else if (std::holds_alternative<int>(default_value({&p, 0, {}})))
+            axis.choices = {{{key, "1"}}, {{key, "16"}}};
         else
             axis.choices = {{{key, "false"}}, {{key, "true"}}};
         if (p.key == "filter.method") axis.names.insert("FILTER_SAMPLER");
-        if (p.key == "filter.kernel") axis.names.insert({"KERNEL_SIZE", "KERNEL_REACH", "FILTER_FILE"});
+        if (p.key == "filter.kernel") axis.names.insert({"KERNEL_SIZE", "FILTER_FILE", "MOMENTS_COLUMNS"});
         out.push_back(std::move(axis));
     }
     EXPECT_GE(out.size(), 10u);

@@ -34,7 +34,7 @@ LeastBias predicted(const Shot& shot, const Settings& s) {
     for (double x : {-5.0, 0.0, 5.0})
         for (double z : {-5.0, 0.0, 5.0}) {
             const ReceiverPlane plane = receiver_plane(view, {x, 0, z}, {0, 1, 0});
-            const LeastBias b = least_bias(plane.gradient, filter.reach_texels, shot.frame.map_resolution,
+            const LeastBias b = least_bias(plane.gradient, reach_of(s).bias, shot.frame.map_resolution,
                                            depth_quantum(MapFormat(s.map.format), plane.uvd.z),
                                            hard_renderer().driver().subpixel_bits, rounding_bias(view, {x, 0, z}, 10));
             if (b.total() > worst.total()) worst = b;

@@ -46,7 +46,7 @@ TEST_P(BoxShadow, EdgeWithinATexel) {
     // Along the light only, so that the outline does not move; what the kernel needs on the floor.
     s.bias = no_bias();
     s.bias.unit = int(BiasUnit::Texels);
-    s.bias.constant = 4 * filters()[std::size_t(s.filter.kernel)].reach_texels;
+    s.bias.constant = 4 * reach_of(s).bias;
     const Shot shot = shoot(scene, s, 320, 240);
     const FittedLight& light = shot.light();
     const RayTruth rays(scene);
@@ -112,8 +112,8 @@ TEST(PointLight, SeamsShowNoError) {
         s.bias = no_bias();
         s.bias.unit = int(BiasUnit::Texels);
         // Near a face's rim the floor is tilted by 45 to 60 degrees against its axis.
-        s.bias.constant = 4 * filters()[std::size_t(s.filter.kernel)].reach_texels;
-        const TruthErrors e = compare(shoot(scene, s), scene, filters()[std::size_t(s.filter.kernel)].reach_texels + 1);
+        s.bias.constant = 4 * reach_of(s).bias;
+        const TruthErrors e = compare(shoot(scene, s), scene, reach_of(s).edge + 1);
         EXPECT_GT(e.shadow, 200) << filter;
         EXPECT_EQ(e.false_shadow, 0) << filter;
         EXPECT_EQ(e.any_acne, 0) << filter;

@@ -117,7 +117,7 @@ TEST(HardCase29, OutsideOfTheMapIsLit) {
                     if (!hit || glm::dot(hit->normal, shot.light().to_light) <= 1e-3) continue;
                     const glm::dvec4 p = uvdw(shot.view(), hit->position);
                     // Beyond the reach of kernel and normal offset.
-                    const double pad = (row.reach_texels + 4) / s.map.resolution;
+                    const double pad = (reach_of(s).read + 4) / s.map.resolution;
                     if (p.x > -pad && p.x < 1 + pad && p.y > -pad && p.y < 1 + pad) continue;
                     ++outside;
                     wrong += shot.visibility.at(x, y) < 1 - 1e-5f;  // a mean of weights rounds
@@ -151,8 +151,8 @@ TEST(HardCase29, NoErrorAlongTheBorder) {
         s.filter.kernel = kernel(filter);
         s.bias = no_bias();
         s.bias.unit = int(BiasUnit::Texels);
-        s.bias.constant = 2.5 * filters()[std::size_t(s.filter.kernel)].reach_texels;
-        const double reach = filters()[std::size_t(s.filter.kernel)].reach_texels + 1;
+        s.bias.constant = 2.5 * reach_of(s).bias;
+        const double reach = reach_of(s).edge + 1;
         const TruthErrors e = compare(shoot(scene, s), scene, reach);
         EXPECT_GT(e.shadow, 100) << filter;
         EXPECT_EQ(e.false_shadow, 0) << filter;

@@ -112,8 +112,7 @@ TEST(BiasSearch, SaysWhenNothingHelps) {
 /// Errors and times of kernels and resolutions: finer maps are more accurate and slower, wider kernels too.
 struct MadeUpWorld {
     static double ms(const Settings& s) {
-        return 1 + 1e-6 * s.map.resolution * s.map.resolution +
-               0.5 * filters()[std::size_t(s.filter.kernel)].sampler_taps / 9.0;
+        return 1 + 1e-6 * s.map.resolution * s.map.resolution + 0.5 * cost_of(s).sampler_taps / 9.0;
     }
     static double error(const Settings& s) {
         return 2.0 / s.map.resolution / std::sqrt(double(filters()[std::size_t(s.filter.kernel)].size));
@@ -131,7 +130,7 @@ struct MadeUpWorld {
                 continue;
             }
             ++judged;
-            const MadeUpFrame frame{.kappa = filters()[std::size_t(s.filter.kernel)].reach_texels};
+            const MadeUpFrame frame{.kappa = reach_of(s).bias};
             BiasTrial t = frame.shown(s.bias);
             t.error.mae = error(s);
             tuner.judged(t);

@@ -136,6 +136,17 @@ void depths(const Probe::PerLight& p) {
     row("compared depth", fmt::format("{:.7f}", p.compared), "Own depth after bias and normal offset");
     row("nearer by", metres_text(p.gap_m), "How much nearer to the light the stored surface is, along the light's ray");
     row("visibility", fmt::format("{:.4f}", p.visibility), "What the renderer's filter computed: 1 lit, 0 in shadow");
+    const KernelFacts& k = p.kernel;
+    if (!std::isnan(k.blocker_m))
+        row("occluder", fmt::format("{} nearer", metres_text(k.blocker_m)),
+            "What the kernel's search found before the surface, on average, along the light's axis");
+    if (!std::isnan(k.penumbra_texels))
+        row("penumbra",
+            fmt::format("{:.3g} texels wide   {}", k.penumbra_texels, metres_text(k.penumbra_texels * p.texel_m)),
+            "As wide as the light's size and the occluder's distance ask for, within the kernel's limits");
+    if (!std::isnan(k.variance))
+        row("variance", fmt::format("{:.3g} of the range squared", k.variance),
+            "Of the depths about the texel, by the map's moments; the bound of the visibility comes from it");
     ImGui::EndTable();
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/settings/owners.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/setting_widgets.h"
@@ -58,6 +59,7 @@ std::vector<SettingRef> rows_of(const EditorState& state, std::string_view prefi
         if (p.scope == Scope::Object || prefix_of(p.key) != prefix) continue;
         if (p.scope == Scope::Light && state.settings.light_count <= 0) continue;
         SettingRef ref{&p, p.scope == Scope::Light ? light : 0, {}};
+        if (state.search.empty() && !not_owned(state.settings, ref).empty()) continue;  // found by its name alone
         if (!setting_matches(ref, state.search)) continue;
         if (state.only_changed && !setting_changed(state.settings, ref)) continue;
         rows.push_back(std::move(ref));

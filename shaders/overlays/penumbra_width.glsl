@@ -1,0 +1,6 @@
+// The width of the penumbra that the kernel made of the occluder's distance and the light's size.
+vec4 overlay(Receiver r) {
+    if (r.where >= BEHIND || !faces_light(r)) return vec4(NOTHING);
+    map_visibility(r);
+    return vec4(found.penumbra_texels);
+}

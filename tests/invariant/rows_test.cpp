@@ -1,0 +1,403 @@
+// What every kernel has to keep to, whichever it is: a loop over the rows of the filter table, a row that only this
+// binary knows among them. Tolerances are the rows' own.
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "renderer/gl/shader_source.h"
+#include "renderer/inspect/probe.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/filters.h"
+#include "renderer/view/kernel_reach.h"
+#include "tests/support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+/// A kernel that is not built in: weights 1 2 1 across the map alone, by the interface that every kernel uses.
+const bool row_added = [] {
+    gl::add_shader_text("filters/added_here.glsl", R"(
+float filter_visibility(Receiver r) {
+    vec2 step_uv = vec2(1.0 / float(map_resolution), 0.0);
+    return 0.25 * compares_lit(r, r.uvd_offset.xy - step_uv) + 0.5 * compares_lit(r, r.uvd_offset.xy) +
+           0.25 * compares_lit(r, r.uvd_offset.xy + step_uv);
+}
+)");
+    add_filter({.key = "added-here",
+                .label = "Added here",
+                .help = "A row of the test.",
+                .file = "filters/added_here.glsl",
+                .square = false,
+                .reach =
+                    [](const Filter&, const Settings&, double) {
+                        return Reach{1.5, 1.5, 1.5};
+                    },
+                .cost =
+                    [](const Filter&, const Settings&) {
+                        return FilterCost{0, 3, 3};
+                    }});
+    return true;
+}();
+
+struct Case {
+    std::string kernel;
+    LightType light;
+    MapFormat format;
+    bool reversed;
+};
+
+std::string name_of(const testing::TestParamInfo<Case>& info) {
+    const char* lights[] = {"directional", "spot", "point"};
+    std::string name = info.param.kernel + "_" + lights[int(info.param.light)] + "_" + format_name(info.param.format) +
+                       (info.param.reversed ? "_reversed" : "");
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+/// Each kernel under each light, the formats and directions of depth by turns.
+std::vector<Case> all_cases() {
+    std::vector<Case> out;
+    std::size_t turn = 0;
+    for (const Filter& row : filters())
+        for (const LightType light : kLightTypes) {
+            out.push_back({std::string(row.key), light, turn % 2 ? MapFormat::D16 : MapFormat::D32F, turn % 4 >= 2});
+            ++turn;
+        }
+    return out;
+}
+
+/// Bias along the light alone, as much as the row says that a plane needs at any angle up to the steepest: a texel's
+/// height on the plane is its width times the angle's tangent.
+void give_bias(Settings& s, const FittedLight& light, double steepest_tan) {
+    s.bias = no_bias();
+    s.bias.unit = int(BiasUnit::Texels);
+    // Both axes of the map may rise; the sub-pixel grid's share and the depth's step come on top.
+    const double kappa = std::max(reach_under(s, light, s.map.resolution).bias, 0.5) + 0.1;
+    s.bias.constant = kappa * glm::root_two<double>() * steepest_tan + 1;
+}
+
+Settings settings_of(const Case& c, int resolution) {
+    Settings s = hard_settings();
+    s.lights[0].type = int(c.light);
+    s.lights[0].distance = c.light == LightType::Directional ? 0 : 9;
+    s.lights[0].cone = 80;
+    s.lights[0].size = c.light == LightType::Directional ? 0.5 : 0.05;
+    s.map.resolution = resolution;
+    s.map.format = int(c.format);
+    s.map.reversed_z = c.reversed;
+    s.filter.kernel = kernel(c.kernel);
+    return s;
+}
+
+FittedLight fitted(const Scene& scene, const Settings& s) {
+    const FrameRequest request{.width = 16, .height = 16};
+    return hard_renderer().render(scene, s, request).lights.at(0);
+}
+
+class EachKernel : public testing::TestWithParam<Case> {
+protected:
+    const Case& c = GetParam();
+    const Filter& row = filters()[std::size_t(kernel(c.kernel))];
+};
+
+/// Each pixel's truth and visibility; boundary pixels are those with an edge within so many texels.
+template <class Visit>
+void for_pixels(const Shot& shot, const Scene& scene, double reach_texels, Visit visit) {
+    const TruthImage truth = trace_truth(RayTruth(scene), shot.frame.camera, shot.light(), shot.width, shot.height,
+                                         shot.frame.map_resolution, reach_texels);
+    for (int y = 0; y < shot.height; ++y)
+        for (int x = 0; x < shot.width; ++x) visit(truth.at(x, y), double(shot.visibility.at(x, y)));
+}
+
+TEST_P(EachKernel, APlaneIsLitAndWhatACoverShadowsIsDark) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
+    add_object(scene, "cover", -1, add_mesh(scene, "cover", make_box({4, 0.5, 4}), grey), moved(0, 2.5, 0));
+    finalise(scene);
+    Settings s = settings_of(c, 256);
+    s.lights[0].elevation = 60;
+    give_bias(s, fitted(scene, s), 2.5);  // a point light's faces see the floor at up to 68 degrees there
+    const Shot shot = shoot(scene, s);
+    const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 1;
+    int lit = 0, dark = 0;
+    double least = 1, most = 0;
+    for_pixels(shot, scene, reach, [&](Lit truth, double v) {
+        if (truth == Lit::Lit) ++lit, least = std::min(least, v);
+        if (truth == Lit::Shadow) ++dark, most = std::max(most, v);
+    });
+    EXPECT_GT(lit, 2000);
+    EXPECT_GT(dark, 150);
+    EXPECT_GE(least, 1 - row.tolerance.lit) << row.tolerance.why;
+    EXPECT_LE(most, row.tolerance.dark) << row.tolerance.why;
+}
+
+TEST_P(EachKernel, AGrazingPlaneStaysLit) {
+    if (c.light == LightType::Point) GTEST_SKIP() << "its faces meet the plane at every angle";
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(6, 6), grey));
+    finalise(scene);
+    Settings s = settings_of(c, 256);
+    s.lights[0].elevation = 20;
+    s.lights[0].cone = 40;
+    give_bias(s, fitted(scene, s), std::tan(glm::radians(c.light == LightType::Spot ? 84.0 : 70.0)));
+    int lit = 0;
+    double least = 1;
+    for_pixels(shoot(scene, s), scene, 0, [&](Lit truth, double v) {
+        if (truth == Lit::Lit) ++lit, least = std::min(least, v);
+    });
+    EXPECT_GT(lit, 2000);
+    EXPECT_GE(least, 1 - row.tolerance.lit) << row.tolerance.why;
+}
+
+TEST_P(EachKernel, FinerMapsAreNearerToTheTruth) {
+    const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
+    const auto error = [&](int resolution) {
+        Settings s = settings_of(c, resolution);
+        give_bias(s, fitted(scene, s), 1.5);
+        double sum = 0;
+        for_pixels(shoot(scene, s), scene, 0, [&](Lit truth, double v) {
+            if (truth == Lit::Lit || truth == Lit::Shadow) sum += std::abs(v - (truth == Lit::Lit ? 1 : 0));
+        });
+        return sum;
+    };
+    const double coarse = error(128), fine = error(512);
+    EXPECT_GT(coarse, 0);
+    EXPECT_LT(fine, 0.6 * coarse);
+}
+
+TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
+    const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
+    Settings s = settings_of(c, 64);
+    give_bias(s, fitted(scene, s), 1);
+    const FrameRequest picture{.width = 160, .height = 120};
+    int told = 0, partly = 0;
+    for (int y = 22; y < 110 && (partly < 3 || told < 12); y += 7)
+        for (int x = 33; x < 140; x += 9) {
+            const Probe p = hard_renderer().probe(scene, s, picture, x, y);
+            if (!p.hit || p.lights[0].where != "inside" || p.lights[0].n_dot_l <= 1e-3) continue;
+            const Probe::PerLight& l = p.lights[0];
+            if (!row.linear) {
+                ASSERT_TRUE(l.taps.empty()) << "its result is no sum of comparisons";
+                return;
+            }
+            if (l.taps.empty()) {
+                EXPECT_TRUE(row.searches_blockers);
+                EXPECT_EQ(l.visibility, 1) << "compared nothing";
+                continue;
+            }
+            double sum = 0, weights = 0;
+            for (const KernelTap& t : l.taps) {
+                sum += t.lit ? t.weight : 0, weights += t.weight;
+                const glm::dvec2 off =
+                    glm::abs(glm::dvec2(t.texel) + 0.5 - glm::dvec2(l.tap) * double(p.map_resolution));
+                EXPECT_LE(std::max(off.x, off.y), reach_under(s, l.fitted, p.map_resolution).read + 1e-3);
+            }
+            ++told;
+            EXPECT_NEAR(weights, 1, 1e-5);
+            EXPECT_NEAR(sum, l.visibility, 2e-5) << x << "," << y;
+            partly += l.visibility > 0.01 && l.visibility < 0.99;
+        }
+    EXPECT_GT(told, 0);
+    if (row.key != "hard") EXPECT_GT(partly, 0) << "no pixel at an edge, so this says little";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EachKernel, testing::ValuesIn(all_cases()), name_of);
+
+/// How lit a receiver is whose kernel is centred at `centre` (columns of the map), where the columns from `first` on
+/// are lit and those before are dark: by each kernel's definition.
+double edge_profile(std::string_view kernel, double centre, double first) {
+    const double middle = std::floor(centre);
+    const auto weight = [&](double column) {
+        const double off = std::abs(column - middle);
+        const auto box = [&](int n) {
+            return std::max(0.0, std::min(centre + 0.5 * n, column + 1) - std::max(centre - 0.5 * n, column)) / n;
+        };
+        if (kernel == "hard") return off < 0.5 ? 1.0 : 0.0;
+        if (kernel == "pcf3_nearest") return off < 1.5 ? 1 / 3.0 : 0.0;
+        if (kernel == "pcf5_nearest") return off < 2.5 ? 0.2 : 0.0;
+        if (kernel == "tent3") return off < 0.5 ? 0.5 : off < 1.5 ? 0.25 : 0.0;
+        if (kernel == "hw2x2") return box(1);
+        return box(kernel == "pcf3" ? 3 : kernel == "pcf5" ? 5 : kernel == "pcf7" ? 7 : 9);
+    };
+    double lit = 0;
+    for (double column = middle - 7; column <= middle + 7; ++column)
+        if (column >= first) lit += weight(column);
+    return lit;
+}
+
+/// A floor, and 1 m above it a cover over the half where x is below 0.
+Scene half_covered_floor() {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(8, 8), grey));
+    add_object(scene, "cover", -1, add_mesh(scene, "cover", make_plane(4, 8), grey), moved(-2, 1, 0));
+    finalise(scene);
+    return scene;
+}
+
+Settings overhead(std::string_view kernel) {
+    Settings s = texel_settings(kernel, 64, 0.2);
+    s.lights[0].elevation = 90;
+    s.lights[0].azimuth = 0;
+    s.camera.elevation = 30;
+    s.camera.azimuth = 90;  // sees below the cover
+    s.camera.distance = 6;
+    return s;
+}
+
+/// Visits each floor pixel near the middle with its place across the edge in columns of the map, the first lit column
+/// and its visibility, all counted so that the lit side is where columns grow.
+template <class Visit>
+void along_the_edge(const Shot& shot, const Scene& scene, Visit visit) {
+    const LightView& view = shot.view();
+    const RayTruth rays(scene);
+    const int n = shot.frame.map_resolution;
+    const int axis = std::abs(view.axes[0].x) > 0.5 ? 0 : 1;
+    const bool grows = view.axes[axis].x > 0;
+    const double edge = uvdw(view, {0, 0, 0})[axis] * n;
+    for (int y = 0; y < shot.height; ++y)
+        for (int x = 0; x < shot.width; ++x) {
+            glm::dvec3 origin, dir;
+            shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
+            const auto hit = rays.first_hit(origin, dir);
+            if (!hit || hit->position.y > 1e-6 || std::abs(hit->position.x) > 1.5 || std::abs(hit->position.z) > 1.5)
+                continue;
+            double place = uvdw(view, hit->position)[axis] * n, first = std::ceil(edge - 0.5);
+            if (!grows) place = n - place, first = std::ceil(n - edge - 0.5);
+            const double fraction = place - std::floor(place);
+            if (std::min(fraction, 1 - fraction) < 1e-3) continue;
+            visit(place, first, double(shot.visibility.at(x, y)));
+        }
+}
+
+TEST(FixedKernels, BlurAnEdgeAsTheirDefinitionsSay) {
+    const Scene scene = half_covered_floor();
+    for (const Filter& row : filters()) {
+        if (!row.square) continue;
+        int partly = 0, wrong = 0;
+        along_the_edge(shoot(scene, overhead(row.key), 320, 240), scene, [&](double place, double first, double v) {
+            const double expected = edge_profile(row.key, place, first);
+            wrong += std::abs(v - expected) > 2e-3;
+            partly += expected > 0.01 && expected < 0.99;
+        });
+        EXPECT_EQ(wrong, 0) << row.key;
+        if (row.key != "hard") EXPECT_GT(partly, 100) << row.key;
+    }
+}
+
+// Where only two depths meet, the bound of Chebyshev's inequality is met exactly: the share of lit texels, as
+// percentage- closer filtering has it over the same texels.
+TEST(Vsm, OfTwoPlanesIsThePercentageItself) {
+    const Scene scene = half_covered_floor();
+    for (const int blur : {0, 1, 2}) {
+        Settings s = overhead("vsm");
+        s.bias.constant = 0.01;
+        s.filter.blur = blur, s.filter.bleed = 0, s.filter.min_variance = 0;
+        const std::string same = blur == 0 ? "hw2x2" : blur == 1 ? "pcf3" : "pcf5";
+        int partly = 0;
+        double worst = 0;
+        along_the_edge(shoot(scene, s, 320, 240), scene, [&](double place, double first, double v) {
+            const double expected = edge_profile(same, place, first);
+            worst = std::max(worst, std::abs(v - expected));
+            partly += expected > 0.01 && expected < 0.99;
+        });
+        EXPECT_LT(worst, 5e-3) << blur;
+        EXPECT_GT(partly, 100);
+    }
+}
+
+TEST(Vsm, LightBleedReductionTakesAwayThatShareAndStretchesTheRest) {
+    const Scene scene = half_covered_floor();
+    Settings s = overhead("vsm");
+    s.bias.constant = 0.01;
+    s.filter.blur = 1, s.filter.bleed = 0.3, s.filter.min_variance = 0;
+    double worst = 0;
+    along_the_edge(shoot(scene, s, 320, 240), scene, [&](double place, double first, double v) {
+        const double share = edge_profile("pcf3", place, first);
+        const double expected = share >= 1 ? 1 : std::max(0.0, (share - 0.3) / 0.7);
+        worst = std::max(worst, std::abs(v - expected));
+    });
+    EXPECT_LT(worst, 1e-2);
+}
+
+TEST(Vsm, MomentsAreMapsWorkAndAloneWhenAskedFor) {
+    const Scene scene = half_covered_floor();
+    Settings s = overhead("pcf3");
+    Renderer& renderer = hard_renderer();
+    FrameRequest request{.width = 64, .height = 48};
+    const FrameResult off = renderer.render(scene, s, request);
+    ASSERT_NE(off.pass("moments"), nullptr);
+    EXPECT_EQ(off.pass("moments")->state, PassState::Skipped);
+    s.filter.kernel = kernel("vsm");
+    const FrameResult on = renderer.render(scene, s, request);
+    EXPECT_EQ(on.pass("moments")->state, PassState::Ran);
+    EXPECT_EQ(on.pass("moments")->category, PassCategory::Maps);
+    EXPECT_EQ(on.pass("shadow map 0 (directional)")->state, PassState::Reused) << "a kernel is no reason to draw anew";
+    s.filter.bleed = 0.4;
+    EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Reused);
+    s.filter.blur = 4;
+    EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Ran);
+    s.filter.radius = 7;  // of another kernel: nothing depends on it
+    const FrameResult idle = renderer.render(scene, s, request);
+    for (const PassInfo& pass : idle.passes) EXPECT_NE(pass.state, PassState::Ran) << pass.name;
+}
+
+struct SizedLight {
+    LightType type;
+    double size, penumbra_m;  ///< light.size; width of the penumbra of an edge 1 m above the floor, in closed form
+};
+
+// Percentage-closer soft shadows of an edge 1 m above a floor that faces the light: by the intercept theorem.
+TEST(Pcss, PenumbraeAreAsWideAsSimilarTrianglesSay) {
+    const Scene scene = half_covered_floor();
+    const double place_m = 5;
+    // The light's target is the centre of the scene's bounds, half a metre above the floor.
+    const double height_m = place_m + 0.5;
+    const SizedLight lights[] = {{LightType::Directional, 4, 2 * std::tan(glm::radians(4.0))},
+                                 {LightType::Spot, 0.3, 2 * 0.3 / (height_m - 1)},
+                                 {LightType::Point, 0.3, 2 * 0.3 / (height_m - 1)}};
+    for (const SizedLight& light : lights) {
+        Settings s = overhead("pcss");
+        s.map.resolution = 1024;
+        s.bias.constant = 1;
+        s.lights[0].type = int(light.type);
+        s.lights[0].size = light.size;
+        s.lights[0].distance = light.type == LightType::Directional ? 0 : place_m;
+        s.lights[0].cone = 80;
+        s.filter.max_radius = 64;
+        FrameRequest request{.width = 480, .height = 360};
+        request.outputs = {.colour = false, .overlay = true};
+        const auto values = [&](std::string_view overlay) {
+            set_setting(s, "view.overlay", overlay);
+            return hard_renderer().read_float(hard_renderer().render(scene, s, request).overlay, 4);
+        };
+        const FloatImage gap = values("blocker-gap"), width = values("penumbra-width");
+        const FrameResult frame = hard_renderer().render(scene, s, request);
+        const RayTruth rays(scene);
+        int found = 0;
+        for (int y = 0; y < request.height; ++y)
+            for (int x = 0; x < request.width; ++x) {
+                glm::dvec3 origin, dir;
+                frame.camera.pixel_ray(x, y, request.width, request.height, origin, dir);
+                const auto hit = rays.first_hit(origin, dir);
+                // Amid the penumbra, where the search meets the cover whatever places it looks at.
+                if (!hit || hit->position.y > 1e-6 || std::abs(hit->position.x) > 0.1 * light.penumbra_m ||
+                    std::abs(hit->position.z) > 1)
+                    continue;
+                const float gap_m = gap.at(x, y, 0), texels = width.at(x, y, 0);
+                if (std::isnan(gap_m)) continue;
+                ++found;
+                const LightView& view = frame.lights[0].view_of(hit->position);
+                const double texel_m =
+                    view.texel_size(glm::dot(view.eye - hit->position, view.axes[2]), frame.map_resolution);
+                ASSERT_NEAR(gap_m, 1, 0.03) << x << "," << y;
+                ASSERT_NEAR(texels * texel_m, light.penumbra_m, 0.05 * light.penumbra_m) << int(light.type);
+            }
+        EXPECT_GT(found, 50) << int(light.type);
+    }
+}
+
+}  // namespace
+}  // namespace si::test
