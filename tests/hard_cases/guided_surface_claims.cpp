@@ -149,6 +149,25 @@ const Claims& guided_surface_claims() {
              EXPECT_GT(Guided("tent").grey_levels(), Guided("pcf-by-hand").grey_levels());
              EXPECT_LE(Guided("tent").grey_levels(), 15) << "sixteenths without black and white";
          }},
+        {"poisson",
+         [] {
+             EXPECT_LE(Guided("poisson").grey_levels(), 15) << "sixteenths without black and white";
+             EXPECT_GE(Guided("poisson").grey_levels(), 13);
+             const Guided still("poisson", {"filter.rotate=false"}, 320, 180), turned("poisson", {}, 320, 180);
+             EXPECT_GT(turned.edges({"Boxes/Floor"}), 1.2 * still.edges({"Boxes/Floor"})) << "noise in place of steps";
+         }},
+        {"pcss",
+         [] {
+             const double soft = Guided("pcss").error().mae;
+             EXPECT_LT(soft, 0.75 * Guided("pcss", {"filter.kernel=pcf3"}).error().mae);
+             EXPECT_LT(soft, 0.5 * Guided("pcss", {"filter.kernel=pcf9"}).error().mae);
+         }},
+        {"vsm",
+         [] {
+             const Guided g("vsm");
+             EXPECT_GT(g.grey_levels(), 50);
+             EXPECT_GT(g.wrongly_lit(), 1.3 * Guided("vsm", {"filter.bleed=0.4"}).wrongly_lit()) << "light bleeds in";
+         }},
         {"hardware-pcf",
          [] {
              EXPECT_GT(Guided("hardware-pcf").grey_levels(), 50);

@@ -33,7 +33,8 @@ Value other_value(const SettingRef& ref) {
     if (const bool* b = std::get_if<bool>(&v)) return !*b;
     if (const int* i = std::get_if<int>(&v)) return *i + 1 <= int(ref.param->max) ? *i + 1 : *i - 1;
     const double d = std::get<double>(v);
-    return d + 0.125 <= ref.param->max ? d + 0.125 : d - 0.125;
+    if (d + 0.125 <= ref.param->max) return d + 0.125;
+    return d - 0.125 >= ref.param->min ? d - 0.125 : 0.5 * (d + ref.param->max);
 }
 
 Settings every_setting_changed() {
