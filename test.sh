@@ -48,7 +48,7 @@ build_asan() {
 # All that draws, but for the editor: its panels and windows are the same on every driver.
 tests_on_zink() {
   local zink=$root/scripts/on_zink.sh
-  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|cli)$' "$zink"
+  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|invariant|cli)$' "$zink"
 }
 
 # By clang-format of Debian 12, whose version decides what is well formed.

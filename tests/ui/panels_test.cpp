@@ -323,5 +323,26 @@ TEST(Panels, ObjectsWithoutChangesLeaveNoTraceInTheSettings) {
     EXPECT_TRUE(ui.state.settings.objects.empty());
 }
 
+TEST(SettingsPanel, ShowsTheSettingsOfTheChosenKernelAlone) {
+    UiHarness ui(1280, 1600);
+    const auto shows = [&](std::u32string_view label) {  // as printed, without spaces
+        ui.frames(3);
+        return ui.printed().find(label) != std::u32string::npos;
+    };
+    EXPECT_TRUE(shows(U"Normaloffset"));
+    EXPECT_FALSE(shows(U"Turnbypixel"));
+    set_setting(ui.state.settings, "filter.kernel", "poisson");
+    EXPECT_TRUE(shows(U"Turnbypixel"));
+    EXPECT_FALSE(shows(U"Blockertaps"));
+    set_setting(ui.state.settings, "filter.kernel", "pcss");
+    EXPECT_TRUE(shows(U"Blockertaps"));
+    set_setting(ui.state.settings, "filter.kernel", "vsm");
+    EXPECT_FALSE(shows(U"Blockertaps"));
+    EXPECT_TRUE(shows(U"Light-bleedreduction"));
+    // By name it is found under every kernel, greyed.
+    ui.state.search = "blocker";
+    EXPECT_TRUE(shows(U"Blockertaps"));
+}
+
 }  // namespace
 }  // namespace si::test

@@ -1,11 +1,14 @@
 // The settings table: every member has a row, keys round-trip, values are read, refused and repaired.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 
 #include "renderer/base/error.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/owners.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/rows.h"
 
@@ -280,6 +283,31 @@ TEST(SettingsIdle, EveryReasonEndsSomewhere) {
     for (const SettingRef& ref : all_settings(Settings{}))
         if (ref.light == 0 && !idle_reason(Settings{}, ref).empty())
             EXPECT_TRUE(ends(ref)) << setting_key(ref) << " is always " << idle_reason(Settings{}, ref);
+}
+
+TEST(SettingsOwned, ActUnderTheKernelsThatListThemAlone) {
+    int owned = 0;
+    for (const SettingRef& ref : all_settings(Settings{})) {
+        if (ref.light != 0 || !ref.param->key.starts_with("filter.")) continue;
+        Settings s;
+        std::size_t readers = 0;
+        for (std::size_t row = 0; row < filters().size(); ++row) {
+            s.filter.kernel = int(row);
+            const auto own = filters()[row].settings;
+            const bool lists = std::ranges::find(own, ref.param->key) != own.end();
+            readers += lists;
+            if (lists) EXPECT_EQ(not_owned(s, ref), "") << ref.param->key << " under " << filters()[row].key;
+        }
+        if (readers == 0) {
+            EXPECT_EQ(not_owned(Settings{}, ref), "") << ref.param->key << " belongs to no kernel";
+            continue;
+        }
+        ++owned;
+        EXPECT_NE(not_owned(Settings{}, ref), "") << "the default kernel has no settings of its own";
+        EXPECT_EQ(idle_reason(Settings{}, ref), not_owned(Settings{}, ref));
+        EXPECT_TRUE(mentions(std::string(idle_reason(Settings{}, ref)), "filter.kernel"));
+    }
+    EXPECT_GE(owned, 8);
 }
 
 }  // namespace

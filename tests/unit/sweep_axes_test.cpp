@@ -57,6 +57,10 @@ TEST(SweepAxes, SettingsWithoutEffectCollapse) {
     const SweepPlan plan = plan_sweep(base, {parse_axis("shading.specular=0,1"), parse_axis("shading.shininess=8,64")});
     EXPECT_EQ(plan.product, 4u);
     EXPECT_EQ(plan.cases.size(), 3u);
+    Settings poisson;
+    set_setting(poisson, "filter.kernel", "poisson");
+    EXPECT_EQ(plan_sweep({}, {parse_axis("filter.radius=1,2,3")}).cases.size(), 1u) << "of another kernel";
+    EXPECT_EQ(plan_sweep(poisson, {parse_axis("filter.radius=1,2,3")}).cases.size(), 3u);
     Settings off;
     off.light_count = 1;
     EXPECT_EQ(plan_sweep(off, {parse_axis("light.3.azimuth=1,2,3")}).cases.size(), 1u) << "light 3 is off";
