@@ -17,13 +17,15 @@ Json histogram_json(const DepthHistogram& h) {
 
 std::optional<MapReport> map_report(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request) {
     settings.view.map_source = static_cast<int>(MapSource::Light);
-    request.outputs = {.colour = false, .shadow_map = true, .map_coordinates = true};
+    request.outputs = {.colour = false, .shadow_map = true, .map_coordinates = true, .texels_read = true};
     request.timing = request.force = false;
     const FrameResult frame = renderer.render(scene, settings, request);
     if (!frame.map_view.texture) return std::nullopt;
     const FloatImage coordinates = renderer.read_float(frame.map_coordinates, 4);
     const FloatImage depth = renderer.read_map_view_depth();
+    const FloatImage read = renderer.read_float(frame.texels_read, 1);
     MapReport facts;
+    facts.exact_utilisation = double(std::count(read.data.begin(), read.data.end(), 1.f)) / double(read.data.size());
     facts.light = settings.view.light;
     const auto& views = frame.lights[std::size_t(facts.light)].views;
     facts.face = std::clamp(settings.view.face, 0, int(views.size()) - 1);
@@ -47,6 +49,7 @@ Json map_report_json(const MapReport& facts) {
                  {"face", facts.face},
                  {"resolution", facts.resolution},
                  {"utilisation", facts.usage.utilisation()},
+                 {"utilisation_exact", facts.exact_utilisation},
                  {"most_pixels_per_texel", facts.usage.most_pixels()},
                  {"drawn_texels", d.drawn},
                  {"empty_texels", d.empty},

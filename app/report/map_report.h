@@ -15,6 +15,7 @@ struct MapReport {
     int light = 0, face = 0, resolution = 0;
     TexelUsage usage;                  ///< of the shown face
     std::vector<double> utilisations;  ///< of each face
+    double exact_utilisation = 0;  ///< of the shown face: texels that a kernel fetches, not the rectangles about them
     DepthStatistics depth;
     DepthHistogram raw, linear;  ///< over the range that was drawn
 };

@@ -27,6 +27,7 @@ struct Outputs {
     bool overlay = false;          ///< the raw values of the panes' overlays
     bool surface_ids = false;      ///< the object and triangle behind each pixel
     bool map_coordinates = false;  ///< where in the map of view.light each pixel's kernel is centred
+    bool texels_read = false;      ///< which texels of the shown map the kernels of all pixels fetch
     bool error = false;     ///< what is wrong with the shadows of view.light, in numbers; needs FrameRequest::truth
     bool judged = false;    ///< the same pixel by pixel; needs FrameRequest::truth
     bool evidence = false;  ///< all trials of every pixel (CauseEvidence); takes FrameRequest::truth where it is there
@@ -96,6 +97,8 @@ struct FrameResult {
     /// RGBA32F: u and v of the kernel's centre in the map of view.light (v up, after the normal offset, not wrapped),
     /// the layer among that light's views, and 1 where the kernel reads a texel of it, else 0. Empty without a map.
     Image map_coordinates;
+    Image
+        texels_read;  ///< R32F, a value a texel of the map of view.light and view.face: 1 where some kernel fetches it
     Image surface_ids;                            ///< RG32UI, see SurfaceIds
     Image true_colour;                            ///< RGBA8, as `colour` without overlays
     Image judged;                                 ///< RG32F, see judged_pixels()

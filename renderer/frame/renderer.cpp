@@ -46,6 +46,7 @@ std::vector<std::string> wanted_results(const FrameState& f) {
     if (o.evidence) wanted.push_back("evidence");
     if (o.true_colour) wanted.push_back("true picture");
     if (o.map_coordinates) wanted.push_back("map coordinates");
+    if (o.texels_read) wanted.push_back("texels read");
     if (o.shadow_map) wanted.insert(wanted.end(), {"map view", "shadow maps"});
     return wanted;
 }
@@ -78,6 +79,7 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
     add_shade_pass(f, plan);
     add_pane_passes(f, plan);
     add_map_coordinates_pass(f, plan);
+    add_texels_read_pass(f, plan);
     add_map_view_passes(f, plan);
 
     FrameResult result;

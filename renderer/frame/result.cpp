@@ -73,6 +73,7 @@ void describe_frame(FrameState& f, FrameResult& result) {
     }
     if (valid("shading by the truth")) result.true_colour = image_of(r.true_shaded);
     if (valid("surface ids")) result.surface_ids = image_of(r.surface_ids);
+    if (valid("texels read")) result.texels_read = texels_read_image(f);
     if (valid("map coordinates")) result.map_coordinates = image_of(r.map_coordinates);
     result.truth = f.truth;
     result.camera = f.camera;

@@ -205,6 +205,9 @@ void add_true_shade_pass(FrameState& f, std::vector<Pass>& plan);
 void add_shade_pass(FrameState& f, std::vector<Pass>& plan);
 void add_pane_passes(FrameState& f, std::vector<Pass>& plan);
 void add_map_coordinates_pass(FrameState& f, std::vector<Pass>& plan);
+/// Which texels of the shown map the kernels of all pixels fetch, exactly.
+void add_texels_read_pass(FrameState& f, std::vector<Pass>& plan);
+Image texels_read_image(const FrameState& f);
 void add_map_view_passes(FrameState& f, std::vector<Pass>& plan);
 /// Of one pane, over its picture so far, whose key is `under_key`. The caller names it and what it reads and writes.
 Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane, std::uint64_t under_key);

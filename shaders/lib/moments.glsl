@@ -22,6 +22,9 @@ float share_of_range(float depth, Receiver r) {
 /// The moments at a place of the map, blended of 2x2 texels.
 vec2 map_moments(Receiver r, vec2 at) {
     vec2 moments = texture(moments_map, AT_MOMENTS(at, r.layer)).rg;
+#ifdef MARK_TEXELS
+    map_gather(round(at * float(map_resolution)) / float(map_resolution), r.layer);  // the 2x2 that are blended
+#endif
 #ifdef MAP_TRIALS
     if (map_is_unfiltered) {
         float share = share_of_range(map_depth(at, r.layer), r);

@@ -74,6 +74,31 @@ vec4 map_gather(vec2 at, int layer) {
     stored.w = recorded(texel, stored.w);
     return stored;
 }
+#elif defined(MARK_TEXELS)
+layout(binding = 0, r32f) uniform writeonly image2D texels_read;
+
+/// Marks the texel that a look-up finds under map.wrap, if it finds any.
+void mark_texel(vec2 texel, int layer) {
+#if map_wrap == map_wrap_repeat
+    texel = mod(texel, float(map_resolution));
+#elif map_wrap != map_wrap_border
+    texel = clamp(texel, vec2(0.0), vec2(float(map_resolution) - 1.0));
+#endif
+    ivec2 at = ivec2(texel);
+    // Stores beyond the image are left out.
+    if (layer == MARK_TEXELS) imageStore(texels_read, at, vec4(1.0));
+}
+
+float map_depth(vec2 at, int layer) {
+    mark_texel(floor(at * float(map_resolution)), layer);
+    return stored_depth(at, layer);
+}
+
+vec4 map_gather(vec2 at, int layer) {
+    vec2 texel = round(at * float(map_resolution)) - 1.0;
+    for (int i = 0; i < 4; ++i) mark_texel(texel + vec2(i & 1, i >> 1), layer);
+    return stored_gather(at, layer);
+}
 #else
 float map_depth(vec2 at, int layer) { return stored_depth(at, layer); }
 vec4 map_gather(vec2 at, int layer) { return stored_gather(at, layer); }

@@ -1,5 +1,9 @@
 // The taps that kernels make on the GPU: recorded while they run, held against the weights that each kernel's
 // definition gives in closed form, and against what the kernel found.
+#include <set>
+
+#include "renderer/bias/light_receiver.h"
+#include "renderer/inspect/texel_usage.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
@@ -107,6 +111,44 @@ TEST_F(TapsTest, StoreWhatTheMapHoldsThereAndAnswerBeyondIt) {
     }
     EXPECT_GT(inside, 1000);
     EXPECT_GT(beyond, 200);
+}
+
+TEST_F(TapsTest, TexelsReadAreThoseOfAllPixelsTaps) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    FrameRequest request{.width = 12, .height = 8};
+    request.outputs = {.colour = false, .map_coordinates = true, .texels_read = true};
+    for (const char* kernel : {"hard", "tent3", "pcf3", "poisson"})
+        for (const char* wrap : {"border", "repeat"}) {
+            SCOPED_TRACE(std::string(kernel) + " " + wrap);
+            Settings s = test::texel_settings(kernel, 96, 0.7);
+            set_setting(s, "map.wrap", wrap);
+            s.lights[0].fit = int(LightFit::Manual);
+            s.lights[0].extent = 4;
+            const FrameResult frame = renderer.render(scene, s, request);
+            const FloatImage read = renderer.read_float(frame.texels_read, 1);
+            const FloatImage at = renderer.read_float(frame.map_coordinates, 4);
+            const int n = frame.map_resolution;
+            std::set<std::pair<int, int>> expected, found;
+            for (int y = 0; y < n; ++y)
+                for (int x = 0; x < n; ++x)
+                    if (read.at(x, y) == 1) found.emplace(x, n - 1 - y);
+            for (int y = 0; y < request.height; ++y)
+                for (int x = 0; x < request.width; ++x) {
+                    const Probe p = renderer.probe(scene, s, {.width = request.width, .height = request.height}, x, y);
+                    if (!p.hit || !faces_light(p.lights[0].n_dot_l)) continue;
+                    for (const KernelTap& t : p.lights[0].taps) {
+                        glm::ivec2 texel = t.texel;
+                        if (std::string_view(wrap) == "repeat") texel = ((texel % n) + n) % n;
+                        if (texel.x >= 0 && texel.y >= 0 && texel.x < n && texel.y < n)
+                            expected.emplace(texel.x, texel.y);
+                    }
+                }
+            EXPECT_GT(expected.size(), 30u);
+            EXPECT_EQ(found, expected);
+            const double share = double(found.size()) / (n * n), bound = texel_usage(at, s, n).utilisation();
+            EXPECT_LE(share, bound + 1e-9) << "a rectangle a pixel holds all that it reads";
+            if (std::string_view(kernel) == "poisson") EXPECT_LT(share, 0.8 * bound);
+        }
 }
 
 }  // namespace

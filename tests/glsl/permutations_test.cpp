@@ -251,7 +251,7 @@ protected:
                 for (const auto& [key, value] : *choice) set_setting(s, key, value);
             FrameRequest request{.width = 8, .height = 8};
             request.outputs = {.colour = true, .shadow_map = true, .visibility = true, .overlay = true};
-            request.outputs.map_coordinates = request.outputs.error = request.outputs.true_colour = true;
+            request.outputs.map_coordinates = request.outputs.texels_read = request.outputs.error = request.outputs.true_colour = true;
             if (chosen.size() == 1) {
                 // What a probe draws where it hits, and what runs while there is no truth.
                 FrameRequest untold = request;

@@ -1,0 +1,58 @@
+// Which texels of the shown map the kernels of all pixels fetch: each marks those that it reads.
+#include <glm/gtc/type_ptr.hpp>
+
+#include "renderer/frame/state.h"
+
+namespace si {
+namespace {
+
+struct TexelMarks {
+    gl::Target marks;    ///< R32F, a texel of the map each
+    gl::Target nothing;  ///< a pixel for each of the picture; OpenGL wants something to draw into
+};
+
+}  // namespace
+
+Image texels_read_image(const FrameState& f) {
+    const gl::Target& t = f.gl.owned.get<TexelMarks>().marks;
+    return {t.texture.id(), t.width, t.height};
+}
+
+void add_texels_read_pass(FrameState& f, std::vector<Pass>& plan) {
+    Pass pass;
+    pass.name = "texels read";
+    pass.category = PassCategory::Tool;
+    pass.reads = lookup_reads(f);
+    pass.reads.push_back("surfaces seen");
+    pass.writes = {"texels read"};
+    pass.idle_reason = "nobody asks which texels are read";
+    int layer = 0;
+    if (!f.shown_view(&layer)) {
+        pass.unneeded = "the light shown has no map";
+        f.gl.owned.drop<TexelMarks>();
+        plan.push_back(std::move(pass));
+        return;
+    }
+    pass.run = [&f, layer](PassInfo& info) {
+        TexelMarks& t = f.gl.owned.get<TexelMarks>();
+        t.marks.ensure("texels read", GL_R32F, f.map_resolution, f.map_resolution);
+        t.nothing.ensure("nothing", GL_R8, f.request.width, f.request.height);
+        const float none = 0;
+        glClearTexImage(t.marks.texture.id(), 0, GL_RED, GL_FLOAT, &none);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("texels read", &t.nothing, nullptr);
+        f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
+        f.bind_maps();
+        bind_seen_surfaces(f.gl.seen);
+        glBindImageTexture(0, t.marks.texture.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
+        glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/texels_read.frag.glsl",
+                               {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
+                                {"MARK_TEXELS", std::to_string(layer)},
+                                {"FILTER_SAMPLER", "0"},
+                                {"COMPARE_BY_HAND", "1"}}));
+        FrameState::draw_fullscreen(info);
+        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    };
+    plan.push_back(std::move(pass));
+}
+
+}  // namespace si
