@@ -43,7 +43,7 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
     }
     const char* const than = s.map.reversed_z ? (s.map.compare == int(Compare::Less) ? ">" : ">=")
                                               : (s.map.compare == int(Compare::Less) ? "<" : "<=");
-    fmt::print(", map face {}\n", p.face);
+    fmt::print(", {}\n", p.view.empty() ? "its only map" : p.view);
     fmt::print("  1 light clip space   ({:.6g}, {:.6g}, {:.6g}, w {:.6g})\n", p.clip.x, p.clip.y, p.clip.z, p.clip.w);
     fmt::print("  2 divided by w       ({:.6g}, {:.6g}, {:.6g})\n", p.ndc.x, p.ndc.y, p.ndc.z);
     fmt::print("  3 in [0,1]           u {:.6g}  v {:.6g}  depth {:.8g}   ({})\n", p.uvd.x, p.uvd.y, p.uvd.z, p.where);

@@ -65,6 +65,7 @@ Json account_json(const BiasAccount& a) {
 Json per_light_json(const Probe::PerLight& p) {
     Json json = {{"light", p.light},
                  {"face", p.face},
+                 {"view", p.view},
                  {"casts", p.casts},
                  {"clip", {p.clip.x, p.clip.y, p.clip.z, p.clip.w}},
                  {"ndc", vector_json(p.ndc)},

@@ -71,8 +71,16 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
     json["depth_range_m"] = {first.curve.near, first.curve.far};
     json["depth_zero_to_one"] = first.curve.convention.zero_to_one;
     json["depth_reversed"] = first.curve.convention.reversed;
-    if (light.views.size() > 1) {
+    if (light.views.size() > 1 && !light.is_cascaded())
         for (const LightView& view : light.views) json["faces"].push_back(view_json(view));
+    for (std::size_t v = 0; light.is_cascaded() && v < light.views.size(); ++v) {
+        Json cascade = view_json(light.views[v]);
+        cascade["texel_size_m"] = light.views[v].texel_size(1, frame.map_resolution);
+        cascade["depth_range_m"] = {light.views[v].curve.near, light.views[v].curve.far};
+        const ViewSpan& span = light.chooser.spans[v];
+        if (light.chooser.choice == ViewChoice::Interval)
+            cascade["ends_m"] = span.ends, cascade["blends_from_m"] = span.blends_from;
+        json["cascades"].push_back(std::move(cascade));
     }
     return json;
 }

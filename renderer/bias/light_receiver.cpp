@@ -12,7 +12,8 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     const double distance = glm::length(away);
     r.to_light = light.type == LightType::Directional || !(distance > 0) ? light.to_light : away / distance;
     r.n_dot_l = glm::dot(geometric_normal, r.to_light);
-    r.view = light.chooser.choose(light.views, position_ws).view;
+    const ChosenView chosen = light.chooser.choose(light.views, position_ws);
+    r.view = chosen.view, r.other_view = chosen.other, r.blend = chosen.share;
     const LightView& view = light.views[r.view];
     const auto to_unit = [&](const glm::dvec3& ndc) {
         const double z = view.curve.convention.zero_to_one ? ndc.z : ndc.z * 0.5 + 0.5;

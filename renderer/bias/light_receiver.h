@@ -18,7 +18,9 @@ inline bool faces_light(double n_dot_l) {
 enum class MapPlace { Inside, BeforeNear, Sides, BeyondFar, Behind };
 
 struct LightReceiver {
-    std::size_t view = 0;  ///< of the light's
+    std::size_t view = 0;        ///< of the light's
+    std::size_t other_view = 0;  ///< whose visibility is blended in,
+    double blend = 0;            ///< by this share; everything else here is of `view`
     glm::dvec4 clip{0};
     glm::dvec3 ndc{0};
     glm::dvec3 uvd{0};        ///< map coordinates and depth in [0,1], before any bias

@@ -62,7 +62,10 @@ void fit(FrameState& f) {
     }
     f.camera = make_camera(f.scene, f.settings, double(f.request.width) / f.request.height, r.as_placed);
     const bool camera = any_fit_reads_camera(f.settings);
-    if (camera) add_camera(key, f.camera);
+    if (camera) {
+        add_camera(key, f.camera);
+        key.add(reach_of(f.settings).read).add(f.settings.bias.normal).add(f.settings.map.blur_texels);
+    }
     if (key.value() != r.fit_key) {
         r.fitted = camera ? fit_maps(r.placed, f.settings, &f.camera, f.driver.max_texture_size) : r.as_placed;
         r.fit_key = key.value();
@@ -112,6 +115,7 @@ std::string light_constants(const FrameState& f) {
            array("LIGHT_RANGED", [&](std::size_t i) { return int(lights[i].range_m > 0); }) +
            array("LIGHT_CASTS", [&](std::size_t i) { return int(lights[i].casts); }) +
            array("LIGHT_FIRST_VIEW", [&](std::size_t i) { return f.first_view[i]; }) +
+           array("LIGHT_VIEWS", [&](std::size_t i) { return lights[i].casts ? int(lights[i].views.size()) : 0; }) +
            array("LIGHT_CHOICE", [&](std::size_t i) { return lights[i].casts ? int(lights[i].chooser.choice) : 0; }) +
            array("LIGHT_PERSPECTIVE",
                  [&](std::size_t i) { return int(lights[i].casts && lights[i].is_perspective()); });
@@ -135,6 +139,11 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"SAMPLER_BILINEAR", filter.bilinear ? "1" : "0"});
     f.defines.push_back({"COMPARE_BY_HAND", "0"});
     f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
+    const bool blend = std::any_of(f.gl.fitted.begin(), f.gl.fitted.end(), [](const FittedLight& light) {
+        const auto blends = [](const ViewSpan& s) { return s.blends_from < s.ends; };
+        return light.casts && std::any_of(light.chooser.spans.begin(), light.chooser.spans.end(), blends);
+    });
+    f.defines.push_back({"VIEWS_BLEND", blend ? "1" : "0"});
     if (f.gl.scene->coloured()) f.defines.push_back({"VERTEX_COLOURS", "1"});
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
     f.preamble = settings_block_text() + light_constants(f);
@@ -224,8 +233,10 @@ shared::LightBlock light_block(const FrameState& f, std::size_t i) {
     return b;
 }
 
-shared::ViewBlock view_block(const FrameState& f, const LightView& v) {
+shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std::size_t i) {
+    const LightView& v = light.views[i];
     shared::ViewBlock b{};
+    if (light.is_cascaded()) b.span = glm::vec4(light.chooser.spans[i].ends, light.chooser.spans[i].blends_from, 0, 0);
     b.uvd_from_relative = glm::mat4(uvd_from_clip(v.curve.convention) * v.clip_from_relative(f.origin));
     b.curve = glm::vec4(v.curve.near, v.curve.far, v.half_width, 1.0 / f.map_resolution);
     return b;
@@ -296,7 +307,7 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
         const FittedLight& light = f.gl.fitted[i];
         if (!light.casts) continue;
         for (std::size_t v = 0; v < light.views.size(); ++v)
-            block.views[std::size_t(f.first_view[i]) + v] = view_block(f, light.views[v]);
+            block.views[std::size_t(f.first_view[i]) + v] = view_block(f, light, v);
     }
     glNamedBufferSubData(resources.frame_block.id(), 0, sizeof block, &block);
     const auto bytes = settings_block_bytes(f.settings);

@@ -147,6 +147,10 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     const LightView& view = light.views[r.view];
     const auto linear = [&](double metres) { return (metres - view.curve.near) / (view.curve.far - view.curve.near); };
     p.face = int(r.view);
+    p.view = view_name(light.chooser.choice, r.view, light.views.size());
+    if (r.blend > 0)
+        p.view += fmt::format(", {:.0f} % of {} blended in", 100 * r.blend,
+                              view_name(light.chooser.choice, r.other_view, light.views.size()));
     p.n_dot_l = r.n_dot_l;
     p.clip = r.clip, p.ndc = r.ndc, p.uvd = r.uvd, p.tap = r.tap;
     p.texel_m = r.texel_m;
@@ -176,6 +180,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
         enclose_taps(p);
     }
     p.verdict = dark.empty() ? verdict(settings, p) : dark;
+    if (light.is_cascaded()) p.verdict += "; by " + p.view;
     return p;
 }
 

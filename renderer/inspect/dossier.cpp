@@ -29,6 +29,7 @@ public:
         d_.right = (p_.visibility >= 0.5) == truth_.lit;
         if (p_.casts) weigh();
         d_.verdict = sentence();
+        if (p_.casts && p_.fitted.is_cascaded() && truth_.state == PixelState::Counted) d_.verdict += "; by " + p_.view;
         if (truth_.state == PixelState::Counted && p_.casts && (!d_.right || faint_acne())) d_.remedy = remedy();
         return d_;
     }

@@ -49,7 +49,10 @@ struct Probe {
     glm::dvec3 position_ws{0}, normal_ws{0};
     std::string object;
     struct PerLight {
-        int light = 0, face = 0;
+        int light = 0, face = 0;  ///< the face or cascade that it is looked up in
+        /// "cascade 2 of 4", in a band with what is blended in; empty for a light's only view. All below is of this
+        /// one.
+        std::string view;
         bool casts = false, receives = true;
         FittedLight fitted;
         SurfacePoint point;
@@ -72,7 +75,7 @@ struct Probe {
         KernelFacts kernel;
         std::vector<KernelTap> taps;  ///< row by row from the lowest, each texel once; none of kernels that are no sum
         glm::ivec2 taps_first{0}, taps_size{0};  ///< the rectangle of texels that holds all of them
-        double visibility = 1;                   ///< what the renderer's filter computed
+        double visibility = 1;                   ///< what the renderer's filter computed, another cascade blended in
         CauseEvidence evidence;  ///< trials of the pixel; gaps, run_m and edge_m are the truth's to fill in
         CauseContext causes;
         std::string where;    ///< inside, sides, beyond far, behind, before near

@@ -69,7 +69,7 @@ bool map_holds_all(const FrameState& f) {
     if (light >= f.gl.fitted.size()) return false;
     const FittedLight& fitted = f.gl.fitted[light];
     return fitted.type == LightType::Directional && f.settings.lights[light].fit == int(LightFit::Scene) &&
-           fitted.casts && !fitted.views[0].curve.perspective;
+           fitted.casts && fitted.chooser.choice == ViewChoice::One && !fitted.is_perspective();
 }
 
 /// Whether taps beyond the map's sides may tell anything but the truth: nothing lies there, and they answer that.

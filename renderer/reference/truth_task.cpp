@@ -32,6 +32,7 @@ Key query_key(const TruthQuery& query) {
     if (o.area) key.add(e.size).add(o.samples).add(o.noise);
     for (const ObjectTraits& t : query.traits) key.add(t.receives).add(t.cull);
     for (const LightView& view : query.views) add_view(key, view);
+    for (const ViewSpan& span : query.chooser.spans) key.add(int(query.chooser.choice)).add(span.ends);
     return key;
 }
 

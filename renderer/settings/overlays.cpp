@@ -197,6 +197,13 @@ constexpr Overlay kOverlays[] = {
      .min = -0.001,
      .max = 0.001,
      .diverging = true},
+    {.key = "cascade",
+     .label = "Cascade or face",
+     .unit = "",
+     .help = "Which of the light's maps each fragment is looked up in: blue, green, yellow and red from the cascade "
+             "nearest to the camera on, mixed where two are blended; a point light's faces go on in violet and grey.",
+     .file = "overlays/cascade.glsl",
+     .scalar = false},
 };
 
 }  // namespace

@@ -22,6 +22,14 @@ constexpr Choice kProjections[] = {
     {"perspective", "perspective", "Rays from the light's place; on a directional light wrong on purpose, to compare."},
 };
 
+constexpr Choice kCascadeChoices[] = {
+    {"interval", "by depth", "By the interval of the camera's depth that the point lies in."},
+    {"map", "first that holds it",
+     "The first, finest map that holds the point, which is often finer than that of its interval. The band of the "
+     "blend "
+     "is then at the map's rim."},
+};
+
 const LightSettings& of(const Settings& s, int i) {
     return s.lights[std::size_t(i)];
 }
@@ -60,6 +68,25 @@ std::string_view size_idle(const Settings& s, int) {
     return s.truth.area || filter_of(s).reads_light_size
                ? ""
                : "without effect: this kernel takes lights for points, and truth.area is off";
+}
+
+std::string_view cascades_idle(const Settings& s, int i) {
+    if (!has_type(s, i, LightType::Directional)) return "without effect: only a directional light has cascades";
+    if (!of(s, i).cast) return "without effect: the light casts no shadow";
+    if (of(s, i).projection == at(LightProjection::Perspective))
+        return "without effect: cascades are orthographic, but light.projection is perspective";
+    return of(s, i).fit == at(LightFit::Manual) ? "without effect: light.fit is manual, and cascades are fitted" : "";
+}
+
+std::string_view between_cascades_idle(const Settings& s, int i) {
+    const auto reason = cascades_idle(s, i);
+    return reason.empty() && of(s, i).cascades < 2 ? "without effect: light.cascades is 1" : reason;
+}
+
+std::string_view lambda_idle(const Settings& s, int i) {
+    const auto reason = between_cascades_idle(s, i);
+    const bool orthographic = s.camera.source == at(CameraSource::Manual) && s.camera.orthographic;
+    return reason.empty() && orthographic ? "without effect: an orthographic camera's cascades are even" : reason;
 }
 
 // A directional light shines along its angles wherever it stands, and an orthographic fit centres itself.
@@ -137,6 +164,19 @@ constexpr auto kLight = with_scope(
          .idle = extent_idle,
          .help = "Half the width of an orthographic map; 0 is the fit's value. A texel is 2 * extent / map.resolution "
                  "wide."},
+        {SI_LIGHT_FIELD(cascades), .label = "Cascades", .unit = "maps", .min = 1, .max = kMaxCascades,
+         .idle = cascades_idle,
+         .help = "Maps of a directional light, each fitted to what the camera sees of receivers in an interval of its "
+                 "depth, and drawn at map.resolution. 1 is the map of light.fit, whatever the camera sees."},
+        {SI_LIGHT_FIELD(split_lambda), .label = "Split", .unit = "", .min = 0, .max = 1, .idle = lambda_idle,
+         .help = "How the camera's depth is divided among cascades: 0 evenly, 1 by equal ratios, between them the mean "
+                 "of both, weighted by it (Zhang et al., 2006)."},
+        {SI_LIGHT_FIELD(cascade_blend), .label = "Cascade blend", .unit = "", .min = 0, .max = 1,
+         .idle = between_cascades_idle,
+         .help = "Share of a cascade's interval, at its end, over which the next one's shadow is blended in; both are "
+                 "read there. 0 changes from one to the next at once."},
+        {SI_LIGHT_FIELD(cascade_choice), .label = "Cascade chosen", .unit = "", SI_CHOICES(kCascadeChoices),
+         .idle = between_cascades_idle, .help = "Which cascade a point is looked up in."},
     }),
     Scope::Light);
 static_assert(kLight.size() == members<LightSettings>(), "a member of LightSettings has no row");

@@ -33,7 +33,8 @@ constexpr Choice kSources[] = {
     {"manual", "by hand", "As the settings below say."},
     {"light", "through the light",
      "What the map of view.light sees: its place, direction and projection (view.face of a point light), near and far "
-     "planes included. The map's square fills the picture's shorter side."},
+     "planes included. The map's square fills the picture's shorter side. Where the map is fitted to what the camera "
+     "sees, it is the map of the whole scene instead."},
 };
 
 std::string_view camera_idle(const Settings& s, int) {

@@ -8,7 +8,7 @@ namespace {
 using namespace rows;
 
 constexpr Choice kMapSources[] = {
-    {"light", "the light's map", "The shadow map of view.light, face view.face."},
+    {"light", "the light's map", "The shadow map of view.light, face or cascade view.face."},
     {"camera", "the camera's depth",
      "The depth buffer of the picture itself. It is stored reversed: 1 at the camera's near plane, 0 at its far plane "
      "and where nothing was drawn."},
@@ -74,7 +74,9 @@ std::string_view face_idle(const Settings& s, int) {
     // 1.5 rad is half the widest cone that light_fit.cpp draws as one map.
     const bool faces = shown.type == at(LightType::Point) ||
                        (shown.type == at(LightType::Spot) && shown.cone > 2 * 1.5 * 57.29577951308232);
-    return faces ? "" : "without effect: only a point light's map has six faces";
+    const bool cascades = shown.type == at(LightType::Directional) && shown.cascades > 1 &&
+                          shown.fit != at(LightFit::Manual) && shown.projection != at(LightProjection::Perspective);
+    return faces || cascades ? "" : "without effect: the light shown has a single map";
 }
 
 std::string_view slabs_idle(const Settings& s, int) {
@@ -105,8 +107,9 @@ constexpr auto kView = std::to_array<Param>({
     {SI_FIELD(view.light), .label = "Light shown", .unit = "", .min = 0, .max = kMaxLights - 1,
      SI_IDLE(s.light_count < 2 && s.view.light == 0, "without effect: there is one light"),
      .help = "Whose shadow map, visibility, overlays and slabs are shown; 0 is the first light."},
-    {SI_FIELD(view.face), .label = "Face shown", .unit = "", .min = 0, .max = 5, .idle = face_idle,
-     .help = "Which of a point light's six map faces is shown: 0 +x, 1 -x, 2 +y, 3 -y, 4 +z, 5 -z."},
+    {SI_FIELD(view.face), .label = "Face or cascade shown", .unit = "", .min = 0, .max = 5, .idle = face_idle,
+     .help = "Which of a light's maps is shown. A point light's six faces: 0 +x, 1 -x, 2 +y, 3 -y, 4 +z, 5 -z. A "
+             "directional light's cascades: 0 is the one nearest to the camera; numbers past the last mean the last."},
     {SI_FIELD(view.panes), .label = "Panes", .unit = "", SI_CHOICES(kPanes),
      .help =
          "How many pictures are drawn beside each other, all from the same camera, each with an overlay of its own."},

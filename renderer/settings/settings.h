@@ -9,10 +9,12 @@
 namespace si {
 
 inline constexpr int kMaxLights = 16;
+inline constexpr int kMaxCascades = 4;
 
 // Enumerations are stored as the index of their choice; the choices stand in the table, in this order.
 enum class LightType { Directional, Spot, Point };
 enum class LightFit { Manual, Scene };
+enum class CascadeChoice { Interval, Map };
 enum class LightProjection { Automatic, Orthographic, Perspective };
 enum class CameraSource { Automatic, Manual, Light };
 enum class MapFormat { D16, D24, D32F, Colour };
@@ -116,6 +118,10 @@ struct LightSettings {
     int fit = 1;         ///< LightFit
     int projection = 0;  ///< LightProjection
     double near = 0, far = 0, extent = 0;
+    int cascades = 1;
+    double split_lambda = 0.5;
+    double cascade_blend = 0.1;
+    int cascade_choice = 0;  ///< CascadeChoice
     bool operator==(const LightSettings&) const = default;
 };
 
@@ -136,7 +142,7 @@ struct ViewSettings {
     double map_black = 0, map_white = 1;
     double band_low = 0.9, band_high = 0.925;
     int light = 0;    ///< whose map and overlay are shown
-    int face = 0;     ///< which of a point light's six faces
+    int face = 0;     ///< which of a light's faces or cascades
     int panes = 0;    ///< Panes
     int overlay = 0;  ///< 0 none, else row of the overlay table + 1; the first pane's
     int overlay_2 = 0, overlay_3 = 0, overlay_4 = 0;

@@ -50,7 +50,9 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
         s.receivers = s.receivers || own.receive;
         if (scene.objects.size() > kMaxFitObjects) continue;
         const Box box = corners(mesh.bounds, o.world);
-        if (finite(box)) s.boxes.push_back(box), s.box_casts.push_back(own.cast);
+        if (!finite(box)) continue;
+        s.boxes.push_back(box);
+        s.box_casts.push_back(own.cast), s.box_receives.push_back(own.receive);
     }
     Bounds bounds = scene.bounds;
     if (bounds.empty() || !std::isfinite(bounds.radius())) {
@@ -59,7 +61,10 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
             for (const glm::dvec3& p : box) bounds.add(p);
     }
     if (bounds.empty()) bounds = {glm::dvec3(-1), glm::dvec3(1)};
-    if (s.boxes.empty()) s.boxes.push_back(corners(bounds, glm::dmat4(1.0))), s.box_casts.push_back(s.casters);
+    if (s.boxes.empty()) {
+        s.boxes.push_back(corners(bounds, glm::dmat4(1.0)));
+        s.box_casts.push_back(s.casters), s.box_receives.push_back(s.receivers);
+    }
     s.centre = bounds.centre();
     // A single point still needs a size: what a double resolves at its distance from the origin.
     s.radius = std::max({bounds.radius(), 1e-7, glm::length(s.centre) * 0x1p-38});

@@ -17,12 +17,12 @@ using Box = std::array<glm::dvec3, 8>;
 
 struct SceneShape {
     glm::dvec3 centre{0};
-    double radius = 1;            ///< of the sphere around the bounds; never 0
-    std::vector<Box> boxes;       ///< never empty
-    std::vector<bool> box_casts;  ///< as long as `boxes`
-    bool triangles = false;       ///< the scene has any
-    bool casters = false;         ///< an object with triangles casts
-    bool receivers = false;       ///< an object with triangles receives shadows
+    double radius = 1;                          ///< of the sphere around the bounds; never 0
+    std::vector<Box> boxes;                     ///< never empty
+    std::vector<bool> box_casts, box_receives;  ///< as long as `boxes`
+    bool triangles = false;                     ///< the scene has any
+    bool casters = false;                       ///< an object with triangles casts
+    bool receivers = false;                     ///< an object with triangles receives shadows
 };
 
 /// Boxes of all objects; above 20000 objects the scene's box stands for them. Always finite, also for empty scenes.

@@ -11,6 +11,8 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/finite.h"
 #include "renderer/settings/filters.h"
+#include "renderer/view/camera.h"
+#include "renderer/view/cascades.h"
 #include "renderer/view/fit_bounds.h"
 #include "renderer/view/map_limits.h"
 #include "renderer/view/projection.h"
@@ -19,9 +21,10 @@ namespace si {
 namespace {
 
 constexpr double kMinHalfAngle = 1e-3, kMaxHalfAngle = 1.5;  // rad; tan() stays below 15
-constexpr double kMarginTexels = 2;    // at each side, so that a kernel at the edge of the scene finds cleared texels
-constexpr double kNearShare = 1e-3;    // least near / far of a perspective map: D24 then resolves far / 2e4
-constexpr double kDepthMargin = 1e-4;  // of the depth range, at each end
+constexpr double kMarginTexels = 2;     // at each side, so that a kernel at the edge of the scene finds cleared texels
+constexpr double kNearShare = 1e-3;     // least near / far of a perspective map: D24 then resolves far / 2e4
+constexpr double kDepthMargin = 1e-4;   // of the depth range, at each end
+constexpr double kNearestSplit = 1e-3;  // of the farthest depth: a camera within the scene sees surfaces at 0 m
 // 2^10 steps of a float: a thinner range or map has no useful resolution.
 constexpr double kMinShare = 1024.0 / (1 << 23);
 
@@ -203,9 +206,76 @@ void fit_faces(FittedLight& light, const FitContext& c) {
         face.curve = range;
         finish_view(light, face, c, range.far);
     }
-    light.chooser = {ViewChoice::Face, light.position};
+    light.chooser = {ViewChoice::Face, light.position, {}, {}};
     if (c.settings.projection == int(LightProjection::Orthographic))
         note(light, "six faces are always perspective: light.projection has no effect");
+}
+
+/// How far from where a surface lies in the map a look-up of it may lead: the kernel's reach, the normal offset, what
+/// depth blur brings from aside, and half a texel of each end.
+double reach_of_lookups(const Settings& s) {
+    return reach_of(s).read + std::max(s.bias.normal, 0.0) + s.map.blur_texels + 1;
+}
+
+/// The map of one cascade: what it holds across the light is what the camera sees of receivers in its depths; towards
+/// the light it reaches to the first caster.
+void fit_cascade(FittedLight& light, LightView view, const FitContext& c, const Camera& camera, const DepthSpan& span,
+                 double margin) {
+    ViewExtent seen;
+    for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
+        if (!c.shape.box_receives[i]) continue;
+        for (const glm::dvec3& p : seen_corners(camera, span.from_m, span.to_m, c.shape.boxes[i])) {
+            const glm::dvec3 v = glm::transpose(view.axes) * (p - view.eye);
+            seen.add({v.x, v.y, -v.z});
+        }
+    }
+    if (!(seen.lo.x <= seen.hi.x)) seen = extent_of(c.shape, view);  // nothing will be looked up in it
+    const glm::dvec3 middle = 0.5 * (seen.lo + seen.hi);
+    view.half_width =
+        with_margin(0.5 * std::max(seen.hi.x - seen.lo.x, seen.hi.y - seen.lo.y), c.shape.radius, c.resolution, margin);
+    for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
+        if (!c.shape.box_casts[i]) continue;
+        const ViewExtent e = extent_of(c.shape.boxes[i], view);
+        const bool beside = e.hi.x < middle.x - view.half_width || e.lo.x > middle.x + view.half_width ||
+                            e.hi.y < middle.y - view.half_width || e.lo.y > middle.y + view.half_width;
+        if (!beside) seen.lo.z = std::min(seen.lo.z, e.lo.z);
+    }
+    view.eye += view.axes * glm::dvec3(middle.x, middle.y, 0);
+    view.curve.perspective = false;
+    view.curve.convention = c.convention;
+    const double pad = kDepthMargin * (seen.hi.z - seen.lo.z);
+    view.curve.near = seen.lo.z - pad;
+    view.curve.far = seen.hi.z + pad;
+    finish_view(light, view, c, 1);
+}
+
+/// Several maps of a directional light, each for an interval of the camera's depth.
+void fit_cascades(FittedLight& light, const FitContext& c, const Settings& settings, const Camera& camera) {
+    const int count = std::clamp(c.settings.cascades, 1, kMaxCascades);
+    const double blend = std::clamp(finite_or(c.settings.cascade_blend, 0), 0.0, 1.0);
+    LightView view;
+    view.axes = orthonormal_basis(light.to_light);
+    view.eye = light.position;
+    const DepthSpan all = seen_depths(camera, c.shape.boxes, c.shape.box_receives)
+                              .value_or(DepthSpan{camera.curve.near, camera.curve.far});
+    // Parallel rays of the camera see all depths at one size, for which even cascades are right.
+    const double lambda = camera.orthographic ? 0 : std::clamp(finite_or(c.settings.split_lambda, 0.5), 0.0, 1.0);
+    const double nearest = camera.orthographic ? all.from_m : std::max(all.from_m, kNearestSplit * all.to_m);
+    const std::vector<double> ends = split_depths(nearest, all.to_m, count, lambda);
+    const double margin = reach_of_lookups(settings);
+    const bool by_map = c.settings.cascade_choice == int(CascadeChoice::Map);
+    light.chooser = {by_map ? ViewChoice::Map : ViewChoice::Interval, camera.eye, -camera.axes[2], {}};
+    double begins = all.from_m, holds_from = begins;
+    for (int i = 0; i < count; ++i) {
+        const double end = ends[std::size_t(i)], blends_from = i + 1 < count ? end - blend * (end - begins) : end;
+        fit_cascade(light, view, c, camera, {holds_from, end}, margin);
+        const double rim = std::max(0.5 - (margin - 0.5) / c.resolution, 0.3);  // holds what the fit was for
+        if (by_map)
+            light.chooser.spans.push_back({rim, i + 1 < count ? rim * (1 - blend) : rim});
+        else
+            light.chooser.spans.push_back({end, blends_from});
+        begins = end, holds_from = blends_from;
+    }
 }
 
 /// Half the cone's angle in radians, clamped.
@@ -323,18 +393,21 @@ PlacedLights place_lights(const Scene& scene, const Settings& settings) {
     return out;
 }
 
-bool fit_reads_camera(const Settings&, int) {
-    return false;
+bool fit_reads_camera(const Settings& settings, int light) {
+    const LightSettings& s = settings.lights[std::size_t(light)];
+    return s.cascades > 1 && s.type == int(LightType::Directional) && s.fit != int(LightFit::Manual) &&
+           s.projection != int(LightProjection::Perspective);
 }
 
-std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Settings& settings, const Camera*,
+std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Settings& settings, const Camera* camera,
                                   int max_resolution) {
     const SceneShape& shape = *placed.shape;
     const int resolution = std::clamp(settings.map.resolution, 1, std::max(1, max_resolution));
     std::vector<FittedLight> lights;
     for (std::size_t i = 0; i < placed.lights.size(); ++i) {
         const LightSettings& s = settings.lights[i];
-        FittedLight& light = lights.emplace_back(FittedLight{placed.lights[i]});
+        FittedLight& light = lights.emplace_back();
+        static_cast<PlacedLight&>(light) = placed.lights[i];
         const FitContext context{shape,
                                  s,
                                  {true, settings.map.reversed_z},
@@ -343,6 +416,8 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Settings& se
                                  light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity()};
         if (light.six_faces)
             fit_faces(light, context);
+        else if (camera && fit_reads_camera(settings, int(i)))
+            fit_cascades(light, context, settings, *camera);
         else
             fit_one_view(light, context);
         if (light.range_m > 0 && !reaches_anything(light, shape))

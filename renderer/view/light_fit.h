@@ -44,14 +44,13 @@ struct PlacedLight {
 struct FittedLight : PlacedLight {
     bool casts = false;            ///< has views and anything to draw into them
     std::string reason;            ///< why it casts nothing
-    std::vector<LightView> views;  ///< all perspective or none; six faces: +x -x +y -y +z -z
+    std::vector<LightView> views;  ///< all perspective or none; six faces: +x -x +y -y +z -z; cascades
     ViewChooser chooser;           ///< which of them a point is looked up in
     int clipped_casters = 0;       ///< objects reaching in front of the near plane
     MapLimits limits;              ///< of lights that cast
     /// Whether its maps are drawn in perspective, all of them; false when it has none.
     bool is_perspective() const { return !views.empty() && views[0].curve.perspective; }
-    /// The view whose map a point falls into.
-    const LightView& view_of(const glm::dvec3& point_ws) const { return views[chooser.choose(views, point_ws).view]; }
+    bool is_cascaded() const { return chooser.choice == ViewChoice::Interval || chooser.choice == ViewChoice::Map; }
 };
 
 /// Whether a light of this range (0: unlimited) shines so far.

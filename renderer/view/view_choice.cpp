@@ -1,5 +1,11 @@
 #include "renderer/view/view_choice.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace si {
 namespace {
 
@@ -10,16 +16,47 @@ std::size_t face_of(const glm::dvec3& d) {
     return d.z >= 0 ? 4 : 5;
 }
 
+/// The larger distance of a point from a map's centre in map coordinates; infinite before the near and beyond the far
+/// plane. Orthographic.
+double from_centre(const LightView& view, const glm::dvec3& point_ws) {
+    const glm::dvec3 v = glm::transpose(view.axes) * (point_ws - view.eye);
+    if (!(-v.z >= view.curve.near && -v.z <= view.curve.far)) return std::numeric_limits<double>::infinity();
+    return std::max(std::abs(v.x), std::abs(v.y)) / (2 * view.half_width);
+}
+
 }  // namespace
 
-ChosenView ViewChooser::choose([[maybe_unused]] std::span<const LightView> views, const glm::dvec3& point_ws) const {
+ChosenView ViewChooser::choose(std::span<const LightView> views, const glm::dvec3& point_ws) const {
     switch (choice) {
         case ViewChoice::One:
             break;
         case ViewChoice::Face:
-            return {face_of(point_ws - from_ws)};
+            return {.view = face_of(point_ws - from_ws), .other = face_of(point_ws - from_ws)};
+        case ViewChoice::Interval:
+        case ViewChoice::Map: {
+            ChosenView chosen{views.size() - 1, views.size() - 1, 0};
+            bool held = false;
+            for (std::size_t i = views.size(); i-- > 0;) {
+                const double at = choice == ViewChoice::Interval ? glm::dot(point_ws - from_ws, forward)
+                                                                 : from_centre(views[i], point_ws);
+                const ViewSpan& span = spans[i];
+                if (!(at < span.ends)) continue;
+                const bool blends = held && at > span.blends_from;
+                chosen = {i, blends ? chosen.view : i,
+                          blends ? (at - span.blends_from) / (span.ends - span.blends_from) : 0};
+                held = true;
+            }
+            return chosen;
+        }
     }
     return {};
+}
+
+std::string view_name(ViewChoice choice, std::size_t view, std::size_t views) {
+    constexpr const char* kFaces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+    if (choice == ViewChoice::One || views < 2) return {};
+    if (choice == ViewChoice::Face) return fmt::format("face {}", kFaces[std::min<std::size_t>(view, 5)]);
+    return fmt::format("cascade {} of {}", view + 1, views);
 }
 
 }  // namespace si

@@ -22,6 +22,8 @@ struct Receiver {
     Surface surface;
     int light;
     int layer;          // of the shadow map array
+    int other_layer;    // whose visibility is blended in,
+    float blend;        // by this share
     vec3 to_light;      // unit
     float distance_m;   // to a spot or point light
     float n_dot_l;      // of the normal that bias.normal_source chooses
@@ -93,7 +95,8 @@ vec3 bias_normal_of(Surface s) {
 #endif
 }
 
-Receiver make_receiver(Surface s, int index) {
+/// @param layer of the view that it is looked up in
+Receiver receiver_in(Surface s, int index, int layer) {
     Receiver r;
     r.surface = s;
     r.light = index;
@@ -101,7 +104,8 @@ Receiver make_receiver(Surface s, int index) {
     r.geometric_n_dot_l = dot(s.geometric, r.to_light);
     vec3 bias_normal_ws = bias_normal_of(s);
     r.n_dot_l = dot(bias_normal_ws, r.to_light);
-    r.layer = LIGHT_FIRST_VIEW[index] + choose_view(index, s.position);
+    r.layer = r.other_layer = layer;
+    r.blend = 0.0;
     ViewBlock view = frame.views[r.layer];
 
     vec4 h = view.uvd_from_relative * vec4(s.position, 1.0);
@@ -145,5 +149,14 @@ Receiver make_receiver(Surface s, int index) {
         r.where = OUTSIDE_SIDES;
     else
         r.where = INSIDE;
+    return r;
+}
+
+/// In the view that choose_view() names.
+Receiver make_receiver(Surface s, int index) {
+    ViewPick pick = choose_view(index, s.position);
+    Receiver r = receiver_in(s, index, LIGHT_FIRST_VIEW[index] + pick.view);
+    r.other_layer = LIGHT_FIRST_VIEW[index] + pick.other;
+    r.blend = pick.share;
     return r;
 }

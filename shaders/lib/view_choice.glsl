@@ -1,8 +1,14 @@
-// Which of a light's views a point is looked up in: renderer/view/view_choice.h in single precision. LIGHT_CHOICE is known
-// when the program is made, so what no light of the scene needs costs nothing.
+// Which of a light's views a point is looked up in: renderer/view/view_choice.h in single precision. LIGHT_CHOICE and
+// LIGHT_VIEWS are known when the program is made, so what no light of the scene needs costs nothing.
 #include "lib/frame.glsl"
 
-const int CHOICE_ONE = 0, CHOICE_FACE = 1;
+const int CHOICE_ONE = 0, CHOICE_FACE = 1, CHOICE_INTERVAL = 2, CHOICE_MAP = 3;
+
+/// Counted among the light's views. `other` is blended in by `share`; it is `view` where nothing is.
+struct ViewPick {
+    int view, other;
+    float share;
+};
 
 /// Of the faces +x -x +y -y +z -z the one that a direction leads into.
 int face_of(vec3 d) {
@@ -12,7 +18,33 @@ int face_of(vec3 d) {
     return d.z >= 0.0 ? 4 : 5;
 }
 
-/// Counted among the light's views. @param position relative to the frame's origin
-int choose_view(int light, vec3 position) {
-    return LIGHT_CHOICE[light] == CHOICE_FACE ? face_of(position - frame.lights[light].position.xyz) : 0;
+/// What a view's span counts: depth of the camera, or the larger distance from the map's centre, in map coordinates.
+float along_span(int light, int layer, vec3 position) {
+    if (LIGHT_CHOICE[light] == CHOICE_INTERVAL) return dot(position - frame.eye.xyz, frame.forward.xyz);
+    vec3 uvd = (frame.views[layer].uvd_from_relative * vec4(position, 1.0)).xyz;  // of parallel rays
+    vec2 aside = abs(uvd.xy - 0.5);
+    return uvd.z >= 0.0 && uvd.z <= 1.0 ? max(aside.x, aside.y) : 3e38;
+}
+
+/// @param position relative to the frame's origin
+ViewPick choose_view(int light, vec3 position) {
+    if (LIGHT_CHOICE[light] == CHOICE_ONE) return ViewPick(0, 0, 0.0);
+    if (LIGHT_CHOICE[light] == CHOICE_FACE) {
+        int face = face_of(position - frame.lights[light].position.xyz);
+        return ViewPick(face, face, 0.0);
+    }
+    int last = LIGHT_VIEWS[light] - 1;
+    ViewPick pick = ViewPick(last, last, 0.0);
+    bool held = false;
+    for (int i = last; i >= 0; --i) {
+        int layer = LIGHT_FIRST_VIEW[light] + i;
+        vec2 span = frame.views[layer].span.xy;
+        float at = along_span(light, layer, position);
+        if (at < span.x) {
+            bool blends = held && at > span.y;
+            pick = ViewPick(i, blends ? pick.view : i, blends ? (at - span.y) / (span.x - span.y) : 0.0);
+            held = true;
+        }
+    }
+    return pick;
 }

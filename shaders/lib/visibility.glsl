@@ -65,7 +65,13 @@ float light_visibility(Surface s, int light) {
     Receiver r = make_receiver(s, light);
     // A surface turned away from the light shadows itself; no tap can say it better.
     if (!faces_light(r)) return 0.0;
-    return map_visibility(r);
+    float v = map_visibility(r);
+#if VIEWS_BLEND
+    Filtered nearer = found;
+    if (r.blend > 0.0) v = mix(v, map_visibility(receiver_in(s, light, r.other_layer)), r.blend);
+    found = nearer;
+#endif
+    return v;
 }
 
 /// Whether the map holds the surface, and if so, whether the normal offset leads the look-up out of it.

@@ -23,6 +23,7 @@ struct LightBlock {
 struct ViewBlock {
     mat4 uvd_from_relative;  // homogeneous map coordinates and depth, all in [0,w]
     vec4 curve;  // near, far, half width (orthographic: metres, perspective: tangent), 1 / map resolution
+    vec4 span;   // where the view ends, and from where on the next is blended in; see lib/view_choice.glsl
 };
 
 struct FrameBlock {
@@ -39,7 +40,7 @@ struct FrameBlock {
 #ifdef __cplusplus
 }  // namespace si::shared
 static_assert(sizeof(si::shared::LightBlock) == 64);
-static_assert(sizeof(si::shared::ViewBlock) == 80);
+static_assert(sizeof(si::shared::ViewBlock) == 96);
 static_assert(offsetof(si::shared::FrameBlock, lights) == 144);
 static_assert(offsetof(si::shared::FrameBlock, views) == 144 + 64 * SI_MAX_LIGHTS);
 static_assert(sizeof(si::shared::FrameBlock) <= 16384);  // the least that OpenGL grants

@@ -130,6 +130,13 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
             s.bias.normal = 1;
             agree(box, s, type == LightType::Spot ? "spot" : "point");
         }
+    for (const CascadeChoice choice : {CascadeChoice::Interval, CascadeChoice::Map}) {
+        s = test::texel_settings("pcf3", 64, 0.4);
+        s.lights[0].cascades = 3, s.lights[0].cascade_blend = 0.3, s.lights[0].cascade_choice = int(choice);
+        EXPECT_GT(count(agree(box, s, "cascades"), Artefact::Acne), 100u);
+        s.bias.constant = 1, s.bias.normal = 20;
+        EXPECT_GT(count(agree(box, s, "much offset in cascades"), Artefact::PeterPanningOffset), 10u);
+    }
     s = test::texel_settings("pcf5", 256, 2);
     s.lights[0].size = 6;
     EXPECT_GT(count(agree(box, s, "a light of size", {.area = true, .samples = 256}), Artefact::Penumbra), 10u);

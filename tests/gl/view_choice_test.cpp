@@ -1,4 +1,6 @@
 // Which view the GPU looks a point up in, and which one its twin in double says.
+#include <algorithm>
+
 #include "renderer/reference/truth_task.h"
 #include "tests/gl/frame_fixture.h"
 
@@ -49,6 +51,22 @@ TEST_F(ViewChoiceTest, FacesAreThoseOfTheTwin) {
             ASSERT_EQ(pixels.size(), 6u);
             EXPECT_GE(std::count_if(pixels.begin(), pixels.end(), [](std::size_t n) { return n > 100; }), 3);
         }
+}
+
+TEST_F(ViewChoiceTest, CascadesAreThoseOfTheTwin) {
+    const Scene scene = load_scene("stage");
+    for (const char* choice : {"interval", "map"})
+        for (const char* blend : {"0", "0.4"})
+            for (const Change& camera : {Change{},
+                                         {{"camera.source", "manual"}, {"camera.distance", "3"}},
+                                         {{"camera.source", "manual"}, {"camera.orthographic", "true"}}}) {
+                Settings s = settings_for(
+                    scene, {{"light.cascades", "3"}, {"light.cascade_choice", choice}, {"light.cascade_blend", blend}});
+                for (const auto& [key, value] : camera) set_setting(s, key, value);
+                const auto pixels = compare(scene, s);
+                ASSERT_EQ(pixels.size(), 3u);
+                EXPECT_GE(std::count_if(pixels.begin(), pixels.end(), [](std::size_t n) { return n > 100; }), 2);
+            }
 }
 
 TEST_F(ViewChoiceTest, OneViewIsAlwaysTheFirst) {

@@ -190,13 +190,15 @@ std::vector<Axis> axes() {
     out.push_back({{}, {{}, {{"caster.blend", "mask"}}}});
     out.push_back({{}, {{}, {{"view.slabs", "both"}}}});
     out.push_back({{}, {{}, {{"view.map_fit", "true"}}}});
-    out.push_back({{"MAP_LAYERS", "LIGHT_TYPE", "LIGHT_CHOICE", "LIGHT_PERSPECTIVE"},
+    out.push_back({{"MAP_LAYERS", "LIGHT_TYPE", "LIGHT_CHOICE", "LIGHT_PERSPECTIVE", "VIEWS_BLEND"},
                    {{},
                     {{"light.type", "spot"}},
                     {{"light.type", "point"}},
                     {{"light.projection", "perspective"}},
                     {{"light.type", "spot"}, {"light.projection", "orthographic"}, {"light.range", "9"}},
                     {{"light.cast", "false"}},
+                    {{"light.cascades", "3"}},
+                    {{"light.cascades", "2"}, {"light.cascade_choice", "map"}, {"light.cascade_blend", "0"}},
                     {{"light.count", "2"}, {"light.1.type", "point"}, {"view.light", "1"}}}});
     Axis overlay{{"OVERLAY_FILE"}, {{}}};
     for (const Overlay& row : overlays()) overlay.choices.push_back({{"view.overlay", std::string(row.key)}});

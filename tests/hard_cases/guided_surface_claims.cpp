@@ -173,6 +173,17 @@ const Claims& guided_surface_claims() {
              EXPECT_GT(Guided("hardware-pcf").grey_levels(), 50);
              EXPECT_LT(Guided("hardware-pcf").grey(), 0.7 * Guided("pcf-over-sampler").grey());
          }},
+        {"cascades",
+         [] {
+             const Guided g("cascades"), one("cascades", {"light.cascades=1", "map.resolution=4096"});
+             const ErrorMetrics four = g.error(), single = one.error();
+             EXPECT_LT(four.false_light + four.false_shadow, 0.75 * (single.false_light + single.false_shadow));
+             EXPECT_EQ(four.outside_map, 0);
+             ASSERT_EQ(g.shot.light().views.size(), 4u);
+             EXPECT_EQ(g.shot.frame.map_resolution, 1024);
+             for (std::size_t i = 0; i + 1 < 4; ++i)
+                 EXPECT_LT(g.shot.light().views[i].half_width, g.shot.light().views[i + 1].half_width);
+         }},
         {"pcf-over-sampler", [] { EXPECT_GT(Guided("pcf-over-sampler").grey_levels(), 100); }},
         {"pcf-5x5", [] { EXPECT_GT(Guided("pcf-5x5").grey(), 1.3 * Guided("pcf-over-sampler").grey()); }},
         {"depth-blur",

@@ -96,7 +96,7 @@ glm::dvec3 direction_to(const FittedLight& light, const glm::dvec3& point_ws) {
 }
 
 const LightView& view_of(const FittedLight& light, const glm::dvec3& point_ws) {
-    if (light.views.size() == 1) return light.views[0];
+    if (light.views.size() != 6) return light.views[light.chooser.choose(light.views, point_ws).view];
     const glm::dvec3 d = point_ws - light.position, a = glm::abs(d);
     const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
     return light.views[std::size_t(2 * axis + (d[axis] < 0))];

@@ -16,7 +16,7 @@ namespace si::test {
 FrameResult made_up_frame(const Scene& scene, const Settings& settings) {
     FrameResult r;
     r.camera = make_camera(scene, settings, 1.5);
-    r.lights = fit_lights(scene, settings);
+    r.lights = fit_lights(scene, settings, &r.camera);
     r.colour = r.map_view = {1, 600, 400};
     const std::array overlays = {settings.view.overlay, settings.view.overlay_2, settings.view.overlay_3,
                                  settings.view.overlay_4};

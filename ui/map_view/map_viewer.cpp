@@ -45,6 +45,15 @@ void save_menu(EditorState& state, EditorActions& actions) {
     ImGui::EndPopup();
 }
 
+/// Which of a light's several maps is shown, by name. A number past the last means the last.
+void view_chooser(Settings& s, const FittedLight& light, float width) {
+    NamedValues names;
+    for (std::size_t i = 0; i < light.views.size(); ++i)
+        names.emplace_back(int(i), view_name(light.chooser.choice, i, light.views.size()));
+    if (s.view.face >= int(light.views.size())) names.emplace_back(s.view.face, names.back().second);
+    if (const auto face = find_setting("view.face")) setting_widget(s, *face, width, names);
+}
+
 void header(EditorState& state, const FrameResult* result, EditorActions& actions) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
@@ -61,9 +70,11 @@ void header(EditorState& state, const FrameResult* result, EditorActions& action
     if (!of_camera(s)) {
         if (s.light_count > 1) labelled("Light", "view.light", em * 4);
         const int light = shown_light(s);
-        const bool point = result && light >= 0 && std::size_t(light) < result->lights.size() &&
-                           result->lights[std::size_t(light)].views.size() > 1;
-        if (point) labelled("Face", "view.face", em * 4);
+        const bool known = result && light >= 0 && std::size_t(light) < result->lights.size();
+        if (known && result->lights[std::size_t(light)].views.size() > 1) {
+            flow(em * 9);
+            view_chooser(s, result->lights[std::size_t(light)], em * 9);
+        }
     }
     const bool bands = s.view.map == int(MapView::Bands);
     const float end = em * 4.2f;
@@ -97,10 +108,9 @@ std::pair<std::string, std::string> title(const Settings& s, const FrameResult& 
     const std::string texel = curve.perspective
                                   ? fmt::format("{} to {}", metres_text(near_texel), metres_text(far_texel))
                                   : metres_text(far_texel);
-    constexpr const char* kFaces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
-    return {fmt::format("light {}{}   {}×{}   {}", shown_light(s),
-                        fitted->views.size() > 1 ? fmt::format(" {}", kFaces[shown_face(s, result)]) : "", n.x, n.y,
-                        format),
+    const std::string name =
+        view_name(fitted->chooser.choice, std::size_t(shown_face(s, result)), fitted->views.size());
+    return {fmt::format("light {}{}{}   {}×{}   {}", shown_light(s), name.empty() ? "" : " ", name, n.x, n.y, format),
             fmt::format("texel {}   {}", texel, range)};
 }
 

@@ -69,13 +69,14 @@ LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, i
     pose.type = fitted.type;
     pose.has_map = fitted.casts && !fitted.views.empty();
     if (!fitted.views.empty()) pose.view = fitted.views[std::size_t(std::clamp(face, 0, int(fitted.views.size()) - 1))];
+    if (fitted.casts && fitted.is_cascaded()) pose.cascades = fitted.views;
     pose.to_light = fitted.to_light;
     pose.centre = target_origin(settings, fitted);
     pose.target = fitted.target;
     pose.position = fitted.position;
     pose.distance = glm::distance(fitted.position, fitted.target);
     if (pose.type == LightType::Directional && pose.orthographic()) {
-        pose.position = pose.view.eye;
+        if (!pose.cascaded()) pose.position = pose.view.eye;
         // The fit places the map; the target's setting then means nothing, and a light that turns about the scene's
         // centre stays under the cursor.
         if (settings.fit != int(LightFit::Manual)) pose.target = pose.centre;
@@ -85,6 +86,8 @@ LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, i
 
 std::vector<LightHandle> handles_of(const LightPose& pose) {
     using enum LightHandle;
+    // Where the light stands and what its maps hold is the fit's, for any place and width would end the cascades.
+    if (pose.cascaded()) return {Direction};
     std::vector<LightHandle> all{Position, AxisX, AxisY, AxisZ};
     if (pose.type != LightType::Point) all.push_back(Direction);
     const bool placed_by_fit =

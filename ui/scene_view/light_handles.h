@@ -40,18 +40,20 @@ std::string_view handle_name(LightHandle handle);
 struct LightPose {
     LightSettings settings;
     LightType type = LightType::Directional;
-    LightView view;          ///< the shown one: near, far and extent act on it
-    glm::dvec3 centre{0};    ///< world; what settings.target_x, y, z count from
-    glm::dvec3 target{0};    ///< world; what the light turns about or looks at
-    glm::dvec3 position{0};  ///< world; where the light's mark stands
+    LightView view;                   ///< the shown one: near, far and extent act on it
+    std::vector<LightView> cascades;  ///< all of them where the light has some; they are the fit's
+    glm::dvec3 centre{0};             ///< world; what settings.target_x, y, z count from
+    glm::dvec3 target{0};             ///< world; what the light turns about or looks at
+    glm::dvec3 position{0};           ///< world; where the light's mark stands
     glm::dvec3 to_light{0, 1, 0};
     double distance = 1;  ///< m, from target to position
     bool has_map = true;  ///< near, far and extent mean something
+    bool cascaded() const { return !cascades.empty(); }
     bool orthographic() const { return !view.curve.perspective; }
     bool ranged() const { return type != LightType::Directional && settings.range > 0; }
 };
 
-/// @param face of a light with six views
+/// @param face of a light with several views
 LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, int face);
 
 /// The handles that the light has, whatever the view.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "shaders/shared/colours.h"
 #include "ui/scene_view/light_lines.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/theme.h"
@@ -52,6 +53,10 @@ void square(const PicturePainter& p, const glm::dvec2& at, double half, ImU32 co
     };
     shape(half + 1.4, theme::kShade);
     shape(half, colour);
+}
+
+ImU32 view_colour(std::size_t view) {
+    return theme::colour(shared::VIEW_COLOURS[std::min<std::size_t>(view, 5)]);
 }
 
 /// A triangle with its tip at `at`.
@@ -109,7 +114,10 @@ std::optional<glm::dvec2> pointer_place(const LightPose& pose, const PictureView
 }
 
 void draw_shown_light(const PicturePainter& p, const LightPose& pose, bool pointer_hovered) {
-    if (pose.has_map)
+    for (std::size_t i = 0; i < pose.cascades.size(); ++i)
+        for (const Segment& s : frustum_edges(pose.cascades[i]))
+            p.line(s.from, s.to, faded(view_colour(i), s.far ? 110 : 220));
+    if (pose.has_map && !pose.cascaded())
         for (const Segment& s : frustum_edges(pose.view))
             p.line(s.from, s.to, s.far ? theme::kLightFar : theme::kLight);
     if (pose.type == LightType::Spot) draw_rim(p, pose, cone_reach(pose), faded(theme::kLight, 190));
@@ -120,9 +128,10 @@ void draw_shown_light(const PicturePainter& p, const LightPose& pose, bool point
 }
 
 void draw_other_light(const PicturePainter& p, const LightPose& pose, const FittedLight& fitted, bool hovered) {
-    if (pose.has_map && fitted.views.size() == 1)
-        for (const Segment& s : frustum_edges(pose.view))
-            p.thin_line(s.from, s.to, faded(theme::kLight, hovered ? 120 : 55));
+    if (pose.has_map && fitted.chooser.choice != ViewChoice::Face)
+        for (const LightView& view : fitted.views)
+            for (const Segment& s : frustum_edges(view))
+                p.thin_line(s.from, s.to, faded(theme::kLight, hovered ? 120 : 55));
     if (const auto at = p.view().point(pose.position))
         p.dot(*at, hovered ? 5.5 : 4, faded(theme::kLight, hovered ? 255 : 150));
 }

@@ -1,0 +1,8 @@
+// Which of the light's views a fragment is looked up in, mixed where another one is blended in.
+#include "shared/colours.h"
+
+vec4 overlay(Receiver r) {
+    if (LIGHT_CASTS[r.light] == 0 || LIGHT_VIEWS[r.light] < 2) return vec4(0.0);
+    int first = LIGHT_FIRST_VIEW[r.light];
+    return vec4(mix(VIEW_COLOURS[r.layer - first], VIEW_COLOURS[r.other_layer - first], r.blend), 1.0);
+}
