@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -48,6 +49,10 @@ void print_error(const ErrorMetrics& m, const Truth& truth) {
     fmt::print("{}\n", *comma ? "" : " none is wrong");
     fmt::print("  mean |V - truth| {:.5f}, root mean square {:.5f}, mean {:+.5f}, overlap of the shadows {:.4f}\n",
                m.mae, m.rmse, m.signed_mean, m.iou);
+    if (std::isnan(m.boundary_px_mean)) {
+        fmt::print("  only one of the two pictures has an edge\n");
+        return;
+    }
     fmt::print("  edges are off by {:.3f} px on average, {:.3f} px for 95 %, {:.3f} px at most\n", m.boundary_px_mean,
                m.boundary_px_p95, m.boundary_px_max);
 }

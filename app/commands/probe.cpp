@@ -14,6 +14,7 @@
 #include "app/report/views.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/reference/truth_picture.h"
 #include "renderer/reference/truth_scene.h"
 #include "renderer/settings/param.h"
 
@@ -168,6 +169,8 @@ void run_probe(const ProbeOptions& options) {
     const auto place = grid.at({x, y});
     if (!place) throw UsageError(fmt::format("--pixel {},{}: lies between two panes (view.panes)", x, y));
     request.width = grid.width, request.height = grid.height;
+    TruthCache sources;
+    trace_sources(renderer, session.scene, session.settings, request, sources, tracing_workers());
     Probe probe = renderer.probe(session.scene, session.settings, request, place->pixel.x, place->pixel.y);
     std::vector<Dossier> found;
     std::optional<CureTable> table;

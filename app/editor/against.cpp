@@ -64,15 +64,18 @@ void EditorAgainst::draw_other(const Scene& scene, const EditorState& state, con
     Settings settings = other_settings(state.settings, comparison->settings);
     settings.view.panes = int(Panes::One);
     const bool same = other_ && other_drawn_ == settings && other_scene_ == scene.id && other_width_ == request.width &&
-                      other_height_ == request.height && other_truth_ == request.truth && facts_->picture.texture;
+                      other_height_ == request.height && other_truth_ == request.truth &&
+                      other_traced_ == request.traced && facts_->picture.texture;
     if (same) return;
     if (!other_) other_ = std::make_unique<Renderer>();
-    FrameRequest wanted{.width = request.width, .height = request.height, .truth = request.truth};
+    FrameRequest wanted{
+        .width = request.width, .height = request.height, .truth = request.truth, .traced = request.traced};
     facts_->picture = other_->render(scene, settings, wanted).colour;
     other_drawn_ = std::move(settings);
     other_scene_ = scene.id;
     other_width_ = request.width, other_height_ = request.height;
     other_truth_ = request.truth;
+    other_traced_ = request.traced;
 }
 
 void EditorAgainst::find_difference(Renderer& renderer, const FrameResult& frame) {

@@ -36,6 +36,7 @@ private:
     std::uint64_t other_scene_ = 0;
     int other_width_ = 0, other_height_ = 0;
     std::shared_ptr<const TruthPicture> other_truth_;
+    std::vector<std::shared_ptr<const TruthPicture>> other_traced_;
 };
 
 }  // namespace si

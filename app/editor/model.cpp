@@ -90,7 +90,7 @@ EditorFrame EditorModel::facts() const {
     }
     f.cures = cures_.facts(scene_, state.settings, request_.width, request_.height);
     if (drawn_) {
-        f.truth = truth_.facts(result_);
+        f.truth = truth_.facts(result_, drawn_settings_.view.light);
         f.error = result_.error.get();
     }
     f.against = against_.facts();
@@ -286,7 +286,8 @@ bool EditorModel::draw_scene(const EditorActions& actions) {
     wanted.outputs.error = actions.want_error;
     wanted.outputs.true_colour = state.against.view != AgainstView::Off && state.against.truth;
     wanted.timing = actions.want_timing;
-    wanted.truth = truth_.picture();
+    wanted.truth = truth_.picture(state.settings.view.light);
+    wanted.traced = truth_.pictures();
     if (!has_scene_) return false;
     // Held against another, the picture is one pane.
     Settings settings = state.settings;
@@ -294,7 +295,7 @@ bool EditorModel::draw_scene(const EditorActions& actions) {
     const bool same = drawn_ && !shaders_changed_ && wanted.width == request_.width &&
                       wanted.height == request_.height && wanted.outputs == request_.outputs &&
                       wanted.timing == request_.timing && wanted.truth == request_.truth &&
-                      drawn_settings_ == settings && drawn_scene_ == scene_.id;
+                      wanted.traced == request_.traced && drawn_settings_ == settings && drawn_scene_ == scene_.id;
     if (same || actions.scene_width < 1) return false;
     request_ = wanted;
     drawn_settings_ = settings;

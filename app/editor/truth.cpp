@@ -22,6 +22,19 @@ int tracing_threads() {
     return std::max(1, int(std::thread::hardware_concurrency()) - 1);
 }
 
+struct LightNeed : TruthNeed {
+    int light = 0;
+};
+
+/// What of truths a frame asks for: of the light that is shown, and of those whose source is ray traced.
+std::vector<LightNeed> needs_of(const FrameResult& frame, int shown_light) {
+    std::vector<LightNeed> out;
+    if (frame.truth.key != 0) out.push_back({frame.truth, shown_light});
+    for (std::size_t i = 0; i < frame.traced.size(); ++i)
+        if (frame.traced[i].key != 0) out.push_back({frame.traced[i], int(i)});
+    return out;
+}
+
 nlohmann::ordered_json saved_error(const MeasuredError& measured) {
     const Truth& truth = *measured.traced.truth;
     nlohmann::ordered_json json = {{"format", "shadow-inspector-measurement"},
@@ -41,7 +54,8 @@ nlohmann::ordered_json saved_error(const MeasuredError& measured) {
 }  // namespace
 
 struct EditorTruth::Outcome {
-    std::shared_ptr<const TruthPicture> picture;  ///< null: as it was
+    int light = 0;
+    std::shared_ptr<const TruthPicture> picture;  ///< of the light; null: as it was
     std::string remark;
 };
 
@@ -85,7 +99,11 @@ void EditorTruth::wait() const {
 
 void EditorTruth::clear() {
     if (job_) job_->stop.request_stop();
-    picture_.reset();
+    pictures_.clear();
+}
+
+std::shared_ptr<const TruthPicture> EditorTruth::picture(int light) const {
+    return light >= 0 && std::size_t(light) < pictures_.size() ? pictures_[std::size_t(light)] : nullptr;
 }
 
 bool EditorTruth::poll() {
@@ -93,7 +111,11 @@ bool EditorTruth::poll() {
     const std::unique_ptr<Job> job = std::move(job_);
     try {
         Outcome outcome = job->outcome.get();
-        if (outcome.picture) picture_ = std::move(outcome.picture), problem_.clear(), given_up_ = 0;
+        if (outcome.picture) {
+            pictures_.resize(std::max(pictures_.size(), std::size_t(outcome.light) + 1));
+            pictures_[std::size_t(outcome.light)] = std::move(outcome.picture);
+            problem_.clear(), given_up_ = 0;
+        }
         remark_ = std::move(outcome.remark);
     } catch (const Cancelled&) {
     } catch (const std::exception& e) {
@@ -105,12 +127,12 @@ bool EditorTruth::poll() {
 }
 
 void EditorTruth::start_trace(Renderer& renderer, const Scene& scene, const Settings& settings,
-                              const FrameRequest& request) {
-    auto task = std::make_shared<TruthTask>(truth_task(renderer, scene, settings, request, settings.view.light,
-                                                       truth_options(settings), cache_.geometry()));
+                              const FrameRequest& request, int light) {
+    auto task = std::make_shared<TruthTask>(
+        truth_task(renderer, scene, settings, request, light, truth_options(settings), cache_.geometry()));
     const std::uint64_t key = task->key;
-    launch("Tracing rays", key, [this, task = std::move(task)](const Workers& workers) {
-        return Outcome{truth_picture(*task, cache_.trace(*task, workers)), {}};
+    launch("Tracing rays", key, [this, light, task = std::move(task)](const Workers& workers) {
+        return Outcome{light, truth_picture(*task, cache_.trace(*task, workers)), {}};
     });
 }
 
@@ -125,33 +147,45 @@ void EditorTruth::start_save(Renderer& renderer, const Scene& scene, const Setti
     launch("Measuring", request.truth->key, [path, measured = std::move(measured)](const Workers&) {
         sum_up(*measured);
         write_file(path, json_text(saved_error(*measured)));
-        return Outcome{nullptr, "Saved " + path};
+        return Outcome{.remark = "Saved " + path};
     });
 }
 
 bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                          const FrameResult& frame, bool drawn, const Wishes& wishes) {
     const bool changed = poll();
-    const TruthNeed& need = frame.truth;
+    const std::vector<LightNeed> needs = needs_of(frame, settings.view.light);
+    const auto wants = [&](std::uint64_t key) {
+        return std::any_of(needs.begin(), needs.end(), [&](const LightNeed& n) { return n.key == key; });
+    };
+    for (std::size_t i = 0; i < pictures_.size(); ++i) {
+        const bool shown = int(i) == settings.view.light;
+        const bool wanted =
+            std::any_of(needs.begin(), needs.end(), [&](const LightNeed& n) { return n.light == int(i); });
+        if (!shown && !wanted) pictures_[i].reset();
+    }
+    const auto next = std::find_if(needs.begin(), needs.end(),
+                                   [&](const LightNeed& n) { return !n.met && (wishes.cancel || n.key != given_up_); });
     if (wishes.save_error) save_next_ = wishes.save_error;
-    if (need.key != given_up_ && need.key != 0) given_up_ = 0, problem_.clear();
+    if (!needs.empty() && !wants(given_up_)) given_up_ = 0, problem_.clear();
     if (wishes.cancel) {
-        given_up_ = need.key;
+        given_up_ = job_ ? job_->key : next != needs.end() ? next->key : 0;
         problem_ = "Cancelled";
         if (job_) job_->stop.request_stop();
     }
     if (job_) {
-        const bool stale = need.key != 0 && job_->key != need.key;
-        const bool unwanted = need.key == 0 && !save_next_;
+        const bool stale = !needs.empty() && !wants(job_->key);
+        const bool unwanted = needs.empty() && !save_next_;
         if (stale || unwanted) job_->stop.request_stop();
         return changed;
     }
     // A picture that was found just now is drawn before it is judged what is missing.
-    if (drawn || changed || (picture_ && request.truth != picture_)) return changed;
-    if (save_next_ && need.met) {
+    const auto shown = picture(settings.view.light);
+    if (drawn || changed || (shown && request.truth != shown) || request.traced != pictures_) return changed;
+    if (save_next_ && frame.truth.met) {
         start_save(renderer, scene, settings, request, *std::exchange(save_next_, {}));
-    } else if (need.key != 0 && !need.met && need.key != given_up_) {
-        start_trace(renderer, scene, settings, request);
+    } else if (next != needs.end() && next->key != given_up_) {
+        start_trace(renderer, scene, settings, request, next->light);
     } else if (save_next_) {
         remark_ = "Not saved: the truth about this view is not traced";
         save_next_.reset();
@@ -161,18 +195,22 @@ bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings&
     return true;
 }
 
-TruthFacts EditorTruth::facts(const FrameResult& frame) const {
+TruthFacts EditorTruth::facts(const FrameResult& frame, int shown_light) const {
     TruthFacts f;
-    f.wanted = frame.truth.key != 0;
-    f.current = frame.truth.met;
+    const std::vector<LightNeed> needs = needs_of(frame, shown_light);
+    f.wanted = !needs.empty();
+    f.current = f.wanted && std::all_of(needs.begin(), needs.end(), [](const LightNeed& n) { return n.met; });
     f.problem = problem_;
     if (job_) {
         f.doing = job_->doing;
         f.progress = job_->progress;
     }
     shown_percent_ = job_ ? int(f.progress * 100) : -1;
-    if (picture_) {
-        const TracedTruth& t = picture_->traced;
+    auto known = picture(shown_light);
+    for (const LightNeed& n : needs)
+        if (!known) known = picture(n.light);
+    if (known) {
+        const TracedTruth& t = known->traced;
         f.build_ms = t.build_ms, f.place_ms = t.place_ms, f.trace_ms = t.trace_ms;
         f.rays = t.truth->rays, f.noise = noise_text(*t.truth);
         f.width = t.truth->width, f.height = t.truth->height;

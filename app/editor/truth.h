@@ -20,8 +20,10 @@ public:
     EditorTruth(const EditorTruth&) = delete;
     EditorTruth& operator=(const EditorTruth&) = delete;
 
-    /// For FrameRequest::truth.
-    std::shared_ptr<const TruthPicture> picture() const { return picture_; }
+    /// What was last traced of a light, for FrameRequest::truth; null: nothing.
+    std::shared_ptr<const TruthPicture> picture(int light) const;
+    /// The same of all lights, for FrameRequest::traced.
+    const std::vector<std::shared_ptr<const TruthPicture>>& pictures() const { return pictures_; }
 
     struct Wishes {
         bool cancel = false;                    ///< forget it until something changes
@@ -35,7 +37,7 @@ public:
     /// There is no frame.
     void clear();
 
-    TruthFacts facts(const FrameResult& frame) const;
+    TruthFacts facts(const FrameResult& frame, int shown_light) const;
     bool busy() const { return job_ != nullptr; }
     /// Something is done: update() has news; or its progress is to be drawn anew.
     bool moved() const;
@@ -51,13 +53,14 @@ private:
     void launch(const char* doing, std::uint64_t key, Work&& work);
     /// Takes what the job found. Returns whether there was one.
     bool poll();
-    void start_trace(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request);
+    void start_trace(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
+                     int light);
     void start_save(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                     const std::string& path);
 
-    TruthCache cache_;  ///< used by the job while there is one
-    std::shared_ptr<const TruthPicture> picture_;
-    std::uint64_t given_up_ = 0;  ///< key of a truth that failed or was cancelled
+    TruthCache cache_;                                           ///< used by the job while there is one
+    std::vector<std::shared_ptr<const TruthPicture>> pictures_;  ///< by light; of no longer wanted ones null
+    std::uint64_t given_up_ = 0;                                 ///< key of a truth that failed or was cancelled
     std::string problem_, remark_;
     std::optional<std::string> save_next_;
     mutable int shown_percent_ = -1;

@@ -5,6 +5,7 @@
 #include "app/session/setting_json.h"
 #include "renderer/inspect/lost_casters.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/sources.h"
 
 namespace si {
 
@@ -47,6 +48,7 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
     const FittedLight& light = frame.lights[i];
     Json json = {{"light", i},
                  {"type", kTypes[std::size_t(light.type)]},
+                 {"source", source_of(session.settings, int(i)).key},
                  {"casts", light.casts},
                  {"reason", light.reason},
                  {"notes", light.notes},

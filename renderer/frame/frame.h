@@ -44,6 +44,8 @@ struct FrameRequest {
     bool no_skip = false;  ///< run passes that the scene does not call for (must not change the picture)
     /// What rays found for this very view and light; another one's is left unused. See FrameResult::truth.
     std::shared_ptr<const TruthPicture> truth;
+    /// The same by light, for those whose source is ray traced; may end early, and hold none for others.
+    std::vector<std::shared_ptr<const TruthPicture>> traced;
 };
 
 enum class PassState { Ran, Reused, Skipped };
@@ -105,6 +107,7 @@ struct FrameResult {
     std::array<Image, kEvidenceImages> evidence;  ///< RGBA32F each, in the order of CauseEvidence
     bool mask_levels = false;                     ///< of the evidence's CauseContext
     TruthNeed truth;
+    std::vector<TruthNeed> traced;           ///< by light, of those whose source is ray traced; empty where none is
     std::shared_ptr<const LiveError> error;  ///< null unless asked for and truth.met
     int map_resolution = 0;
     float overlay_min = 0, overlay_max = 1;  ///< the first pane's colour scale

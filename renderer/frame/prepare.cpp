@@ -9,6 +9,7 @@
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/sources.h"
 #include "renderer/view/kernel_reach.h"
 
 namespace si {
@@ -177,6 +178,31 @@ void find_truth(FrameState& f, std::span<const int> shown_overlays) {
     f.truth_content = truth->version;
 }
 
+/// What lights need whose source is ray traced, and which of it the request brings.
+void find_traced(FrameState& f) {
+    const std::size_t count = f.gl.fitted.size();
+    f.traced_pictures.assign(count, nullptr);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.truth) continue;
+        f.traced.resize(count);
+        TruthNeed& need = f.traced[i];
+        need.key = truth_key(f.scene, f.settings, f.camera, f.request.width, f.request.height, f.gl.fitted, int(i),
+                             truth_options(f.settings));
+        const auto is_it = [&](const auto& truth) { return truth && truth->key == need.key; };
+        if (i < f.request.traced.size() && is_it(f.request.traced[i]))
+            f.traced_pictures[i] = f.request.traced[i].get();
+        else if (is_it(f.request.truth))
+            f.traced_pictures[i] = f.request.truth.get();
+        need.met = f.traced_pictures[i] != nullptr;
+        if (need.met)
+            f.lights_key.add(f.traced_pictures[i]->version);
+        else
+            f.notes.push_back(
+                fmt::format("light {} has no shadow yet: its source is {}, and no rays were traced for this view", i,
+                            source_of(f.settings, int(i)).key));
+    }
+}
+
 /// Which panes there are and what they need.
 void arrange_panes(FrameState& f) {
     const ViewSettings& v = f.settings.view;
@@ -186,6 +212,8 @@ void arrange_panes(FrameState& f) {
     find_truth(f, {chosen, std::size_t(count)});
     f.separate_visibility = o.visibility || f.settings.shading.separate_visibility ||
                             (f.truth.met && (o.error || o.judged || o.true_colour));
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
+        f.separate_visibility |= f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused;
     int shown[kMaxPanes];
     bool lacks[kMaxPanes];
     for (int i = 0; i < count; ++i) {
@@ -288,6 +316,7 @@ FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings,
     f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);
     f.lights_key.add(resources.fit_key).add(f.map_resolution).add(request.no_skip);
     add_shader_settings(f.lights_key, f.settings);
+    find_traced(f);
     arrange_panes(f);
     choose_kernel(f);
     return f;

@@ -76,6 +76,7 @@ void describe_frame(FrameState& f, FrameResult& result) {
     if (valid("texels read")) result.texels_read = texels_read_image(f);
     if (valid("map coordinates")) result.map_coordinates = image_of(r.map_coordinates);
     result.truth = f.truth;
+    result.traced = f.traced;
     result.camera = f.camera;
     result.lights = r.fitted;
     result.notes = std::move(f.notes);

@@ -88,7 +88,7 @@ struct Resources {
     gl::Target marks;                          ///< depths MARK_* of shared/judged.h
     gl::Target map_unfiltered;                 ///< the maps without polygon offset, masks at their finest level
     std::array<gl::Target, kEvidenceImages> evidence;
-    gl::Target true_shaded;
+    gl::Target true_visibility, true_shaded;
     gl::Framebuffer seen_framebuffer, judged_framebuffer, evidence_framebuffer, error_tiles_framebuffer,
         true_shaded_framebuffer;
     std::shared_ptr<const LiveError> error;  ///< of the error tiles
@@ -133,8 +133,11 @@ struct FrameState {
         const Overlay* row() const { return overlay > 0 ? &overlays()[std::size_t(overlay - 1)] : nullptr; }
     };
     std::vector<ShownPane> panes;
-    bool slabs_shown = false;         ///< view.slabs has a map to show
-    TruthNeed truth;                  ///< what the frame needs of a truth, and whether request.truth is it
+    bool slabs_shown = false;       ///< view.slabs has a map to show
+    TruthNeed truth;                ///< what the frame needs of a truth, and whether request.truth is it
+    std::vector<TruthNeed> traced;  ///< as FrameResult::traced
+    /// What rays found for a light whose source is ray traced; null: its source is another, or they are not traced yet.
+    std::vector<const TruthPicture*> traced_pictures;
     std::uint64_t truth_content = 0;  ///< key of what of it is used
 
     /// The view of a light whose map is shown (view.light, view.face), or null. `layer` is its layer of the maps.
@@ -176,6 +179,9 @@ struct FrameState {
     void begin_fullscreen_pass(GLuint framebuffer, int width, int height) const;
     static void draw_fullscreen(PassInfo& info);
 };
+
+/// Writes what rays found into a light's layer of a visibility texture of the frame's size.
+void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibility, int light);
 
 /// Defines and texture for shaders that read the truth (lib/truth.glsl).
 std::vector<gl::Define> truth_defines(const FrameState& f);

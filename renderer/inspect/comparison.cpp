@@ -139,7 +139,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     const std::string dark = unreached(light, p.point.position_ws);
     if (!light.casts) {
         p.where = "no map";
-        p.verdict = dark.empty() ? "lit: " + light.reason : dark;
+        p.verdict = dark.empty() ? (p.visibility < 0.5 ? "dark: " : "lit: ") + light.reason : dark;
         return p;
     }
     p.account = bias_account(light, settings, n, p.point, driver);

@@ -99,9 +99,12 @@ private:
             case PixelState::Counted:
                 break;
         }
-        if (!p_.casts)
-            return d_.right ? "right: lit, as no map is drawn for this light"
-                            : "wrong: dark in truth, but this light has no map";
+        if (!p_.casts) {
+            const char* const is = dark() ? "dark" : "lit";
+            return d_.right ? fmt::format("right: {}, as in truth; {}", is, p_.fitted.reason)
+                            : fmt::format("wrong: {} though {} in truth; {}", is, truth_.lit ? "lit" : "dark",
+                                          p_.fitted.reason);
+        }
         if (truth_.evidence.place == CauseEvidence::kOutside)
             return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", p_.where,
                                dark() ? "dark" : "lit",
@@ -210,6 +213,8 @@ private:
                     dark() ? "dark" : "lit", dark() ? "lit" : "dark", dark() ? "more bias" : "the least bias");
             case Artefact::Penumbra:
                 return "penumbra: right for a light without size";
+            case Artefact::NoMap:
+                break;  // said before
         }
         return d_.right ? "right" : "wrong";
     }

@@ -11,6 +11,7 @@
 #include "renderer/inspect/comparison.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
@@ -134,6 +135,8 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
             fmt::format("pixel {},{} lies outside the picture of {} x {} pixels", x, y, request.width, request.height));
     FrameRequest maps = request;
     maps.outputs = {.colour = false, .shadow_map = true, .surface_ids = true, .unfiltered_map = true};
+    for (int i = 0; i < std::clamp(settings.light_count, 0, kMaxLights); ++i)
+        maps.outputs.visibility |= !source_of(settings, i).fused;
     maps.force = maps.timing = false;
     const SurfaceIds ids = read_surface_ids(render(scene, settings, maps).surface_ids);
     FrameState f = impl_->prepare(scene, settings, maps);
@@ -163,6 +166,12 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                           .point = {.position_ws = out.position_ws, .geometric = out.normal_ws},
                           .receives = facts.receives(),
                           .visibility = facts.values[3].x};
+        if (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused) {
+            float drawn = 1;
+            glGetTextureSubImage(f.gl.visibility.texture.id(), 0, x, y_bottom, GLint(i), 1, 1, 1, GL_RED, GL_FLOAT,
+                                 sizeof drawn, &drawn);
+            pixel.visibility = drawn;
+        }
         const int source = f.settings.bias.normal_source;
         const glm::dvec3 mapped(facts.values[2]), vertex(facts.values[3].y, facts.values[3].z, facts.values[3].w);
         pixel.point.bias_normal = source == int(NormalSource::Mapped)    ? mapped

@@ -18,6 +18,7 @@ constexpr auto kStyles = std::to_array<ArtefactStyle>({
     {Artefact::Filter, "filter", "shadow by filter", {230, 159, 0}},
     {Artefact::Undersampled, "undersampled", "undersampled", {255, 255, 255}},
     {Artefact::Penumbra, "penumbra", "penumbra", {150, 120, 200}},
+    {Artefact::NoMap, "no_map", "not by a map", {255, 105, 180}},
 });
 static_assert(kStyles.size() == kArtefacts - 1);
 

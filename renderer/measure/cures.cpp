@@ -10,6 +10,7 @@
 #include "renderer/measure/time_sampler.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/sources.h"
 #include "renderer/view/kernel_reach.h"
 #include "renderer/view/manual_light.h"
 
@@ -170,6 +171,10 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
         if (untried.empty() && s == base) return;
         out.push_back({std::move(name), std::move(s), std::move(untried)});
     };
+    if (!source_of(base, f.light).needs.map) {
+        idea("a shadow map", [&](Settings& s) { s.lights[std::size_t(f.light)].source = LightSettings{}.source; });
+        return out;
+    }
     const bool any = f.needs.pixels > 0;
     const auto bias = [&](BiasFamily family) { return least_bias_of(f, family); };
     constexpr std::pair<BiasFamily, const char*> kFamilies[] = {{BiasFamily::Normal, "least bias, normal offset"},

@@ -8,6 +8,7 @@ namespace si {
 Judgement Measurer::judge(const Scene& scene, const Settings& settings) {
     const Settings measured = measured_settings(settings);
     FrameRequest request{.width = width_, .height = height_, .force = true};
+    trace_sources(renderer_, scene, measured, request, truths_, workers_);
     Judgement judged;
     const FrameResult frame = renderer_.render(scene, measured, request);
     judged.cost = work_cost(measured, frame);
@@ -24,23 +25,28 @@ Judgement Measurer::judge(const Scene& scene, const Settings& settings) {
     return judged;
 }
 
-FrameRequest Measurer::timed_request() const {
-    return {.width = width_, .height = height_, .timing = true, .force = true};
+FrameRequest Measurer::timed_request(const Scene& scene, const Settings& measured) {
+    FrameRequest request{.width = width_, .height = height_};
+    trace_sources(renderer_, scene, measured, request, truths_, workers_);
+    request.timing = request.force = true;
+    return request;
 }
 
 TimeSamples Measurer::time(const Scene& scene, const Settings& settings, int frames) {
     const Settings measured = measured_settings(settings);
+    const FrameRequest request = timed_request(scene, measured);
     TimeSamples samples;
-    renderer_.render(scene, measured, timed_request());
-    for (int i = 0; i < frames; ++i) samples.add(renderer_.render(scene, measured, timed_request()));
+    renderer_.render(scene, measured, request);
+    for (int i = 0; i < frames; ++i) samples.add(renderer_.render(scene, measured, request));
     return samples;
 }
 
 TimeMeasurement Measurer::time(const Scene& scene, const Settings& settings, const TimeSampler::Limits& limits) {
     const Settings measured = measured_settings(settings);
+    const FrameRequest request = timed_request(scene, measured);
     return sample_times(limits, [&] {
         if (workers_.stop.stop_requested()) throw Cancelled();
-        return renderer_.render(scene, measured, timed_request());
+        return renderer_.render(scene, measured, request);
     });
 }
 

@@ -36,7 +36,7 @@ public:
     TimeMeasurement time(const Scene& scene, const Settings& settings, const TimeSampler::Limits& limits = {});
 
 private:
-    FrameRequest timed_request() const;
+    FrameRequest timed_request(const Scene& scene, const Settings& measured);
 
     Renderer& renderer_;
     int width_, height_;

@@ -34,13 +34,18 @@ void draw_blended(const FrameState& f, PassInfo& info) {
     glDepthMask(GL_TRUE);
 }
 
-void draw_picture(FrameState& f, gl::Target& target, gl::Framebuffer& framebuffer, const std::vector<gl::Define>& extra,
+/// @param visibility a layer a light; null: evaluated by the shader
+void draw_picture(FrameState& f, gl::Target& target, gl::Framebuffer& framebuffer, const gl::Target* visibility,
                   PassInfo& info) {
     target.ensure("shaded picture", GL_RGBA8, f.request.width, f.request.height);
     framebuffer = gl::make_framebuffer("shaded picture", &target, &f.gl.camera_depth);
     f.begin_camera_pass(framebuffer.id());
     glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, 0, &kBackground.x);
-    if (f.separate_visibility) glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
+    std::vector<gl::Define> extra;
+    if (visibility) {
+        extra.push_back({"SEPARATE_VISIBILITY", "1"});
+        glBindTextureUnit(kVisibility, visibility->texture.id());
+    }
     f.draw_from_camera("passes/shade.frag.glsl", extra, info);
     draw_blended(f, info);
 }
@@ -51,7 +56,7 @@ void add_true_shade_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "shading by the truth";
     pass.reads = lookup_reads(f);
-    pass.reads.insert(pass.reads.end(), {"visibility", "truth"});
+    pass.reads.push_back("visibility");
     pass.category = PassCategory::Tool;
     pass.writes = {"true picture"};
     pass.idle_reason = "nobody asks for the true picture";
@@ -66,11 +71,13 @@ void add_true_shade_pass(FrameState& f, std::vector<Pass>& plan) {
     pass.key = key.value();
     pass.cached = &f.gl.true_shaded.key;
     pass.run = [&f](PassInfo& info) {
-        std::vector<gl::Define> extra = truth_defines(f);
-        extra.push_back({"SEPARATE_VISIBILITY", "1"});
-        extra.push_back({"TRUE_LIGHT", std::to_string(f.settings.view.light)});
-        bind_truth(f);
-        draw_picture(f, f.gl.true_shaded, f.gl.true_shaded_framebuffer, extra, info);
+        const gl::Target& drawn = f.gl.visibility;
+        gl::Target& visibility = f.gl.true_visibility;
+        visibility.ensure("visibility by the truth", drawn.format, drawn.width, drawn.height, drawn.layers);
+        glCopyImageSubData(drawn.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, visibility.texture.id(),
+                           GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, drawn.width, drawn.height, drawn.layers);
+        put_traced_visibility(*f.request.truth, visibility, f.settings.view.light);
+        draw_picture(f, f.gl.true_shaded, f.gl.true_shaded_framebuffer, &visibility, info);
     };
     plan.push_back(std::move(pass));
 }
@@ -88,9 +95,7 @@ void add_shade_pass(FrameState& f, std::vector<Pass>& plan) {
     pass.key = key.value();
     pass.cached = &f.gl.shaded.key;
     pass.run = [&f](PassInfo& info) {
-        std::vector<gl::Define> extra;
-        if (f.separate_visibility) extra.push_back({"SEPARATE_VISIBILITY", "1"});
-        draw_picture(f, f.gl.shaded, f.gl.shaded_framebuffer, extra, info);
+        draw_picture(f, f.gl.shaded, f.gl.shaded_framebuffer, f.separate_visibility ? &f.gl.visibility : nullptr, info);
     };
     plan.push_back(std::move(pass));
 }

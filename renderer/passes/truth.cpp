@@ -11,6 +11,7 @@
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/truth_picture.h"
+#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
@@ -63,13 +64,15 @@ std::uint64_t judged_key(const FrameState& f) {
     return key.add(f.gl.programs.source().generation()).value();
 }
 
-/// Whether nothing of the scene lies beyond the map of the shown light: it is fitted around all of it.
+/// Whether nothing of the scene lies beyond the map of the shown light: it is fitted around all of it, or there is
+/// none.
 bool map_holds_all(const FrameState& f) {
     const auto light = std::size_t(f.settings.view.light);
     if (light >= f.gl.fitted.size()) return false;
     const FittedLight& fitted = f.gl.fitted[light];
+    if (!fitted.casts) return true;
     return fitted.type == LightType::Directional && f.settings.lights[light].fit == int(LightFit::Scene) &&
-           fitted.casts && fitted.chooser.choice == ViewChoice::One && !fitted.is_perspective();
+           fitted.chooser.choice == ViewChoice::One && !fitted.is_perspective();
 }
 
 /// Whether taps beyond the map's sides may tell anything but the truth: nothing lies there, and they answer that.
@@ -86,6 +89,7 @@ std::vector<gl::Define> trial_defines(const FrameState& f) {
         cause_context(f.settings, f.gl.fitted[std::size_t(f.settings.view.light)], f.map_resolution, f.mask_levels);
     std::vector<gl::Define> out = truth_defines(f);
     out.insert(out.end(), {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
+                           {"HAS_MAP", std::to_string(int(c.has_map))},
                            {"MAP_TRIALS", "1"},
                            {"SEAM_TRIALS", std::to_string(int(seams_matter(f)))},
                            {"FILTER_SAMPLER", "0"},
@@ -169,7 +173,10 @@ Pass causes_pass(FrameState& f) {
              {{"FOR_FALSE_LIGHT", "1"}, {"FOR_FALSE_SHADOW", "0"}});
         draw(shared::MARK_FALSE_SHADOW, "passes/causes.frag.glsl",
              {{"FOR_FALSE_LIGHT", "0"}, {"FOR_FALSE_SHADOW", "1"}});
-        draw(shared::MARK_FAINT, "passes/faint_acne.frag.glsl", {{"FOR_FALSE_LIGHT", "0"}, {"FOR_FALSE_SHADOW", "1"}});
+        const bool has_map = source_of(f.settings, f.settings.view.light).needs.map;
+        if (has_map)
+            draw(shared::MARK_FAINT, "passes/faint_acne.frag.glsl",
+                 {{"FOR_FALSE_LIGHT", "0"}, {"FOR_FALSE_SHADOW", "1"}});
         glDepthRangef(0, 1);
         glDepthMask(GL_TRUE);
     };
@@ -226,8 +233,8 @@ LiveError error_of(const Sums& s, const Truth& truth) {
     m.any_acne = s.v[0][3] / n;
     m.within_noise = s.v[1][0] / n, m.acne = s.v[1][1] / n, m.offset_false_shadow = s.v[1][2] / n;
     m.bias_false_light = (s.v[2][0] + s.v[2][1]) / n, m.lost_false_light = s.v[2][2] / n, m.leak = s.v[2][3] / n;
-    m.boundary_false_shadow = (s.v[1][3] + s.v[3][0] + s.v[3][2] + s.v[4][0]) / n;
-    m.boundary_false_light = (s.v[3][1] + s.v[3][3] + s.v[4][1]) / n;
+    m.boundary_false_shadow = (s.v[1][3] + s.v[3][0] + s.v[3][2] + s.v[4][0] + s.v[6][1]) / n;
+    m.boundary_false_light = (s.v[3][1] + s.v[3][3] + s.v[4][1] + s.v[6][2]) / n;
     m.outside_false_shadow = s.v[4][2] / n, m.outside_false_light = s.v[4][3] / n;
     m.mae = s.v[5][0] / n, m.rmse = std::sqrt(s.v[5][1] / n), m.signed_mean = s.v[5][2] / n;
     if (s.v[6][0] > 0) m.iou = s.v[5][3] / s.v[6][0];
@@ -244,6 +251,7 @@ LiveError error_of(const Sums& s, const Truth& truth) {
     set(Artefact::Undersampled, s.count(3, 2) + s.count(3, 3));
     set(Artefact::Penumbra, s.count(4, 0) + s.count(4, 1));
     set(Artefact::OutsideMap, s.count(4, 2) + s.count(4, 3));
+    set(Artefact::NoMap, s.count(6, 1) + s.count(6, 2));
     std::size_t wrong = 0;
     for (std::size_t a = 1; a < kArtefacts; ++a) wrong += m.artefacts[a];
     set(Artefact::None, truth.state.size() - wrong);

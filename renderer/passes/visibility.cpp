@@ -1,7 +1,38 @@
 // Visibility of each light as a texture of its own.
+#include <fmt/format.h>
+
 #include "renderer/frame/state.h"
+#include "renderer/reference/truth_picture.h"
+#include "renderer/settings/sources.h"
 
 namespace si {
+namespace {
+
+const TruthPicture* traced_picture(const FrameState& f, std::size_t light) {
+    return light < f.traced_pictures.size() ? f.traced_pictures[light] : nullptr;
+}
+
+/// What is drawn to evaluate a light. Empty: its layer is all lit, or there already.
+std::string_view source_file(const FrameState& f, std::size_t light) {
+    if (light >= f.gl.fitted.size()) return {};
+    const Source& source = source_of(f.settings, int(light));
+    const bool lit = !f.gl.fitted[light].shadowed || (source.file.empty() && !source.needs.truth);
+    if (lit) return f.request.no_skip ? sources()[0].file : std::string_view();
+    return source.file;
+}
+
+}  // namespace
+
+void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibility, int light) {
+    const FloatImage& traced = truth.traced.truth->visibility;  // rows from the top, a pixel every `step`
+    const int width = visibility.width, height = visibility.height, step = truth.step;
+    std::vector<float> pixels(std::size_t(width) * std::size_t(height));
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)] = traced.at(x / step, (height - 1 - y) / step);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage3D(visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, pixels.data());
+}
 
 void add_visibility_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
@@ -24,13 +55,18 @@ void add_visibility_pass(FrameState& f, std::vector<Pass>& plan) {
             f.begin_camera_pass(framebuffer);
             const glm::vec4 lit(1);
             glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &lit.x);
-            // A light without shadows leaves every pixel lit; there is nothing to evaluate.
-            const bool casts = std::size_t(light) < f.gl.fitted.size() && f.gl.fitted[std::size_t(light)].casts;
-            if (!casts && !f.request.no_skip) {
+            const std::string_view file = source_file(f, std::size_t(light));
+            if (file.empty()) {
                 if (f.gl.depth_key != depth) f.gl.depth_key = 0;  // cleared, and nothing drawn
+                if (const TruthPicture* truth = traced_picture(f, std::size_t(light))) {
+                    put_traced_visibility(*truth, f.gl.visibility, light);
+                    info.reason +=
+                        fmt::format("; light {} by {} rays, traced before the frame", light, truth->traced.truth->rays);
+                }
                 continue;
             }
-            f.draw_from_camera("passes/visibility.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);
+            f.draw_from_camera("passes/visibility.frag.glsl",
+                               {{"LIGHT_INDEX", std::to_string(light)}, {"SOURCE_FILE", std::string(file)}}, info);
         }
         f.gl.visibility_view_layer = -1;
     };

@@ -75,8 +75,10 @@ Cause cause_of(const CauseEvidence& e, const TruePixel& truth, const CauseContex
     const float v = std::isnan(e.visibility) ? 0.f : e.visibility;  // no light is drawn from it
     if (is_wrong(v, truth)) {
         if (truth.hard_lit != dark(v)) return {Artefact::Penumbra};
+        if (!context.has_map) return {Artefact::NoMap};
         return dark(v) ? false_shadow(e, context) : false_light(e, context);
     }
+    if (!context.has_map) return {};
     const bool darkened = truth.visibility == 1 && !dark(v) && v < float(1 - kRightVisibility);
     return {.faint = darkened && e.place == CauseEvidence::kInside && is_acne(e, context, float(1 - kRightVisibility))};
 }

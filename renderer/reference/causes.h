@@ -24,8 +24,11 @@ enum class Artefact : std::uint8_t {
     Filter,              ///< dark though lit: the nearest texel, unfiltered and at its own least bias, is right
     Undersampled,        ///< as EdgeAliasing, where the shadow or the light between shadows is narrower than a texel
     Penumbra,            ///< right for a light without size
+    /// Wrong, and the light has no map to try anything on: its source (light.source) says so. Last, as it is never in
+    /// Cause::also, for which a judgement has no bit to spare.
+    NoMap,
 };
-inline constexpr std::size_t kArtefacts = 12;
+inline constexpr std::size_t kArtefacts = 13;
 
 /// What trials of one pixel gave. Order and meaning as written by shaders/passes/evidence.frag.glsl, four to an image.
 struct CauseEvidence {
@@ -46,6 +49,7 @@ static_assert(sizeof(CauseEvidence) == kEvidenceImages * 4 * sizeof(float));
 
 /// What the renderer's settings make possible; the defines of the GPU's decision.
 struct CauseContext {
+    bool has_map = true;             ///< the light's source is a map
     double edge_reach_texels = 0.5;  ///< of the kernel
     bool raster_bias = false;        ///< bias.raster_*
     bool mask_levels = false;        ///< masks of casters may be read from a coarser mip level in the map

@@ -31,7 +31,7 @@ glm::dvec2 on_disk(double x, double y) {
 
 Emitter emitter_of(const FittedLight& light, const LightSettings& settings) {
     const double size = std::isfinite(settings.size) ? std::max(settings.size, 0.0) : 0.0;
-    return {light.type, light.position, light.to_light, light.cos_cone_outer, light.range_m, size, light.casts};
+    return {light.type, light.position, light.to_light, light.cos_cone_outer, light.range_m, size, light.shadowed};
 }
 
 LightSamples::LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, int parts_per_axis, std::uint64_t pixel)

@@ -32,7 +32,7 @@ MeasuredError read_judged(Renderer& renderer, const FrameResult& frame, const Tr
 /// Fills MeasuredError::metrics.
 void sum_up(MeasuredError& measured);
 
-/// What of the settings and the scene's casters the causes depend on.
+/// What of the settings and the scene's casters the causes of a light's errors depend on.
 CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels);
 
 }  // namespace si

@@ -78,8 +78,8 @@ TruePixel true_pixel(const Truth& truth, std::size_t i) {
 
 std::vector<JudgedPixel> judged_pixels(const FloatImage& judged) {
     static_assert(
-        kArtefacts <= 1 << shared::ARTEFACT_BITS && shared::ARTEFACT_BITS + shared::ALSO_SHIFT + kArtefacts <= 24,
-        "a judgement has to fit into the digits of a float");
+        kArtefacts <= 1 << shared::ARTEFACT_BITS && shared::ARTEFACT_BITS + shared::ALSO_SHIFT + kArtefacts - 1 <= 24,
+        "a judgement has to fit into the digits of a float; the last artefact is never in Cause::also");
     std::vector<JudgedPixel> out(judged.data.size() / 2);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const auto code = std::uint32_t(judged.data[2 * i]);
@@ -145,6 +145,7 @@ ErrorMetrics error_metrics(const std::vector<JudgedPixel>& judged, const Truth& 
             case Artefact::Filter:
             case Artefact::Undersampled:
             case Artefact::Penumbra:
+            case Artefact::NoMap:
                 ++(fs ? m.boundary_false_shadow : m.boundary_false_light);
                 break;
         }

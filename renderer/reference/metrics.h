@@ -60,7 +60,7 @@ struct ErrorMetrics {
     double bias_false_light = 0;     ///< (PeterPanning + PeterPanningOffset) / n
     double lost_false_light = 0;     ///< LostCaster / n
     double offset_false_shadow = 0;  ///< OffsetShadow / n
-    /// EdgeAliasing + Undersampled + Penumbra of either kind / n; false shadow with Filter.
+    /// EdgeAliasing + Undersampled + Penumbra + NoMap of either kind / n; false shadow with Filter.
     double boundary_false_shadow = 0, boundary_false_light = 0;
     double outside_false_shadow = 0, outside_false_light = 0;  ///< OutsideMap of either kind / n
     double any_acne = 0;      ///< #{R = 1, V < 1 - 1e-3, and more bias makes it whole} / n

@@ -1,6 +1,9 @@
 #include "renderer/reference/truth_picture.h"
 
+#include <algorithm>
 #include <atomic>
+
+#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
@@ -23,8 +26,24 @@ std::shared_ptr<const TruthPicture> truth_picture(const TruthTask& task, const T
     return picture;
 }
 
+bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
+                   TruthCache& cache, const Workers& workers) {
+    bool any = false;
+    for (int i = 0; i < std::clamp(settings.light_count, 0, kMaxLights); ++i) {
+        if (!settings.lights[std::size_t(i)].cast || !source_of(settings, i).needs.truth) continue;
+        any = true;
+        request.traced.resize(std::max(request.traced.size(), std::size_t(i) + 1));
+        auto& known = request.traced[std::size_t(i)];
+        const TruthTask task =
+            truth_task(renderer, scene, settings, request, i, truth_options(settings), cache.geometry());
+        if (!known || known->key != task.key) known = truth_picture(task, cache.trace(task, workers));
+    }
+    return any;
+}
+
 FrameResult render_with_truth(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
                               TruthCache& cache, const Workers& workers, const std::optional<TruthOptions>& options) {
+    trace_sources(renderer, scene, settings, request, cache, workers);
     // What the picture at hand was asked for is not what this one is.
     if (request.truth && request.truth->options != options) request.truth.reset();
     const TruthOptions wanted = options.value_or(truth_options(settings));
@@ -33,7 +52,7 @@ FrameResult render_with_truth(Renderer& renderer, const Scene& scene, const Sett
             truth_task(renderer, scene, settings, request, settings.view.light, wanted, cache.geometry());
         request.truth = truth_picture(task, cache.trace(task, workers), options);
     };
-    if (!request.truth) trace();
+    if (!request.truth && options) trace();  // else the frame tells whether it asks for any
     FrameResult frame = renderer.render(scene, settings, request);
     if (frame.truth.key == 0 || frame.truth.met) return frame;
     trace();

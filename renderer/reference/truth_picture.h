@@ -24,7 +24,13 @@ struct TruthPicture {
 std::shared_ptr<const TruthPicture> truth_picture(const TruthTask& task, const TracedTruth& traced,
                                                   const std::optional<TruthOptions>& options = {});
 
-/// Draws a frame that has the truth it asks for: traced unless `request` or `cache` has it.
+/// Traces what lights need whose source is ray traced, unless `request` or `cache` has it. Returns whether any does.
+/// @param request keeps what was traced for the next frame @throws Cancelled, Error
+bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
+                   TruthCache& cache, const Workers& workers = {});
+
+/// Draws a frame that has all rays it asks for, those of trace_sources() too: traced unless `request` or `cache` has
+/// them.
 /// @param request keeps the truth for the next frame
 /// @param options in place of truth_options() of the settings
 /// @throws Cancelled, Error

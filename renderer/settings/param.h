@@ -40,6 +40,7 @@ struct Param {
     std::string_view help;
     Scope scope = Scope::Scene;
     DriverFeature needs = DriverFeature::None;
+    bool of_map = false;  ///< without effect where no light's shadows come from a map (light.source)
     bool shader = false;  ///< the shaders see it, as a define (Cost::Program) or in the settings block
 };
 

@@ -47,6 +47,13 @@ constexpr std::array<Param, N> with_scope(std::array<Param, N> list, Scope scope
     return list;
 }
 
+/// Rows that only shadow maps read.
+template <std::size_t N>
+constexpr std::array<Param, N> of_map(std::array<Param, N> list) {
+    for (Param& p : list) p.of_map = true;
+    return list;
+}
+
 struct Any {
     template <class T>
     constexpr operator T() const;  // NOLINT: never defined, only its type matters

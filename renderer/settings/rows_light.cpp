@@ -1,6 +1,7 @@
 // Rows of the lights: light.count, and light.<i>.* for i below 16.
 #include "renderer/settings/filters.h"
 #include "renderer/settings/rows.h"
+#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
@@ -43,13 +44,15 @@ bool is_orthographic(const Settings& s, int i) {
            (projection == at(LightProjection::Automatic) && has_type(s, i, LightType::Directional));
 }
 
-/// Nobody sees what the light's map covers: none is drawn, and the camera does not look through the light.
-bool has_no_use_for_map(const Settings& s, int i) {
-    return !of(s, i).cast && !(s.camera.source == at(CameraSource::Light) && s.view.light == i);
+/// Why nobody sees what the light's map covers: none is drawn, and the camera does not look through the light.
+std::string_view map_idle(const Settings& s, int i) {
+    if (s.camera.source == at(CameraSource::Light) && s.view.light == i) return "";
+    if (!of(s, i).cast) return "without effect: the light casts no shadow";
+    return source_of(s, i).needs.map ? "" : "without effect: light.source is not a map";
 }
 
 std::string_view planes_idle(const Settings& s, int i) {
-    if (has_no_use_for_map(s, i)) return "without effect: the light casts no shadow";
+    if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
     return of(s, i).fit != at(LightFit::Manual) ? "without effect: set light.fit to manual to choose it by hand" : "";
 }
 
@@ -60,7 +63,7 @@ std::string_view extent_idle(const Settings& s, int i) {
 }
 
 std::string_view projection_idle(const Settings& s, int i) {
-    if (has_no_use_for_map(s, i)) return "without effect: the light casts no shadow";
+    if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
     return has_type(s, i, LightType::Point) ? "without effect: a point light has six perspective faces" : "";
 }
 
@@ -146,9 +149,11 @@ constexpr auto kLight = with_scope(
         {SI_LIGHT_FIELD(green), .label = "Green", .unit = "", .min = 0, .max = 1, .help = "Colour, linear green."},
         {SI_LIGHT_FIELD(blue), .label = "Blue", .unit = "", .min = 0, .max = 1, .help = "Colour, linear blue."},
         {SI_LIGHT_FIELD(cast), .label = "Casts shadows", .unit = "",
-         .help = "Whether the light has a shadow map. Off: everything it reaches is lit, and no map is drawn for it."},
-        {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", SI_CHOICES(kFits),
-         SI_IDLE(has_no_use_for_map(s, i), "without effect: the light casts no shadow"),
+         .help = "Whether the light casts shadows. Off: everything it reaches is lit, and no map is drawn for it."},
+        {SI_LIGHT_FIELD(source), .label = "Source", .unit = "", .choices = source_choices,
+         SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
+         .help = "Where the light's shadows come from. All can be held against the ray-traced truth."},
+        {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", SI_CHOICES(kFits), .idle = map_idle,
          .help = "Who chooses what the shadow map covers."},
         {SI_LIGHT_FIELD(projection), .label = "Projection", .unit = "", SI_CHOICES(kProjections),
          .idle = projection_idle, .help = "The projection of the shadow map."},

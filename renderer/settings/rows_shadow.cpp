@@ -40,7 +40,7 @@ std::string_view outside_idle(const Settings& s, int) {
     return "without effect: map.wrap finds a texel everywhere and map.far_guard is off";
 }
 
-constexpr auto kMap = std::to_array<Param>({
+constexpr auto kMap = of_map(std::to_array<Param>({
     {SI_FIELD(map.resolution), .label = "Resolution", .unit = "texels", .min = 1, .max = 16384, .logarithmic = true,
      .cost = Cost::Target,
      .help = "Width and height of each shadow map image. Twice the resolution halves the texel's size on the ground "
@@ -74,7 +74,7 @@ constexpr auto kMap = std::to_array<Param>({
          "The comparison then meets slopes between occluder and receiver that are not there: shadows grow and lose "
          "their corners, thin ones vanish, and every edge stays hard. Filter the comparisons instead "
          "(filter.kernel). 0 is off."},
-});
+}));
 static_assert(kMap.size() == members<MapSettings>(), "a member of MapSettings has no row");
 
 constexpr Choice kCulls[] = {
@@ -115,7 +115,7 @@ constexpr Choice kBlends[] = {
 
 constexpr auto kCaster = std::to_array<Param>({
     {SI_FIELD(caster.cull), .label = "Cull casters", .unit = "", SI_CHOICES(kCulls),
-     .help = "Which faces are left out of the shadow map. Objects may differ (object.PATH.cull)."},
+     .help = "Which faces are left out of the shadow map. Objects may differ (object.PATH.cull).", .of_map = true},
     {SI_FIELD(caster.blend), .label = "Blended casters", .unit = "", SI_CHOICES(kBlends),
      .help =
          "What materials whose alpha blends (glTF: BLEND) cast. A shadow map holds one depth a texel, so there is no "
@@ -123,7 +123,7 @@ constexpr auto kCaster = std::to_array<Param>({
 });
 static_assert(kCaster.size() == members<CasterSettings>(), "a member of CasterSettings has no row");
 
-constexpr auto kBias = std::to_array<Param>({
+constexpr auto kBias = of_map(std::to_array<Param>({
     {SI_FIELD(bias.unit), .label = "Unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true},
     {SI_FIELD(bias.constant), .label = "Constant", .unit = "bias.unit", .min = 0, .max = 1000, .logarithmic = true,
@@ -161,10 +161,10 @@ constexpr auto kBias = std::to_array<Param>({
      .help = "Largest offset that raster slope and units may add, in depth [0,1]; 0 is no limit. Needs "
              "glPolygonOffsetClamp.",
      .needs = DriverFeature::PolygonOffsetClamp, .shader = true},
-});
+}));
 static_assert(kBias.size() == members<BiasSettings>(), "a member of BiasSettings has no row");
 
-constexpr auto kFilter = std::to_array<Param>({
+constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.kernel), .label = "Kernel", .unit = "", .cost = Cost::Program, .choices = filter_choices,
      .help = "How the shadow test is filtered. Wider kernels blur the stair steps and call for more bias.",
      .shader = true},
@@ -204,7 +204,7 @@ constexpr auto kFilter = std::to_array<Param>({
      .help = "Variance that every texel has at least, in squares of the map's depth range. Stands in for rounding: too "
              "little leaves acne, too much lets light in near contacts.",
      .shader = true},
-});
+}));
 static_assert(kFilter.size() == members<FilterSettings>(), "a member of FilterSettings has no row");
 
 }  // namespace

@@ -130,7 +130,8 @@ constexpr auto kObject = with_scope(
     std::to_array<Param>({
         {SI_OBJECT_FIELD(cull), .label = "Cull", .unit = "", SI_CHOICES(kObjectCulls),
          .help = "Which faces of this object are left out of the shadow map; the way to keep single planes and floors "
-                 "under front-face culling."},
+                 "under front-face culling.",
+         .of_map = true},
         {SI_OBJECT_FIELD(cast), .label = "Casts", .unit = "", .help = "Whether this object casts shadows."},
         {SI_OBJECT_FIELD(receive), .label = "Receives", .unit = "", .help = "Whether this object receives shadows."},
     }),

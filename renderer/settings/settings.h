@@ -115,6 +115,7 @@ struct LightSettings {
     double intensity = 1;
     double red = 1, green = 1, blue = 1;
     bool cast = true;
+    int source = 0;      ///< row of the source table
     int fit = 1;         ///< LightFit
     int projection = 0;  ///< LightProjection
     double near = 0, far = 0, extent = 0;

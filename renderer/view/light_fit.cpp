@@ -11,6 +11,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/finite.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/sources.h"
 #include "renderer/view/camera.h"
 #include "renderer/view/cascades.h"
 #include "renderer/view/fit_bounds.h"
@@ -430,6 +431,9 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Settings& se
             light.reason = "no object casts";
         else if (!shape.receivers)
             light.reason = "no object receives shadows";
+        light.shadowed = light.reason.empty();
+        if (const Source& source = source_of(settings, i); light.shadowed && !source.needs.map)
+            light.reason = fmt::format("light.source is {}, which needs no map", source.key);
         light.casts = light.reason.empty();
         if (!light.casts) continue;
         light.clipped_casters = count_clipped(shape, light.views);

@@ -42,8 +42,9 @@ struct PlacedLight {
 };
 
 struct FittedLight : PlacedLight {
-    bool casts = false;            ///< has views and anything to draw into them
-    std::string reason;            ///< why it casts nothing
+    bool shadowed = false;         ///< light.cast is on and something casts and receives, by whatever source
+    bool casts = false;            ///< the same, and the source is a map: has views and anything to draw into them
+    std::string reason;            ///< why it has no map
     std::vector<LightView> views;  ///< all perspective or none; six faces: +x -x +y -y +z -z; cascades
     ViewChooser chooser;           ///< which of them a point is looked up in
     int clipped_casters = 0;       ///< objects reaching in front of the near plane

@@ -13,12 +13,16 @@ void main() {
     float v = drawn_visibility();
     int place = place_in_map(r);
     int bits = compared_bits(v, truth, place == PLACE_OUTSIDE);
+#if HAS_MAP
     Evidence e = gather_evidence(r, v, truth, more);
+#endif
     Cause why;
     if ((hard_visibility(more) < 0.5) == (v < 0.5))
         why = cause(ARTEFACT_PENUMBRA, 0);
     else
-#if FOR_FALSE_LIGHT
+#if !HAS_MAP
+        why = cause(ARTEFACT_NO_MAP, 0);
+#elif FOR_FALSE_LIGHT
         why = cause_of_false_light(e, place);
 #else
         why = cause_of_false_shadow(e, place);

@@ -6,7 +6,7 @@ layout(location = 2) out vec4 light_out;      // of false light: peter-panning b
 layout(location = 3) out vec4 sampling_out;   // false shadow, false light: edge aliasing; undersampled
 layout(location = 4) out vec4 elsewhere_out;  // false shadow, false light: penumbra; outside of the map
 layout(location = 5) out vec4 sums_out;       // |d|, d^2, d; in shadow both by map and truth
-layout(location = 6) out vec4 either_out;     // in shadow by either
+layout(location = 6) out vec4 either_out;     // in shadow by either; false shadow, false light: no map
 
 void main() {
     ivec2 first = ivec2(gl_FragCoord.xy) * TILE, end = min(first + TILE, textureSize(truth_map, 0));
@@ -28,6 +28,6 @@ void main() {
             elsewhere_out += vec4(fs, fl, 0.0, 0.0) * float(artefact == ARTEFACT_PENUMBRA) +
                              vec4(0.0, 0.0, fs, fl) * float(artefact == ARTEFACT_OUTSIDE_MAP);
             sums_out += vec4(abs(d), d * d, d, v_dark * r_dark);
-            either_out.x += max(v_dark, r_dark);
+            either_out += vec4(max(v_dark, r_dark), vec2(fs, fl) * float(artefact == ARTEFACT_NO_MAP), 0.0);
         }
 }

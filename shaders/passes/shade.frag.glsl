@@ -6,9 +6,6 @@
 #ifdef SEPARATE_VISIBILITY
 layout(binding = 3) uniform sampler2DArray visibility_map;
 #endif
-#ifdef TRUE_LIGHT
-#include "lib/truth.glsl"
-#endif
 layout(location = 0) out vec4 colour_out;
 
 vec3 srgb(vec3 c) {
@@ -37,10 +34,7 @@ vec3 light_share(int i, Surface s) {
     float distance_m;
     vec3 l = direction_to(i, s.position, distance_m);
     float n_dot_l = dot(s.shading, l);
-#ifdef TRUE_LIGHT
-    float visibility = i == TRUE_LIGHT ? true_visibility(truth_here())
-                                       : texelFetch(visibility_map, ivec3(gl_FragCoord.xy, i), 0).r;
-#elif defined(SEPARATE_VISIBILITY)
+#ifdef SEPARATE_VISIBILITY
     float visibility = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, i), 0).r;
 #else
     float visibility = light_visibility(s, i);

@@ -1,6 +1,8 @@
-// Visibility of one light as a picture of its own.
+// Visibility of one light as a picture of its own, from its source.
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
+
+#include SOURCE_FILE
 
 layout(location = 0) out float visibility_out;
 
@@ -8,5 +10,5 @@ void main() {
 #ifdef MASKED
     if (masked_out()) discard;
 #endif
-    visibility_out = light_visibility(make_surface(), LIGHT_INDEX);
+    visibility_out = source_visibility(make_surface(), LIGHT_INDEX);
 }

@@ -24,6 +24,7 @@
 #include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/overlays.h"
+#include "renderer/settings/sources.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
 
@@ -200,6 +201,9 @@ std::vector<Axis> axes() {
                     {{"light.cascades", "3"}},
                     {{"light.cascades", "2"}, {"light.cascade_choice", "map"}, {"light.cascade_blend", "0"}},
                     {{"light.count", "2"}, {"light.1.type", "point"}, {"view.light", "1"}}}});
+    Axis source{{"SOURCE_FILE", "HAS_MAP"}, {}};
+    for (const Source& row : sources()) source.choices.push_back({{"light.source", std::string(row.key)}});
+    out.push_back(std::move(source));
     Axis overlay{{"OVERLAY_FILE"}, {{}}};
     for (const Overlay& row : overlays()) overlay.choices.push_back({{"view.overlay", std::string(row.key)}});
     out.push_back(std::move(overlay));

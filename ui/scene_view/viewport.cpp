@@ -32,6 +32,12 @@ bool any_overlay(const FrameResult* result) {
                                  [](const Pane& p) { return p.overlay > 0 || p.lacks_truth; });
 }
 
+/// Some light's source is ray traced, and its rays are still to be traced.
+bool awaits_rays(const FrameResult& result) {
+    return std::any_of(result.traced.begin(), result.traced.end(),
+                       [](const TruthNeed& n) { return n.key != 0 && !n.met; });
+}
+
 /// A button that stays down while `on`; returns whether it was pressed.
 bool toggle(const char* label, bool on, const char* help) {
     flow(ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x);
@@ -241,7 +247,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
         veiled_text({origin.x + em * 0.8f, origin.y + em * 2.2f},
                     "A shader does not compile; the last good one is in use (see Log)");
     for (int i = 0; i < pictures; ++i)
-        if (frame.result->panes[std::size_t(i)].lacks_truth) {
+        if (frame.result->panes[std::size_t(i)].lacks_truth || (i == 0 && awaits_rays(*frame.result))) {
             ImGui::PushID(i);
             draw_tracing(frame, actions, panes.lo(i).x, panes.lo(i).y + panes.size().y, panes.size().x);
             ImGui::PopID();

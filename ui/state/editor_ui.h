@@ -160,7 +160,7 @@ struct ComparisonFacts {
 
 /// What is known of the ray-traced truth about the frame.
 struct TruthFacts {
-    bool current = false;                             ///< the frame shown is judged by it
+    bool current = false;                             ///< the frame shown has all that it asks for
     bool wanted = false;                              ///< something that is shown asks for it
     std::string doing;                                ///< what runs in the background: "Tracing rays"; empty: nothing
     double progress = 0;                              ///< 0..1, of that

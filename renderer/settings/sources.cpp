@@ -1,0 +1,54 @@
+#include "renderer/settings/sources.h"
+
+#include <algorithm>
+
+#include "renderer/settings/choices_of.h"
+
+namespace si {
+namespace {
+
+constexpr Source kSources[] = {
+    {.key = "map",
+     .label = "shadow map",
+     .help = "The depth that the light sees is drawn, and every surface compares its own with it.",
+     .paper = "Williams, Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978",
+     .fused = true,
+     .needs = {.map = true},
+     .file = "sources/map.glsl"},
+    {.key = "none",
+     .label = "no shadow",
+     .help = "Everything that faces the light is lit; what a picture lacks without shadows.",
+     .fused = true},
+    {.key = "traced",
+     .label = "ray traced",
+     .help = "The ray-traced truth itself, as truth.area, truth.samples, truth.noise and truth.step say. Exact and "
+             "slow: rays are traced on the CPU before the frame is drawn, and their time is not in the frame's. Until "
+             "they are traced, the light has no shadow; on blended surfaces it never has.",
+     .paper = "Appel, Some Techniques for Shading Machine Renderings of Solids, AFIPS 1968",
+     .needs = {.truth = true}},
+};
+
+}  // namespace
+
+std::span<const Source> sources() {
+    return kSources;
+}
+
+std::span<const Choice> source_choices() {
+    static const std::vector<Choice> choices = choices_of(sources());
+    return choices;
+}
+
+const Source& source_of(const Settings& settings, int light) {
+    const auto i = std::size_t(std::clamp(light, 0, kMaxLights - 1));
+    return kSources[std::clamp(settings.lights[i].source, 0, int(std::size(kSources)) - 1)];
+}
+
+bool no_source_is_map(const Settings& settings) {
+    const int count = std::clamp(settings.light_count, 0, kMaxLights);
+    for (int i = 0; i < count; ++i)
+        if (source_of(settings, i).needs.map) return false;
+    return count > 0;
+}
+
+}  // namespace si

@@ -1,0 +1,272 @@
+// Sources of visibility: what each gives, what it does without, and that the truth judges all of them.
+#include "renderer/settings/sources.h"
+
+#include <algorithm>
+
+#include "renderer/reference/error_task.h"
+#include "renderer/reference/live_error.h"
+#include "renderer/reference/truth_picture.h"
+#include "tests/gl/frame_fixture.h"
+
+namespace si {
+namespace {
+
+class SourcesTest : public FrameTest {
+protected:
+    TruthCache cache;
+    Workers workers{.threads = 2};
+
+    static FrameRequest asks_for_visibility() {
+        FrameRequest request{.width = 161, .height = 93};
+        request.outputs = {.colour = false, .visibility = true};
+        return request;
+    }
+    FloatImage visibility(const Scene& scene, const Settings& s) {
+        FrameRequest request = asks_for_visibility();
+        return renderer.read_float(render_with_truth(renderer, scene, s, request, cache, workers).visibility, 1);
+    }
+    Truth truth(const Scene& scene, const Settings& s, int light) {
+        const TruthTask task =
+            truth_task(renderer, scene, s, asks_for_visibility(), light, truth_options(s), cache.geometry());
+        return *cache.trace(task, workers).truth;
+    }
+};
+
+/// Far from the world's origin.
+Scene moved_away(const char* name, const glm::dvec3& by) {
+    Scene scene = load_scene(name);
+    for (Node& node : scene.nodes)
+        if (node.parent < 0) node.local[3] += glm::dvec4(by, 0);
+    for (SceneCamera& camera : scene.cameras) camera.world[3] += glm::dvec4(by, 0);
+    finalise(scene);
+    return scene;
+}
+
+TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
+    ASSERT_FALSE(sources().empty());
+    EXPECT_EQ(sources()[std::size_t(LightSettings{}.source)].key, "map");
+    for (const Source& s : sources()) {
+        EXPECT_FALSE(s.key.empty() || s.label.empty() || s.help.empty()) << s.key;
+        EXPECT_EQ(s.paper.empty(), s.key == "none") << s.key;
+        EXPECT_FALSE(s.fused && (s.needs.stencil || s.needs.truth)) << s.key << ": shading has neither";
+    }
+}
+
+// Whatever the source, visibility lies in [0,1] at every pixel, no map is drawn unless the source is one, and the plan
+// says why.
+TEST_F(SourcesTest, OnlyAMapIsDrawnAsAMap) {
+    const Scene scene = load_scene("boxes");
+    for (const Source& source : sources())
+        for (const char* type : {"directional", "spot", "point"}) {
+            SCOPED_TRACE(testing::Message() << source.key << " " << type);
+            const Settings s = settings_for(scene, {{"light.type", type}, {"light.source", std::string(source.key)}});
+            FrameRequest request = small();
+            request.outputs.visibility = request.outputs.shadow_map = true;
+            const FrameResult f = render_with_truth(renderer, scene, s, request, cache, workers);
+            EXPECT_EQ(f.lights[0].casts, source.needs.map);
+            EXPECT_TRUE(f.lights[0].shadowed);
+            EXPECT_EQ(f.passes[0].state == PassState::Skipped, !source.needs.map);
+            if (!source.needs.map) EXPECT_NE(f.passes[0].reason.find(source.key), std::string::npos);
+            EXPECT_EQ(f.pass("visibility")->state, PassState::Ran);
+            const FloatImage v = renderer.read_float(f.visibility, 1);
+            for (const float x : v.data) ASSERT_TRUE(x >= 0 && x <= 1) << x;
+            const auto dark = std::count_if(v.data.begin(), v.data.end(), [](float x) { return x < 0.5f; });
+            EXPECT_EQ(dark > 300, source.key != "none") << dark;
+        }
+}
+
+TEST_F(SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives) {
+    const Scene scene = load_scene("stage");
+    for (const Source& source : sources()) {
+        if (!source.fused) continue;
+        SCOPED_TRACE(source.key);
+        Settings s = settings_for(scene, {{"light.count", "2"},
+                                          {"light.0.source", std::string(source.key)},
+                                          {"light.1.type", "spot"},
+                                          {"light.1.elevation", "60"}});
+        const FrameResult fused = renderer.render(scene, s, small());
+        EXPECT_NE(fused.pass("shading (with visibility)"), nullptr);
+        const ByteImage picture = renderer.read_colour(fused.colour);
+        s.shading.separate_visibility = true;
+        EXPECT_EQ(different_pixels(picture, this->picture(scene, s), 1), 0u);
+        FrameRequest all = small();
+        all.no_skip = true;
+        EXPECT_EQ(different_pixels(this->picture(scene, s), this->picture(scene, s, all)), 0u);
+    }
+}
+
+// The rays' own answer at every pixel, wherever scene and light stand, hard and with size, in part.
+TEST_F(SourcesTest, TracedIsTheTruthItself) {
+    const Scene scene = moved_away("boxes", {4e3, -2e3, 9e3});
+    for (const char* type : {"directional", "spot", "point"})
+        for (const char* elevation : {"35", "90"})
+            for (const bool area : {false, true}) {
+                SCOPED_TRACE(testing::Message() << type << " " << elevation << " " << area);
+                Settings s = settings_for(scene, {{"light.type", type},
+                                                  {"light.elevation", elevation},
+                                                  {"light.source", "traced"},
+                                                  {"light.size", "2"},
+                                                  {"truth.samples", "64"}});
+                s.truth.area = area;
+                s.truth.step = area ? 2 : 1;
+                const FloatImage v = visibility(scene, s);
+                const Truth t = truth(scene, s, 0);
+                std::size_t grey = 0, dark = 0;
+                for (int y = 0; y < v.height; ++y)
+                    for (int x = 0; x < v.width; ++x) {
+                        ASSERT_EQ(v.at(x, y), t.visibility.at(x / t.step, y / t.step)) << x << ", " << y;
+                        grey += v.at(x, y) > 0 && v.at(x, y) < 1;
+                        dark += v.at(x, y) < 0.5f;
+                    }
+                EXPECT_EQ(grey > 50, area) << grey;
+                EXPECT_GT(dark, 300u);
+            }
+}
+
+TEST_F(SourcesTest, EachLightHasItsOwn) {
+    const Scene scene = load_scene("stage");
+    Settings s = settings_for(scene, {{"light.count", "3"},
+                                      {"light.1.type", "spot"},
+                                      {"light.1.azimuth", "60"},
+                                      {"light.1.source", "traced"},
+                                      {"light.2.type", "point"},
+                                      {"light.2.azimuth", "100"}});
+    Settings maps = s;
+    maps.lights[1].source = 0;
+    for (const int light : {0, 2}) {
+        s.view.light = maps.view.light = light;
+        EXPECT_EQ(visibility(scene, s).data, visibility(scene, maps).data) << light;
+    }
+    s.view.light = 1;
+    EXPECT_EQ(visibility(scene, s).data, truth(scene, s, 1).visibility.data);
+}
+
+TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndSaysSo) {
+    const Scene scene = load_scene("boxes");
+    const Settings s = settings_for(scene, {{"light.source", "traced"}});
+    const Settings none = settings_for(scene, {{"light.source", "none"}});
+    FrameRequest request = small();
+    const FrameResult untraced = renderer.render(scene, s, request);
+    ASSERT_EQ(untraced.traced.size(), 1u);
+    EXPECT_NE(untraced.traced[0].key, 0u);
+    EXPECT_FALSE(untraced.traced[0].met);
+    ASSERT_FALSE(untraced.notes.empty());
+    EXPECT_NE(untraced.notes.back().find("light 0 has no shadow yet"), std::string::npos) << untraced.notes.back();
+    const ByteImage lit = renderer.read_colour(untraced.colour);
+    EXPECT_EQ(different_pixels(lit, picture(scene, none), 1), 0u);
+    const FrameResult traced = render_with_truth(renderer, scene, s, request, cache, workers);
+    EXPECT_TRUE(traced.traced[0].met);
+    EXPECT_TRUE(traced.notes.empty());
+    EXPECT_GT(different_pixels(lit, renderer.read_colour(traced.colour), 8), 1000u);
+    Settings turned = s;
+    turned.lights[0].azimuth += 20;
+    EXPECT_FALSE(renderer.render(scene, turned, request).traced[0].met) << "another light, other rays";
+}
+
+// What the true picture shows is what the row gives.
+TEST_F(SourcesTest, TheTruePictureIsThatOfTheTracedSource) {
+    const Scene scene = load_scene("stage");
+    Settings s = settings_for(scene, {{"light.count", "2"}, {"light.1.type", "spot"}, {"map.resolution", "256"}});
+    for (const int light : {0, 1}) {
+        s.view.light = light;
+        FrameRequest request = small();
+        request.outputs.true_colour = true;
+        const ByteImage truth =
+            renderer.read_colour(render_with_truth(renderer, scene, s, request, cache, workers).true_colour);
+        Settings traced = s;
+        set_setting(traced, "light." + std::to_string(light) + ".source", "traced");
+        FrameRequest plain = small();
+        const ByteImage row =
+            renderer.read_colour(render_with_truth(renderer, scene, traced, plain, cache, workers).colour);
+        EXPECT_EQ(different_pixels(truth, row), 0u) << light;
+        EXPECT_GT(different_pixels(truth, picture(scene, s), 4), 20u) << light;
+    }
+}
+
+// Judged by the truth: the traced source has no error; without a shadow all that is dark is wrong, and no cause of maps
+// is made up for it.
+TEST_F(SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap) {
+    const Scene scene = load_scene("boxes");
+    FrameRequest request{.width = 161, .height = 93, .outputs = {.colour = false, .error = true}};
+    for (const char* type : {"directional", "point"})
+        for (const bool area : {false, true}) {
+            SCOPED_TRACE(testing::Message() << type << " " << area);
+            Settings s = settings_for(
+                scene, {{"light.type", type}, {"light.source", "none"}, {"light.size", "1"}, {"truth.samples", "64"}});
+            s.truth.area = area;
+            const Truth t = truth(scene, s, 0);
+            std::size_t dark = 0, penumbra = 0;
+            for (std::size_t i = 0; i < t.state.size(); ++i) {
+                if (t.state[i] != PixelState::Counted || !is_wrong(1, true_pixel(t, i))) continue;
+                ++dark, penumbra += t.hard().data[i] >= 0.5f;
+            }
+            ASSERT_GT(dark, 300u);
+            const FrameResult f = render_with_truth(renderer, scene, s, request, cache, workers);
+            ASSERT_TRUE(f.error);
+            const ErrorMetrics& gpu = f.error->metrics;
+            const ErrorMetrics cpu =
+                measure_error(renderer, scene, s, request, 0, truth_options(s), cache, workers).metrics;
+            EXPECT_EQ(gpu.artefacts, cpu.artefacts);
+            EXPECT_EQ(cpu.artefacts[std::size_t(Artefact::NoMap)], dark - penumbra);
+            EXPECT_EQ(cpu.artefacts[std::size_t(Artefact::Penumbra)], penumbra);
+            EXPECT_EQ(std::llround(cpu.false_light * double(cpu.counted)), (long long)dark);
+            EXPECT_NEAR(gpu.boundary_false_light, gpu.false_light, 1e-12) << "the sum of its causes";
+            EXPECT_EQ(cpu.any_acne, 0);
+            EXPECT_EQ(cpu.outside_map, 0);
+
+            set_setting(s, "light.source", "traced");
+            const ErrorMetrics none =
+                measure_error(renderer, scene, s, request, 0, truth_options(s), cache, workers).metrics;
+            EXPECT_EQ(none.mae, 0);
+            EXPECT_EQ(none.false_light + none.false_shadow, 0);
+            EXPECT_EQ(none.iou, 1);
+        }
+}
+
+TEST_F(SourcesTest, AProbedPixelTellsTheSourcesAnswer) {
+    const Scene scene = load_scene("boxes");
+    const Settings s = settings_for(scene, {{"light.source", "traced"}});
+    FrameRequest request = asks_for_visibility();
+    const FloatImage v =
+        renderer.read_float(render_with_truth(renderer, scene, s, request, cache, workers).visibility, 1);
+    const SurfaceIds ids = [&] {
+        FrameRequest r = asks_for_visibility();
+        r.outputs = {.colour = false, .surface_ids = true};
+        return renderer.read_surface_ids(renderer.render(scene, s, r).surface_ids);
+    }();
+    int lit = 0, dark = 0;
+    for (int y = 5; y < v.height; y += 17)
+        for (int x = 5; x < v.width; x += 17) {
+            if (ids.data[std::size_t(y * v.width + x)].x == 0) continue;
+            const Probe p = renderer.probe(scene, s, request, x, y);
+            ASSERT_EQ(p.lights.size(), 1u);
+            EXPECT_EQ(p.lights[0].visibility, v.at(x, y)) << x << ", " << y;
+            EXPECT_FALSE(p.lights[0].casts);
+            ++(v.at(x, y) < 0.5f ? dark : lit);
+        }
+    EXPECT_GT(lit, 5);
+    EXPECT_GT(dark, 2);
+}
+
+TEST_F(SourcesTest, SettingsOfMapsAreIdleWithoutOne) {
+    Settings s;
+    const auto idle = [&](const char* key) { return std::string(idle_reason(s, *find_setting(key))); };
+    const char* const of_maps[] = {"map.resolution", "map.wrap",      "bias.constant", "bias.raster_slope",
+                                   "filter.kernel",  "filter.method", "caster.cull"};
+    for (const char* key : of_maps) EXPECT_EQ(idle(key).find("light.source"), std::string::npos) << key;
+    set_setting(s, "light.source", "none");
+    for (const char* key : of_maps) EXPECT_NE(idle(key).find("light.source"), std::string::npos) << key;
+    for (const char* key : {"light.fit", "light.projection", "light.near"})
+        EXPECT_NE(idle(key).find("light.source"), std::string::npos) << key;
+    EXPECT_EQ(idle("light.azimuth"), "");
+    EXPECT_EQ(idle("caster.blend"), "");
+    s.light_count = 2;
+    for (const char* key : of_maps) EXPECT_EQ(idle(key).find("light.source"), std::string::npos) << key;
+    EXPECT_NE(idle("light.0.fit").find("light.source"), std::string::npos);
+    EXPECT_EQ(idle("light.1.fit"), "");
+    s.lights[1].cast = false;
+    EXPECT_NE(idle("light.1.source"), "");
+}
+
+}  // namespace
+}  // namespace si
