@@ -52,7 +52,7 @@ enum class PassState { Ran, Reused, Skipped };
 
 /// What a pass's time is booked under.
 enum class PassCategory {
-    Maps,     ///< draws shadow maps or prepares them for look-ups
+    Maps,     ///< draws shadow maps or what stands for them, or prepares them for look-ups
     Picture,  ///< shades, with the look-ups
     Tool,     ///< judges, measures or shows; no part of what an engine would draw
 };

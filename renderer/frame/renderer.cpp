@@ -8,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/frame/driver.h"
 #include "renderer/frame/renderer_impl.h"
+#include "renderer/passes/shadow_volumes.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -71,6 +72,7 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
     add_moments_pass(f, plan);
     add_camera_depth_pass(f, plan);
     add_surface_ids_pass(f, plan);
+    add_shadow_volume_passes(f, plan);
     add_visibility_pass(f, plan);
     add_unfiltered_map_pass(f, plan);
     add_seen_surfaces_pass(f, plan);

@@ -320,6 +320,16 @@ void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dve
     glVertexArrayVertexBuffer(vao_.id(), 3, slot.buffer.id(), 0, sizeof(InstanceData));
 }
 
+void SceneGpu::lend_transforms(GLuint vao, GLuint binding, int slot) const {
+    for (GLuint row = 0; row < 3; ++row) {
+        glEnableVertexArrayAttrib(vao, 4 + row);
+        glVertexArrayAttribFormat(vao, 4 + row, 4, GL_FLOAT, GL_FALSE, row * 16);
+        glVertexArrayAttribBinding(vao, 4 + row, binding);
+    }
+    glVertexArrayBindingDivisor(vao, binding, 1);
+    glVertexArrayVertexBuffer(vao, binding, slots_[std::size_t(slot)].buffer.id(), 0, sizeof(InstanceData));
+}
+
 void SceneGpu::draw(const Batch& b) const {
     glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, b.index_count, GL_UNSIGNED_INT,
                                                   reinterpret_cast<const void*>(b.first_index * 4), b.instances,

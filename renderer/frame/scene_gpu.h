@@ -48,6 +48,10 @@ public:
     /// bring their normals, 1 the lights'.
     void bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, int slot);
     void draw(const Batch& batch) const;
+    /// The number in Scene::objects of each instance, in the order of the transforms.
+    const std::vector<std::uint32_t>& instance_objects() const { return order_; }
+    /// Has another vertex array read a slot's transforms as bind() laid them out last: rows at locations 4 to 6.
+    void lend_transforms(GLuint vao, GLuint binding, int slot) const;
 
 private:
     std::uint64_t scene_id_ = 0;

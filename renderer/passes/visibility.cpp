@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "renderer/frame/state.h"
+#include "renderer/passes/shadow_volumes.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/sources.h"
 
@@ -16,6 +17,7 @@ const TruthPicture* traced_picture(const FrameState& f, std::size_t light) {
 std::string_view source_file(const FrameState& f, std::size_t light) {
     if (light >= f.gl.fitted.size()) return {};
     const Source& source = source_of(f.settings, int(light));
+    if (source.needs.stencil && f.gl.fitted[light].shadowed && !f.gl.volumes->draws(light)) return {};
     const bool lit = !f.gl.fitted[light].shadowed || (source.file.empty() && !source.needs.truth);
     if (lit) return f.request.no_skip ? sources()[0].file : std::string_view();
     return source.file;
@@ -38,6 +40,7 @@ void add_visibility_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "visibility";
     pass.reads = lookup_reads(f);
+    pass.reads.push_back("shadow volumes");
     pass.writes = {"visibility"};
     pass.idle_reason = "nothing reads it: the shading pass evaluates it itself";
     Key key = f.camera_key;
@@ -65,6 +68,7 @@ void add_visibility_pass(FrameState& f, std::vector<Pass>& plan) {
                 }
                 continue;
             }
+            if (f.gl.volumes) glBindTextureUnit(kVolumes, f.gl.volumes->lit().texture.id());
             f.draw_from_camera("passes/visibility.frag.glsl",
                                {{"LIGHT_INDEX", std::to_string(light)}, {"SOURCE_FILE", std::string(file)}}, info);
         }

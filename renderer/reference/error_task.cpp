@@ -1,15 +1,12 @@
 #include "renderer/reference/error_task.h"
 
-
-            .reach_texels = filters()[std::size_t(settings.filter.kernel)].reach_texels,
-    return {.edge_reach_texels = reach_under(settings, light, map_resolution).edge,
-    return {.has_map = source_of(settings, light).needs.map,
-#include "renderer/settings/filters.h"
-#include "renderer/settings/sources.h"
 #include "renderer/view/kernel_reach.h"
-CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels) {
-CauseContext cause_context(const Settings& settings, int light, bool mask_levels) {
+
 namespace si {
+
+CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels) {
+    return {.has_map = light.casts,
+            .edge_reach_texels = reach_under(settings, light, map_resolution).edge,
             .raster_bias = settings.bias.raster_slope != 0 || settings.bias.raster_units != 0,
             .mask_levels = mask_levels,
             .depth_blur = settings.map.blur_texels > 0};

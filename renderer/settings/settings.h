@@ -126,6 +126,11 @@ struct LightSettings {
     bool operator==(const LightSettings&) const = default;
 };
 
+struct VolumeSettings {
+    bool allow_large = false;
+    bool operator==(const VolumeSettings&) const = default;
+};
+
 struct ShadingSettings {
     double ambient = 0.25;
     double diffuse = 0.75;
@@ -185,6 +190,7 @@ struct Settings {
     FilterSettings filter;
     int light_count = 1;
     std::array<LightSettings, kMaxLights> lights{};
+    VolumeSettings volumes;
     ShadingSettings shading;
     ViewSettings view;
     TruthSettings truth;

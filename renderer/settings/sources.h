@@ -33,6 +33,8 @@ std::span<const Choice> source_choices();
 
 /// Of light.<i>, whether that casts or not.
 const Source& source_of(const Settings& settings, int light);
+/// Whether the shadows of any light that casts are counted in a stencil buffer.
+bool any_source_is_volumes(const Settings& settings);
 /// Whether settings of shadow maps act on no light, as no light's source is a map.
 bool no_source_is_map(const Settings& settings);
 

@@ -186,6 +186,17 @@ const Claims& guided_surface_claims() {
          }},
         {"pcf-over-sampler", [] { EXPECT_GT(Guided("pcf-over-sampler").grey_levels(), 100); }},
         {"pcf-5x5", [] { EXPECT_GT(Guided("pcf-5x5").grey(), 1.3 * Guided("pcf-over-sampler").grey()); }},
+        {"shadow-volumes",
+         [] {
+             const Guided g("shadow-volumes", {}, 320, 180);
+             const ErrorMetrics e = g.error();
+             EXPECT_LT(e.false_shadow + e.false_light, 1e-4);
+             EXPECT_EQ(g.grey(), 0) << "a sharp edge";
+             const ErrorMetrics map = Guided("shadow-volumes", {"light.source=map"}, 320, 180).error();
+             EXPECT_GT(map.false_shadow + map.false_light, 20 * (e.false_shadow + e.false_light) + 1e-3);
+             const ErrorMetrics inside = Guided("shadow-volumes", {"camera.distance=0.5"}, 320, 180).error();
+             EXPECT_LT(inside.false_shadow + inside.false_light, 2e-4) << "close";
+         }},
         {"depth-blur",
          [] {
              const Guided g("depth-blur"), sharp("depth-blur", {"map.blur_texels=0"});

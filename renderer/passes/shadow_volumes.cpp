@@ -1,0 +1,295 @@
+#include "renderer/passes/shadow_volumes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "renderer/settings/sources.h"
+
+namespace si {
+namespace {
+
+constexpr GLuint kCornerBinding = 0, kTransformBinding = 3;
+constexpr std::size_t kEstimated = 4000;  ///< triangles that an estimate looks at
+
+VolumeLight volume_light(const FittedLight& light) {
+    return {light.type == LightType::Directional, light.to_light, light.position};
+}
+
+/// Whether the object casts, which blended ones do only if asked.
+bool casts(const FrameState& f, const Object& object) {
+    const Scene& scene = f.scene;
+    const int material = scene.meshes[std::size_t(object.mesh)].material;
+    const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
+    if (blended && f.settings.caster.blend == int(BlendCasters::None)) return false;
+    const auto own = f.settings.objects.find(scene.nodes[std::size_t(object.node)].path);
+    return own == f.settings.objects.end() || own->second.cast;
+}
+
+/// Whether any caster may lie beyond the camera's far plane.
+bool reaches_beyond_far(const FrameState& f) {
+    const Bounds& b = f.scene.bounds;
+    const glm::dmat4 clip = f.camera.clip_from_relative(f.origin);
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner(i & 1 ? b.hi.x : b.lo.x, i & 2 ? b.hi.y : b.lo.y, i & 4 ? b.hi.z : b.lo.z);
+        if ((clip * glm::dvec4(corner - f.origin, 1)).z <= 0) return true;  // reversed: 0 is far
+    }
+    return false;
+}
+
+}  // namespace
+
+void ShadowVolumes::learn_meshes(const FrameState& f) {
+    if (scene_ == f.scene.id) return;
+    scene_ = f.scene.id;
+    corners_uploaded_ = false;
+    meshes_.clear();
+    meshes_.resize(f.scene.meshes.size());
+    for (Light& light : lights_) light.shape = light.drawn = 0;
+}
+
+void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, const VolumeLight& source) {
+    Light& light = lights_[number];
+    light.parts.clear(), light.indices.clear();
+    light.open_triangles = 0;
+    const std::vector<std::uint32_t>& objects = f.gl.scene->instance_objects();
+    VolumeTriangles found;
+    for (std::uint32_t instance = 0; instance < objects.size(); ++instance) {
+        const Object& object = f.scene.objects[objects[instance]];
+        if (!casts(f, object)) continue;
+        auto& mesh = meshes_[std::size_t(object.mesh)];
+        if (!mesh) {
+            mesh = std::make_unique<VolumeMesh>(f.scene.meshes[std::size_t(object.mesh)]);
+            corners_uploaded_ = false;
+        }
+        found = {};
+        add_shadow_volume(*mesh, object.world, source, found);
+        light.open_triangles += mesh->open_triangles;
+        Part part{.instance = instance, .mesh = std::uint32_t(object.mesh)};
+        std::size_t list = 0;
+        for (const auto* indices : {&found.caps, &found.turned_caps, &found.rest}) {
+            part.first[list++] = light.indices.size();
+            light.indices.insert(light.indices.end(), indices->begin(), indices->end());
+        }
+        part.first[list] = light.indices.size();
+        if (part.first[list] > part.first[0]) light.parts.push_back(part);
+    }
+    light.index_count = light.indices.size();
+    light.buffer.reset();
+}
+
+std::string ShadowVolumes::estimate(const FrameState& f, const Light& light, const VolumeLight& source) const {
+    const glm::dmat4 clip = f.camera.clip_from_relative(f.origin);
+    double pixels = 0;
+    const std::size_t samples = std::max<std::size_t>(kEstimated / std::max<std::size_t>(light.parts.size(), 1), 1);
+    const std::size_t every = std::max<std::size_t>(light.parts.size() / kEstimated, 1);
+    std::size_t looked_at = 0;
+    for (std::size_t p = 0; p < light.parts.size(); p += every, ++looked_at) {
+        const Part& part = light.parts[p];
+        const VolumeMesh& mesh = *meshes_[part.mesh];
+        const Object& object = f.scene.objects[f.gl.scene->instance_objects()[part.instance]];
+        const auto corner = [&](std::uint32_t v) {
+            const glm::dvec3 at(object.world * glm::dvec4(glm::dvec3(mesh.positions[v / 2]), 1));
+            if (v % 2 == 0) return clip * glm::dvec4(at - f.origin, 1);
+            return clip * glm::dvec4(source.parallel ? -source.to_light : at - source.position_ws, 0);
+        };
+        const std::vector<std::uint32_t> list(light.indices.begin() + std::ptrdiff_t(part.first[0]),
+                                              light.indices.begin() + std::ptrdiff_t(part.first[3]));
+        pixels += covered_pixels(list, corner, f.request.width, f.request.height, samples);
+    }
+    if (looked_at > 0) pixels *= double(light.parts.size()) / double(looked_at);
+    return fmt::format("{} triangles that cover the picture about {:.0f} times", light.index_count / 3,
+                       pixels / (double(f.request.width) * f.request.height));
+}
+
+void ShadowVolumes::arrange(const FrameState& f) {
+    const std::vector<FittedLight>& fitted = f.gl.fitted;
+    learn_meshes(f);
+    lights_.resize(fitted.size());
+    for (std::size_t i = 0; i < fitted.size(); ++i) {
+        Light& light = lights_[i];
+        light.used = fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
+        light.refusal.clear();
+        if (!light.used) {
+            light = {};
+            continue;
+        }
+        const VolumeLight source = volume_light(fitted[i]);
+        Key shape = f.geometry_key;
+        shape.add(source.parallel).add(source.parallel ? source.to_light : source.position_ws);
+        if (light.shape != shape.value()) {
+            find_triangles(f, i, source);
+            light.shape = shape.value();
+        }
+        if (light.open_triangles > kMostOpen && !f.settings.volumes.allow_large)
+            light.refusal = fmt::format(
+                "light {}: its shadow volumes are not drawn unasked, as {} triangles of its casters, above {}, are not "
+                "of closed surfaces: {}; volumes.allow_large draws them",
+                i, light.open_triangles, kMostOpen, estimate(f, light, source));
+    }
+}
+
+void ShadowVolumes::upload_corners() {
+    if (corners_uploaded_) return;
+    std::vector<glm::vec4> corners;
+    first_corner_.assign(meshes_.size(), 0);
+    for (std::size_t m = 0; m < meshes_.size(); ++m) {
+        if (!meshes_[m]) continue;
+        first_corner_[m] = std::uint32_t(corners.size());
+        for (const glm::vec3& p : meshes_[m]->positions)
+            for (const float far : {0.f, 1.f}) corners.emplace_back(p, far);
+    }
+    corners_ = gl::Buffer::create("corners of shadow volumes");
+    glNamedBufferData(corners_.id(), GLsizeiptr(corners.size() * sizeof(glm::vec4)), corners.data(), GL_STATIC_DRAW);
+    vao_ = gl::VertexArray::create("shadow volumes");
+    glEnableVertexArrayAttrib(vao_.id(), 0);
+    glVertexArrayAttribFormat(vao_.id(), 0, 4, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(vao_.id(), 0, kCornerBinding);
+    glVertexArrayVertexBuffer(vao_.id(), kCornerBinding, corners_.id(), 0, sizeof(glm::vec4));
+    corners_uploaded_ = true;
+}
+
+void ShadowVolumes::copy_depth(const FrameState& f, PassInfo& info) {
+    const int width = f.request.width, height = f.request.height;
+    if (depth_stencil_.ensure("depth and stencil of shadow volumes", GL_DEPTH32F_STENCIL8, width, height) ||
+        !counting_) {
+        counting_ = gl::make_framebuffer("shadow volumes", nullptr, &depth_stencil_);
+        glNamedFramebufferTexture(counting_.id(), GL_STENCIL_ATTACHMENT, depth_stencil_.texture.id(), 0);
+        depth_copied_ = 0;
+    }
+    if (depth_copied_ == f.camera_depth_key().value() && !f.request.force) return;
+    f.begin_fullscreen_pass(counting_.id(), width, height);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    glDepthMask(GL_TRUE);
+    glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/volume_depth.frag.glsl"));
+    glBindTextureUnit(kVolumes, f.gl.camera_depth.texture.id());
+    FrameState::draw_fullscreen(info);
+    depth_copied_ = f.camera_depth_key().value();
+}
+
+/// @param first, last of a part's lists: 0 caps, 1 turned caps, 2 the rest
+void ShadowVolumes::draw_faces(const FrameState& f, const Light& light, int first, int last, PassInfo& info) const {
+    for (const Part& part : light.parts) {
+        const std::size_t from = part.first[std::size_t(first)], to = part.first[std::size_t(last) + 1];
+        if (from == to) continue;
+        glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, GLsizei(to - from), GL_UNSIGNED_INT,
+                                                      reinterpret_cast<const void*>(from * sizeof(std::uint32_t)), 1,
+                                                      GLint(first_corner_[part.mesh]), part.instance);
+        ++info.draws;
+        info.triangles += (to - from) / 3;
+    }
+}
+
+void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& info) {
+    Light& light = lights_[number];
+    upload_corners();
+    if (!light.buffer) {
+        light.buffer = gl::Buffer::create("triangles of shadow volumes");
+        glNamedBufferData(light.buffer.id(), GLsizeiptr(light.indices.size() * sizeof(std::uint32_t)),
+                          light.indices.data(), GL_STATIC_DRAW);
+    }
+    f.gl.scene->bind(f.scene, f.settings, f.origin, 0);
+    f.gl.scene->lend_transforms(vao_.id(), kTransformBinding, 0);
+    glVertexArrayElementBuffer(vao_.id(), light.buffer.id());
+    glBindVertexArray(vao_.id());
+
+    glBindFramebuffer(GL_FRAMEBUFFER, counting_.id());
+    glViewport(0, 0, f.request.width, f.request.height);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    const GLint none = 0;
+    glStencilMask(~0u);
+    glClearNamedFramebufferiv(counting_.id(), GL_STENCIL, 0, &none);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    // Equal is behind: see the class.
+    glDepthFunc(f.camera.curve.convention.reversed ? GL_GREATER : GL_LESS);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 0, ~0u);
+    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+    const auto use = [&](const char* sides, const char* beyond) {
+        glUseProgram(f.program(
+            "passes/volume.vert.glsl", "passes/volume.frag.glsl",
+            {{"LIGHT_INDEX", std::to_string(number)}, {"VOLUME_SIDES", sides}, {"VOLUME_BEYOND_FAR", beyond}}));
+    };
+    const auto draw_caps = [&] {
+        glFrontFace(GL_CCW);
+        draw_faces(f, light, 0, 0, info);
+        glFrontFace(GL_CW);
+        draw_faces(f, light, 1, 1, info);
+        glFrontFace(GL_CCW);
+    };
+    use("0", "0");
+    draw_caps();  // clipped as the camera's passes clip, else depths differ
+    glEnable(GL_DEPTH_CLAMP);
+    if (reaches_beyond_far(f)) {
+        use("0", "1");
+        glEnable(GL_CLIP_DISTANCE0);
+        draw_caps();
+        glDisable(GL_CLIP_DISTANCE0);
+    }
+    use("1", "0");
+    draw_faces(f, light, 2, 2, info);
+    glDisable(GL_DEPTH_CLAMP);
+
+    marking_ = gl::make_framebuffer("lit outside of shadow volumes", &lit_, &depth_stencil_, int(number));
+    glNamedFramebufferTexture(marking_.id(), GL_STENCIL_ATTACHMENT, depth_stencil_.texture.id(), 0);
+    const glm::vec4 dark(0);
+    glClearNamedFramebufferfv(marking_.id(), GL_COLOR, 0, &dark.x);
+    f.begin_fullscreen_pass(marking_.id(), f.request.width, f.request.height);
+    glStencilFunc(GL_EQUAL, 0, ~0u);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/volume_lit.frag.glsl"));
+    FrameState::draw_fullscreen(info);
+    glDisable(GL_STENCIL_TEST);
+    glDepthMask(GL_TRUE);
+}
+
+Pass ShadowVolumes::pass(FrameState& f, std::size_t number) {
+    Light& light = lights_[number];
+    Pass pass;
+    pass.name = fmt::format("shadow volumes {}", number);
+    pass.reads = {"camera depth"};
+    pass.writes = {"shadow volumes"};
+    pass.category = PassCategory::Maps;
+    pass.idle_reason = "nothing reads visibility";
+    pass.unneeded = light.refusal;
+    if (!light.refusal.empty()) return pass;
+    const int layers = int(f.gl.fitted.size());
+    if (lit_.ensure("lit outside of shadow volumes", GL_R8, f.request.width, f.request.height, layers))
+        for (Light& l : lights_) l.drawn = 0;
+    Key key = f.camera_depth_key();
+    pass.key = key.add(light.shape).value();
+    pass.cached = &light.drawn;
+    pass.run = [this, &f, number](PassInfo& info) {
+        copy_depth(f, info);
+        count(f, number, info);
+        const Light& l = lights_[number];
+        info.reason += fmt::format("; {} triangles, {} of the casters' not of closed surfaces", l.index_count / 3,
+                                   l.open_triangles);
+    };
+    return pass;
+}
+
+void add_shadow_volume_passes(FrameState& f, std::vector<Pass>& plan) {
+    bool any = false;
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
+        any |= f.gl.fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
+    if (!any) {
+        f.gl.volumes.reset();
+        return;
+    }
+    if (!f.gl.volumes) f.gl.volumes = std::make_shared<ShadowVolumes>();
+    ShadowVolumes& volumes = *f.gl.volumes;
+    volumes.arrange(f);
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
+        if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.stencil) continue;
+        plan.push_back(volumes.pass(f, i));
+        if (!volumes.refusal(i).empty()) f.notes.push_back(volumes.refusal(i));
+    }
+}
+
+}  // namespace si

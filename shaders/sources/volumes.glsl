@@ -1,0 +1,10 @@
+// Outside of all of the light's shadow volumes, as renderer/passes/shadow_volumes.cpp counted them at this pixel.
+layout(binding = 15) uniform sampler2DArray volumes_map;  // a layer a light: 1 where the surface lies in none
+
+float source_visibility(Surface s, int light) {
+    if (!s.receives) return 1.0;
+    float distance_m;
+    // A surface turned away from the light shadows itself, by whatever thickness it has.
+    if (!(dot(s.geometric, direction_to(light, s.position, distance_m)) > FACES_AWAY_COSINE)) return 0.0;
+    return texelFetch(volumes_map, ivec3(gl_FragCoord.xy, light), 0).r;
+}
