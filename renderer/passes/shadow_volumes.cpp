@@ -17,13 +17,26 @@ VolumeLight volume_light(const FittedLight& light) {
 }
 
 /// Whether the object casts, which blended ones do only if asked.
-bool casts(const FrameState& f, const Object& object) {
+bool casts_volume(const FrameState& f, const Object& object) {
     const Scene& scene = f.scene;
     const int material = scene.meshes[std::size_t(object.mesh)].material;
     const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
     if (blended && f.settings.caster.blend == int(BlendCasters::None)) return false;
     const auto own = f.settings.objects.find(scene.nodes[std::size_t(object.node)].path);
     return own == f.settings.objects.end() || own->second.cast;
+}
+
+/// Far away against the scene: so many times its radius, or the distance of a caster's corner from the light.
+constexpr double kFar = 1e4;
+
+/// Whether far corners are a finite distance away. What is infinitely far a camera without perspective would see in no
+/// pixel, and volumes that it looks along would have no end.
+bool ends_are_finite(const FrameState& f) {
+    return f.camera.orthographic;
+}
+
+double reach_m(const FrameState& f) {
+    return kFar * std::max(f.scene.bounds.radius(), 1e-30);
 }
 
 /// Whether any caster may lie beyond the camera's far plane.
@@ -56,14 +69,14 @@ void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, cons
     VolumeTriangles found;
     for (std::uint32_t instance = 0; instance < objects.size(); ++instance) {
         const Object& object = f.scene.objects[objects[instance]];
-        if (!casts(f, object)) continue;
+        if (!casts_volume(f, object)) continue;
         auto& mesh = meshes_[std::size_t(object.mesh)];
         if (!mesh) {
             mesh = std::make_unique<VolumeMesh>(f.scene.meshes[std::size_t(object.mesh)]);
             corners_uploaded_ = false;
         }
         found = {};
-        add_shadow_volume(*mesh, object.world, source, found);
+        add_shadow_volume(*mesh, object.world, source, !source.parallel || ends_are_finite(f), found);
         light.open_triangles += mesh->open_triangles;
         Part part{.instance = instance, .mesh = std::uint32_t(object.mesh)};
         std::size_t list = 0;
@@ -91,7 +104,9 @@ std::string ShadowVolumes::estimate(const FrameState& f, const Light& light, con
         const auto corner = [&](std::uint32_t v) {
             const glm::dvec3 at(object.world * glm::dvec4(glm::dvec3(mesh.positions[v / 2]), 1));
             if (v % 2 == 0) return clip * glm::dvec4(at - f.origin, 1);
-            return clip * glm::dvec4(source.parallel ? -source.to_light : at - source.position_ws, 0);
+            const glm::dvec3 away = source.parallel ? -source.to_light : at - source.position_ws;
+            if (!ends_are_finite(f)) return clip * glm::dvec4(away, 0);
+            return clip * glm::dvec4(at - f.origin + away * (source.parallel ? reach_m(f) : kFar), 1);
         };
         const std::vector<std::uint32_t> list(light.indices.begin() + std::ptrdiff_t(part.first[0]),
                                               light.indices.begin() + std::ptrdiff_t(part.first[3]));
@@ -116,7 +131,7 @@ void ShadowVolumes::arrange(const FrameState& f) {
         }
         const VolumeLight source = volume_light(fitted[i]);
         Key shape = f.geometry_key;
-        shape.add(source.parallel).add(source.parallel ? source.to_light : source.position_ws);
+        shape.add(ends_are_finite(f)).add(source.parallel).add(source.parallel ? source.to_light : source.position_ws);
         if (light.shape != shape.value()) {
             find_triangles(f, i, source);
             light.shape = shape.value();
@@ -169,7 +184,7 @@ void ShadowVolumes::copy_depth(const FrameState& f, PassInfo& info) {
 }
 
 /// @param first, last of a part's lists: 0 caps, 1 turned caps, 2 the rest
-void ShadowVolumes::draw_faces(const FrameState& f, const Light& light, int first, int last, PassInfo& info) const {
+void ShadowVolumes::draw_faces(const Light& light, int first, int last, PassInfo& info) const {
     for (const Part& part : light.parts) {
         const std::size_t from = part.first[std::size_t(first)], to = part.first[std::size_t(last) + 1];
         if (from == to) continue;
@@ -210,16 +225,21 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
     glStencilFunc(GL_ALWAYS, 0, ~0u);
     glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
     glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+    const double reach = !ends_are_finite(f) ? 0 : volume_light(f.gl.fitted[number]).parallel ? reach_m(f) : kFar;
     const auto use = [&](const char* sides, const char* beyond) {
-        glUseProgram(f.program(
-            "passes/volume.vert.glsl", "passes/volume.frag.glsl",
-            {{"LIGHT_INDEX", std::to_string(number)}, {"VOLUME_SIDES", sides}, {"VOLUME_BEYOND_FAR", beyond}}));
+        const GLuint id = f.program("passes/volume.vert.glsl", "passes/volume.frag.glsl",
+                                    {{"LIGHT_INDEX", std::to_string(number)},
+                                     {"VOLUME_SIDES", sides},
+                                     {"VOLUME_FINITE", ends_are_finite(f) ? "1" : "0"},
+                                     {"VOLUME_BEYOND_FAR", beyond}});
+        glUseProgram(id);
+        if (ends_are_finite(f)) glUniform1f(glGetUniformLocation(id, "reach"), float(reach));
     };
     const auto draw_caps = [&] {
         glFrontFace(GL_CCW);
-        draw_faces(f, light, 0, 0, info);
+        draw_faces(light, 0, 0, info);
         glFrontFace(GL_CW);
-        draw_faces(f, light, 1, 1, info);
+        draw_faces(light, 1, 1, info);
         glFrontFace(GL_CCW);
     };
     use("0", "0");
@@ -232,7 +252,7 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
         glDisable(GL_CLIP_DISTANCE0);
     }
     use("1", "0");
-    draw_faces(f, light, 2, 2, info);
+    draw_faces(light, 2, 2, info);
     glDisable(GL_DEPTH_CLAMP);
 
     marking_ = gl::make_framebuffer("lit outside of shadow volumes", &lit_, &depth_stencil_, int(number));

@@ -16,7 +16,8 @@ namespace si {
 /// Everitt and Kilgard, Practical and Robust Stenciled Shadow Volumes for Hardware-Accelerated Rendering, 2002;
 /// McGuire, Hughes, Egan, Kilgard and Everitt, Fast, Practical and Robust Shadows, 2003.
 ///
-/// Faces beyond the camera's far plane count, as depth is clamped. A light cap coincides with the surface that casts:
+/// Volumes have no end; a camera without perspective is given one, far from the scene. Faces beyond the camera's far
+/// plane count, as depth is clamped. A light cap coincides with the surface that casts:
 /// it is drawn from the same corners in the same order, so that its depth is equal in every bit, and counts as behind.
 /// All masked triangles cast as if they were solid, and so do blended ones that caster.blend lets cast. Culling of
 /// casters is left aside: all cast from both sides. 256 volumes behind one another count as none.
@@ -62,7 +63,7 @@ private:
     void upload_corners();
     void copy_depth(const FrameState& f, PassInfo& info);
     void count(const FrameState& f, std::size_t light, PassInfo& info);
-    void draw_faces(const FrameState& f, const Light& light, int first, int last, PassInfo& info) const;
+    void draw_faces(const Light& light, int first, int last, PassInfo& info) const;
 
     std::uint64_t scene_ = 0, depth_copied_ = 0;
     bool corners_uploaded_ = false;

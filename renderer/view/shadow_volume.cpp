@@ -108,7 +108,7 @@ VolumeMesh::VolumeMesh(const Mesh& mesh) {
     for (const Triangle& t : triangles) open_triangles += !parts[t.part].closed;
 }
 
-void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const VolumeLight& light,
+void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const VolumeLight& light, bool ends_apart,
                        VolumeTriangles& out) {
     std::vector<glm::dvec3> at(mesh.positions.size());
     for (std::size_t i = 0; i < at.size(); ++i)
@@ -129,7 +129,7 @@ void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const Vo
         const auto near = [](std::uint32_t v) { return 2 * v; };
         std::vector<std::uint32_t>& caps = faces ? out.caps : out.turned_caps;
         caps.insert(caps.end(), {near(a), near(b), near(c)});
-        if (!light.parallel) {
+        if (ends_apart) {
             const std::array<std::uint32_t, 3> dark = faces ? std::array{a, c, b} : std::array{a, b, c};
             for (const std::uint32_t v : dark) out.rest.push_back(2 * v + 1);
         }
@@ -145,7 +145,7 @@ void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const Vo
         const std::uint32_t from = 2 * (upwards ? net.lo : net.hi), to = 2 * (upwards ? net.hi : net.lo);
         for (int i = 0; i < std::abs(net.times); ++i) {
             out.rest.insert(out.rest.end(), {to, from, from + 1});
-            if (!light.parallel) out.rest.insert(out.rest.end(), {to, from + 1, to + 1});
+            if (ends_apart) out.rest.insert(out.rest.end(), {to, from + 1, to + 1});
         }
     }
 }

@@ -51,17 +51,20 @@ struct VolumeLight {
     glm::dvec3 position_ws{0};     ///< else
 };
 
-/// Lists of corners, three a triangle. 2v is corner v of the mesh, 2v + 1 the same infinitely far away from the light.
+/// Lists of corners, three a triangle. 2v is corner v of the mesh, 2v + 1 the same far away from the light.
 /// Seen from outside of the shadow triangles turn counter-clockwise, but for `turned_caps`, which turn the other way:
 /// corners of light caps stand in the camera's order, so that both draw the same depth in every bit.
 struct VolumeTriangles {
     std::vector<std::uint32_t> caps, turned_caps;
-    std::vector<std::uint32_t> rest;  ///< sides, and for a light with a place dark caps
+    std::vector<std::uint32_t> rest;  ///< sides and dark caps
     std::size_t triangles() const { return (caps.size() + turned_caps.size() + rest.size()) / 3; }
 };
 
-/// Adds what one object shadows. Of parallel light no dark cap is needed: it is a single point.
-void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const VolumeLight& light, VolumeTriangles& out);
+/// Adds what one object shadows.
+/// @param ends_apart whether the far copies of corners lie apart, so that dark caps are needed; not so where they are
+/// infinitely far away along parallel light, in a single point
+void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const VolumeLight& light, bool ends_apart,
+                       VolumeTriangles& out);
 
 /// Pixels that the triangles cover in a picture, those behind each other counted each, by a sample of at most
 /// `samples`.

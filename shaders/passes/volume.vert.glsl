@@ -1,11 +1,15 @@
 // Corners of shadow volumes: of the scene's triangles, where the camera's passes place them in every bit, and of their
-// copies infinitely far away from the light (w = 0).
+// copies far away from the light: infinitely far (w = 0), but VOLUME_FINITE.
 #include "lib/frame.glsl"
 
 layout(location = 0) in vec4 corner_os;  // w: 1 infinitely far away
 layout(location = 4) in vec4 row0;
 layout(location = 5) in vec4 row1;
 layout(location = 6) in vec4 row2;
+
+#if VOLUME_FINITE
+uniform float reach;  // metres, or distances of the corner from the light
+#endif
 
 invariant gl_Position;
 
@@ -18,7 +22,11 @@ void main() {
         LightBlock light = frame.lights[LIGHT_INDEX];
         bool parallel = LIGHT_TYPE[LIGHT_INDEX] == LIGHT_DIRECTIONAL;
         vec3 away = parallel ? -light.to_light.xyz : position_rel - light.position.xyz;
+#if VOLUME_FINITE
+        gl_Position = frame.clip_from_relative * vec4(position_rel + away * reach, 1.0);
+#else
         gl_Position = frame.clip_from_relative * vec4(away, 0.0);
+#endif
     }
 #endif
 #if VOLUME_BEYOND_FAR

@@ -175,15 +175,20 @@ TEST_F(ShadowVolumesTest, AreExactWhereThePlanesCut) {
 TEST_F(ShadowVolumesTest, AreExactAlongTheView) {
     const Scene scene = load_scene("boxes");
     for (const char* parallel : {"false", "true"})
-        for (const auto& [azimuth, elevation] : {std::pair{"35", "25"}, {"215", "-25"}, {"215", "10"}}) {
-            SCOPED_TRACE(testing::Message() << parallel << " " << azimuth);
+        for (const auto& [azimuth, elevation, camera_azimuth, camera_elevation] : {std::array{"35", "25", "35", "25"},
+                                                                                   {"215", "10", "35", "25"},
+                                                                                   {"0", "0", "0", "0"},
+                                                                                   {"180", "0", "0", "0"},
+                                                                                   {"0", "90", "0", "90"},
+                                                                                   {"0", "90", "0", "0"}}) {
+            SCOPED_TRACE(testing::Message() << parallel << " " << azimuth << " " << elevation << " " << camera_azimuth);
             exact(scene,
                   settings_for(scene, {{"light.azimuth", azimuth},
                                        {"light.elevation", elevation},
                                        {"camera.source", "manual"},
                                        {"camera.orthographic", parallel},
-                                       {"camera.azimuth", "35"},
-                                       {"camera.elevation", "25"}}),
+                                       {"camera.azimuth", camera_azimuth},
+                                       {"camera.elevation", camera_elevation}}),
                   0);
         }
 }

@@ -27,9 +27,11 @@ int crossing(const Ws& t, const glm::dvec3& p, const glm::dvec3& d) {
 
 class Volume {
 public:
-    Volume(const Mesh& mesh, const glm::dmat4& world, const VolumeLight& light) : mesh_(mesh), light_(light) {
+    /// @param capped with dark caps under parallel light, too
+    Volume(const Mesh& mesh, const glm::dmat4& world, const VolumeLight& light, bool capped = false)
+        : mesh_(mesh), light_(light) {
         VolumeTriangles found;
-        add_shadow_volume(mesh_, world, light, found);
+        add_shadow_volume(mesh_, world, light, capped || !light.parallel, found);
         for (const VolumeMesh::Triangle& t : mesh_.triangles) {
             const auto at = [&](std::size_t k) { return place(world, 2 * t.corners[k]); };
             casters_.push_back({at(0), at(1), at(2)});
@@ -117,21 +119,22 @@ TEST(ShadowVolume, EnclosesPointsAsOftenAsCastersStandBeforeThem) {
     const glm::dmat4 mirrored = moved(3e3, -5e2, 8e3) * turned(33, {1, 2, 3}) * scaled(-1.2, 1, 0.7);
     for (const Case& c : cases())
         for (const glm::dmat4& world : {glm::dmat4(1), mirrored})
-            for (const bool parallel : {true, false})
+            for (const auto& [parallel, capped] : {std::pair{true, false}, {true, true}, {false, true}})
                 for (int l = 0; l < 6; ++l) {
-                    SCOPED_TRACE(testing::Message() << c.name << " " << parallel << " " << l);
+                    SCOPED_TRACE(testing::Message() << c.name << " " << parallel << " " << capped << " " << l);
                     const glm::dvec3 centre(world[3]);
                     // The first ones exactly along the axes: sides of boxes are edge-on.
                     const glm::dvec3 axes[] = {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}};
                     const glm::dvec3 towards = l < 3 ? axes[l] : random.direction();
                     const VolumeLight light{parallel, towards, centre + 5.0 * towards};
-                    const Volume volume(c.mesh, world, light);
+                    const Volume volume(c.mesh, world, light, capped);
                     EXPECT_EQ(volume.mesh().open_triangles, c.open);
                     int shadowed = 0, off = 0;
                     for (int i = 0; i < 300; ++i) {
                         const glm::dvec3 p = centre + 2.5 * random.in(0, 1) * random.direction() - 1.5 * towards;
-                        // Not out of the far end, which is open under parallel light.
-                        const glm::dvec3 along = glm::normalize(random.direction() + 1.5 * towards);
+                        // Without caps not out of the far end, which is open.
+                        const glm::dvec3 along =
+                            capped ? random.direction() : glm::normalize(random.direction() + 1.5 * towards);
                         const int is = volume.encloses(p, along), truth = volume.between(p);
                         shadowed += truth > 0;
                         off += c.exact ? is != truth : (is > 0) != (truth > 0) || is < 0;
