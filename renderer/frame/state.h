@@ -60,8 +60,6 @@ struct SlabResources {
     std::uint64_t depths_key = 0, instances_key = 0;
 };
 
-class ShadowVolumes;  // renderer/passes/shadow_volumes.h
-
 /// What outlives a frame: targets with the keys of their contents, programs, buffers.
 struct Resources {
     gl::ProgramCache programs;
@@ -83,7 +81,6 @@ struct Resources {
     gl::Framebuffer map_framebuffer, camera_depth_framebuffer, visibility_framebuffer, shaded_framebuffer,
         map_coordinates_framebuffer, depth_range_framebuffer, map_view_framebuffer, surface_ids_framebuffer;
     SlabResources slabs;
-    std::shared_ptr<ShadowVolumes> volumes;    ///< null: no light's source are volumes
     gl::Target truth, more_truth;              ///< of the truth picture; the key of `truth` is its version
     std::array<gl::Target, kSeenImages> seen;  ///< RGBA32F; the key of all is the first one's
     gl::Target judged;                         ///< RG32F, see judgement() in lib/truth.glsl

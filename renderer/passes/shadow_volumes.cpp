@@ -27,7 +27,7 @@ bool casts_volume(const FrameState& f, const Object& object) {
 }
 
 /// Far away against the scene: so many times its radius, or the distance of a caster's corner from the light.
-constexpr double kFar = 1e4;
+constexpr double kFarAway = 1e4;
 
 /// Whether far corners are a finite distance away. What is infinitely far a camera without perspective would see in no
 /// pixel, and volumes that it looks along would have no end.
@@ -36,7 +36,7 @@ bool ends_are_finite(const FrameState& f) {
 }
 
 double reach_m(const FrameState& f) {
-    return kFar * std::max(f.scene.bounds.radius(), 1e-30);
+    return kFarAway * std::max(f.scene.bounds.radius(), 1e-30);
 }
 
 /// Whether any caster may lie beyond the camera's far plane.
@@ -106,7 +106,7 @@ std::string ShadowVolumes::estimate(const FrameState& f, const Light& light, con
             if (v % 2 == 0) return clip * glm::dvec4(at - f.origin, 1);
             const glm::dvec3 away = source.parallel ? -source.to_light : at - source.position_ws;
             if (!ends_are_finite(f)) return clip * glm::dvec4(away, 0);
-            return clip * glm::dvec4(at - f.origin + away * (source.parallel ? reach_m(f) : kFar), 1);
+            return clip * glm::dvec4(at - f.origin + away * (source.parallel ? reach_m(f) : kFarAway), 1);
         };
         const std::vector<std::uint32_t> list(light.indices.begin() + std::ptrdiff_t(part.first[0]),
                                               light.indices.begin() + std::ptrdiff_t(part.first[3]));
@@ -225,7 +225,7 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
     glStencilFunc(GL_ALWAYS, 0, ~0u);
     glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
     glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
-    const double reach = !ends_are_finite(f) ? 0 : volume_light(f.gl.fitted[number]).parallel ? reach_m(f) : kFar;
+    const double reach = !ends_are_finite(f) ? 0 : volume_light(f.gl.fitted[number]).parallel ? reach_m(f) : kFarAway;
     const auto use = [&](const char* sides, const char* beyond) {
         const GLuint id = f.program("passes/volume.vert.glsl", "passes/volume.frag.glsl",
                                     {{"LIGHT_INDEX", std::to_string(number)},
@@ -299,11 +299,10 @@ void add_shadow_volume_passes(FrameState& f, std::vector<Pass>& plan) {
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         any |= f.gl.fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
     if (!any) {
-        f.gl.volumes.reset();
+        f.gl.owned.drop<ShadowVolumes>();
         return;
     }
-    if (!f.gl.volumes) f.gl.volumes = std::make_shared<ShadowVolumes>();
-    ShadowVolumes& volumes = *f.gl.volumes;
+    ShadowVolumes& volumes = f.gl.owned.get<ShadowVolumes>();
     volumes.arrange(f);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.stencil) continue;

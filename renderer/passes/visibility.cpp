@@ -17,7 +17,7 @@ const TruthPicture* traced_picture(const FrameState& f, std::size_t light) {
 std::string_view source_file(const FrameState& f, std::size_t light) {
     if (light >= f.gl.fitted.size()) return {};
     const Source& source = source_of(f.settings, int(light));
-    if (source.needs.stencil && f.gl.fitted[light].shadowed && !f.gl.volumes->draws(light)) return {};
+    if (source.needs.stencil && f.gl.fitted[light].shadowed && !f.gl.owned.get<ShadowVolumes>().draws(light)) return {};
     const bool lit = !f.gl.fitted[light].shadowed || (source.file.empty() && !source.needs.truth);
     if (lit) return f.request.no_skip ? sources()[0].file : std::string_view();
     return source.file;
@@ -68,7 +68,8 @@ void add_visibility_pass(FrameState& f, std::vector<Pass>& plan) {
                 }
                 continue;
             }
-            if (f.gl.volumes) glBindTextureUnit(kVolumes, f.gl.volumes->lit().texture.id());
+            if (source_of(f.settings, light).needs.stencil)
+                glBindTextureUnit(kVolumes, f.gl.owned.get<ShadowVolumes>().lit().texture.id());
             f.draw_from_camera("passes/visibility.frag.glsl",
                                {{"LIGHT_INDEX", std::to_string(light)}, {"SOURCE_FILE", std::string(file)}}, info);
         }

@@ -7,19 +7,19 @@ namespace {
 
 using namespace rows;
 
-constexpr auto kVolumes = std::to_array<Param>({
+constexpr auto kVolumeRows = std::to_array<Param>({
     {SI_FIELD(volumes.allow_large), .label = "Draw large ones", .unit = "",
      SI_IDLE(!any_source_is_volumes(s), "without effect: no light's source are shadow volumes (light.source)"),
      .help = "Draws shadow volumes also where more than 20000 triangles of casters are not of closed surfaces: each "
              "then brings faces of its own, and a picture may take minutes. Off: the light has no shadow there, and a "
              "note tells how many triangles it would take and how often they would cover the picture."},
 });
-static_assert(kVolumes.size() == members<VolumeSettings>(), "a member of VolumeSettings has no row");
+static_assert(kVolumeRows.size() == members<VolumeSettings>(), "a member of VolumeSettings has no row");
 
 }  // namespace
 
 std::span<const Param> volume_rows() {
-    return kVolumes;
+    return kVolumeRows;
 }
 
 }  // namespace si

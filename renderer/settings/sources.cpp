@@ -7,7 +7,7 @@
 namespace si {
 namespace {
 
-constexpr Source kSources[] = {
+constexpr Source kSourceRows[] = {
     {.key = "map",
      .label = "shadow map",
      .help = "The depth that the light sees is drawn, and every surface compares its own with it.",
@@ -43,7 +43,7 @@ constexpr Source kSources[] = {
 }  // namespace
 
 std::span<const Source> sources() {
-    return kSources;
+    return kSourceRows;
 }
 
 std::span<const Choice> source_choices() {
@@ -53,7 +53,7 @@ std::span<const Choice> source_choices() {
 
 const Source& source_of(const Settings& settings, int light) {
     const auto i = std::size_t(std::clamp(light, 0, kMaxLights - 1));
-    return kSources[std::clamp(settings.lights[i].source, 0, int(std::size(kSources)) - 1)];
+    return kSourceRows[std::clamp(settings.lights[i].source, 0, int(std::size(kSourceRows)) - 1)];
 }
 
 bool any_source_is_volumes(const Settings& settings) {
