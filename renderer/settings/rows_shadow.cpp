@@ -40,6 +40,17 @@ std::string_view outside_idle(const Settings& s, int) {
     return "without effect: map.wrap finds a texel everywhere and map.far_guard is off";
 }
 
+std::string_view compare_idle(const Settings& s, int) {
+    return filter_of(s).samples == Samples::Moments
+               ? "without effect: this kernel compares with the mean and variance of depths, never with one"
+               : "";
+}
+
+std::string_view method_idle(const Settings& s, int light) {
+    if (s.map.format == at(MapFormat::Colour)) return "without effect: the sampler cannot compare map.format colour";
+    return compare_idle(s, light);
+}
+
 constexpr auto kMap = of_map(std::to_array<Param>({
     {SI_FIELD(map.resolution), .label = "Resolution", .unit = "texels", .min = 1, .max = 16384, .logarithmic = true,
      .cost = Cost::Target,
@@ -61,6 +72,7 @@ constexpr auto kMap = of_map(std::to_array<Param>({
              "farther away than anything stored, and turn dark.",
      .shader = true},
     {SI_FIELD(map.compare), .label = "Compare", .unit = "", .cost = Cost::Program, SI_CHOICES(kCompares),
+     .idle = compare_idle,
      .help = "The comparison of the fragment's depth with the stored one (greater, greater or equal under reversed "
              "depth). They differ where both are equal, as on surfaces that cast onto themselves without bias.",
      .shader = true},
@@ -169,7 +181,7 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .help = "How the shadow test is filtered. Wider kernels blur the stair steps and call for more bias.",
      .shader = true},
     {SI_FIELD(filter.method), .label = "Method", .unit = "", .cost = Cost::Program, SI_CHOICES(kMethods),
-     SI_IDLE(s.map.format == at(MapFormat::Colour), "without effect: the sampler cannot compare map.format colour"),
+     .idle = method_idle,
      .help = "How the kernel reads the map. Both give the same picture at different cost.", .shader = true},
     {SI_FIELD(filter.taps), .label = "Taps", .unit = "taps", .min = 1, .max = 64, .logarithmic = true,
      .cost = Cost::Program,
