@@ -51,28 +51,9 @@ Json truth_quality_json(const Truth& t) {
 }
 
 Json error_json(const ErrorMetrics& m) {
-    Json json = {{"meaning", kErrorMeaning},
-                 {"false_shadow", m.false_shadow},
-                 {"false_light", m.false_light},
-                 {"acne", m.acne},
-                 {"leak", m.leak},
-                 {"offset_false_shadow", m.offset_false_shadow},
-                 {"bias_false_light", m.bias_false_light},
-                 {"lost_false_light", m.lost_false_light},
-                 {"boundary_false_shadow", m.boundary_false_shadow},
-                 {"boundary_false_light", m.boundary_false_light},
-                 {"outside_false_shadow", m.outside_false_shadow},
-                 {"outside_false_light", m.outside_false_light},
-                 {"any_acne", m.any_acne},
-                 {"within_noise", m.within_noise},
-                 {"mae", m.mae},
-                 {"rmse", m.rmse},
-                 {"signed_mean", m.signed_mean},
-                 {"iou", m.iou},
-                 {"boundary_px_mean", m.boundary_px_mean},
-                 {"boundary_px_p95", m.boundary_px_p95},
-                 {"boundary_px_max", m.boundary_px_max},
-                 {"outside_map", m.outside_map}};
+    Json json = {{"meaning", kErrorMeaning}};
+    for (const Metric& metric : metrics())
+        if (metric.member) json[std::string(metric.key)] = metric.value(m);
     for (std::size_t i = 0; i < kPixelStates; ++i) json["pixels"][state_key(PixelState(i))] = m.pixels[i];
     json["artefacts"]["none"] = m.artefacts[std::size_t(Artefact::None)];
     for (const ArtefactStyle& style : artefact_styles())

@@ -18,12 +18,13 @@ enum class Plotted {
 };
 
 struct Column {
-    std::string_view key;  ///< "error.mae": group and field of a row of results.json
-    std::string_view label, unit, help;
+    std::string key;  ///< "error.mae": group and field of a row of results.json
+    std::string label, unit, help;
     Plotted plotted = Plotted::AsIs;
-    std::string_view noise;  ///< key of the field up to which differences are none; empty: exact
+    std::string noise = {};  ///< key of the field up to which differences are none; empty: exact
 };
 
+/// The metrics, then times and costs.
 std::span<const Column> columns();
 const Column* find_column(std::string_view key);
 

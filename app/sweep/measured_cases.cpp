@@ -38,9 +38,7 @@ bool is_dot(const Dot& dot) {
 std::vector<MeasuredColumn> measured_columns() {
     std::vector<MeasuredColumn> out;
     for (const Column& c : columns())
-        if (c.plotted != Plotted::No)
-            out.push_back({std::string(c.key), std::string(c.label), std::string(c.unit), std::string(c.help),
-                           c.key.starts_with("error.")});
+        if (c.plotted != Plotted::No) out.push_back({c.key, c.label, c.unit, c.help, c.key.starts_with("error.")});
     return out;
 }
 
