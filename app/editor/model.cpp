@@ -17,10 +17,6 @@
 namespace si {
 namespace {
 
-int percent(double fraction) {
-    return int(fraction * 100);
-}
-
 /// `settings`, with what still is as `from` has it replaced by what `to` has: a person's changes survive a change of
 /// scene, the scene's own suggestions do not.
 Settings rebased(const Settings& settings, const Settings& from, const Settings& to) {
@@ -101,12 +97,8 @@ EditorFrame EditorModel::facts() const {
     f.shader_log = shader_log_;
     f.problem = problem_;
     f.sweep = &sweep_.facts();
-    if (const std::string name = loading_.wanted(); !name.empty()) {
+    if (const std::string name = loading_.wanted(); !name.empty())
         f.loading = LoadingFacts{name, loading_.progress(), loading_.seconds_left()};
-        shown_percent_ = percent(f.loading->progress);
-    } else {
-        shown_percent_ = -1;
-    }
     return f;
 }
 
@@ -116,7 +108,7 @@ void EditorModel::report(const std::string& error) {
 }
 
 bool EditorModel::loading_moved() const {
-    return loading_.ended() || (!loading_.wanted().empty() && percent(loading_.progress()) != shown_percent_);
+    return loading_.moved();
 }
 
 void EditorModel::finish_loading() {
@@ -291,7 +283,7 @@ bool EditorModel::draw_scene(const EditorActions& actions) {
     // Held against another, the picture is one pane.
     Settings settings = state.settings;
     if (state.against.view != AgainstView::Off) settings.view.panes = int(Panes::One);
-    const bool same = drawn_ && !shaders_changed_ && wanted.width == request_.width &&
+    const bool same = drawn_ && renderer_.holds(result_) && !shaders_changed_ && wanted.width == request_.width &&
                       wanted.height == request_.height && wanted.outputs == request_.outputs &&
                       wanted.timing == request_.timing && wanted.truth == request_.truth &&
                       drawn_settings_ == settings && drawn_scene_ == scene_.id;
@@ -340,11 +332,8 @@ bool EditorModel::follow_truth(const EditorActions& actions, bool drawn) {
         against_.clear();
         return false;
     }
-    const bool was_busy = truth_.busy();
     const EditorTruth::Wishes wishes{actions.cancel_truth, actions.save_error};
     bool changed = truth_.update(renderer_, scene_, drawn_settings_, request_, result_, drawn, wishes);
-    if (!was_busy && truth_.busy())
-        drawn_scene_ = 0;  // it drew another request: the map viewer's depth is to be drawn anew
     if (const std::string remark = truth_.take_remark(); !remark.empty()) state.log.add(LogKind::Info, remark);
     changed |= against_.update(renderer_, scene_, state, request_, result_, drawn, comparison_);
     return changed;
@@ -359,7 +348,6 @@ void EditorModel::save_map(const std::string& path) {
     FrameRequest request = request_;
     request.timing = false;
     write_view(renderer_, scene_, state.settings, request, view, path);
-    drawn_scene_ = 0;  // the passes of another request ran: draw anew
     state.log.add(LogKind::Info, "Saved " + path);
 }
 
@@ -462,7 +450,7 @@ bool EditorModel::fulfil(const EditorActions& actions) {
     changed |= follow_measuring(actions);
     if (has_scene_) {
         try {
-            if (readings_.update_frozen(renderer_, scene_, state, actions)) drawn_scene_ = 0;  // draw anew
+            changed |= readings_.update_frozen(renderer_, scene_, state, actions);
         } catch (const std::exception& e) {
             report(e.what());
             state.frozen.reset();

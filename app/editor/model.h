@@ -141,7 +141,6 @@ private:
     EditorMemory memory_;
     SceneLoading loading_;
     Arrival arrival_;
-    mutable int shown_percent_ = -1;  ///< of loading, as last told to the editor
 
     FrameRequest request_;
     Settings drawn_settings_;

@@ -2,11 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <future>
-#include <thread>
+#include <utility>
 
 #include "app/base/output.h"
 #include "app/report/measure_json.h"
@@ -16,11 +12,6 @@
 
 namespace si {
 namespace {
-
-/// All but one thread, which draws.
-int tracing_threads() {
-    return std::max(1, int(std::thread::hardware_concurrency()) - 1);
-}
 
 nlohmann::ordered_json saved_error(const MeasuredError& measured) {
     const Truth& truth = *measured.traced.truth;
@@ -40,77 +31,35 @@ nlohmann::ordered_json saved_error(const MeasuredError& measured) {
 
 }  // namespace
 
-struct EditorTruth::Outcome {
-    std::shared_ptr<const TruthPicture> picture;  ///< null: as it was
-    std::string remark;
-};
-
-struct EditorTruth::Job {
-    const char* doing = "";
-    std::uint64_t key = 0;  ///< of the truth it works on
-    std::stop_source stop;
-    std::atomic<double> progress{0};
-    std::future<Outcome> outcome;  ///< last: its destructor joins the thread, which uses the others
-
-    Workers workers() {
-        return {.threads = tracing_threads(), .stop = stop.get_token(), .progress = [this](double t) { progress = t; }};
-    }
-};
-
-EditorTruth::EditorTruth() = default;
-
-EditorTruth::~EditorTruth() {
-    if (job_) job_->stop.request_stop();
-}
-
-template <typename Work>
-void EditorTruth::launch(const char* doing, std::uint64_t key, Work&& work) {
-    auto job = std::make_unique<Job>();
-    job->doing = doing;
-    job->key = key;
-    job->outcome = std::async(std::launch::async,
-                              [&state = *job, work = std::forward<Work>(work)] { return work(state.workers()); });
-    job_ = std::move(job);
-}
-
-bool EditorTruth::moved() const {
-    if (!job_) return false;
-    return job_->outcome.wait_for(std::chrono::seconds(0)) == std::future_status::ready ||
-           int(job_->progress * 100) != shown_percent_;
-}
-
-void EditorTruth::wait() const {
-    if (job_) job_->outcome.wait();
-}
-
 void EditorTruth::clear() {
-    if (job_) job_->stop.request_stop();
+    job_.drop();
     picture_.reset();
 }
 
 bool EditorTruth::poll() {
-    if (!job_ || job_->outcome.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
-    const std::unique_ptr<Job> job = std::move(job_);
-    try {
-        Outcome outcome = job->outcome.get();
-        if (outcome.picture) picture_ = std::move(outcome.picture), problem_.clear(), given_up_ = 0;
-        remark_ = std::move(outcome.remark);
-    } catch (const Cancelled&) {
-    } catch (const std::exception& e) {
-        given_up_ = job->key;
-        problem_ = e.what();
-        throw;
+    auto outcome = job_.poll();
+    if (!outcome) return false;
+    if (outcome->value) {
+        if (outcome->value->picture) picture_ = std::move(outcome->value->picture), problem_.clear(), given_up_ = 0;
+        remark_ = std::move(outcome->value->remark);
     }
+    if (outcome->problem) try {
+            std::rethrow_exception(outcome->problem);
+        } catch (const std::exception& e) {
+            given_up_ = doing_key_;
+            problem_ = e.what();
+            throw;
+        }
     return true;
 }
 
 void EditorTruth::start_trace(Renderer& renderer, const Scene& scene, const Settings& settings,
                               const FrameRequest& request) {
-    auto task = std::make_shared<TruthTask>(truth_task(renderer, scene, settings, request, settings.view.light,
-                                                       truth_options(settings), cache_.geometry()));
-    const std::uint64_t key = task->key;
-    launch("Tracing rays", key, [this, task = std::move(task)](const Workers& workers) {
-        return Outcome{truth_picture(*task, cache_.trace(*task, workers)), {}};
+    auto task = std::make_shared<TruthTask>(
+        truth_task(renderer, scene, settings, request, settings.view.light, truth_options(settings)));
+    doing_ = "Tracing rays", doing_key_ = task->key;
+    job_.start([this, task = std::move(task)](const Workers& workers, const auto&) {
+        return Found{truth_picture(*task, cache_.trace(*task, workers)), {}};
     });
 }
 
@@ -122,10 +71,11 @@ void EditorTruth::start_save(Renderer& renderer, const Scene& scene, const Setti
     judged.timing = judged.force = false;
     const FrameResult frame = renderer.render(scene, settings, judged);
     auto measured = std::make_shared<MeasuredError>(read_judged(renderer, frame, *request.truth, settings.view.light));
-    launch("Measuring", request.truth->key, [path, measured = std::move(measured)](const Workers&) {
+    doing_ = "Measuring", doing_key_ = request.truth->key;
+    job_.start([path, measured = std::move(measured)](const Workers&, const auto&) {
         sum_up(*measured);
         write_file(path, json_text(saved_error(*measured)));
-        return Outcome{nullptr, "Saved " + path};
+        return Found{nullptr, "Saved " + path};
     });
 }
 
@@ -138,12 +88,12 @@ bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings&
     if (wishes.cancel) {
         given_up_ = need.key;
         problem_ = "Cancelled";
-        if (job_) job_->stop.request_stop();
+        job_.cancel();
     }
-    if (job_) {
-        const bool stale = need.key != 0 && job_->key != need.key;
+    if (job_.busy()) {
+        const bool stale = need.key != 0 && doing_key_ != need.key;
         const bool unwanted = need.key == 0 && !save_next_;
-        if (stale || unwanted) job_->stop.request_stop();
+        if (stale || unwanted) job_.cancel();
         return changed;
     }
     // A picture that was found just now is drawn before it is judged what is missing.
@@ -166,11 +116,8 @@ TruthFacts EditorTruth::facts(const FrameResult& frame) const {
     f.wanted = frame.truth.key != 0;
     f.current = frame.truth.met;
     f.problem = problem_;
-    if (job_) {
-        f.doing = job_->doing;
-        f.progress = job_->progress;
-    }
-    shown_percent_ = job_ ? int(f.progress * 100) : -1;
+    if (job_.busy()) f.doing = doing_;
+    f.progress = job_.progress().value_or(0);
     if (picture_) {
         const TracedTruth& t = picture_->traced;
         f.build_ms = t.build_ms, f.place_ms = t.place_ms, f.trace_ms = t.trace_ms;
