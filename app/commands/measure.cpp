@@ -91,8 +91,7 @@ void run_measure(const MeasureOptions& options) {
                      {"height", options.size.height},
                      {"map_resolution", judged.map_resolution},
                      {"area", session.settings.truth.area}};
-        json["error"] = error_json(judged.error);
-        json["error"]["noise"] = judged.truth->noise;
+        json["error"] = error_json(judged.error, judged.truth->noise);
         json["truth"] = truth_quality_json(*judged.truth);
         json["time"] = time ? time_json(*time) : Json();
         if (time) json["time"]["seconds"] = time->seconds, json["time"]["within"] = "this run";

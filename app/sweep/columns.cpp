@@ -4,12 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "app/report/measure_json.h"
 #include "renderer/reference/metrics.h"
 
 namespace si {
 namespace {
 
-constexpr const char* kErrorNoise = "error.noise";
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Plotted plotted_as(Better better) {
     switch (better) {
@@ -25,38 +26,79 @@ Plotted plotted_as(Better better) {
     return Plotted::No;
 }
 
-Column column_of(const Metric& m) {
-    return {"error." + std::string(m.key), (m.better == Better::More ? "1 - " : "") + std::string(m.label),
-            std::string(m.unit),           std::string(m.help),
-            plotted_as(m.better),          m.unit == kOfVisibility ? kErrorNoise : ""};
+Column metric_column(const Metric& m) {
+    Column c{.key = "error." + std::string(m.key),
+             .label = (m.better == Better::More ? "1 - " : "") + std::string(m.label),
+             .unit = std::string(m.unit),
+             .help = std::string(m.help),
+             .value = [&m](const CaseNumbers& n) { return n.error ? m.value(n.error->metrics) : kNone; },
+             .plotted = plotted_as(m.better)};
+    if (m.unit == kOfVisibility) {
+        c.noise = "error.noise";
+        c.noise_value = [](const CaseNumbers& n) { return n.error ? n.error->noise : kNone; };
+    }
+    return c;
+}
+
+/// Of a spread of times: what of it, with the noise of its median.
+Column time_column(const char* field, const char* of, const char* label, const char* help,
+                   Spread TimeMeasurement::*spread, double Spread::*number) {
+    const std::string group = std::string("time.") + of;
+    return {.key = group + "." + field,
+            .label = label,
+            .unit = "ms",
+            .help = help,
+            .value = [=](const CaseNumbers& n) { return n.time ? (*n.time).*spread.*number : kNone; },
+            .noise = group + ".noise",
+            .noise_value = [=](const CaseNumbers& n) { return n.time ? ((*n.time).*spread).noise() : kNone; }};
+}
+
+template <typename Number>
+Column cost_column(const char* field, const char* label, const char* unit, const char* help, Number WorkCost::*number) {
+    return {.key = std::string("cost.") + field,
+            .label = label,
+            .unit = unit,
+            .help = help,
+            .value = [=](const CaseNumbers& n) { return n.cost ? double((*n.cost).*number) : kNone; }};
 }
 
 std::vector<Column> make_columns() {
+    using T = TimeMeasurement;
+    using C = WorkCost;
     std::vector<Column> all;
-    for (const Metric& m : metrics()) all.push_back(column_of(m));
-    const Column others[] = {
-        {"error.meaning", "Meaning of the errors", "",
-         "2: the causes of docs/accuracy.md. Other meanings do not compare.", Plotted::No},
-        {"time.total_ms.median", "Time of a frame", "ms", "Median over the frames of whole rounds.", Plotted::AsIs,
-         "time.total_ms.noise"},
-        {"time.total_ms.p95", "Time of a frame, 95 %", "ms", "Nineteen frames of twenty take less.", Plotted::AsIs,
-         "time.total_ms.noise"},
-        {"time.shadow_maps_ms.median", "Time of shadow maps", "ms", "Median of the passes that draw maps.",
-         Plotted::AsIs, "time.shadow_maps_ms.noise"},
-        {"time.picture_ms.median", "Time of the picture", "ms", "Median of all other passes: visibility and shading.",
-         Plotted::AsIs, "time.picture_ms.noise"},
-        {"time.spread", "Spread of the time", "of the median", "Half the 95 % interval of the median over the median.",
-         Plotted::No},
-        {"time.frames", "Frames", "", "Timed frames.", Plotted::No},
-        {"cost.bytes_touched", "Bytes touched", "B",
-         "Of the maps, and what the kernel fetches for each pixel and light."},
-        {"cost.taps_per_pixel", "Taps a pixel", "", "Texels that the kernel fetches per light."},
-        {"cost.map_texels", "Map texels", "", "Of all shadow maps."},
-        {"cost.map_bytes", "Map bytes", "B", "Of all shadow maps."},
-        {"cost.draws", "Draws", "", "Draw calls of all passes."},
-        {"cost.triangles", "Triangles", "", "Of all passes."},
-    };
-    all.insert(all.end(), std::begin(others), std::end(others));
+    for (const Metric& m : metrics()) all.push_back(metric_column(m));
+    all.push_back({.key = "error.meaning",
+                   .label = "Meaning of the errors",
+                   .help = "2: the causes of docs/accuracy.md. Other meanings do not compare.",
+                   .value = [](const CaseNumbers& n) { return n.error ? double(kErrorMeaning) : kNone; },
+                   .plotted = Plotted::No});
+    all.push_back(time_column("median", "total_ms", "Time of a frame", "Median over the frames of whole rounds.",
+                              &T::total_ms, &Spread::median));
+    all.push_back(time_column("p95", "total_ms", "Time of a frame, 95 %", "Nineteen frames of twenty take less.",
+                              &T::total_ms, &Spread::p95));
+    all.push_back(time_column("median", "shadow_maps_ms", "Time of shadow maps", "Median of the passes that draw maps.",
+                              &T::maps_ms, &Spread::median));
+    all.push_back(time_column("median", "picture_ms", "Time of the picture",
+                              "Median of all other passes: visibility and shading.", &T::picture_ms, &Spread::median));
+    all.push_back({.key = "time.spread",
+                   .label = "Spread of the time",
+                   .unit = "of the median",
+                   .help = "Half the 95 % interval of the median over the median.",
+                   .value = [](const CaseNumbers& n) { return n.time ? n.time->total_ms.relative() : kNone; },
+                   .plotted = Plotted::No});
+    all.push_back({.key = "time.frames",
+                   .label = "Frames",
+                   .help = "Timed frames.",
+                   .value = [](const CaseNumbers& n) { return n.time ? double(n.time->total_ms.samples) : kNone; },
+                   .plotted = Plotted::No});
+    all.push_back(cost_column("bytes_touched", "Bytes touched", "B",
+                              "Of the maps, and what the kernel fetches for each pixel and light.", &C::bytes_touched));
+    all.push_back(cost_column("taps_per_pixel", "Taps a pixel", "", "Texels that the kernel fetches per light.",
+                              &C::taps_per_pixel));
+    all.push_back(cost_column("map_texels", "Map texels", "", "Of all shadow maps.", &C::map_texels));
+    all.push_back(cost_column("map_bytes", "Map bytes", "B", "Of all shadow maps.", &C::map_bytes));
+    all.push_back(cost_column("draws", "Draws", "", "Draw calls of all passes.", &C::draws));
+    all.push_back(cost_column("triangles", "Triangles", "", "Of all passes.", &C::triangles));
     return all;
 }
 
@@ -72,20 +114,8 @@ const Column* find_column(std::string_view key) {
     return it == columns().end() ? nullptr : &*it;
 }
 
-double number_at(const nlohmann::ordered_json& row, std::string_view key) {
-    const nlohmann::ordered_json* at = &row;
-    while (!key.empty()) {
-        const auto dot = key.find('.');
-        const auto field = at->is_object() ? at->find(std::string(key.substr(0, dot))) : at->end();
-        if (!at->is_object() || field == at->end()) return std::numeric_limits<double>::quiet_NaN();
-        at = &*field;
-        key = dot == std::string_view::npos ? std::string_view() : key.substr(dot + 1);
-    }
-    return at->is_number() ? at->get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
-
-double plotted_value(const Column& column, const nlohmann::ordered_json& row) {
-    const double v = number_at(row, column.key);
+double plotted_value(const Column& column, const CaseNumbers& numbers) {
+    const double v = column.value(numbers);
     switch (column.plotted) {
         case Plotted::AsIs:
             return v;
@@ -96,7 +126,12 @@ double plotted_value(const Column& column, const nlohmann::ordered_json& row) {
         case Plotted::No:
             break;
     }
-    return std::numeric_limits<double>::quiet_NaN();
+    return kNone;
+}
+
+double noise_of(const Column& column, const CaseNumbers& numbers) {
+    const double v = column.noise_value ? column.noise_value(numbers) : 0;
+    return std::isfinite(v) ? v : 0;
 }
 
 }  // namespace si

@@ -1,11 +1,13 @@
 // The numbers of a sweep's cases: what they are called, what they mean, and how a plot shows them.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "app/sweep/numbers.h"
 
 namespace si {
 
@@ -20,18 +22,19 @@ enum class Plotted {
 struct Column {
     std::string key;  ///< "error.mae": group and field of a row of results.json
     std::string label, unit, help;
+    std::function<double(const CaseNumbers&)> value;  ///< NaN when there is none
     Plotted plotted = Plotted::AsIs;
     std::string noise = {};  ///< key of the field up to which differences are none; empty: exact
+    std::function<double(const CaseNumbers&)> noise_value = {};
 };
 
 /// The metrics, then times and costs.
 std::span<const Column> columns();
 const Column* find_column(std::string_view key);
 
-/// The number under a column's key in a row of results.json; NaN when there is none.
-double number_at(const nlohmann::ordered_json& row, std::string_view key);
-
 /// As the plot shows it; NaN when it is not shown.
-double plotted_value(const Column& column, const nlohmann::ordered_json& row);
+double plotted_value(const Column& column, const CaseNumbers& numbers);
+/// Up to which its differences are none.
+double noise_of(const Column& column, const CaseNumbers& numbers);
 
 }  // namespace si

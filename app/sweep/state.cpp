@@ -112,7 +112,8 @@ void SweepState::apply(const Json& line) {
     } else if (line.contains("facts")) {
         require_known_meaning(line.at("error"));
         CaseState& c = cases[line["facts"].get<std::size_t>()];
-        c.error = line.at("error"), c.cost = line.at("cost");
+        c.error = {error_from_json(line.at("error")), number_or_nan(line["error"], "noise")};
+        c.cost = cost_from_json(line.at("cost"));
         c.notes = line.at("notes").get<std::vector<std::string>>();
         c.finished = true, c.failed.clear(), c.begun = 0;
     } else if (line.contains("failed")) {
@@ -144,7 +145,10 @@ Json begin_line(std::size_t case_number) {
 }
 
 Json facts_line(std::size_t case_number, const CaseState& facts) {
-    return {{"facts", case_number}, {"error", facts.error}, {"cost", facts.cost}, {"notes", facts.notes}};
+    return {{"facts", case_number},
+            {"error", error_json(facts.error.metrics, facts.error.noise)},
+            {"cost", cost_json(facts.cost)},
+            {"notes", facts.notes}};
 }
 
 Json failure_line(std::size_t case_number, const std::string& why) {

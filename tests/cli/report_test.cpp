@@ -19,9 +19,9 @@ struct PlausibleMeter : FakeMeter {
         CaseFacts f = FakeMeter::facts(c);
         const int n = c.settings.map.resolution;
         const double texels = c.settings.filter.kernel == 0 ? 0.243 : 0.112;
-        f.error = {{"meaning", kErrorMeaning},       {"mae", texels * 20 / n},
-                   {"false_shadow", texels * 9 / n}, {"acne", 0.0},
-                   {"iou", 1 - texels * 30 / n},     {"signed_mean", -texels * 5 / n}};
+        ErrorMetrics& m = f.error.metrics;
+        m.mae = texels * 20 / n, m.false_shadow = texels * 9 / n, m.iou = 1 - texels * 30 / n;
+        m.signed_mean = -texels * 5 / n;
         return f;
     }
     TimeSamples time(const SweepCase& c, int frames) override {
