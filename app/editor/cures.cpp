@@ -43,10 +43,10 @@ bool EditorCures::poll(std::string& problem) {
     return true;
 }
 
-CureSearch EditorCures::facts(const Scene& scene, const Settings& settings, int width, int height) const {
+CureSearch EditorCures::facts(std::uint64_t scene, const Settings& settings, int width, int height) const {
     CureSearch f;
     f.running = job_.progress();
-    if (!found_ || found_->scene != scene.id) return f;
+    if (!found_ || found_->scene != scene) return f;
     f.table = &found_->table;
     f.pixel = found_->pixel;
     f.current = found_->width == width && found_->height == height &&

@@ -29,8 +29,9 @@ public:
     void wait() const { job_.wait(); }
     /// Takes what is done. Returns whether there was something; why it failed goes to `problem`.
     bool poll(std::string& problem);
-    /// @param settings of the editor, which the table may no longer be about, nor about the picture's size
-    CureSearch facts(const Scene& scene, const Settings& settings, int width, int height) const;
+    /// @param scene Scene::id @param settings of the editor, which the table may no longer be about, nor about the
+    /// picture's size
+    CureSearch facts(std::uint64_t scene, const Settings& settings, int width, int height) const;
 
 private:
     CureOutcome about_;  ///< what is searched for, and not yet what was found

@@ -29,6 +29,8 @@ public:
     bool tracing() const { return probe_ && dossier_.tracing(); }
     /// Waits for it.
     bool finish_tracing() const;
+    /// Of the probed pixel.
+    std::span<const Dossier> dossiers() const { return dossier_.dossiers(); }
     /// Tells the editor. The pointers hold until the next update() or clear().
     void fill(EditorFrame& frame) const;
 
