@@ -30,7 +30,9 @@ Column metric_column(const Metric& m) {
     Column c{.key = "error." + std::string(m.key),
              .label = (m.better == Better::More ? "1 - " : "") + std::string(m.label),
              .unit = std::string(m.unit),
-             .help = std::string(m.help),
+             .help = std::string(m.help) + (m.better == Better::NearZero ? " Plotted without sign."
+                                            : m.better == Better::More   ? " Plotted from 1."
+                                                                         : ""),
              .value = [&m](const CaseNumbers& n) { return n.error ? m.value(n.error->metrics) : kNone; },
              .plotted = plotted_as(m.better)};
     if (m.unit == kOfVisibility) {
