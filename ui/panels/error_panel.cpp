@@ -156,7 +156,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     flow(em * 4);
     save_button(state, frame, actions);
     flow(em * 6);
-    cures_button(frame, actions, {},
+    cures_button(frame.cures, actions, {}, frame.result && frame.scene,
                  frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
     flow(em * 12);
     ImGui::AlignTextToFramePadding();
@@ -166,7 +166,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
         ImGui::SameLine();
         if (ImGui::SmallButton("Cancel")) actions.cancel_truth = true;
     }
-    cures_table(state, frame, actions, {});
+    cures_table(s, frame.cures, actions, {});
     if (!frame.error) return;
     const LiveError& error = *frame.error;
     const float width = ImGui::GetContentRegionAvail().x;
