@@ -7,6 +7,7 @@
 
 #include "app/base/output.h"
 #include "app/sweep/html_report.h"
+#include "renderer/base/base64.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/process.h"
 
