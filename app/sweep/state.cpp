@@ -21,8 +21,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr const char* kFormat = "shadow-inspector-sweep-journal";
-constexpr int kVersion = 1;
+constexpr const char* kJournalFormat = "shadow-inspector-sweep-journal";
+constexpr int kJournalVersion = 1;
 
 std::string machine_key() {
     std::string id;
@@ -97,9 +97,9 @@ const RunInfo* SweepState::run(const std::string& id) const {
 
 void SweepState::apply(const Json& line) {
     if (line.contains("format")) {
-        if (line["format"] != kFormat) throw Error("this is no journal of a sweep");
-        if (line.at("version") != kVersion)
-            throw Error(fmt::format("version {} of the journal is not known; {} is", line["version"].dump(), kVersion));
+        if (line["format"] != kJournalFormat) throw Error("this is no journal of a sweep");
+        if (line.at("version") != kJournalVersion)
+            throw Error(fmt::format("version {} of the journal is not known; {} is", line["version"].dump(), kJournalVersion));
         spec = line.at("spec");
         plan = line.at("plan").get<std::string>();
     } else if (line.contains("turn")) {
@@ -125,7 +125,7 @@ void SweepState::apply(const Json& line) {
 }
 
 Json header_line(const Json& spec, const std::string& plan) {
-    return {{"format", kFormat}, {"version", kVersion}, {"plan", plan}, {"spec", spec}};
+    return {{"format", kJournalFormat}, {"version", kJournalVersion}, {"plan", plan}, {"spec", spec}};
 }
 
 Json run_line(const RunInfo& run) {
