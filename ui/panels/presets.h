@@ -1,4 +1,4 @@
-// Presets as the editor lists, opens and saves them, and what a crash left.
+// Presets and scenes as the editor lists, opens and saves them, and what a crash left.
 #pragma once
 
 #include <optional>
@@ -31,10 +31,13 @@ struct PresetsShown {
 };
 
 struct PresetActions {
-    std::optional<std::string> load_preset, save_preset;
+    std::optional<std::string> load_scene, load_preset, save_preset;
+    std::optional<std::string> open_file;   ///< a scene or a preset, by its extension
     std::optional<std::string> save_about;  ///< the sentence to save along
     bool replace = false;                   ///< save over a file that was neither opened nor saved before
     bool restore_lost = false, discard_lost = false;
+    bool reset_all = false;    ///< to the scene's own settings
+    bool cancel_load = false;  ///< keep the scene that is shown
 };
 
 }  // namespace si

@@ -115,10 +115,6 @@ struct EditorActions : MapActions, TruthActions, PresetActions, SweepActions, Tu
     int scene_width = 0, scene_height = 0;  ///< wanted size of the scene picture; 0: not shown
     bool want_overlay_values = false;       ///< a scene picture is hovered
     bool want_timing = false;
-    std::optional<std::string> load_scene;
-    std::optional<std::string> open_file;  ///< a scene or a preset, by its extension
-    bool reset_all = false;                ///< to the scene's own settings
-    bool cancel_load = false;              ///< keep the scene that is shown
     bool copy_command_line = false;
     bool quit = false;
     bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies
