@@ -12,20 +12,6 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-Plotted plotted_as(Better better) {
-    switch (better) {
-        case Better::Less:
-            return Plotted::AsIs;
-        case Better::NearZero:
-            return Plotted::Absolute;
-        case Better::More:
-            return Plotted::LackingToOne;
-        case Better::Neither:
-            break;
-    }
-    return Plotted::No;
-}
-
 Column metric_column(const Metric& m) {
     Column c{.key = "error." + std::string(m.key),
              .label = (m.better == Better::More ? "1 - " : "") + std::string(m.label),
@@ -34,7 +20,7 @@ Column metric_column(const Metric& m) {
                                             : m.better == Better::More   ? " Plotted from 1."
                                                                          : ""),
              .value = [&m](const CaseNumbers& n) { return n.error ? m.value(n.error->metrics) : kNone; },
-             .plotted = plotted_as(m.better)};
+             .better = m.better};
     if (m.unit == kOfVisibility) {
         c.noise = "error.noise";
         c.noise_value = [](const CaseNumbers& n) { return n.error ? n.error->noise : kNone; };
@@ -73,7 +59,7 @@ std::vector<Column> make_columns() {
                    .label = "Meaning of the errors",
                    .help = "2: the causes of docs/accuracy.md. Other meanings do not compare.",
                    .value = [](const CaseNumbers& n) { return n.error ? double(kErrorMeaning) : kNone; },
-                   .plotted = Plotted::No});
+                   .better = Better::Neither});
     all.push_back(time_column("median", "total_ms", "Time of a frame", "Median over the frames of whole rounds.",
                               &T::total_ms, &Spread::median));
     all.push_back(time_column("p95", "total_ms", "Time of a frame, 95 %", "Nineteen frames of twenty take less.",
@@ -87,12 +73,12 @@ std::vector<Column> make_columns() {
                    .unit = "of the median",
                    .help = "Half the 95 % interval of the median over the median.",
                    .value = [](const CaseNumbers& n) { return n.time ? n.time->total_ms.relative() : kNone; },
-                   .plotted = Plotted::No});
+                   .better = Better::Neither});
     all.push_back({.key = "time.frames",
                    .label = "Frames",
                    .help = "Timed frames.",
                    .value = [](const CaseNumbers& n) { return n.time ? double(n.time->total_ms.samples) : kNone; },
-                   .plotted = Plotted::No});
+                   .better = Better::Neither});
     all.push_back(cost_column("bytes_touched", "Bytes touched", "B",
                               "Of the maps, and what the kernel fetches for each pixel and light.", &C::bytes_touched));
     all.push_back(cost_column("taps_per_pixel", "Taps a pixel", "", "Texels that the kernel fetches per light.",
@@ -117,18 +103,7 @@ const Column* find_column(std::string_view key) {
 }
 
 double plotted_value(const Column& column, const CaseNumbers& numbers) {
-    const double v = column.value(numbers);
-    switch (column.plotted) {
-        case Plotted::AsIs:
-            return v;
-        case Plotted::Absolute:
-            return std::abs(v);
-        case Plotted::LackingToOne:
-            return 1 - v;
-        case Plotted::No:
-            break;
-    }
-    return kNone;
+    return shortfall(column.better, column.value(numbers));
 }
 
 double noise_of(const Column& column, const CaseNumbers& numbers) {

@@ -11,19 +11,11 @@
 
 namespace si {
 
-/// How a number becomes a length on an axis where less is better.
-enum class Plotted {
-    AsIs,
-    Absolute,      ///< of signed errors
-    LackingToOne,  ///< 1 - v, of likenesses
-    No,            ///< a fact, no quality
-};
-
 struct Column {
     std::string key;  ///< "error.mae": group and field of a row of results.json
     std::string label, unit, help;
     std::function<double(const CaseNumbers&)> value;  ///< NaN when there is none
-    Plotted plotted = Plotted::AsIs;
+    Better better = Better::Less;                     ///< a plot shows its shortfall()
     std::string noise = {};  ///< key of the field up to which differences are none; empty: exact
     std::function<double(const CaseNumbers&)> noise_value = {};
 };

@@ -44,7 +44,7 @@ Json columns_json() {
                         {"label", c.label},
                         {"unit", c.unit},
                         {"help", c.help},
-                        {"plotted", kPlotted[std::size_t(c.plotted)]},
+                        {"plotted", kPlotted[std::size_t(c.better)]},
                         {"noise", c.noise}});
     return list;
 }

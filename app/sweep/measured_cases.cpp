@@ -33,14 +33,14 @@ bool is_dot(const Dot& dot) {
 std::vector<MeasuredColumn> measured_columns() {
     std::vector<MeasuredColumn> out;
     for (const Column& c : columns())
-        if (c.plotted != Plotted::No) out.push_back({c.key, c.label, c.unit, c.help, c.key.starts_with("error.")});
+        if (c.better != Better::Neither) out.push_back({c.key, c.label, c.unit, c.help, c.key.starts_with("error.")});
     return out;
 }
 
 MeasuredCase measured_case(const CaseNumbers& numbers) {
     MeasuredCase out;
     for (const Column& c : columns())
-        if (c.plotted != Plotted::No) out.values.push_back(plotted_value(c, numbers));
+        if (c.better != Better::Neither) out.values.push_back(plotted_value(c, numbers));
     return out;
 }
 

@@ -74,7 +74,7 @@ void Tuner::judge_done() {
         c.trial = search_->before();
         c.clear = true;  // nothing is lit
     }
-    c.error = goals_.error->shortfall(goals_.error->value(c.trial->error));
+    c.error = shortfall(goals_.error->better, goals_.error->value(c.trial->error));
     const bool accurate = c.clear && (!goals_.most_error || c.error <= *goals_.most_error);
     if (!c.ms && accurate) {
         ask_ = Ask::Time;

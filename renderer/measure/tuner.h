@@ -26,7 +26,7 @@ struct TuneGoals {
 struct TuneCandidate {
     Settings settings;
     std::optional<BiasTrial> trial;
-    double error = 0;          ///< Metric::shortfall()
+    double error = 0;          ///< shortfall() of TuneGoals::error
     std::optional<double> ms;  ///< of a frame
     bool clear = false;        ///< no acne
     bool meets = false;        ///< clear, and within the limits

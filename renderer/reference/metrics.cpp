@@ -320,7 +320,7 @@ double Metric::value(const ErrorMetrics& m) const {
     return wrong;
 }
 
-double Metric::shortfall(double value) const {
+double shortfall(Better better, double value) {
     switch (better) {
         case Better::Less:
             return value;

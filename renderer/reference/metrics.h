@@ -69,6 +69,9 @@ enum class Better {
     Neither,   ///< a fact, no quality
 };
 
+/// How far a value is from the best, where less is better; NaN with Better::Neither.
+double shortfall(Better better, double value);
+
 /// A number that says how wrong a picture's shadows are. A row is all that JSON, tables, plots, searches and the page
 /// of metrics know of it.
 struct Metric {
@@ -88,8 +91,6 @@ struct Metric {
     bool contours = false;     ///< between contours, which a frame's own sums cannot tell: NaN in LiveError
 
     double value(const ErrorMetrics& m) const;
-    /// How far a value is from the best, where less is better; NaN with Better::Neither.
-    double shortfall(double value) const;
 };
 inline constexpr std::string_view kShareOfPixels = "share of pixels", kOfVisibility = "of visibility";
 

@@ -204,10 +204,10 @@ TEST(MetricRows, CountEveryWrongPixelInOnePartOfItsSum) {
 }
 
 TEST(MetricRows, TellWhichOfTwoValuesIsBetter) {
-    EXPECT_EQ(find_metric("mae")->shortfall(0.25), 0.25);
-    EXPECT_EQ(find_metric("signed_mean")->shortfall(-0.25), 0.25);
-    EXPECT_EQ(find_metric("iou")->shortfall(0.75), 0.25);
-    EXPECT_TRUE(std::isnan(find_metric("outside_map")->shortfall(0.25))) << "a fact, no quality";
+    EXPECT_EQ(shortfall(find_metric("mae")->better, 0.25), 0.25);
+    EXPECT_EQ(shortfall(find_metric("signed_mean")->better, -0.25), 0.25);
+    EXPECT_EQ(shortfall(find_metric("iou")->better, 0.75), 0.25);
+    EXPECT_TRUE(std::isnan(shortfall(find_metric("outside_map")->better, 0.25))) << "a fact, no quality";
 }
 
 }  // namespace
