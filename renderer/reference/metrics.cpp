@@ -115,7 +115,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .member = &M::acne,
      .part_of = "false_shadow",
      .part = "acne",
-     .counts = Counts::Dark,
+     .counts = Counts::Wrong,
      .causes = causes({Artefact::Acne})},
     {.key = "any_acne",
      .label = "Any acne",
@@ -132,7 +132,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .member = &M::offset_false_shadow,
      .part_of = "false_shadow",
      .part = "by normal offset",
-     .counts = Counts::Dark,
+     .counts = Counts::Wrong,
      .causes = causes({Artefact::OffsetShadow})},
     {.key = "boundary_false_shadow",
      .label = "False shadow at edges",
@@ -163,7 +163,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .member = &M::bias_false_light,
      .part_of = "false_light",
      .part = "by bias",
-     .counts = Counts::Bright,
+     .counts = Counts::Wrong,
      .causes = causes({Artefact::PeterPanning, Artefact::PeterPanningOffset})},
     {.key = "lost_false_light",
      .label = "Lost casters",
@@ -173,7 +173,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .member = &M::lost_false_light,
      .part_of = "false_light",
      .part = "lost casters",
-     .counts = Counts::Bright,
+     .counts = Counts::Wrong,
      .causes = causes({Artefact::LostCaster})},
     {.key = "leak",
      .label = "Leaks",
@@ -183,7 +183,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .member = &M::leak,
      .part_of = "false_light",
      .part = "leak",
-     .counts = Counts::Bright,
+     .counts = Counts::Wrong,
      .causes = causes({Artefact::Leak})},
     {.key = "boundary_false_light",
      .label = "False light at edges",
@@ -294,10 +294,12 @@ static_assert(members_with_rows() == (offsetof(M, pixels) - offsetof(M, false_sh
               "each number of ErrorMetrics has one row");
 
 double counted_by(const Metric& metric, const PixelSums& sums) {
-    const auto& by_cause = metric.counts == Counts::Dark ? sums.dark : sums.bright;
     double pixels = 0;
-    for (std::size_t a = 0; a < kArtefacts; ++a)
-        if (metric.causes >> a & 1) pixels += by_cause[a];
+    for (std::size_t a = 0; a < kArtefacts; ++a) {
+        if (!(metric.causes >> a & 1)) continue;
+        if (metric.counts != Counts::Bright) pixels += sums.dark[a];
+        if (metric.counts != Counts::Dark) pixels += sums.bright[a];
+    }
     return pixels;
 }
 

@@ -83,9 +83,11 @@ struct Metric {
     std::string_view paper = {};
     double ErrorMetrics::*member = nullptr;  ///< none: counts wrong pixels by `causes`
     Better better = Better::Less;
-    std::string_view part_of = {};                                             ///< key of the sum that it is a part of
-    std::string_view part = {};                                                ///< what it is called below that sum
-    enum class Counts { Otherwise, Dark, Bright } counts = Counts::Otherwise;  ///< what share of wrong pixels it is
+    std::string_view part_of = {};  ///< key of the sum that it is a part of
+    std::string_view part = {};     ///< what it is called below that sum
+    /// Which wrong pixels by `causes` it is the share of.
+    enum class Counts { Otherwise, Dark, Bright, Wrong };
+    Counts counts = Counts::Otherwise;
     std::uint32_t causes = 0;  ///< of those: bits 1 << Artefact; with Artefact::None wrong ones without a cause, too
     bool rare = false;         ///< for people only where it is not 0
     bool contours = false;     ///< between contours, which a frame's own sums cannot tell: NaN in LiveError
