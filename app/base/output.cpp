@@ -14,6 +14,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "renderer/base/atomic_file.h"
 #include "renderer/base/error.h"
 
 namespace si {
@@ -40,13 +41,14 @@ bool is_special(const fs::path& path) {
     return !error && fs::exists(status) && !fs::is_regular_file(status);
 }
 
-void write_bytes(const fs::path& to, std::string_view bytes, const fs::path& named) {
-    std::FILE* file = std::fopen(to.c_str(), "wb");
-    if (!file) throw Error(fmt::format("{}: cannot be written: {}", named.string(), reason()));
+/// Of what is no file, and so has no other to take its place.
+void write_special(const fs::path& path, std::string_view bytes) {
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    if (!file) throw Error(fmt::format("{}: cannot be written: {}", path.string(), reason()));
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
     std::string why = written ? "" : reason();
     if (std::fclose(file) != 0 && why.empty()) why = reason();
-    if (!why.empty()) throw Error(fmt::format("{}: cannot be written: {}", named.string(), why));
+    if (!why.empty()) throw Error(fmt::format("{}: cannot be written: {}", path.string(), why));
 }
 
 std::string png_bytes(int width, int height, int channels, const std::vector<std::uint8_t>& pixels) {
@@ -82,22 +84,8 @@ void require_writable(const fs::path& path) {
 
 void write_file(const fs::path& path, std::string_view bytes) {
     require_writable(path);
-    if (is_special(path)) return write_bytes(path, bytes, path);
-    const fs::path target = behind_links(path);
-    fs::path temporary = target;
-    temporary += fmt::format(".{}.tmp", ::getpid());
-    try {
-        write_bytes(temporary, bytes, path);
-        fs::rename(temporary, target);
-    } catch (const fs::filesystem_error& e) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-        throw Error(fmt::format("{}: cannot be written: {}", path.string(), e.code().message()));
-    } catch (...) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-        throw;
-    }
+    if (is_special(path)) return write_special(path, bytes);
+    write_atomically(behind_links(path), {bytes});
 }
 
 std::string png_bytes(const ByteImage& image) {

@@ -1,5 +1,7 @@
 #include "app/cli/cli_measure.h"
 
+#include <fmt/format.h>
+
 namespace si {
 namespace {
 
@@ -70,8 +72,9 @@ void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
         ->type_name("MS");
     c->add_option(
          "--error", o.tune.error,
-         "What --max-error bounds: mae (default), rmse, false_shadow, false_light, leak or boundary_px_mean, as "
-         "`measure --json` names them")
+         fmt::format("What --max-error bounds, as `measure --json` names it, or how far it is from 1 where more is "
+                     "better: {} (default: the first)",
+                     fmt::join(tuned_errors(), ", ")))
         ->type_name("NAME");
     c->add_flag("--area", o.area, kAreaHelp);
     c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");

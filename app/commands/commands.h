@@ -54,13 +54,15 @@ void run_measure(const MeasureOptions& options);
 
 struct TuneOptions {
     SessionOptions session;
-    std::string output, error;  ///< error: key of error_kinds()
+    std::string output, error;  ///< error: one of tuned_errors(); empty: the first
     std::optional<double> most_error, most_ms;
     PictureSize size;
     bool json = false;
 };
 /// Writes a preset with the least bias that leaves no acne; with limits, with the kernel and resolution that suit them.
 void run_tune(const TuneOptions& options);
+/// Keys of the metrics() that a limit can bound.
+std::vector<std::string_view> tuned_errors();
 
 struct ProbeOptions {
     SessionOptions session;
@@ -109,6 +111,7 @@ void run_docs(const std::string& what, const std::string& output, bool check);
 /// The text of docs/settings.md and of docs/presets.md.
 std::string settings_page();
 std::string presets_page();
+std::string metrics_page();
 /// The table of settings as --help shows it.
 std::string settings_help();
 

@@ -6,6 +6,7 @@
 #include "app/commands/commands.h"
 #include "app/session/setting_json.h"
 #include "renderer/base/error.h"
+#include "renderer/reference/metrics.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -54,7 +55,25 @@ std::string setting_section(const Param& p) {
     return text;
 }
 
+constexpr std::string_view kMetricsIntro =
+    "# Metrics\n\n"
+    "Written by `shadow-inspector docs metrics -o docs/metrics.md` from the table of metrics; do not edit by hand.\n\n"
+    "How wrong a picture's shadows are, in numbers: fields of `error` in `measure --json`, columns `error.…` of a "
+    "sweep,\nrows of the editor's Error tab, and what `tune --error` can bound. V is the visibility that the map "
+    "gives, R "
+    "that of the\nray-traced truth, n the number of pixels that count; a *wrong* pixel and its causes are told in "
+    "[accuracy.md](accuracy.md#errors).\nFractions are of n, and 0 when n is 0.\n\n"
+    "| key | name | unit | formula | reads as | part of | source |\n|---|---|---|---|---|---|---|\n";
+
 }  // namespace
+
+std::string metrics_page() {
+    std::string text(kMetricsIntro);
+    for (const Metric& m : metrics())
+        text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", m.key, m.label, m.unit, cell(m.formula),
+                            cell(m.help), m.part_of.empty() ? "" : fmt::format("`{}`", m.part_of), m.paper);
+    return text;
+}
 
 std::string settings_page() {
     std::string text(kSettingsIntro), group;
@@ -67,9 +86,12 @@ std::string settings_page() {
 }
 
 void run_docs(const std::string& what, const std::string& output, bool check) {
-    if (what != "settings" && what != "presets")
-        throw UsageError(fmt::format("docs {}: there are pages of settings and of presets", what));
-    const std::string page = what == "presets" ? presets_page() : settings_page();
+    const std::map<std::string, std::string (*)()> pages = {
+        {"settings", settings_page}, {"presets", presets_page}, {"metrics", metrics_page}};
+    const auto wanted = pages.find(what);
+    if (wanted == pages.end())
+        throw UsageError(fmt::format("docs {}: there are pages of settings, presets and metrics", what));
+    const std::string page = wanted->second();
     if (check) {
         if (read_text_file(output) == page) return;
         throw Error(fmt::format("{}: is out of date; write it with `docs {} -o {}`", output, what, output));

@@ -20,41 +20,35 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+void print_metric(const Metric& metric, const ErrorMetrics& m, std::string_view label) {
+    const double value = metric.value(m);
+    if (metric.rare && !(value > 0)) return;
+    const bool share = metric.unit == kShareOfPixels;
+    const std::string number = share                               ? fmt::format("{:.4f} %", 100 * value)
+                               : metric.better == Better::NearZero ? fmt::format("{:+.5f}", value)
+                                                                   : fmt::format("{:.5f}", value);
+    fmt::print("  {:<24} {:>11}{}   {}\n", label, number, metric.unit == "px" ? " px" : "", metric.help);
+}
+
 void print_error(const ErrorMetrics& m, const Truth& truth) {
     const std::string noise = noise_text(truth);
     fmt::print("{} pixels compared with the ray-traced truth{}\n", m.counted, noise.empty() ? "" : " (" + noise + ")");
-    const auto share = [](const char* name, double v, const char* about) {
-        fmt::print("  {:<22} {:>9.4f} %   {}\n", name, 100 * v, about);
-    };
-    share("false shadow", m.false_shadow, "dark though lit");
-    share("  acne", m.acne, "of it: surfaces that shadow themselves, more bias puts them right");
-    share("  by normal offset", m.offset_false_shadow, "of it: right without the offset");
-    share("  at edges", m.boundary_false_shadow, "of it: no bias puts these right");
-    share("  outside the map", m.outside_false_shadow, "of it: the map holds nothing there");
-    share("false light", m.false_light, "lit though dark");
-    share("  by bias", m.bias_false_light, "of it: peter-panning, less bias or offset puts it right");
-    share("  lost casters", m.lost_false_light, "of it: culling, near plane or a mask's mip left them out of the map");
-    share("  leak", m.leak, "of it: the nearest texel alone is right");
-    share("  at edges", m.boundary_false_light, "of it: neither bias nor filter puts these right");
-    share("  outside the map", m.outside_false_light, "of it: the map holds nothing there");
-    share("any acne", m.any_acne, "fully lit in truth, at all darker, and more bias lights it");
-    share("outside the map", m.outside_map, "surfaces that the map does not hold, right or wrong");
-    if (m.within_noise > 0)
-        share("within the noise", m.within_noise, "differ, but the truth is too noisy to call them wrong");
+    for (const Metric& metric : metrics()) {
+        if (!metric.part_of.empty() || metric.unit != kShareOfPixels) continue;
+        print_metric(metric, m, metric.label);
+        for (const Metric& part : metrics())
+            if (part.part_of == metric.key) print_metric(part, m, "  " + std::string(part.part));
+    }
     fmt::print("  pixels by cause:");
     const char* comma = "";
     for (const ArtefactStyle& style : artefact_styles())
         if (const std::size_t pixels = m.artefacts[std::size_t(style.artefact)]; pixels > 0)
             fmt::print("{} {} {}", std::exchange(comma, ","), style.label, pixels);
     fmt::print("{}\n", *comma ? "" : " none is wrong");
-    fmt::print("  mean |V - truth| {:.5f}, root mean square {:.5f}, mean {:+.5f}, overlap of the shadows {:.4f}\n",
-               m.mae, m.rmse, m.signed_mean, m.iou);
-    if (std::isnan(m.boundary_px_mean)) {
-        fmt::print("  only one of the two pictures has an edge\n");
-        return;
-    }
-    fmt::print("  edges are off by {:.3f} px on average, {:.3f} px for 95 %, {:.3f} px at most\n", m.boundary_px_mean,
-               m.boundary_px_p95, m.boundary_px_max);
+    for (const Metric& metric : metrics())
+        if (metric.member && metric.unit != kShareOfPixels && !std::isnan(metric.value(m)))
+            print_metric(metric, m, metric.label);
+    if (std::isnan(m.boundary_px_mean)) fmt::print("  only one of the two pictures has an edge\n");
 }
 
 void print_time_and_cost(const std::optional<TimeMeasurement>& time, const WorkCost& cost) {
@@ -100,8 +94,7 @@ void run_measure(const MeasureOptions& options) {
                      {"height", options.size.height},
                      {"map_resolution", judged.map_resolution},
                      {"area", session.settings.truth.area}};
-        json["error"] = error_json(judged.error);
-        json["error"]["noise"] = judged.truth->noise;
+        json["error"] = error_json(judged.error, judged.truth->noise);
         json["truth"] = truth_quality_json(*judged.truth);
         json["time"] = time ? time_json(*time) : Json();
         if (time) json["time"]["seconds"] = time->seconds, json["time"]["within"] = "this run";

@@ -14,6 +14,7 @@
 #include "app/report/views.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/reference/ray_scenes.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/reference/truth_scene.h"
 #include "renderer/settings/param.h"
@@ -147,13 +148,12 @@ std::vector<Dossier> dossiers(const Probe& probe, const Scene& scene, const Sett
 
 /// What puts the pixel right under view.light, when it is wrong.
 std::optional<CureTable> cures(Renderer& renderer, const Session& session, const Probe& probe,
-                               const std::vector<Dossier>& found, const std::shared_ptr<const TruthScene>& casters) {
+                               const std::vector<Dossier>& found) {
     const auto light = std::size_t(std::max(session.settings.view.light, 0));
     if (light >= found.size() || found[light].cause().artefact == Artefact::None) return {};
     CureOptions options{.pixel = glm::ivec2(probe.x, probe.y), .time = true, .frames = 5};
     if (const auto& remedy = found[light].remedy) options.more.push_back(idea_of(*remedy, session.settings));
     TruthCache cache;
-    cache.adopt(casters);
     return find_cures(renderer, session.scene, session.settings, probe.width, probe.height, options, cache);
 }
 
@@ -175,10 +175,9 @@ void run_probe(const ProbeOptions& options) {
     std::vector<Dossier> found;
     std::optional<CureTable> table;
     if (options.truth && probe.hit) {
-        const auto casters =
-            std::make_shared<const TruthScene>(std::make_shared<TruthGeometry>(session.scene, session.settings));
+        const auto casters = ray_scenes().get(ray_scenes().geometry(session.scene, session.settings));
         found = dossiers(probe, session.scene, session.settings, renderer.driver(), *casters);
-        table = cures(renderer, session, probe, found, casters);
+        table = cures(renderer, session, probe, found);
     }
     probe.x = x, probe.y = y;  // of the picture asked for, of which this pane is a part
     if (options.json) {

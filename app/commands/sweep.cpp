@@ -17,7 +17,6 @@ namespace si {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using namespace std::chrono_literals;
 
 constexpr auto kCheckpoint = 10s;
@@ -35,10 +34,9 @@ void run_steps(RunningSweep& sweep, const InterruptGuard& interrupt) {
     }
 }
 
-void print_result(const Json& results, const fs::path& folder) {
+void print_result(const SweepResults& results, const fs::path& folder) {
     fmt::print("{}", frontier_text(results));
-    if (const int failed = results.at("failed").get<int>())
-        fmt::print("{} of {} cases failed; results.csv says why\n", failed, results.at("cases").get<int>());
+    if (results.failed > 0) fmt::print("{} of {} cases failed; results.csv says why\n", results.failed, results.cases);
     fmt::print("wrote {}\n", (folder / "report.html").string());
 }
 
@@ -80,14 +78,13 @@ void run_sweep(const SweepOptions& options) {
     RunningSweep sweep({std::move(sessions), std::move(spec), std::move(plan), timing, options.retry, folder},
                        renderer);
     run_steps(sweep, interrupt);
-    const Json results = write_sweep_files(folder, sweep.state(), sweep.of().plan);
+    const SweepResults results = write_sweep_files(folder, sweep.state(), sweep.of().plan);
     if (interrupt.asked()) {
         fmt::print(
             stderr,
             "shadow-inspector: interrupted after {} of {} cases; what is done is in {}, the same command goes on "
             "from there\n",
-            results.at("finished").get<int>() + results.at("failed").get<int>(), sweep.of().plan.cases.size(),
-            folder.string());
+            results.finished + results.failed, sweep.of().plan.cases.size(), folder.string());
         interrupt.end();
     }
     print_result(results, folder);
@@ -114,7 +111,7 @@ void run_merge(const MergeOptions& options) {
     // What the folder holds already stays: merging is a continuation, too.
     Journal journal(folder, merged.spec, merged.plan);
     journal.add(lines_beyond(journal.state(), merged));
-    const Json results = write_sweep_files(folder, journal.state(), plan);
+    const SweepResults results = write_sweep_files(folder, journal.state(), plan);
     print_result(results, folder);
     if (const auto missing = missing_cases(journal.state(), plan); !missing.empty())
         print_notes(

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "app/base/interrupt.h"
@@ -21,12 +22,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const ErrorKind& error_named(const std::string& key) {
-    std::vector<std::string> names;
-    for (const ErrorKind& kind : error_kinds()) {
-        if (key.empty() || kind.key == key) return kind;
-        names.emplace_back(kind.key);
-    }
+const Metric& error_named(const std::string& key) {
+    const std::vector<std::string_view> names = tuned_errors();
+    if (key.empty()) return *find_metric(names.front());
+    if (std::find(names.begin(), names.end(), key) != names.end()) return *find_metric(key);
     throw UsageError(fmt::format("--error {}: it is one of {}", key, fmt::join(names, ", ")));
 }
 
@@ -109,6 +108,13 @@ void print_tuned(const Tuner& tuner) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> tuned_errors() {
+    std::vector<std::string_view> names;
+    for (const Metric& m : metrics())
+        if (m.better != Better::Neither) names.push_back(m.key);
+    return names;
+}
 
 void run_tune(const TuneOptions& options) {
     if (lower_extension(options.output) != ".json")

@@ -28,22 +28,6 @@ struct EditorAgainst::Texture {
     Texture& operator=(const Texture&) = delete;
 };
 
-namespace {
-
-std::string label_of(const CompareWith& with) {
-    switch (with.kind) {
-        case CompareKind::Scene:
-            return "the scene's own settings";
-        case CompareKind::Defaults:
-            return "the program's defaults";
-        case CompareKind::Preset:
-            break;
-    }
-    return with.preset;
-}
-
-}  // namespace
-
 EditorAgainst::EditorAgainst() = default;
 EditorAgainst::~EditorAgainst() = default;
 
@@ -94,7 +78,7 @@ bool EditorAgainst::update(Renderer& renderer, const Scene& scene, const EditorS
         clear();
         return had;
     }
-    const std::string label = state.against.truth ? "ray-traced truth" : label_of(state.compare);
+    const std::string label = state.against.truth ? "ray-traced truth" : reference_label(state.compare);
     if (!had || facts_->label != label) {
         if (state.against.truth) other_.reset();
         facts_ = AgainstFacts{.label = label};

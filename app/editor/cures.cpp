@@ -11,44 +11,42 @@ void EditorCures::start(const Scene& scene, const Settings& settings, int width,
     found_.reset();
     CureOptions options{.pixel = pixel, .time = true, .more = std::move(own)};
     if (!pixel) options.truth = truth_options(settings);  // a dossier speaks of a light without size
-    job_.start({"the present settings", 0}, [copy = std::make_shared<const Scene>(scene), settings, width, height,
-                                             options](const Workers& workers, const auto& report) {
-        CureOutcome out{.table = {},
-                        .problem = {},
-                        .scene = copy->id,
-                        .settings = settings,
-                        .width = width,
-                        .height = height,
-                        .pixel = options.pixel};
-        try {
+    about_ = {.table = {},
+              .problem = {},
+              .scene = scene.id,
+              .settings = settings,
+              .width = width,
+              .height = height,
+              .pixel = options.pixel};
+    job_.start(
+        [copy = std::make_shared<const Scene>(scene), about = about_, options](const Workers& workers,
+                                                                               const auto& report) {
+            CureOutcome out = about;
             const HeadlessContext context;
             Renderer renderer;
             TruthCache cache;
-            out.table = find_cures(renderer, *copy, settings, width, height, options, cache, workers,
+            out.table = find_cures(renderer, *copy, out.settings, out.width, out.height, options, cache, workers,
                                    [&](double share, const std::string& what) {
                                        report({what, share});
                                    });
-        } catch (const Cancelled&) {
-            out.problem = "The search for cures was cancelled";
-        } catch (const std::exception& e) {
-            out.problem = e.what();
-        }
-        return out;
-    });
+            return out;
+        },
+        {"the present settings", 0});
 }
 
 bool EditorCures::poll(std::string& problem) {
-    auto outcome = job_.end();
+    auto outcome = job_.poll();
     if (!outcome) return false;
-    problem = outcome->problem;
-    if (problem.empty()) found_ = std::move(outcome);
+    if (outcome->cancelled) problem = "The search for cures was cancelled";
+    if (outcome->problem) problem = what_of(outcome->problem);
+    if (outcome->value) found_ = std::move(outcome->value);
     return true;
 }
 
-CureSearch EditorCures::facts(const Scene& scene, const Settings& settings, int width, int height) const {
+CureSearch EditorCures::facts(std::uint64_t scene, const Settings& settings, int width, int height) const {
     CureSearch f;
-    f.running = job_.facts();
-    if (!found_ || found_->scene != scene.id) return f;
+    f.running = job_.progress();
+    if (!found_ || found_->scene != scene) return f;
     f.table = &found_->table;
     f.pixel = found_->pixel;
     f.current = found_->width == width && found_->height == height &&

@@ -1,7 +1,7 @@
 // The editor's search for what puts wrong pixels right: of the picture, and of the probed pixel.
 #pragma once
 
-#include "app/base/context_job.h"
+#include "app/base/job.h"
 #include "renderer/measure/cures.h"
 #include "ui/state/editor_ui.h"
 
@@ -24,16 +24,18 @@ public:
                std::vector<CureIdea> own);
     void cancel() { job_.cancel(); }
     void forget() { found_.reset(); }
-    bool running() const { return job_.running(); }
+    bool running() const { return job_.busy(); }
     bool moved() const { return job_.moved(); }
     void wait() const { job_.wait(); }
     /// Takes what is done. Returns whether there was something; why it failed goes to `problem`.
     bool poll(std::string& problem);
-    /// @param settings of the editor, which the table may no longer be about, nor about the picture's size
-    CureSearch facts(const Scene& scene, const Settings& settings, int width, int height) const;
+    /// @param scene Scene::id @param settings of the editor, which the table may no longer be about, nor about the
+    /// picture's size
+    CureSearch facts(std::uint64_t scene, const Settings& settings, int width, int height) const;
 
 private:
-    ContextJob<TuneFacts, CureOutcome> job_;
+    CureOutcome about_;  ///< what is searched for, and not yet what was found
+    Job<CureOutcome, TuneFacts> job_;
     std::optional<CureOutcome> found_;
 };
 

@@ -1,51 +1,30 @@
 #include "app/editor/dossier.h"
 
-#include <chrono>
-
 namespace si {
-
-EditorDossier::~EditorDossier() {
-    stop();
-}
-
-void EditorDossier::stop() {
-    stop_.request_stop();
-    if (building_.valid()) building_.wait();
-    building_ = {};
-}
-
-bool EditorDossier::ready() const {
-    return building_.valid() && building_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-}
-
-void EditorDossier::wait() const {
-    if (building_.valid()) building_.wait();
-}
-
-void EditorDossier::build(const Scene& scene, const Settings& settings) {
-    stop();
-    casters_.reset();  // its memory first
-    stop_ = {};
-    auto geometry = std::make_shared<const TruthGeometry>(scene, settings);
-    building_key_ = geometry->key;
-    building_ = std::async(std::launch::async, [geometry, token = stop_.get_token()] {
-        return std::make_shared<const TruthScene>(geometry, Workers{.stop = token});
-    });
-}
 
 bool EditorDossier::update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
                            const DriverInfo& driver) {
     if (!probe || !probe->hit) {
+        building_.drop();
+        casters_.reset();
         const bool had = !dossiers_.empty();
         dossiers_.clear();
         return had;
     }
-    const std::uint64_t key = truth_geometry_key(scene, settings).value();
-    if (ready() && building_key_ == key) casters_ = building_.get(), fresh = true;
+    if (auto built = building_.poll()) {
+        if (built->problem) std::rethrow_exception(built->problem);
+        if (built->value) casters_ = *built->value, fresh = true;
+    }
     if (!fresh) return false;
     dossiers_.clear();
-    if (!casters_ || casters_->geometry().key != key) {
-        if (!building_.valid() || building_key_ != key) build(scene, settings);
+    const std::uint64_t key = truth_geometry_key(scene, settings).value();
+    if (!casters_ || casters_->geometry().key != key) casters_ = ray_scenes().find(key);
+    if (!casters_) {
+        if (building_.wanted() && building_key_ == key) return true;
+        building_key_ = key;
+        building_.start([geometry = ray_scenes().geometry(scene, settings)](const Workers& workers, const auto&) {
+            return ray_scenes().get(geometry, workers);
+        });
         return true;
     }
     const auto traits = object_traits(scene, settings);

@@ -63,7 +63,6 @@ bool EditorReadings::update(Renderer& renderer, const Scene& scene, const Editor
         lost_casters_.clear();
         if (light >= 0) lost_casters_ = lost_casters(scene, state.settings, result.lights[std::size_t(light)]);
     }
-    // The map first: probing draws another request, after which the frame's depth image is no longer at hand.
     bool changed = update_map(renderer, state, actions, result);
     changed |= update_links(renderer, state, actions, result);
     changed |= update_overlay(renderer, state, actions, result);
@@ -84,7 +83,7 @@ bool EditorReadings::update_map(Renderer& renderer, const EditorState& state, co
         return false;
     }
     if (map_of_ != frame_) {
-        map_values_ = renderer.read_map_view_depth();
+        map_values_ = renderer.read_map_view_depth(result);
         map_of_ = frame_;
         changed = true;
     }

@@ -19,8 +19,8 @@ public:
     /// something else. Needs the renderer's OpenGL context. @throws Error
     bool update(Renderer& renderer, const Scene& scene, const EditorState& state, const EditorActions& actions,
                 const FrameRequest& request, const FrameResult& result, bool drawn);
-    /// Brings up to date which texels the frozen camera reads. Returns whether it drew a frame of its own, after which
-    /// the last one's images are not to be read any more: call it before that is drawn. @throws Error
+    /// Brings up to date which texels the frozen camera reads. Returns whether it drew a frame of its own for
+    /// that, which may have taken the place of the last one (Renderer::holds()). @throws Error
     bool update_frozen(Renderer& renderer, const Scene& scene, const EditorState& state, const EditorActions& actions);
     /// There is no frame.
     void clear();
@@ -29,6 +29,8 @@ public:
     bool tracing() const { return probe_ && dossier_.tracing(); }
     /// Waits for it.
     bool finish_tracing() const;
+    /// Of the probed pixel.
+    std::span<const Dossier> dossiers() const { return dossier_.dossiers(); }
     /// Tells the editor. The pointers hold until the next update() or clear().
     void fill(EditorFrame& frame) const;
 

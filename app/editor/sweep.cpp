@@ -18,7 +18,6 @@ namespace si {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr int kMostFolders = 8;  ///< editors that sweep at once
 
@@ -102,7 +101,7 @@ void EditorSweep::show(const SweepSpec& spec, const SweepPlan& plan, const fs::p
     auto shown = std::make_unique<Shown>();
     shown->spec = spec, shown->plan = plan, shown->folder = folder;
     shown_ = std::move(shown);
-    results_ = {};
+    results_.reset();
     facts_.problem.clear();
     fresh_ = true;
 }
@@ -140,7 +139,7 @@ void EditorSweep::open(const fs::path& folder, SweepPanel& panel) {
     cancel();
     if (thread_) thread_->wait_for_sweep();
     show(spec, plan, folder);
-    results_ = results_json(state, plan);
+    results_ = sweep_results(state, plan);
     seen_sweep_ = thread_ ? thread_->news().sweep : 0;
     opened_ = true;
     panel.width = spec.width, panel.height = spec.height, panel.area = spec.area;
@@ -186,7 +185,7 @@ void EditorSweep::take_news() {
     if (opened_ && news.sweep == seen_sweep_) return;  // its sweep is not the one that is shown
     opened_ = false;
     seen_sweep_ = news.sweep;
-    if (!news.results.is_null()) results_ = std::move(news.results);
+    if (news.results) results_ = std::move(news.results);
     facts_.running = news.sweeping;
     facts_.timing = news.progress.timing;
     facts_.problem = news.sweep_problem;
@@ -226,19 +225,19 @@ bool EditorSweep::update(const EditorState& state) {
         facts_.failed = 0;
         facts_.total = shown_ ? shown_->plan.cases.size() : 0;
         facts_.about.clear();
-        if (!results_.is_null()) {
-            for (const Json& row : results_.at("rows")) facts_.cases.push_back(measured_case(row));
-            facts_.failed = results_.at("failed");
-            facts_.software = results_.at("cpu_rasteriser");
+        if (results_) {
+            for (const SweepRow& row : results_->rows) facts_.cases.push_back(measured_case(row));
+            facts_.failed = results_->failed;
+            facts_.software = results_->software;
             const SweepSpec& spec = shown_->spec;
             facts_.about = fmt::format("{}, {} x {} pixels, {} truth; {}", spec.scene, spec.width, spec.height,
-                                       spec.area ? "area" : "hard", results_.at("renderer").get<std::string>());
+                                       spec.area ? "area" : "hard", results_->renderer);
         }
         facts_.present.reset();
-        if (!present_.is_null() && followed_) facts_.present = measured_case(present_);
+        if (present_ && followed_) facts_.present = measured_case(*present_);
     }
-    facts_.view = frontier_view(results_.is_null() ? Json::array() : results_.at("rows"), followed_ ? present_ : Json(),
-                                state.sweep.cost, state.sweep.error);
+    facts_.view = frontier_view(results_ ? results_->rows : std::vector<SweepRow>{},
+                                present_ && followed_ ? &*present_ : nullptr, state.sweep.cost, state.sweep.error);
     seen_cost_ = state.sweep.cost, seen_error_ = state.sweep.error;
     fresh_ = false;
     return true;

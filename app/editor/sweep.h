@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -63,7 +62,8 @@ private:
     std::shared_ptr<const Scene> scene_;  ///< the last one that was handed over
     std::optional<MeasuringThread::Picture> followed_;
     std::unique_ptr<const Shown> shown_;
-    nlohmann::ordered_json results_, present_;
+    std::optional<SweepResults> results_;
+    std::optional<CaseNumbers> present_;
     SweepFacts facts_;
     std::uint64_t seen_ = 0;        ///< version of the thread's news
     std::uint64_t seen_sweep_ = 0;  ///< News::sweep as last seen

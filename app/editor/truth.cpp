@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <future>
-#include <thread>
+#include <utility>
 
 #include "app/base/output.h"
 #include "app/report/measure_json.h"
@@ -16,11 +13,6 @@
 
 namespace si {
 namespace {
-
-/// All but one thread, which draws.
-int tracing_threads() {
-    return std::max(1, int(std::thread::hardware_concurrency()) - 1);
-}
 
 struct LightNeed : TruthNeed {
     int light = 0;
@@ -53,52 +45,8 @@ nlohmann::ordered_json saved_error(const MeasuredError& measured) {
 
 }  // namespace
 
-struct EditorTruth::Outcome {
-    int light = 0;
-    std::shared_ptr<const TruthPicture> picture;  ///< of the light; null: as it was
-    std::string remark;
-};
-
-struct EditorTruth::Job {
-    const char* doing = "";
-    std::uint64_t key = 0;  ///< of the truth it works on
-    std::stop_source stop;
-    std::atomic<double> progress{0};
-    std::future<Outcome> outcome;  ///< last: its destructor joins the thread, which uses the others
-
-    Workers workers() {
-        return {.threads = tracing_threads(), .stop = stop.get_token(), .progress = [this](double t) { progress = t; }};
-    }
-};
-
-EditorTruth::EditorTruth() = default;
-
-EditorTruth::~EditorTruth() {
-    if (job_) job_->stop.request_stop();
-}
-
-template <typename Work>
-void EditorTruth::launch(const char* doing, std::uint64_t key, Work&& work) {
-    auto job = std::make_unique<Job>();
-    job->doing = doing;
-    job->key = key;
-    job->outcome = std::async(std::launch::async,
-                              [&state = *job, work = std::forward<Work>(work)] { return work(state.workers()); });
-    job_ = std::move(job);
-}
-
-bool EditorTruth::moved() const {
-    if (!job_) return false;
-    return job_->outcome.wait_for(std::chrono::seconds(0)) == std::future_status::ready ||
-           int(job_->progress * 100) != shown_percent_;
-}
-
-void EditorTruth::wait() const {
-    if (job_) job_->outcome.wait();
-}
-
 void EditorTruth::clear() {
-    if (job_) job_->stop.request_stop();
+    job_.drop();
     pictures_.clear();
 }
 
@@ -107,32 +55,33 @@ std::shared_ptr<const TruthPicture> EditorTruth::picture(int light) const {
 }
 
 bool EditorTruth::poll() {
-    if (!job_ || job_->outcome.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
-    const std::unique_ptr<Job> job = std::move(job_);
-    try {
-        Outcome outcome = job->outcome.get();
-        if (outcome.picture) {
-            pictures_.resize(std::max(pictures_.size(), std::size_t(outcome.light) + 1));
-            pictures_[std::size_t(outcome.light)] = std::move(outcome.picture);
+    auto outcome = job_.poll();
+    if (!outcome) return false;
+    if (auto& found = outcome->value) {
+        if (found->picture) {
+            pictures_.resize(std::max(pictures_.size(), std::size_t(found->light) + 1));
+            pictures_[std::size_t(found->light)] = std::move(found->picture);
             problem_.clear(), given_up_ = 0;
         }
-        remark_ = std::move(outcome.remark);
-    } catch (const Cancelled&) {
-    } catch (const std::exception& e) {
-        given_up_ = job->key;
-        problem_ = e.what();
-        throw;
+        remark_ = std::move(found->remark);
     }
+    if (outcome->problem) try {
+            std::rethrow_exception(outcome->problem);
+        } catch (const std::exception& e) {
+            given_up_ = doing_key_;
+            problem_ = e.what();
+            throw;
+        }
     return true;
 }
 
 void EditorTruth::start_trace(Renderer& renderer, const Scene& scene, const Settings& settings,
                               const FrameRequest& request, int light) {
-    auto task = std::make_shared<TruthTask>(
-        truth_task(renderer, scene, settings, request, light, truth_options(settings), cache_.geometry()));
-    const std::uint64_t key = task->key;
-    launch("Tracing rays", key, [this, light, task = std::move(task)](const Workers& workers) {
-        return Outcome{light, truth_picture(*task, cache_.trace(*task, workers)), {}};
+    auto task =
+        std::make_shared<TruthTask>(truth_task(renderer, scene, settings, request, light, truth_options(settings)));
+    doing_ = "Tracing rays", doing_key_ = task->key;
+    job_.start([this, light, task = std::move(task)](const Workers& workers, const auto&) {
+        return Found{light, truth_picture(*task, cache_.trace(*task, workers)), {}};
     });
 }
 
@@ -144,10 +93,11 @@ void EditorTruth::start_save(Renderer& renderer, const Scene& scene, const Setti
     judged.timing = judged.force = false;
     const FrameResult frame = renderer.render(scene, settings, judged);
     auto measured = std::make_shared<MeasuredError>(read_judged(renderer, frame, *request.truth, settings.view.light));
-    launch("Measuring", request.truth->key, [path, measured = std::move(measured)](const Workers&) {
+    doing_ = "Measuring", doing_key_ = request.truth->key;
+    job_.start([path, measured = std::move(measured)](const Workers&, const auto&) {
         sum_up(*measured);
         write_file(path, json_text(saved_error(*measured)));
-        return Outcome{.remark = "Saved " + path};
+        return Found{.remark = "Saved " + path};
     });
 }
 
@@ -169,14 +119,14 @@ bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings&
     if (wishes.save_error) save_next_ = wishes.save_error;
     if (!needs.empty() && !wants(given_up_)) given_up_ = 0, problem_.clear();
     if (wishes.cancel) {
-        given_up_ = job_ ? job_->key : next != needs.end() ? next->key : 0;
+        given_up_ = job_.busy() ? doing_key_ : next != needs.end() ? next->key : 0;
         problem_ = "Cancelled";
-        if (job_) job_->stop.request_stop();
+        job_.cancel();
     }
-    if (job_) {
-        const bool stale = !needs.empty() && !wants(job_->key);
+    if (job_.busy()) {
+        const bool stale = !needs.empty() && !wants(doing_key_);
         const bool unwanted = needs.empty() && !save_next_;
-        if (stale || unwanted) job_->stop.request_stop();
+        if (stale || unwanted) job_.cancel();
         return changed;
     }
     // A picture that was found just now is drawn before it is judged what is missing.
@@ -201,11 +151,8 @@ TruthFacts EditorTruth::facts(const FrameResult& frame, int shown_light) const {
     f.wanted = !needs.empty();
     f.current = f.wanted && std::all_of(needs.begin(), needs.end(), [](const LightNeed& n) { return n.met; });
     f.problem = problem_;
-    if (job_) {
-        f.doing = job_->doing;
-        f.progress = job_->progress;
-    }
-    shown_percent_ = job_ ? int(f.progress * 100) : -1;
+    if (job_.busy()) f.doing = doing_;
+    f.progress = job_.progress().value_or(0);
     auto known = picture(shown_light);
     for (const LightNeed& n : needs)
         if (!known) known = picture(n.light);

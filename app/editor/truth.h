@@ -4,22 +4,17 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "app/base/job.h"
 #include "renderer/reference/truth_picture.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {
 
-/// One thread computes at a time; what is no longer wanted is cancelled, and the next starts when it has ended. Nothing
-/// but wait() and the destructor blocks. All calls from the renderer's thread.
+/// One job computes at a time. All calls from the renderer's thread.
 class EditorTruth {
 public:
-    EditorTruth();
-    /// Cancels and joins.
-    ~EditorTruth();
-    EditorTruth(const EditorTruth&) = delete;
-    EditorTruth& operator=(const EditorTruth&) = delete;
-
     /// What was last traced of a light, for FrameRequest::truth; null: nothing.
     std::shared_ptr<const TruthPicture> picture(int light) const;
     /// The same of all lights, for FrameRequest::traced.
@@ -38,19 +33,20 @@ public:
     void clear();
 
     TruthFacts facts(const FrameResult& frame, int shown_light) const;
-    bool busy() const { return job_ != nullptr; }
+    bool busy() const { return job_.busy(); }
     /// Something is done: update() has news; or its progress is to be drawn anew.
-    bool moved() const;
+    bool moved() const { return job_.moved(); }
     /// Until what runs has ended.
-    void wait() const;
+    void wait() const { job_.wait(); }
     /// "Wrote F.json", once, after Wishes::save_error.
     std::string take_remark() { return std::exchange(remark_, {}); }
 
 private:
-    struct Job;
-    struct Outcome;
-    template <typename Work>
-    void launch(const char* doing, std::uint64_t key, Work&& work);
+    struct Found {
+        int light = 0;
+        std::shared_ptr<const TruthPicture> picture;  ///< of the light; null: as it was
+        std::string remark;
+    };
     /// Takes what the job found. Returns whether there was one.
     bool poll();
     void start_trace(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
@@ -63,8 +59,9 @@ private:
     std::uint64_t given_up_ = 0;                                 ///< key of a truth that failed or was cancelled
     std::string problem_, remark_;
     std::optional<std::string> save_next_;
-    mutable int shown_percent_ = -1;
-    std::unique_ptr<Job> job_;  ///< last: joined first
+    const char* doing_ = "";
+    std::uint64_t doing_key_ = 0;  ///< of the truth that the job works on
+    Job<Found> job_;               ///< last: joined first
 };
 
 }  // namespace si

@@ -19,30 +19,16 @@ std::vector<TunedFamily> families_of(const BiasSearch& search) {
     return out;
 }
 
-TuningOutcome search(const std::shared_ptr<const Scene>& scene, const TuningJob& job, const Workers& workers,
+TuningOutcome search(TuningOutcome out, const Scene& scene, const TuningJob& job, const Workers& workers,
                      const std::function<void(const Tuner&)>& report) {
-    TuningOutcome out{.found = {},
-                      .families = {},
-                      .text = {},
-                      .scene = scene->id,
-                      .settings = job.settings,
-                      .width = job.width,
-                      .height = job.height};
-    try {
-        const auto began = std::chrono::steady_clock::now();
-        const HeadlessContext context;
-        Renderer renderer;
-        const Tuner tuner = run_tuning(renderer, *scene, job, workers, report);
-        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-        out.found = tuner.result();
-        out.families = families_of(tuner.bias());
-        out.text = fmt::format("{}; {} trials in {:.1f} s", tuner.summary(), tuner.trials(), seconds);
-    } catch (const Cancelled&) {
-        out.text = "The search for the least bias was cancelled";
-    } catch (const std::exception& e) {
-        out.text = e.what();
-        out.failed = true;
-    }
+    const auto began = std::chrono::steady_clock::now();
+    const HeadlessContext context;
+    Renderer renderer;
+    const Tuner tuner = run_tuning(renderer, scene, job, workers, report);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    out.found = tuner.result();
+    out.families = families_of(tuner.bias());
+    out.text = fmt::format("{}; {} trials in {:.1f} s", tuner.summary(), tuner.trials(), seconds);
     return out;
 }
 
@@ -60,10 +46,25 @@ void EditorTuner::start(const Scene& scene, const Settings& settings, int width,
     TuningJob job{.settings = settings, .width = width, .height = height};
     job.settings.truth.area = wish.area;
     job.goals.most_error = wish.most_error, job.goals.most_ms = wish.most_ms;
-    ContextJob::start({"the present bias", 0}, [job, copy = std::make_shared<const Scene>(scene)](
-                                                   const Workers& workers, const Report& report) {
-        return search(copy, job, workers, [&](const Tuner& tuner) { report({tuner.about(), tuner.progress()}); });
-    });
+    about_ = {};
+    about_.scene = scene.id, about_.settings = job.settings, about_.width = width, about_.height = height;
+    job_.start(
+        [job, about = about_, copy = std::make_shared<const Scene>(scene)](const Workers& workers, const auto& report) {
+            return search(about, *copy, job, workers, [&](const Tuner& tuner) {
+                report({tuner.about(), tuner.progress()});
+            });
+        },
+        {"the present bias", 0});
+}
+
+std::optional<TuningOutcome> EditorTuner::end() {
+    auto outcome = job_.poll();
+    if (!outcome) return {};
+    if (outcome->value) return std::move(outcome->value);
+    TuningOutcome none = about_;
+    none.failed = !outcome->cancelled;
+    none.text = outcome->cancelled ? "The search for the least bias was cancelled" : what_of(outcome->problem);
+    return none;
 }
 
 }  // namespace si

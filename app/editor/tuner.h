@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "app/base/context_job.h"
+#include "app/base/job.h"
 #include "app/sweep/tuning.h"
 #include "ui/state/editor_ui.h"
 
@@ -21,10 +21,21 @@ struct TuningOutcome {
     bool is_about(const Settings& now, int now_width, int now_height) const;
 };
 
-class EditorTuner : public ContextJob<TuneFacts, TuningOutcome> {
+class EditorTuner {
 public:
     /// In place of one that is under way.
     void start(const Scene& scene, const Settings& settings, int width, int height, const TuneWish& wish);
+    void cancel() { job_.cancel(); }
+    bool running() const { return job_.busy(); }
+    bool moved() const { return job_.moved(); }
+    std::optional<TuneFacts> facts() const { return job_.progress(); }
+    void wait() const { job_.wait(); }
+    /// What became of it, once.
+    std::optional<TuningOutcome> end();
+
+private:
+    TuningOutcome about_;  ///< what is searched for, and not yet what was found
+    Job<TuningOutcome, TuneFacts> job_;
 };
 
 }  // namespace si

@@ -22,7 +22,7 @@ std::optional<MapReport> map_report(Renderer& renderer, const Scene& scene, Sett
     const FrameResult frame = renderer.render(scene, settings, request);
     if (!frame.map_view.texture) return std::nullopt;
     const FloatImage coordinates = renderer.read_float(frame.map_coordinates, 4);
-    const FloatImage depth = renderer.read_map_view_depth();
+    const FloatImage depth = renderer.read_map_view_depth(frame);
     const FloatImage read = renderer.read_float(frame.texels_read, 1);
     MapReport facts;
     facts.exact_utilisation = double(std::count(read.data.begin(), read.data.end(), 1.f)) / double(read.data.size());

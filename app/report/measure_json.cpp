@@ -1,10 +1,26 @@
 #include "app/report/measure_json.h"
 
+#include <cmath>
+#include <limits>
+
 #include "renderer/measure/artefact_picture.h"
 
 namespace si {
 
 using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json or_null(double v) {
+    return std::isfinite(v) ? Json(v) : Json();
+}
+
+template <typename Count>
+void read_count(Count& to, const Json& json, std::string_view field) {
+    if (const auto at = json.find(field); at != json.end() && at->is_number()) to = at->get<Count>();
+}
+
+}  // namespace
 
 Json spread_json(const Spread& s) {
     return {{"median", s.median},
@@ -13,7 +29,7 @@ Json spread_json(const Spread& s) {
             {"high", s.high},
             {"median_low", s.median_low},
             {"median_high", s.median_high},
-            {"noise", 0.5 * (s.median_high - s.median_low)}};
+            {"noise", s.noise()}};
 }
 
 Json time_json(const TimeMeasurement& time) {
@@ -51,28 +67,9 @@ Json truth_quality_json(const Truth& t) {
 }
 
 Json error_json(const ErrorMetrics& m) {
-    Json json = {{"meaning", kErrorMeaning},
-                 {"false_shadow", m.false_shadow},
-                 {"false_light", m.false_light},
-                 {"acne", m.acne},
-                 {"leak", m.leak},
-                 {"offset_false_shadow", m.offset_false_shadow},
-                 {"bias_false_light", m.bias_false_light},
-                 {"lost_false_light", m.lost_false_light},
-                 {"boundary_false_shadow", m.boundary_false_shadow},
-                 {"boundary_false_light", m.boundary_false_light},
-                 {"outside_false_shadow", m.outside_false_shadow},
-                 {"outside_false_light", m.outside_false_light},
-                 {"any_acne", m.any_acne},
-                 {"within_noise", m.within_noise},
-                 {"mae", m.mae},
-                 {"rmse", m.rmse},
-                 {"signed_mean", m.signed_mean},
-                 {"iou", m.iou},
-                 {"boundary_px_mean", m.boundary_px_mean},
-                 {"boundary_px_p95", m.boundary_px_p95},
-                 {"boundary_px_max", m.boundary_px_max},
-                 {"outside_map", m.outside_map}};
+    Json json = {{"meaning", kErrorMeaning}};
+    for (const Metric& metric : metrics())
+        if (metric.member) json[std::string(metric.key)] = or_null(metric.value(m));
     for (std::size_t i = 0; i < kPixelStates; ++i) json["pixels"][state_key(PixelState(i))] = m.pixels[i];
     json["artefacts"]["none"] = m.artefacts[std::size_t(Artefact::None)];
     for (const ArtefactStyle& style : artefact_styles())
@@ -80,9 +77,44 @@ Json error_json(const ErrorMetrics& m) {
     return json;
 }
 
+Json error_json(const ErrorMetrics& m, double noise) {
+    Json json = error_json(m);
+    json["noise"] = or_null(noise);
+    return json;
+}
+
 Json cost_json(const WorkCost& cost) {
     return {{"taps_per_pixel", cost.taps_per_pixel}, {"map_texels", cost.map_texels}, {"map_bytes", cost.map_bytes},
             {"bytes_touched", cost.bytes_touched},   {"draws", cost.draws},           {"triangles", cost.triangles}};
+}
+
+double number_or_nan(const Json& json, std::string_view field) {
+    const auto at = json.find(field);
+    return at != json.end() && at->is_number() ? at->get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+ErrorMetrics error_from_json(const Json& json) {
+    ErrorMetrics m;
+    for (const Metric& metric : metrics())
+        if (metric.member) m.*metric.member = number_or_nan(json, metric.key);
+    if (const auto pixels = json.find("pixels"); pixels != json.end())
+        for (std::size_t i = 0; i < kPixelStates; ++i) read_count(m.pixels[i], *pixels, state_key(PixelState(i)));
+    m.counted = m.pixels[std::size_t(PixelState::Counted)];
+    if (const auto artefacts = json.find("artefacts"); artefacts != json.end()) {
+        read_count(m.artefacts[std::size_t(Artefact::None)], *artefacts, "none");
+        for (const ArtefactStyle& style : artefact_styles())
+            read_count(m.artefacts[std::size_t(style.artefact)], *artefacts, style.key);
+    }
+    return m;
+}
+
+WorkCost cost_from_json(const Json& json) {
+    WorkCost c;
+    read_count(c.taps_per_pixel, json, "taps_per_pixel");
+    read_count(c.map_texels, json, "map_texels"), read_count(c.map_bytes, json, "map_bytes");
+    read_count(c.bytes_touched, json, "bytes_touched");
+    read_count(c.draws, json, "draws"), read_count(c.triangles, json, "triangles");
+    return c;
 }
 
 }  // namespace si

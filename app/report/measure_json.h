@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "renderer/measure/time_sampler.h"
 #include "renderer/reference/metrics.h"
@@ -19,8 +20,15 @@ nlohmann::ordered_json truth_quality_json(const Truth& truth);
 /// What the shares and causes of an error mean; rows of different meanings are not to be compared.
 /// 1: by distance to a true edge. 2: by the change that puts a pixel right.
 inline constexpr int kErrorMeaning = 2;
-/// Numbers that are not finite become null when the text is made.
+/// Numbers that are not finite become null.
 nlohmann::ordered_json error_json(const ErrorMetrics& metrics);
+/// With the truth's own noise (Truth::noise).
+nlohmann::ordered_json error_json(const ErrorMetrics& metrics, double noise);
 nlohmann::ordered_json cost_json(const WorkCost& cost);
+/// What error_json() and cost_json() wrote; numbers that are missing are NaN, and counts 0.
+ErrorMetrics error_from_json(const nlohmann::ordered_json& json);
+WorkCost cost_from_json(const nlohmann::ordered_json& json);
+/// The number under a field; NaN when it is missing or null.
+double number_or_nan(const nlohmann::ordered_json& json, std::string_view field);
 
 }  // namespace si

@@ -28,7 +28,7 @@ void require_map(const Settings& settings, const FrameResult& frame) {
 
 void write_depth(Renderer& renderer, const Settings& settings, const FrameResult& frame, const std::string& path) {
     if (lower_extension(path) == ".png") return write_png(path, renderer.read_colour(frame.map_view));
-    FloatImage depth = renderer.read_map_view_depth();
+    FloatImage depth = renderer.read_map_view_depth(frame);
     if (settings.view.map == static_cast<int>(MapView::Linear)) {
         for (float& v : depth.data) v = float(frame.map_view_curve.distance(v));
     }

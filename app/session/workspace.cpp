@@ -21,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kFormat = "shadow-inspector-workspace";
-constexpr int kVersion = 1;
+constexpr std::string_view kWorkspaceFormat = "shadow-inspector-workspace";
+constexpr int kWorkspaceVersion = 1;
 constexpr std::size_t kMostRecent = 12;
 constexpr const char* kFile = "workspace.json";
 
@@ -66,8 +66,8 @@ WorkspaceData from_json(const Json& json) {
 }
 
 std::string to_text(const WorkspaceData& d) {
-    const Json json{{"format", kFormat},
-                    {"version", kVersion},
+    const Json json{{"format", kWorkspaceFormat},
+                    {"version", kWorkspaceVersion},
                     {"layout",
                      {{"settings_width", d.layout.settings_width},
                       {"bottom_height", d.layout.bottom_height},
@@ -133,7 +133,7 @@ bool Workspace::read(WorkspaceData& data) {
     if (!fs::exists(fs::symlink_status(path, error))) return true;
     try {
         const Json json = Json::parse(read_text_file(path), nullptr, false);
-        if (!json.is_object() || json.value("format", Json()) != kFormat || json.value("version", Json()) != kVersion)
+        if (!json.is_object() || json.value("format", Json()) != kWorkspaceFormat || json.value("version", Json()) != kWorkspaceVersion)
             throw Error(
                 fmt::format("{}: not a workspace of this version; move it away to have layout and recent files "
                             "remembered again",

@@ -1,36 +1,32 @@
 // The numbers of a sweep's cases: what they are called, what they mean, and how a plot shows them.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/sweep/numbers.h"
+
 namespace si {
 
-/// How a number becomes a length on an axis where less is better.
-enum class Plotted {
-    AsIs,
-    Absolute,      ///< of signed errors
-    LackingToOne,  ///< 1 - v, of likenesses
-    No,            ///< a fact, no quality
-};
-
 struct Column {
-    std::string_view key;  ///< "error.mae": group and field of a row of results.json
-    std::string_view label, unit, help;
-    Plotted plotted = Plotted::AsIs;
-    std::string_view noise;  ///< key of the field up to which differences are none; empty: exact
+    std::string key;  ///< "error.mae": group and field of a row of results.json
+    std::string label, unit, help;
+    std::function<double(const CaseNumbers&)> value;  ///< NaN when there is none
+    Better better = Better::Less;                     ///< a plot shows its shortfall()
+    std::string noise = {};  ///< key of the field up to which differences are none; empty: exact
+    std::function<double(const CaseNumbers&)> noise_value = {};
 };
 
+/// The metrics, then times and costs.
 std::span<const Column> columns();
 const Column* find_column(std::string_view key);
 
-/// The number under a column's key in a row of results.json; NaN when there is none.
-double number_at(const nlohmann::ordered_json& row, std::string_view key);
-
 /// As the plot shows it; NaN when it is not shown.
-double plotted_value(const Column& column, const nlohmann::ordered_json& row);
+double plotted_value(const Column& column, const CaseNumbers& numbers);
+/// Up to which its differences are none.
+double noise_of(const Column& column, const CaseNumbers& numbers);
 
 }  // namespace si

@@ -34,15 +34,17 @@ bool is_picture_of_case(const fs::path& path) {
 
 }  // namespace
 
-Json write_sweep_files(const fs::path& folder, const SweepState& state, const SweepPlan& plan, SweepFiles which) {
-    Json results = results_json(state, plan);
-    write_file(folder / kResultsFile, json_text(results));
+SweepResults write_sweep_files(const fs::path& folder, const SweepState& state, const SweepPlan& plan,
+                               SweepFiles which) {
+    SweepResults results = sweep_results(state, plan);
+    const Json json = results_json(results);
+    write_file(folder / kResultsFile, json_text(json));
     write_file(folder / kTableFile, results_csv(results));
     if (which == SweepFiles::Results) return results;
     const SweepSpec spec = spec_from_json(state.spec);
     save_preset({.about = "What all cases of a sweep have in common", .scene = spec.scene, .settings = spec.base},
                 folder / kBasePreset);
-    write_file(folder / kReportFile, report_html(results, folder));
+    write_file(folder / kReportFile, report_html(json, folder));
     return results;
 }
 
@@ -88,22 +90,19 @@ void require_sweep_folder(const fs::path& folder) {
                             folder.string(), name, kJournalFile));
 }
 
-std::string frontier_text(const Json& results) {
-    const Json& frontier = results.at("frontier");
-    const Column* x = find_column(frontier.at("x").get<std::string>());
-    const Column* y = find_column(frontier.at("y").get<std::string>());
-    std::vector<const Json*> on;
-    for (const Json& row : results.at("rows"))
-        if (std::find(frontier.at("cases").begin(), frontier["cases"].end(), row.at("case")) != frontier["cases"].end())
+std::string frontier_text(const SweepResults& results) {
+    const Column *x = find_column(results.x), *y = find_column(results.y);
+    std::vector<const SweepRow*> on;
+    for (const SweepRow& row : results.rows)
+        if (std::find(results.frontier.begin(), results.frontier.end(), row.number) != results.frontier.end())
             on.push_back(&row);
     std::stable_sort(on.begin(), on.end(),
-                     [&](const Json* a, const Json* b) { return number_at(*a, x->key) < number_at(*b, x->key); });
+                     [&](const SweepRow* a, const SweepRow* b) { return x->value(a->numbers) < x->value(b->numbers); });
     std::string text =
         fmt::format("{:>16} {:>12}  case (nothing beats these)\n", fmt::format("{} [{}]", x->label, x->unit), y->label);
-    for (const Json* row : on) {
-        text += fmt::format("{:>16.4g} {:>12.4g} ", number_at(*row, x->key), number_at(*row, y->key));
-        for (const auto& [key, value] : row->at("settings").items())
-            text += fmt::format(" {}={}", key, value.get<std::string>());
+    for (const SweepRow* row : on) {
+        text += fmt::format("{:>16.4g} {:>12.4g} ", x->value(row->numbers), y->value(row->numbers));
+        for (const auto& [key, value] : row->settings) text += fmt::format(" {}={}", key, value);
         text += '\n';
     }
     return text;

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/sweep/state.h"
+#include "app/sweep/results.h"
 
 namespace si {
 
@@ -13,8 +13,8 @@ enum class SweepFiles {
 };
 
 /// Writes them, each as a whole. Returns the results. @throws Error
-nlohmann::ordered_json write_sweep_files(const std::filesystem::path& folder, const SweepState& state,
-                                         const SweepPlan& plan, SweepFiles which = SweepFiles::AndReport);
+SweepResults write_sweep_files(const std::filesystem::path& folder, const SweepState& state, const SweepPlan& plan,
+                               SweepFiles which = SweepFiles::AndReport);
 
 /// Copies the pictures of another folder's cases that this one lacks. @throws Error
 void copy_pictures(const std::filesystem::path& from, const std::filesystem::path& to);
@@ -26,6 +26,6 @@ void forget_sweep(const std::filesystem::path& folder);
 void require_sweep_folder(const std::filesystem::path& folder);
 
 /// The frontier as lines of text: cost, error and settings.
-std::string frontier_text(const nlohmann::ordered_json& results);
+std::string frontier_text(const SweepResults& results);
 
 }  // namespace si

@@ -9,6 +9,7 @@
 
 #include "app/sweep/columns.h"
 #include "app/sweep/results.h"
+#include "renderer/base/base64.h"
 #include "renderer/base/embedded.h"
 #include "renderer/base/error.h"
 #include "renderer/measure/artefact_picture.h"
@@ -43,7 +44,7 @@ Json columns_json() {
                         {"label", c.label},
                         {"unit", c.unit},
                         {"help", c.help},
-                        {"plotted", kPlotted[std::size_t(c.plotted)]},
+                        {"plotted", kPlotted[std::size_t(c.better)]},
                         {"noise", c.noise}});
     return list;
 }
@@ -128,19 +129,6 @@ std::string replaced(std::string text, std::string_view mark, std::string_view b
 }
 
 }  // namespace
-
-std::string base64(std::string_view bytes) {
-    static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        unsigned group = 0;
-        const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-        for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < n ? (unsigned char)bytes[i + k] : 0u);
-        for (std::size_t k = 0; k < 4; ++k) out += k <= n ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-    }
-    return out;
-}
 
 std::string report_html(const Json& results, const fs::path& folder, std::size_t most_picture_bytes) {
     Json data = results;

@@ -15,7 +15,4 @@ inline constexpr std::size_t kMostPictureBytes = std::size_t{24} << 20;
 std::string report_html(const nlohmann::ordered_json& results, const std::filesystem::path& folder,
                         std::size_t most_picture_bytes = kMostPictureBytes);
 
-/// Bytes in base 64 (RFC 4648).
-std::string base64(std::string_view bytes);
-
 }  // namespace si

@@ -1,8 +1,7 @@
 // A sweep's results as the frontier panel shows them.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "app/sweep/results.h"
 #include "ui/state/measured.h"
 
 namespace si {
@@ -10,12 +9,13 @@ namespace si {
 /// The columns that may be axes of the plot, in order.
 std::vector<MeasuredColumn> measured_columns();
 
-/// A row of results.json, or {"error", "cost", "time"} of other settings.
-MeasuredCase measured_case(const nlohmann::ordered_json& row);
+MeasuredCase measured_case(const SweepRow& row);
+/// Of settings that are no case.
+MeasuredCase measured_case(const CaseNumbers& numbers);
 
-/// The noise of a number is that of the row's field named by its column. Rows that failed are left out.
-/// @param rows array of results.json @param present as measured_case() takes it; null: nothing
-FrontierView frontier_view(const nlohmann::ordered_json& rows, const nlohmann::ordered_json& present,
-                           const std::string& cost, const std::string& error);
+/// Rows that failed are left out. @param present numbers of other settings; null: none @param cost, error keys of
+/// columns
+FrontierView frontier_view(const std::vector<SweepRow>& rows, const CaseNumbers* present, const std::string& cost,
+                           const std::string& error);
 
 }  // namespace si

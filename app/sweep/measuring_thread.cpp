@@ -3,15 +3,12 @@
 #include <algorithm>
 
 #include "app/context/headless_context.h"
-#include "app/report/measure_json.h"
-#include "app/sweep/results.h"
 
 namespace si {
 namespace {
 
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
-using Json = nlohmann::ordered_json;
 
 constexpr auto kRest = 200ms;    ///< a picture waits this long for settings to stand still
 constexpr auto kReport = 250ms;  ///< between two reports of a sweep's results
@@ -56,7 +53,7 @@ void MeasuringThread::sweep(RunningSweep::Of of, std::shared_ptr<const Scene> sc
         sweep_stop_.request_stop();
         sweep_stop_ = {};
         next_sweep_ = SweepWanted{std::move(of), std::move(scene), as, sweep_stop_};
-        news_.sweeping = true, news_.progress = {}, news_.results = {}, news_.sweep_problem.clear();
+        news_.sweeping = true, news_.progress = {}, news_.results.reset(), news_.sweep_problem.clear();
         ++news_.sweep;
     });
 }
@@ -174,9 +171,9 @@ void MeasuringThread::step_sweep(Bench& bench) {
         problem = e.what();
     }
     const bool report = !more || Clock::now() >= bench.report_due;
-    Json results;
+    std::optional<SweepResults> results;
     if (report) {
-        results = results_json(bench.sweep->state(), bench.sweep->of().plan);
+        results = sweep_results(bench.sweep->state(), bench.sweep->of().plan);
         bench.report_due = Clock::now() + kReport;
     }
     const SweepProgress progress = bench.sweep->progress();
@@ -192,7 +189,7 @@ void MeasuringThread::step_sweep(Bench& bench) {
 
 void MeasuringThread::measure_picture(Bench& bench, const PictureWanted& wanted) {
     const Picture& p = wanted.picture;
-    const auto publish = [&](const Json& measured, const std::string& problem, bool done) {
+    const auto publish = [&](const std::optional<CaseNumbers>& measured, const std::string& problem, bool done) {
         tell([&] {
             if (wanted.stop.stop_requested()) return;
             news_.measured = measured;
@@ -200,19 +197,18 @@ void MeasuringThread::measure_picture(Bench& bench, const PictureWanted& wanted)
             if (done) news_.measuring = false;
         });
     };
-    Json row;
+    CaseNumbers numbers;
     try {
         if (!bench.measurer || bench.width != p.width || bench.height != p.height)
             bench.measurer = std::make_unique<Measurer>(bench.renderer, p.width, p.height);
         bench.width = p.width, bench.height = p.height;
         bench.measurer->set_workers(workers_of(wanted.stop.get_token()));
         const Judgement judged = bench.measurer->judge(*p.scene, p.settings);
-        row["error"] = error_json(judged.error);
-        row["error"]["noise"] = judged.truth->noise;
-        row["cost"] = cost_json(judged.cost);
-        publish(row, "", false);
-        row["time"] = time_json(bench.measurer->time(*p.scene, p.settings));
-        publish(row, "", true);
+        numbers.error = {judged.error, judged.truth->noise};
+        numbers.cost = judged.cost;
+        publish(numbers, "", false);
+        numbers.time = bench.measurer->time(*p.scene, p.settings);
+        publish(numbers, "", true);
     } catch (const Cancelled&) {
     } catch (const std::exception& e) {
         publish({}, e.what(), true);

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
 
+#include "app/sweep/results.h"
 #include "app/sweep/running_sweep.h"
 
 namespace si {
@@ -42,11 +42,11 @@ public:
         std::uint64_t version = 0;
         bool sweeping = false;
         SweepProgress progress;
-        nlohmann::ordered_json results;   ///< of the sweep; null: nothing yet
-        std::uint64_t sweep = 0;          ///< counts the sweeps
-        std::string sweep_problem;        ///< why it ended early
-        bool measuring = false;           ///< a picture is wanted and not there yet
-        nlohmann::ordered_json measured;  ///< {"error", "cost", "time"} of the last picture, "time" null until taken
+        std::optional<SweepResults> results;  ///< of the sweep; none yet
+        std::uint64_t sweep = 0;              ///< counts the sweeps
+        std::string sweep_problem;            ///< why it ended early
+        bool measuring = false;               ///< a picture is wanted and not there yet
+        std::optional<CaseNumbers> measured;  ///< of the last picture
         std::string measure_problem;
     };
     News news() const;

@@ -1,7 +1,6 @@
 #include "app/sweep/rendered_cases.h"
 
 #include "app/base/output.h"
-#include "app/report/measure_json.h"
 #include "app/sweep/pictures.h"
 
 namespace si {
@@ -18,10 +17,9 @@ CaseFacts RenderedCases::facts(const SweepCase& c) {
     CaseSessions::Prepared prepared = sessions_.prepare(c.values);
     const Judgement judged = measurer_.judge(prepared.scene, prepared.settings);
     facts.notes = std::move(prepared.notes);
-    facts.error = error_json(judged.error);
-    facts.error["noise"] = judged.truth->noise;
+    facts.error = {judged.error, judged.truth->noise};
     if (judged.truth->noise_unknown > 0) facts.notes.push_back("the truth: " + noise_text(*judged.truth));
-    facts.cost = cost_json(judged.cost);
+    facts.cost = judged.cost;
     facts.notes.insert(facts.notes.end(), judged.notes.begin(), judged.notes.end());
     facts.picture_jpg = jpg_bytes(shrunk(judged.picture, kThumbnailWidth));
     facts.artefacts_png = png_bytes(shrunk(judged.artefacts, kArtefactsWidth));

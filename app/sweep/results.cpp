@@ -17,35 +17,48 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 /// The axes of the plot to begin with: of several in order of preference the first that has numbers.
-std::string first_with_numbers(const Json& rows, std::initializer_list<const char*> keys) {
+std::string first_with_numbers(const std::vector<SweepRow>& rows, std::initializer_list<const char*> keys) {
     for (const char* key : keys)
-        for (const Json& row : rows)
-            if (std::isfinite(number_at(row, key))) return key;
+        for (const SweepRow& row : rows)
+            if (std::isfinite(find_column(key)->value(row.numbers))) return key;
     return *keys.begin();
 }
 
-Json frontier_json(const Json& rows) {
-    const std::string x = first_with_numbers(rows, {"time.total_ms.median", "cost.bytes_touched"});
-    const std::string y = first_with_numbers(rows, {"error.mae"});
-    Json json = {{"x", x}, {"y", y}, {"cases", Json::array()}, {"tied", Json::array()}};
-    for (const FrontierView::Mark& mark : frontier_view(rows, {}, x, y).marks) {
-        if (mark.on) json["cases"].push_back(rows[mark.of]["case"]);
-        if (mark.tied) json["tied"].push_back(rows[mark.of]["case"]);
+void find_frontier(SweepResults& results) {
+    results.x = first_with_numbers(results.rows, {"time.total_ms.median", "cost.bytes_touched"});
+    results.y = first_with_numbers(results.rows, {"error.mae"});
+    for (const FrontierView::Mark& mark : frontier_view(results.rows, nullptr, results.x, results.y).marks) {
+        if (mark.on) results.frontier.push_back(results.rows[mark.of].number);
+        if (mark.tied) results.tied.push_back(results.rows[mark.of].number);
     }
+}
+
+Json run_json(const RunInfo& run, int ranked_rounds) {
+    return {{"id", run.id},
+            {"started", run.started},
+            {"renderer", run.renderer},
+            {"version", run.version},
+            {"clock", run.clock},
+            {"cpu_rasteriser", run.software},
+            {"load", run.load},
+            {"ranked_rounds", ranked_rounds}};
+}
+
+Json row_json(const SweepRow& row) {
+    const CaseNumbers& n = row.numbers;
+    Json json = {{"case", row.number}, {"settings", Json::object()}};
+    for (const auto& [key, value] : row.settings) json["settings"][key] = value;
+    json["failed"] = row.failed.empty() ? Json() : Json(row.failed);
+    json["error"] = n.error ? error_json(n.error->metrics, n.error->noise) : Json();
+    json["cost"] = n.cost ? cost_json(*n.cost) : Json();
+    json["time"] = n.time ? time_json(*n.time) : Json();
+    json["notes"] = row.notes;
+    json["picture"] = row.failed.empty() ? Json(picture_path(row.number)) : Json();
+    json["artefacts"] = row.failed.empty() ? Json(artefacts_path(row.number)) : Json();
     return json;
 }
 
-Json run_json(const RunInfo& run, const RankedRounds& ranked) {
-    int rounds = 0;
-    for (const auto& [id, unused] : ranked.rounds) rounds += id == run.id;
-    return {{"id", run.id},           {"started", run.started}, {"renderer", run.renderer},
-            {"version", run.version}, {"clock", run.clock},     {"cpu_rasteriser", run.software},
-            {"load", run.load},       {"ranked_rounds", rounds}};
-}
-
-std::string csv_cell(const Json& value) {
-    if (value.is_null()) return "";
-    std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+std::string csv_cell(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -97,74 +110,79 @@ std::string artefacts_path(std::size_t n) {
     return fmt::format("pictures/{:04}-artefacts.png", n);
 }
 
-Json results_json(const SweepState& state, const SweepPlan& plan) {
+SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
     const Shard shard = parse_shard(state.spec.at("shard").get<std::string>());
     const RankedRounds ranked = ranked_rounds(state);
-    Json rows = Json::array();
-    std::string clock;
-    std::size_t finished = 0, failed = 0;
+    SweepResults out;
+    out.spec = state.spec;
+    out.combinations = plan.product, out.cases = plan.cases.size();
     for (std::size_t i = 0; i < plan.cases.size(); ++i) {
         if (!shard.holds(i)) continue;
         const auto known = state.cases.find(i);
         if (known == state.cases.end() || !(known->second.finished || !known->second.failed.empty())) continue;
         const CaseState& c = known->second;
-        (c.failed.empty() ? finished : failed) += 1;
-        Json row = {{"case", i}, {"settings", Json::object()}};
-        for (const auto& [key, value] : plan.cases[i].values) row["settings"][key] = value;
-        row["failed"] = c.failed.empty() ? Json() : Json(c.failed);
-        row["error"] = c.failed.empty() ? c.error : Json();
-        row["cost"] = c.failed.empty() ? c.cost : Json();
-        row["time"] = nullptr;
+        SweepRow row{
+            .number = i, .settings = plan.cases[i].values, .failed = c.failed, .numbers = {}, .notes = c.notes};
+        (c.failed.empty() ? out.finished : out.failed) += 1;
+        if (c.failed.empty()) row.numbers = {.error = c.error, .cost = c.cost, .time = {}};
         if (const TimeSamples samples = ranked_samples(c, ranked); c.failed.empty() && !samples.total_ms.empty()) {
-            TimeMeasurement m = summary(samples);
-            m.clock = clock = state.run(ranked.rounds.front().first)->clock;
-            row["time"] = time_json(m);
+            row.numbers.time = summary(samples);
+            row.numbers.time->clock = out.clock = state.run(ranked.rounds.front().first)->clock;
         }
-        row["notes"] = c.notes;
-        row["picture"] = c.failed.empty() ? Json(picture_path(i)) : Json();
-        row["artefacts"] = c.failed.empty() ? Json(artefacts_path(i)) : Json();
-        rows.push_back(std::move(row));
+        out.rows.push_back(std::move(row));
     }
     const RunInfo* run = ranked.rounds.empty() ? (state.runs.empty() ? nullptr : &state.runs.back())
                                                : state.run(ranked.rounds.front().first);
+    out.renderer = run ? run->renderer : "";
+    out.software = run && run->software;
+    out.rounds = ranked.rounds.size();
+    for (const RunInfo& r : state.runs)
+        out.runs.emplace_back(r, int(std::count_if(ranked.rounds.begin(), ranked.rounds.end(),
+                                                   [&](const auto& round) { return round.first == r.id; })));
+    find_frontier(out);
+    return out;
+}
+
+Json results_json(const SweepResults& results) {
     Json json = {{"format", kResultsFormat}, {"version", kResultsVersion}};
-    for (const char* key : {"scene", "picture", "truth", "settings", "axes", "shard"}) json[key] = state.spec.at(key);
-    json["combinations"] = plan.product;
-    json["cases"] = plan.cases.size();
-    json["finished"] = finished, json["failed"] = failed;
-    json["renderer"] = run ? run->renderer : "";
-    json["cpu_rasteriser"] = run && run->software;
-    json["clock"] = clock;
-    json["rounds"] = ranked.rounds.size();
+    for (const char* key : {"scene", "picture", "truth", "settings", "axes", "shard"}) json[key] = results.spec.at(key);
+    json["combinations"] = results.combinations;
+    json["cases"] = results.cases;
+    json["finished"] = results.finished, json["failed"] = results.failed;
+    json["renderer"] = results.renderer;
+    json["cpu_rasteriser"] = results.software;
+    json["clock"] = results.clock;
+    json["rounds"] = results.rounds;
     json["runs"] = Json::array();
-    for (const RunInfo& r : state.runs) json["runs"].push_back(run_json(r, ranked));
-    json["frontier"] = frontier_json(rows);
-    json["rows"] = std::move(rows);
+    for (const auto& [run, rounds] : results.runs) json["runs"].push_back(run_json(run, rounds));
+    json["frontier"] = {{"x", results.x}, {"y", results.y}, {"cases", results.frontier}, {"tied", results.tied}};
+    json["rows"] = Json::array();
+    for (const SweepRow& row : results.rows) json["rows"].push_back(row_json(row));
     return json;
 }
 
-std::string results_csv(const Json& results) {
-    std::set<Json> on(results.at("frontier").at("cases").begin(), results["frontier"]["cases"].end());
+std::string results_csv(const SweepResults& results) {
     std::vector<const Column*> used;
     for (const Column& column : columns())
-        if (std::any_of(results.at("rows").begin(), results["rows"].end(),
-                        [&](const Json& row) { return std::isfinite(number_at(row, column.key)); }))
+        if (std::any_of(results.rows.begin(), results.rows.end(),
+                        [&](const SweepRow& row) { return std::isfinite(column.value(row.numbers)); }))
             used.push_back(&column);
     std::string text = "case";
     const auto add = [&text](std::string_view cell) { text.append(1, ',').append(cell); };
-    for (const Json& axis : results.at("axes")) add(csv_cell(axis.at("key")));
+    const Json& axes = results.spec.at("axes");
+    for (const Json& axis : axes) add(csv_cell(axis.at("key").get<std::string>()));
     for (const Column* column : used) add(column->key);
     text += ",on_frontier,failed\n";
-    for (const Json& row : results["rows"]) {
-        text += row.at("case").dump();
-        for (const Json& axis : results["axes"])
-            add(csv_cell(row.at("settings").at(axis.at("key").get<std::string>())));
+    for (const SweepRow& row : results.rows) {
+        text += std::to_string(row.number);
+        for (const auto& [key, value] : row.settings) add(csv_cell(value));
         for (const Column* column : used) {
-            const double v = number_at(row, column->key);
+            const double v = column->value(row.numbers);
             add(std::isfinite(v) ? fmt::format("{:.9g}", v) : "");
         }
-        add(on.contains(row["case"]) ? "true" : "false");
-        add(csv_cell(row.at("failed")));
+        const auto& on = results.frontier;
+        add(std::find(on.begin(), on.end(), row.number) != on.end() ? "true" : "false");
+        add(csv_cell(row.failed));
         text += '\n';
     }
     return text;

@@ -74,7 +74,7 @@ bool SweepRunner::step_facts() {
             if (!facts.picture_jpg.empty()) write_file(folder_ / picture_path(number), facts.picture_jpg);
             if (!facts.artefacts_png.empty()) write_file(folder_ / artefacts_path(number), facts.artefacts_png);
             CaseState state;
-            state.error = std::move(facts.error), state.cost = std::move(facts.cost);
+            state.error = facts.error, state.cost = facts.cost;
             state.notes = std::move(facts.notes);
             journal_.add(facts_line(number, state));
         }

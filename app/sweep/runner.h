@@ -11,7 +11,8 @@ namespace si {
 
 /// Error and cost of a case, and what it looks like.
 struct CaseFacts {
-    nlohmann::ordered_json error, cost;
+    CaseErrors error;
+    WorkCost cost;
     std::vector<std::string> notes;
     std::string picture_jpg, artefacts_png;  ///< the files' bytes
 };

@@ -21,8 +21,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr const char* kFormat = "shadow-inspector-sweep-journal";
-constexpr int kVersion = 1;
+constexpr const char* kJournalFormat = "shadow-inspector-sweep-journal";
+constexpr int kJournalVersion = 1;
 
 std::string machine_key() {
     std::string id;
@@ -97,9 +97,9 @@ const RunInfo* SweepState::run(const std::string& id) const {
 
 void SweepState::apply(const Json& line) {
     if (line.contains("format")) {
-        if (line["format"] != kFormat) throw Error("this is no journal of a sweep");
-        if (line.at("version") != kVersion)
-            throw Error(fmt::format("version {} of the journal is not known; {} is", line["version"].dump(), kVersion));
+        if (line["format"] != kJournalFormat) throw Error("this is no journal of a sweep");
+        if (line.at("version") != kJournalVersion)
+            throw Error(fmt::format("version {} of the journal is not known; {} is", line["version"].dump(), kJournalVersion));
         spec = line.at("spec");
         plan = line.at("plan").get<std::string>();
     } else if (line.contains("turn")) {
@@ -112,7 +112,8 @@ void SweepState::apply(const Json& line) {
     } else if (line.contains("facts")) {
         require_known_meaning(line.at("error"));
         CaseState& c = cases[line["facts"].get<std::size_t>()];
-        c.error = line.at("error"), c.cost = line.at("cost");
+        c.error = {error_from_json(line.at("error")), number_or_nan(line["error"], "noise")};
+        c.cost = cost_from_json(line.at("cost"));
         c.notes = line.at("notes").get<std::vector<std::string>>();
         c.finished = true, c.failed.clear(), c.begun = 0;
     } else if (line.contains("failed")) {
@@ -124,7 +125,7 @@ void SweepState::apply(const Json& line) {
 }
 
 Json header_line(const Json& spec, const std::string& plan) {
-    return {{"format", kFormat}, {"version", kVersion}, {"plan", plan}, {"spec", spec}};
+    return {{"format", kJournalFormat}, {"version", kJournalVersion}, {"plan", plan}, {"spec", spec}};
 }
 
 Json run_line(const RunInfo& run) {
@@ -144,7 +145,10 @@ Json begin_line(std::size_t case_number) {
 }
 
 Json facts_line(std::size_t case_number, const CaseState& facts) {
-    return {{"facts", case_number}, {"error", facts.error}, {"cost", facts.cost}, {"notes", facts.notes}};
+    return {{"facts", case_number},
+            {"error", error_json(facts.error.metrics, facts.error.noise)},
+            {"cost", cost_json(facts.cost)},
+            {"notes", facts.notes}};
 }
 
 Json failure_line(std::size_t case_number, const std::string& why) {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/sweep/numbers.h"
 #include "app/sweep/spec.h"
-#include "renderer/measure/time_sampler.h"
 
 namespace si {
 
@@ -22,7 +22,8 @@ struct CaseState {
     bool finished = false;  ///< error and cost are known
     std::string failed;     ///< why there are none; empty: it did not fail
     int begun = 0;          ///< how often it was begun without an end
-    nlohmann::ordered_json error, cost;
+    CaseErrors error;
+    WorkCost cost;
     std::vector<std::string> notes;
     std::vector<Turn> turns;
 };

@@ -15,7 +15,7 @@ namespace si {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string_view reason) {
-    throw Error(fmt::format("cannot write {}: {}", path.string(), reason));
+    throw Error(fmt::format("{}: cannot be written: {}", path.string(), reason));
 }
 
 }  // namespace

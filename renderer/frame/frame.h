@@ -87,6 +87,23 @@ struct TruthNeed {
     bool met = false;       ///< FrameRequest::truth was the one
 };
 
+/// What of a frame lies in the renderer's images, where a later frame may take its place: see Renderer::holds().
+struct FrameContents {
+    struct Part {
+        std::string of;              ///< the result, as passes name it: "shadow maps"
+        const std::uint64_t* place;  ///< where the key of what is there stands; the renderer's
+        std::uint64_t key, drawn;    ///< as the frame left it, and which drawing that was
+    };
+    std::uint64_t renderer = 0;  ///< which one drew it; 0: none did
+    std::vector<Part> parts;
+};
+
+/// The depth image that a frame's map viewer shows.
+struct ShownMap {
+    MapSource source = MapSource::Light;
+    int light = -1, face = 0;  ///< light -1: none is shown
+};
+
 struct FrameResult {
     Camera camera;
     std::vector<FittedLight> lights;
@@ -112,10 +129,12 @@ struct FrameResult {
     int map_resolution = 0;
     float overlay_min = 0, overlay_max = 1;  ///< the first pane's colour scale
     Image map_view;                          ///< RGBA8: the depth image of view.map_source as view.map shows it
+    ShownMap shown_map;                      ///< which depth image that is
     glm::ivec2 map_view_size{0};             ///< of that depth image; the picture of it may be smaller
     DepthCurve map_view_curve;               ///< what its depths mean
     float map_black = 0, map_white = 1;      ///< the grey range in use, as view.map_black and view.map_white count it
     std::string clock;                       ///< what gpu_ms was measured with
+    FrameContents contents;
     const PassInfo* pass(std::string_view name) const;
 };
 

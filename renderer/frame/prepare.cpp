@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "renderer/frame/driver.h"
 #include "renderer/frame/renderer_impl.h"
@@ -270,9 +271,14 @@ shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std:
     return b;
 }
 
+std::uint64_t next_number() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
 }  // namespace
 
-Renderer::Impl::Impl() : driver(query_driver()) {
+Renderer::Impl::Impl() : driver(query_driver()), number(next_number()) {
     resources.frame_block = gl::Buffer::create("frame uniforms");
     glNamedBufferStorage(resources.frame_block.id(), sizeof(shared::FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     resources.settings_block = gl::Buffer::create("settings uniforms");

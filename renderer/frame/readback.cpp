@@ -16,6 +16,28 @@ void flip_rows(std::vector<T>& data, int width, int height, int channels) {
         std::swap_ranges(data.begin() + y * row, data.begin() + (y + 1) * row, data.begin() + (height - 1 - y) * row);
 }
 
+/// Whether the drawing is still the one that the frame saw.
+bool is_there(const FrameContents::Part& part, const Resources& resources) {
+    const auto drawing = resources.drawings.find(part.place);
+    return *part.place == part.key && (drawing == resources.drawings.end() ? 0 : drawing->second) == part.drawn;
+}
+
+/// @throws Error unless the frame drew that result and its images still hold it
+void require(const FrameResult& frame, std::uint64_t renderer, const Resources& resources, std::string_view result) {
+    bool any = false;
+    for (const FrameContents::Part& part : frame.contents.parts) {
+        if (frame.contents.renderer != renderer || part.of != result) continue;
+        any = true;
+        if (!is_there(part, resources))
+            throw Error(
+                fmt::format("the {} of this frame are gone, as another frame was drawn over them; draw it again "
+                            "before reading them",
+                            result));
+    }
+    if (!any)
+        throw Error(fmt::format("the frame did not draw its {}; nothing that it was asked for reads them", result));
+}
+
 }  // namespace
 
 ByteImage Renderer::read_colour(const Image& image) {
@@ -48,21 +70,18 @@ SurfaceIds Renderer::read_surface_ids(const Image& image) {
     return out;
 }
 
-FloatImage Renderer::read_shadow_map(int light, int face) {
+FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int face) {
     const Resources& r = impl_->resources;
     int layer = 0;
     bool found = false;
-    for (std::size_t i = 0; i < r.fitted.size(); ++i) {
-        if (!r.fitted[i].casts) continue;
-        const int views = int(r.fitted[i].views.size());
-        if (int(i) == light && face >= 0 && face < views) {
-            layer += face;
-            found = r.map_keys[i] != 0;
-            break;
-        }
-        layer += views;
+    for (std::size_t i = 0; i < frame.lights.size() && !found; ++i) {
+        if (!frame.lights[i].casts) continue;
+        const int views = int(frame.lights[i].views.size());
+        found = int(i) == light && face >= 0 && face < views;
+        layer += found ? face : views;
     }
     if (!found) throw Error(fmt::format("light {} has no shadow map image {}", light, face));
+    require(frame, impl_->number, r, "shadow maps");
     const gl::Target& map = r.compared_map();
     const int n = map.width;
     FloatImage out{n, n, 1, std::vector<float>(std::size_t(n) * std::size_t(n))};
@@ -74,16 +93,36 @@ FloatImage Renderer::read_shadow_map(int light, int face) {
     return out;
 }
 
-FloatImage Renderer::read_map_view_depth() {
-    const Resources& r = impl_->resources;
-    if (r.shown.light < 0) throw Error("the last frame drew no map view to read from");
-    if (r.shown.source == MapSource::Light) return read_shadow_map(r.shown.light, r.shown.face);
-    const gl::Target& t = r.camera_depth;
+FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
+    const ShownMap& shown = frame.shown_map;
+    if (shown.light < 0) throw Error("the frame drew no map view to read from");
+    if (shown.source == MapSource::Light) return read_shadow_map(frame, shown.light, shown.face);
+    require(frame, impl_->number, impl_->resources, "camera depth");
+    const gl::Target& t = impl_->resources.camera_depth;
     FloatImage out{t.width, t.height, 1, std::vector<float>(std::size_t(t.width) * std::size_t(t.height))};
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(t.texture.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)),
                       out.data.data());
     flip_rows(out.data, t.width, t.height, 1);
+    return out;
+}
+
+bool Renderer::holds(const FrameResult& frame) const {
+    const auto there = [&](const FrameContents::Part& p) { return is_there(p, impl_->resources); };
+    const auto& parts = frame.contents.parts;
+    return frame.contents.renderer == impl_->number && std::all_of(parts.begin(), parts.end(), there);
+}
+
+FrameContents contents_of(const std::vector<Pass>& plan, const std::vector<PassInfo>& infos,
+                          const Resources& resources) {
+    FrameContents out;
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+        if (infos[i].state == PassState::Skipped || !plan[i].cached) continue;
+        const auto drawing = resources.drawings.find(plan[i].cached);
+        const std::uint64_t drawn = drawing == resources.drawings.end() ? 0 : drawing->second;
+        for (const std::string& result : plan[i].writes)
+            out.parts.push_back({result, plan[i].cached, plan[i].key, drawn});
+    }
     return out;
 }
 

@@ -14,7 +14,8 @@
 namespace si {
 namespace {
 
-void run_passes(const std::vector<Pass>& plan, std::vector<PassInfo>& infos, gl::PassClock* clock) {
+void run_passes(const std::vector<Pass>& plan, std::vector<PassInfo>& infos, Resources& resources,
+                gl::PassClock* clock) {
     std::vector<std::pair<std::size_t, std::size_t>> timed;
     if (clock) clock->reset();
     for (std::size_t i = 0; i < plan.size(); ++i) {
@@ -24,7 +25,10 @@ void run_passes(const std::vector<Pass>& plan, std::vector<PassInfo>& infos, gl:
         const auto start = std::chrono::steady_clock::now();
         if (plan[i].cached) *plan[i].cached = 0;  // an exception below leaves undefined contents
         plan[i].run(infos[i]);
-        if (plan[i].cached) *plan[i].cached = plan[i].key;
+        if (plan[i].cached) {
+            *plan[i].cached = plan[i].key;
+            resources.drawings[plan[i].cached] = ++resources.last_drawing;
+        }
         infos[i].cpu_ms =
             clock ? std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() : 0;
         if (clock) timed.emplace_back(i, clock->end());
@@ -94,9 +98,11 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
             impl_->resources.depth_key = 0;
         if (request.force) impl_->resources.depth_key = 0;
     }
-    run_passes(plan, result.passes, request.timing ? &impl_->pass_clock() : nullptr);
+    run_passes(plan, result.passes, impl_->resources, request.timing ? &impl_->pass_clock() : nullptr);
 
     describe_frame(f, result);
+    result.contents = contents_of(plan, result.passes, impl_->resources);
+    result.contents.renderer = impl_->number;
     if (request.timing) result.clock = impl_->pass_clock().name();
     return result;
 }

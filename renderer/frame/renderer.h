@@ -36,11 +36,16 @@ public:
     ByteImage read_colour(const Image& image);
     FloatImage read_float(const Image& image, int channels);
     SurfaceIds read_surface_ids(const Image& image);
-    /// The stored depth of a light's map from the last frame that asked for shadows, raw, in [0,1].
-    FloatImage read_shadow_map(int light, int face);
-    /// The depth image behind the last frame's `map_view`, as stored, in [0,1]. @throws Error when there is none.
-    FloatImage read_map_view_depth();
-    /// Evaluates the shadow test at a pixel of the last frame (row 0 at the top).
+    /// Whether all that the frame drew is still there. Frames share images: one that shows something else takes the
+    /// place of those before it, and their images are to be drawn anew before they are shown or read.
+    bool holds(const FrameResult& frame) const;
+    /// The stored depth of a light's map of that frame, raw, in [0,1].
+    /// @throws Error when the frame has no such map, or another one was drawn in its place
+    FloatImage read_shadow_map(const FrameResult& frame, int light, int face);
+    /// The depth image behind that frame's `map_view`, as stored, in [0,1]. @throws Error as read_shadow_map() does
+    FloatImage read_map_view_depth(const FrameResult& frame);
+    /// Evaluates the shadow test at a pixel of the frame of these (row 0 at the top). It draws what it needs of it, and
+    /// leaves images of that frame as they are.
     Probe probe(const Scene& scene, const Settings& settings, const FrameRequest& request, int x, int y);
 
     /// Measures on the first call what only drawing tells: the clock, and polygon offsets of every map format.

@@ -12,6 +12,7 @@ struct Renderer::Impl {
     gl::MessageLog messages;
     std::unique_ptr<gl::PassClock> clock;  ///< made when first needed: calibrating costs a few frames
     Resources resources;
+    const std::uint64_t number;  ///< no other renderer has it
 
     Impl();
     /// Derives everything of a frame that needs no drawing.
@@ -21,6 +22,10 @@ struct Renderer::Impl {
     /// Measures the polygon offset of a map format (MapFormat), once.
     void calibrate_offset(int map_format);
 };
+
+/// What the passes of a frame left in its images.
+FrameContents contents_of(const std::vector<Pass>& plan, const std::vector<PassInfo>& infos,
+                          const Resources& resources);
 
 /// Fills in what the frame drew and found out; `result` has the passes already.
 void describe_frame(FrameState& f, FrameResult& result);

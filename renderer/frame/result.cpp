@@ -45,7 +45,7 @@ void describe_map_view(FrameState& f, FrameResult& result) {
     const ViewSettings& v = f.settings.view;
     const bool camera = v.map_source == int(MapSource::Camera);
     const int faces = camera ? 1 : int(f.gl.fitted[std::size_t(v.light)].views.size());
-    f.gl.shown = {MapSource(v.map_source), v.light, std::clamp(v.face, 0, faces - 1)};
+    result.shown_map = {MapSource(v.map_source), v.light, std::clamp(v.face, 0, faces - 1)};
     result.map_view = image_of(f.gl.map_view);
     result.map_view_size = camera ? glm::ivec2(f.request.width, f.request.height) : glm::ivec2(f.map_resolution);
     result.map_view_curve = *f.shown_curve();
@@ -62,7 +62,6 @@ void describe_frame(FrameState& f, FrameResult& result) {
         return p && p->state != PassState::Skipped;
     };
     describe_panes(f, result);
-    r.shown = {};
     if (valid("map viewer")) describe_map_view(f, result);
     if (valid("visibility")) result.visibility = visibility_image(r, f.settings.view.light);
     if (valid("errors summed up")) result.error = r.error;

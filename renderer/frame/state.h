@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -100,11 +101,9 @@ struct Resources {
     std::vector<FittedLight> fitted;  ///< for the frame's camera where a fit reads it
     std::uint64_t fit_key = 0;
     glm::vec2 drawn_range{0, 1};  ///< smallest and largest drawn depth, as in depth_range
-    /// What the last frame's map view was made of, for reading it back; light -1: the frame had none.
-    struct Shown {
-        MapSource source = MapSource::Light;
-        int light = -1, face = 0;
-    } shown;
+    /// Which drawing each key of contents is from; drawings are counted.
+    std::map<const std::uint64_t*, std::uint64_t> drawings;
+    std::uint64_t last_drawing = 0;
 };
 
 struct FrameState {

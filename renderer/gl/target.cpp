@@ -74,4 +74,16 @@ Framebuffer make_framebuffer(std::string_view label, std::span<const Target> col
     return fb;
 }
 
+Framebuffer make_layers_framebuffer(std::string_view label, const Target& colours) {
+    auto fb = Framebuffer::create(label);
+    std::vector<GLenum> buffers;
+    for (int layer = 0; layer < colours.layers; ++layer) {
+        buffers.push_back(GL_COLOR_ATTACHMENT0 + GLenum(layer));
+        attach(fb.id(), buffers.back(), colours, layer);
+    }
+    glNamedFramebufferDrawBuffers(fb.id(), GLsizei(buffers.size()), buffers.data());
+    require_complete(fb, label);
+    return fb;
+}
+
 }  // namespace si::gl

@@ -27,4 +27,7 @@ Framebuffer make_framebuffer(std::string_view label, const Target* colour, const
 /// One of several colour attachments, in their order, and a depth.
 Framebuffer make_framebuffer(std::string_view label, std::span<const Target> colours, const Target& depth);
 
+/// Each layer of an array texture as a colour attachment of its own.
+Framebuffer make_layers_framebuffer(std::string_view label, const Target& colours);
+
 }  // namespace si::gl

@@ -1,4 +1,8 @@
 // Scenes as glTF 2.0 files. The same scene gives the same bytes.
+//
+// tinygltf, which reads them here, keeps doubles, extras and extensions when it writes, too, but gives a perspective
+// camera without a far plane "zfar": 0, which the specification forbids, and throws at names that are not UTF-8. Its
+// text has one number a line, where this one has one element a line, for a person to read and compare.
 #include <fmt/format.h>
 #include <stb/stb_image_write.h>
 
@@ -10,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/atomic_file.h"
+#include "renderer/base/base64.h"
 #include "renderer/base/error.h"
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf/gltf.h"
@@ -332,20 +337,6 @@ std::string text_of(const Json& document) {
         out += "\n]";
     }
     return out + "\n}\n";
-}
-
-std::string base64(std::string_view bytes) {
-    constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-        for (int k = 0; k < 4; ++k)
-            out += (k > 1 && i + std::size_t(k) > bytes.size()) ? '=' : kDigits[group >> (18 - 6 * k) & 63];
-    }
-    return out;
 }
 
 /// A GLB header or chunk header: 32-bit little-endian words.

@@ -138,7 +138,8 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     for (int i = 0; i < std::clamp(settings.light_count, 0, kMaxLights); ++i)
         maps.outputs.visibility |= !source_of(settings, i).fused;
     maps.force = maps.timing = false;
-    const SurfaceIds ids = read_surface_ids(render(scene, settings, maps).surface_ids);
+    const FrameResult frame = render(scene, settings, maps);
+    const SurfaceIds ids = read_surface_ids(frame.surface_ids);
     FrameState f = impl_->prepare(scene, settings, maps);
     f.pixel_origin = {x & ~1, (request.height - 1 - y) & ~1};  // the block of pixels that is drawn
     impl_->upload_blocks(f);
@@ -161,7 +162,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
         if (i >= f.gl.fitted.size()) break;
         FloatImage map;
         if (const FittedLight& light = f.gl.fitted[i]; light.casts)
-            map = read_shadow_map(int(i), int(light.chooser.choose(light.views, out.position_ws).view));
+            map = read_shadow_map(frame, int(i), int(light.chooser.choose(light.views, out.position_ws).view));
         TestedPixel pixel{.light = int(i),
                           .point = {.position_ws = out.position_ws, .geometric = out.normal_ws},
                           .receives = facts.receives(),

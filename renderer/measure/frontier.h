@@ -15,6 +15,8 @@ struct Spread {
     int bursts = 0;  ///< that the samples were taken in
     /// Half the width of that interval as a share of the median; 1 when that says nothing.
     double relative() const;
+    /// Half the width of that interval.
+    double noise() const { return 0.5 * (median_high - median_low); }
 };
 
 /// The interval is the distribution-free one by ranks n/2 -+ 0.98 sqrt(n) (Conover, Practical Nonparametric Statistics,

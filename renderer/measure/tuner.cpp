@@ -3,25 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "renderer/settings/filters.h"
 
 namespace si {
-namespace {
-
-constexpr auto kErrors = std::to_array<ErrorKind>({
-    {"mae", "mean |V - truth|", &ErrorMetrics::mae},
-    {"rmse", "root mean square", &ErrorMetrics::rmse},
-    {"false_shadow", "false shadow", &ErrorMetrics::false_shadow},
-    {"false_light", "false light", &ErrorMetrics::false_light},
-    {"leak", "leak", &ErrorMetrics::leak},
-    {"boundary_px_mean", "mean distance of edges", &ErrorMetrics::boundary_px_mean},
-});
-
-}  // namespace
-
 std::string length_text(double m) {
     return m < 1e-3 ? fmt::format("{:.3g} µm", m * 1e6)
            : m < 1  ? fmt::format("{:.3g} mm", m * 1e3)
@@ -42,10 +28,6 @@ std::string cost_text(const BiasTrial& before, const BiasTrial& after) {
 }
 
 }  // namespace
-
-std::span<const ErrorKind> error_kinds() {
-    return kErrors;
-}
 
 Tuner::Tuner(const Settings& start, const TuneGoals& goals) : start_(start), goals_(goals), first_(start) {}
 
@@ -92,7 +74,7 @@ void Tuner::judge_done() {
         c.trial = search_->before();
         c.clear = true;  // nothing is lit
     }
-    c.error = std::abs(c.trial->error.*goals_.error->value);
+    c.error = shortfall(goals_.error->better, goals_.error->value(c.trial->error));
     const bool accurate = c.clear && (!goals_.most_error || c.error <= *goals_.most_error);
     if (!c.ms && accurate) {
         ask_ = Ask::Time;

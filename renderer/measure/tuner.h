@@ -12,20 +12,13 @@
 
 namespace si {
 
-/// An error that a search can bound.
-struct ErrorKind {
-    std::string_view key, label;  ///< as in error_json()
-    double ErrorMetrics::*value;
-};
-std::span<const ErrorKind> error_kinds();
-
 /// "3.1 mm".
 std::string length_text(double metres);
 
 struct TuneGoals {
     std::optional<double> most_error, most_ms;
-    const ErrorKind* error = &error_kinds().front();
-    int most_resolution = 8192;  ///< that may be tried
+    const Metric* error = &metrics().front();  ///< one that has a better
+    int most_resolution = 8192;                ///< that may be tried
     bool any() const { return most_error || most_ms; }
 };
 
@@ -33,7 +26,7 @@ struct TuneGoals {
 struct TuneCandidate {
     Settings settings;
     std::optional<BiasTrial> trial;
-    double error = 0;
+    double error = 0;          ///< shortfall() of TuneGoals::error
     std::optional<double> ms;  ///< of a frame
     bool clear = false;        ///< no acne
     bool meets = false;        ///< clear, and within the limits

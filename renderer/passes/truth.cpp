@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "renderer/frame/state.h"
 #include "renderer/measure/artefact_picture.h"
@@ -16,8 +16,10 @@
 namespace si {
 namespace {
 
-constexpr int kTile = 32;       ///< pixels of the truth a side, summed by one invocation
-constexpr int kTileValues = 7;  ///< four numbers each
+constexpr int kTile = 32;  ///< pixels of the truth a side, summed by one invocation
+// That which is no map's takes the number of none, which wrong pixels under maps have.
+static_assert(kArtefacts - 1 <= 4 * shared::ARTEFACT_LAYERS && int(Artefact::NoMap) == int(kArtefacts) - 1,
+              "the sums of tiles have a number for each artefact");
 
 constexpr const char* kUntraced = "the truth about this frame is not traced";
 
@@ -192,6 +194,9 @@ Pass evidence_pass(FrameState& f) {
     if (f.truth.met) pass.reads.push_back("truth");
     pass.writes = {"evidence"};
     pass.idle_reason = "nothing asks for trials";
+    Key key;
+    pass.key = key.add(judged_key(f)).add(f.truth.met).add("evidence").value();
+    pass.cached = &f.gl.evidence[0].key;
     pass.run = [&f](PassInfo& info) {
         for (gl::Target& t : f.gl.evidence) t.ensure("evidence", GL_RGBA32F, f.request.width, f.request.height);
         f.gl.evidence_framebuffer = gl::make_framebuffer("evidence", f.gl.evidence, f.gl.camera_depth);
@@ -205,57 +210,28 @@ Pass evidence_pass(FrameState& f) {
 }
 
 /// The sums of all tiles, in double.
-struct Sums {
-    double v[kTileValues][4] = {};
-    std::size_t count(int target, int channel) const { return std::size_t(std::llround(v[target][channel])); }
-};
-
-Sums read_tiles(const gl::Target& tiles) {
+/// @param has_map whether the light that is judged has its shadows from a map
+PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     const std::size_t per_layer = std::size_t(tiles.width) * std::size_t(tiles.height);
-    std::vector<glm::vec4> values(per_layer * kTileValues);
+    std::vector<glm::vec4> values(per_layer * std::size_t(shared::TILE_LAYERS));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(tiles.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.size() * sizeof(glm::vec4)),
                       values.data());
-    Sums sums;
-    for (int t = 0; t < kTileValues; ++t)
-        for (std::size_t i = 0; i < per_layer; ++i)
-            for (int c = 0; c < 4; ++c) sums.v[t][c] += values[std::size_t(t) * per_layer + i][c];
+    glm::dvec4 layers[shared::TILE_LAYERS] = {};
+    for (std::size_t i = 0; i < values.size(); ++i) layers[i / per_layer] += glm::dvec4(values[i]);
+    PixelSums sums;
+    for (std::size_t a = 0; a + 1 < kArtefacts; ++a) {
+        const int layer = int(a) / 4, number = int(a) % 4;
+        sums.dark[a] = layers[shared::TILE_DARK + layer][number];
+        sums.bright[a] = layers[shared::TILE_BRIGHT + layer][number];
+    }
+    if (!has_map)
+        for (auto* of : {&sums.dark, &sums.bright})
+            (*of)[std::size_t(Artefact::NoMap)] = std::exchange((*of)[std::size_t(Artefact::None)], 0);
+    const glm::dvec4 &noted = layers[shared::TILE_NOTED], &means = layers[shared::TILE_SUMS];
+    sums.outside = noted[0], sums.any_acne = noted[1], sums.within_noise = noted[2], sums.either = noted[3];
+    sums.absolute = means[0], sums.squares = means[1], sums.sum = means[2], sums.both = means[3];
     return sums;
-}
-
-LiveError error_of(const Sums& s, const Truth& truth) {
-    LiveError out;
-    ErrorMetrics& m = out.metrics;
-    m.pixels = truth.pixels;
-    m.counted = truth.counted();
-    const double n = m.counted > 0 ? double(m.counted) : 1;
-    m.false_shadow = s.v[0][0] / n, m.false_light = s.v[0][1] / n, m.outside_map = s.v[0][2] / n,
-    m.any_acne = s.v[0][3] / n;
-    m.within_noise = s.v[1][0] / n, m.acne = s.v[1][1] / n, m.offset_false_shadow = s.v[1][2] / n;
-    m.bias_false_light = (s.v[2][0] + s.v[2][1]) / n, m.lost_false_light = s.v[2][2] / n, m.leak = s.v[2][3] / n;
-    m.boundary_false_shadow = (s.v[1][3] + s.v[3][0] + s.v[3][2] + s.v[4][0] + s.v[6][1]) / n;
-    m.boundary_false_light = (s.v[3][1] + s.v[3][3] + s.v[4][1] + s.v[6][2]) / n;
-    m.outside_false_shadow = s.v[4][2] / n, m.outside_false_light = s.v[4][3] / n;
-    m.mae = s.v[5][0] / n, m.rmse = std::sqrt(s.v[5][1] / n), m.signed_mean = s.v[5][2] / n;
-    if (s.v[6][0] > 0) m.iou = s.v[5][3] / s.v[6][0];
-    m.boundary_px_mean = m.boundary_px_p95 = m.boundary_px_max = std::numeric_limits<double>::quiet_NaN();
-    const auto set = [&](Artefact a, std::size_t pixels) { m.artefacts[std::size_t(a)] = pixels; };
-    set(Artefact::Acne, s.count(1, 1));
-    set(Artefact::OffsetShadow, s.count(1, 2));
-    set(Artefact::Filter, s.count(1, 3));
-    set(Artefact::PeterPanning, s.count(2, 0));
-    set(Artefact::PeterPanningOffset, s.count(2, 1));
-    set(Artefact::LostCaster, s.count(2, 2));
-    set(Artefact::Leak, s.count(2, 3));
-    set(Artefact::EdgeAliasing, s.count(3, 0) + s.count(3, 1));
-    set(Artefact::Undersampled, s.count(3, 2) + s.count(3, 3));
-    set(Artefact::Penumbra, s.count(4, 0) + s.count(4, 1));
-    set(Artefact::OutsideMap, s.count(4, 2) + s.count(4, 3));
-    set(Artefact::NoMap, s.count(6, 1) + s.count(6, 2));
-    std::size_t wrong = 0;
-    for (std::size_t a = 1; a < kArtefacts; ++a) wrong += m.artefacts[a];
-    set(Artefact::None, truth.state.size() - wrong);
-    return out;
 }
 
 Pass sums_pass(FrameState& f) {
@@ -272,22 +248,17 @@ Pass sums_pass(FrameState& f) {
         const Truth& truth = *f.request.truth->traced.truth;
         const int across = (truth.width + kTile - 1) / kTile, down = (truth.height + kTile - 1) / kTile;
         gl::Target& tiles = f.gl.error_tiles;
-        if (tiles.ensure("errors of tiles", GL_RGBA32F, across, down, kTileValues) || !f.gl.error_tiles_framebuffer) {
-            f.gl.error_tiles_framebuffer = gl::Framebuffer::create("errors of tiles");
-            GLenum buffers[kTileValues];
-            for (int i = 0; i < kTileValues; ++i) {
-                buffers[i] = GL_COLOR_ATTACHMENT0 + GLenum(i);
-                glNamedFramebufferTextureLayer(f.gl.error_tiles_framebuffer.id(), buffers[i], tiles.texture.id(), 0, i);
-            }
-            glNamedFramebufferDrawBuffers(f.gl.error_tiles_framebuffer.id(), kTileValues, buffers);
-        }
+        if (tiles.ensure("errors of tiles", GL_RGBA32F, across, down, shared::TILE_LAYERS) ||
+            !f.gl.error_tiles_framebuffer)
+            f.gl.error_tiles_framebuffer = gl::make_layers_framebuffer("errors of tiles", tiles);
         f.begin_fullscreen_pass(f.gl.error_tiles_framebuffer.id(), across, down);
         std::vector<gl::Define> extra = truth_defines(f);
         extra.push_back({"TILE", std::to_string(kTile)});
         glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/error_tiles.frag.glsl", std::move(extra)));
         bind_truth(f);
         FrameState::draw_fullscreen(info);
-        f.gl.error = std::make_shared<const LiveError>(error_of(read_tiles(tiles), truth));
+        f.gl.error = std::make_shared<const LiveError>(
+            metrics_of(read_tiles(tiles, source_of(f.settings, f.settings.view.light).needs.map), truth));
     };
     return pass;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "renderer/reference/distance_transform.h"
@@ -54,7 +55,292 @@ void contour_distances(ErrorMetrics& m, const std::vector<std::uint8_t>& a, cons
     m.boundary_px_max = *std::max_element(distances.begin() + rank, distances.end());
 }
 
+using M = ErrorMetrics;
+using Counts = Metric::Counts;
+
+constexpr std::uint32_t causes(std::initializer_list<Artefact> list) {
+    std::uint32_t bits = 0;
+    for (const Artefact a : list) bits |= 1u << int(a);
+    return bits;
+}
+constexpr std::uint32_t kAnyCause = (1u << kArtefacts) - 1;
+// No bias and no offset puts these right.
+constexpr std::uint32_t kAtEdges =
+    causes({Artefact::EdgeAliasing, Artefact::Undersampled, Artefact::Penumbra, Artefact::Filter, Artefact::NoMap});
+
+constexpr std::string_view kHausdorff =
+    "Huttenlocher, Klanderman and Rucklidge, Comparing Images Using the Hausdorff Distance, 1993";
+
+constexpr auto kMetrics = std::to_array<Metric>({
+    {.key = "mae",
+     .label = "Mean error",
+     .unit = kOfVisibility,
+     .help = "Mean of |V - truth| over the counted pixels.",
+     .formula = "sum |V - R| / n",
+     .member = &M::mae},
+    {.key = "rmse",
+     .label = "RMS error",
+     .unit = kOfVisibility,
+     .help = "Root of the mean of (V - truth)^2: large errors weigh more.",
+     .formula = "sqrt(sum (V - R)^2 / n)",
+     .member = &M::rmse},
+    {.key = "signed_mean",
+     .label = "Signed mean",
+     .unit = kOfVisibility,
+     .help = "Mean of V - truth: negative is too dark.",
+     .formula = "sum (V - R) / n",
+     .member = &M::signed_mean,
+     .better = Better::NearZero},
+    {.key = "false_shadow",
+     .label = "False shadow",
+     .unit = kShareOfPixels,
+     .help = "Lit in truth, dark in the picture: the sum of its causes.",
+     .formula = "#{R >= 1/2 and V < 1/2, wrong} / n",
+     .member = &M::false_shadow,
+     .counts = Counts::Dark,
+     .causes = kAnyCause},
+    {.key = "false_light",
+     .label = "False light",
+     .unit = kShareOfPixels,
+     .help = "In shadow in truth, bright in the picture: the sum of its causes.",
+     .formula = "#{R < 1/2 and V >= 1/2, wrong} / n",
+     .member = &M::false_light,
+     .counts = Counts::Bright,
+     .causes = kAnyCause},
+    {.key = "acne",
+     .label = "Acne",
+     .unit = kShareOfPixels,
+     .help = "False shadow that more bias puts right: surfaces that shadow themselves.",
+     .formula = "#{cause `acne`} / n",
+     .member = &M::acne,
+     .part_of = "false_shadow",
+     .part = "acne",
+     .counts = Counts::Wrong,
+     .causes = causes({Artefact::Acne})},
+    {.key = "any_acne",
+     .label = "Any acne",
+     .unit = kShareOfPixels,
+     .help = "Wholly lit in truth, at all darker, and more bias lights it: also what a wide kernel hides.",
+     .formula = "#{R = 1, V < 1 - 0.001, and more bias lights it: to one half or more where it is wrong, wholly where "
+                "it is not} / n",
+     .member = &M::any_acne},
+    {.key = "offset_false_shadow",
+     .label = "Shadow by normal offset",
+     .unit = kShareOfPixels,
+     .help = "False shadow that is right without the normal offset.",
+     .formula = "#{`offset_shadow`} / n",
+     .member = &M::offset_false_shadow,
+     .part_of = "false_shadow",
+     .part = "by normal offset",
+     .counts = Counts::Wrong,
+     .causes = causes({Artefact::OffsetShadow})},
+    {.key = "boundary_false_shadow",
+     .label = "False shadow at edges",
+     .unit = kShareOfPixels,
+     .help = "False shadow that no bias puts right: edge aliasing, undersampled, filter, penumbra, no map.",
+     .formula = "#{false shadow by `edge_aliasing`, `undersampled`, `penumbra`, `filter`, `no_map`} / n",
+     .member = &M::boundary_false_shadow,
+     .part_of = "false_shadow",
+     .part = "at edges",
+     .counts = Counts::Dark,
+     .causes = kAtEdges},
+    {.key = "outside_false_shadow",
+     .label = "False shadow outside",
+     .unit = kShareOfPixels,
+     .help = "False shadow where the map holds nothing, or taps reach beyond its sides.",
+     .formula = "#{false shadow by `outside_map`} / n",
+     .member = &M::outside_false_shadow,
+     .part_of = "false_shadow",
+     .part = "outside the map",
+     .counts = Counts::Dark,
+     .causes = causes({Artefact::OutsideMap}),
+     .rare = true},
+    {.key = "bias_false_light",
+     .label = "Peter-panning",
+     .unit = kShareOfPixels,
+     .help = "False light that less bias, or no normal offset, puts right.",
+     .formula = "#{`peter_panning`, `peter_panning_offset`} / n",
+     .member = &M::bias_false_light,
+     .part_of = "false_light",
+     .part = "by bias",
+     .counts = Counts::Wrong,
+     .causes = causes({Artefact::PeterPanning, Artefact::PeterPanningOffset})},
+    {.key = "lost_false_light",
+     .label = "Lost casters",
+     .unit = kShareOfPixels,
+     .help = "False light where culling, the near plane or a mask's mip level left the caster out of the map.",
+     .formula = "#{`lost_caster`} / n",
+     .member = &M::lost_false_light,
+     .part_of = "false_light",
+     .part = "lost casters",
+     .counts = Counts::Wrong,
+     .causes = causes({Artefact::LostCaster})},
+    {.key = "leak",
+     .label = "Leaks",
+     .unit = kShareOfPixels,
+     .help = "False light where the nearest texel alone, unfiltered and at its own least bias, is right.",
+     .formula = "#{`leak`} / n",
+     .member = &M::leak,
+     .part_of = "false_light",
+     .part = "leak",
+     .counts = Counts::Wrong,
+     .causes = causes({Artefact::Leak})},
+    {.key = "boundary_false_light",
+     .label = "False light at edges",
+     .unit = kShareOfPixels,
+     .help = "False light that neither bias nor filter puts right: edge aliasing, undersampled, penumbra, no map.",
+     .formula = "#{false light by `edge_aliasing`, `undersampled`, `penumbra`, `no_map`} / n",
+     .member = &M::boundary_false_light,
+     .part_of = "false_light",
+     .part = "at edges",
+     .counts = Counts::Bright,
+     .causes = kAtEdges},
+    {.key = "outside_false_light",
+     .label = "False light outside",
+     .unit = kShareOfPixels,
+     .help = "False light where the map holds nothing, or taps reach beyond its sides.",
+     .formula = "#{false light by `outside_map`} / n",
+     .member = &M::outside_false_light,
+     .part_of = "false_light",
+     .part = "outside the map",
+     .counts = Counts::Bright,
+     .causes = causes({Artefact::OutsideMap}),
+     .rare = true},
+    {.key = "artefacts.filter",
+     .label = "Filter",
+     .unit = "px",
+     .help = "False shadow where the nearest texel alone is right.",
+     .formula = "#{`filter`}",
+     .causes = causes({Artefact::Filter})},
+    {.key = "artefacts.edge_aliasing",
+     .label = "Edge aliasing",
+     .unit = "px",
+     .help = "Wrong by where the map's texels lie; smaller ones help.",
+     .formula = "#{`edge_aliasing`}",
+     .causes = causes({Artefact::EdgeAliasing})},
+    {.key = "artefacts.undersampled",
+     .label = "Undersampled",
+     .unit = "px",
+     .help = "As edge aliasing, where a shadow or the light between shadows is narrower than a texel.",
+     .formula = "#{`undersampled`}",
+     .causes = causes({Artefact::Undersampled})},
+    {.key = "artefacts.penumbra",
+     .label = "Penumbra",
+     .unit = "px",
+     .help = "Right for a light without size.",
+     .formula = "#{`penumbra`}",
+     .causes = causes({Artefact::Penumbra})},
+    {.key = "artefacts.no_map",
+     .label = "Not by a map",
+     .unit = "px",
+     .help = "Wrong under a light whose source is no map (light.source).",
+     .formula = "#{`no_map`}",
+     .causes = causes({Artefact::NoMap})},
+    {.key = "within_noise",
+     .label = "Within the noise",
+     .unit = kShareOfPixels,
+     .help = "On the other side of one half than a truth that is too noisy to call them wrong. A smaller truth.noise "
+             "decides them.",
+     .formula = "#{V and R on different sides of one half, but not wrong} / n",
+     .member = &M::within_noise,
+     .better = Better::Neither,
+     .rare = true},
+    {.key = "iou",
+     .label = "IoU of shadows",
+     .unit = "",
+     .help = "Intersection over union of both shadows: 1 is perfect.",
+     .formula = "#{both in shadow} / #{either in shadow}; 1 when neither has any",
+     .paper = "Jaccard, The Distribution of the Flora in the Alpine Zone, 1912",
+     .member = &M::iou,
+     .better = Better::More},
+    {.key = "boundary_px_mean",
+     .label = "Edge displacement",
+     .unit = "px",
+     .help = "Mean distance between both shadows' edges.",
+     .formula = "mean distance in pixels of the picture (whatever `truth.step`) from each pixel of the contour V = 1/2 "
+                "to the nearest of R = 1/2, and the reverse; none when only one of the two has a contour",
+     .member = &M::boundary_px_mean,
+     .contours = true},
+    {.key = "boundary_px_p95",
+     .label = "Edge displacement, 95 %",
+     .unit = "px",
+     .help = "Nineteen edge pixels of twenty lie nearer.",
+     .formula = "their 95th percentile",
+     .paper = kHausdorff,
+     .member = &M::boundary_px_p95,
+     .contours = true},
+    {.key = "boundary_px_max",
+     .label = "Edge displacement, most",
+     .unit = "px",
+     .help = "The largest distance (Hausdorff).",
+     .formula = "the largest of them",
+     .paper = kHausdorff,
+     .member = &M::boundary_px_max,
+     .contours = true},
+    {.key = "outside_map",
+     .label = "Outside the map",
+     .unit = kShareOfPixels,
+     .help = "No texel of the map holds them, right or wrong.",
+     .formula = "#{the look-up lies beside the map, beyond its far plane or behind the light} / n; "
+                "`artefacts.outside_map` counts only the wrong ones, and taps beyond the map's sides",
+     .member = &M::outside_map,
+     .better = Better::Neither},
+});
+
+constexpr std::size_t members_with_rows() {
+    std::size_t n = 0;
+    for (const Metric& m : kMetrics) {
+        n += m.member != nullptr;
+        for (const Metric& other : kMetrics)
+            if (&other != &m && m.member && other.member == m.member) return 0;
+    }
+    return n;
+}
+static_assert(members_with_rows() == (offsetof(M, pixels) - offsetof(M, false_shadow)) / sizeof(double),
+              "each number of ErrorMetrics has one row");
+
+double counted_by(const Metric& metric, const PixelSums& sums) {
+    double pixels = 0;
+    for (std::size_t a = 0; a < kArtefacts; ++a) {
+        if (!(metric.causes >> a & 1)) continue;
+        if (metric.counts != Counts::Bright) pixels += sums.dark[a];
+        if (metric.counts != Counts::Dark) pixels += sums.bright[a];
+    }
+    return pixels;
+}
+
 }  // namespace
+
+std::span<const Metric> metrics() {
+    return kMetrics;
+}
+
+const Metric* find_metric(std::string_view key) {
+    const auto it = std::find_if(kMetrics.begin(), kMetrics.end(), [&](const Metric& m) { return m.key == key; });
+    return it == kMetrics.end() ? nullptr : &*it;
+}
+
+double Metric::value(const ErrorMetrics& m) const {
+    if (member) return m.*member;
+    double wrong = 0;
+    for (std::size_t a = 1; a < kArtefacts; ++a)
+        if (causes >> a & 1) wrong += double(m.artefacts[a]);
+    return wrong;
+}
+
+double shortfall(Better better, double value) {
+    switch (better) {
+        case Better::Less:
+            return value;
+        case Better::NearZero:
+            return std::abs(value);
+        case Better::More:
+            return 1 - value;
+        case Better::Neither:
+            break;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
 
 std::uint32_t compared_bits(float v, const TruePixel& truth, bool outside) {
     using J = JudgedPixel;
@@ -96,73 +382,47 @@ std::vector<std::uint8_t> joins_of(const Receivers& receivers) {
     return out;
 }
 
+ErrorMetrics metrics_of(const PixelSums& sums, const Truth& truth) {
+    ErrorMetrics m;
+    m.pixels = truth.pixels;
+    m.counted = truth.counted();
+    const double n = double(std::max<std::size_t>(m.counted, 1));
+    for (const Metric& metric : metrics())
+        if (metric.counts != Counts::Otherwise) m.*metric.member = counted_by(metric, sums) / n;
+    m.any_acne = sums.any_acne / n, m.within_noise = sums.within_noise / n, m.outside_map = sums.outside / n;
+    m.mae = sums.absolute / n, m.rmse = std::sqrt(sums.squares / n), m.signed_mean = sums.sum / n;
+    if (sums.either > 0) m.iou = sums.both / sums.either;
+    m.boundary_px_mean = m.boundary_px_p95 = m.boundary_px_max = std::numeric_limits<double>::quiet_NaN();
+    std::size_t wrong = 0;
+    for (std::size_t a = 1; a < kArtefacts; ++a)
+        wrong += m.artefacts[a] = std::size_t(std::llround(sums.dark[a] + sums.bright[a]));
+    m.artefacts[0] = truth.state.size() - wrong;
+    return m;
+}
+
 ErrorMetrics error_metrics(const std::vector<JudgedPixel>& judged, const Truth& truth,
                            const std::vector<std::uint8_t>& joins) {
     if (judged.size() != truth.state.size())
         throw Error(fmt::format("{} judged pixels cannot be compared with a truth of {} x {}", judged.size(),
                                 truth.width, truth.height));
     using J = JudgedPixel;
-    ErrorMetrics m;
-    m.pixels = truth.pixels;
-    m.counted = truth.counted();
-    double absolute = 0, squares = 0, sum = 0;
-    std::size_t both = 0, either = 0;
+    PixelSums sums;
     for (std::size_t i = 0; i < truth.state.size(); ++i) {
         if (truth.state[i] != PixelState::Counted) continue;
         const J& p = judged[i];
         const double r = truth.visibility.data[i], difference = p.visibility - r;
-        absolute += std::abs(difference), squares += difference * difference, sum += difference;
-        both += p.visibility < 0.5f && r < 0.5, either += p.visibility < 0.5f || r < 0.5;
-        const bool fs = p.has(J::kFalseShadow);
-        m.false_shadow += fs, m.false_light += p.has(J::kFalseLight);
-        m.outside_map += p.has(J::kOutside);
-        m.any_acne += p.has(J::kAnyAcne);
-        m.within_noise += p.has(J::kWithinNoise);
-        ++m.artefacts[std::size_t(p.artefact)];
-        switch (p.artefact) {
-            case Artefact::None:
-                break;
-            case Artefact::Acne:
-                ++m.acne;
-                break;
-            case Artefact::Leak:
-                ++m.leak;
-                break;
-            case Artefact::PeterPanning:
-            case Artefact::PeterPanningOffset:
-                ++m.bias_false_light;
-                break;
-            case Artefact::LostCaster:
-                ++m.lost_false_light;
-                break;
-            case Artefact::OffsetShadow:
-                ++m.offset_false_shadow;
-                break;
-            case Artefact::OutsideMap:
-                ++(fs ? m.outside_false_shadow : m.outside_false_light);
-                break;
-            case Artefact::EdgeAliasing:
-            case Artefact::Filter:
-            case Artefact::Undersampled:
-            case Artefact::Penumbra:
-            case Artefact::NoMap:
-                ++(fs ? m.boundary_false_shadow : m.boundary_false_light);
-                break;
-        }
+        sums.absolute += std::abs(difference), sums.squares += difference * difference, sums.sum += difference;
+        sums.both += p.visibility < 0.5f && r < 0.5, sums.either += p.visibility < 0.5f || r < 0.5;
+        sums.dark[std::size_t(p.artefact)] += p.has(J::kFalseShadow);
+        sums.bright[std::size_t(p.artefact)] += p.has(J::kFalseLight);
+        sums.outside += p.has(J::kOutside);
+        sums.any_acne += p.has(J::kAnyAcne);
+        sums.within_noise += p.has(J::kWithinNoise);
     }
-    m.artefacts[0] += truth.state.size() - m.counted;
-    if (m.counted > 0) {
-        const double n = double(m.counted);
-        for (double* fraction :
-             {&m.false_shadow, &m.false_light, &m.acne, &m.leak, &m.bias_false_light, &m.lost_false_light,
-              &m.offset_false_shadow, &m.boundary_false_shadow, &m.boundary_false_light, &m.outside_false_shadow,
-              &m.outside_false_light, &m.any_acne, &m.within_noise, &m.outside_map})
-            *fraction /= n;
-        m.mae = absolute / n, m.rmse = std::sqrt(squares / n), m.signed_mean = sum / n;
-    }
-    if (either > 0) m.iou = double(both) / double(either);
+    ErrorMetrics m = metrics_of(sums, truth);
     const auto drawn = contour(truth, joins, [&](std::size_t i) { return judged[i].visibility < 0.5f; });
     const auto real = contour(truth, joins, [&](std::size_t i) { return truth.visibility.data[i] < 0.5f; });
+    m.boundary_px_mean = m.boundary_px_p95 = m.boundary_px_max = 0;
     contour_distances(m, drawn, real, truth.width, truth.height, truth.step);
     return m;
 }

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "renderer/reference/causes.h"
@@ -47,36 +49,68 @@ std::vector<JudgedPixel> judged_pixels(const FloatImage& judged);
 std::vector<std::uint8_t> joins_of(const Receivers& receivers);
 
 /// Visibility V against the truth R over the pixels that count (PixelState::Counted), n in number. Shadow is below one
-/// half. Fractions are of n, and 0 when n is 0. False shadow and false light are the sums of their causes:
-///
-///     false_shadow = acne + offset_false_shadow + boundary_false_shadow + outside_false_shadow
-///     false_light = bias_false_light + lost_false_light + leak + boundary_false_light + outside_false_light
+/// half. Fractions are of n, and 0 when n is 0. What each number is, metrics() says: it has a row for each of these.
+/// False shadow and false light are the sums of their parts.
 struct ErrorMetrics {
     std::size_t counted = 0;
-    double false_shadow = 0;         ///< #{R >= 1/2 and V < 1/2, beyond the truth's noise} / n
-    double false_light = 0;          ///< #{R < 1/2 and V >= 1/2, beyond the truth's noise} / n
-    double acne = 0;                 ///< Artefact::Acne / n
-    double leak = 0;                 ///< Artefact::Leak / n
-    double bias_false_light = 0;     ///< (PeterPanning + PeterPanningOffset) / n
-    double lost_false_light = 0;     ///< LostCaster / n
-    double offset_false_shadow = 0;  ///< OffsetShadow / n
-    /// EdgeAliasing + Undersampled + Penumbra + NoMap of either kind / n; false shadow with Filter.
-    double boundary_false_shadow = 0, boundary_false_light = 0;
-    double outside_false_shadow = 0, outside_false_light = 0;  ///< OutsideMap of either kind / n
-    double any_acne = 0;      ///< #{R = 1, V < 1 - 1e-3, and more bias makes it whole} / n
-    double within_noise = 0;  ///< on the other side of one half than R, which is too noisy to call that wrong, / n
-    double mae = 0;           ///< sum |V - R| / n
-    double rmse = 0;          ///< sqrt(sum (V - R)^2 / n)
-    double signed_mean = 0;   ///< sum (V - R) / n: above 0 too light
-    double iou = 1;           ///< of the shadows: #{both} / #{either}; 1 when neither has any
-    /// Distance between the contours V = 1/2 and R = 1/2 in pixels of the picture, from each pixel of either contour to
-    /// the nearest of the other: mean, 95th percentile and largest (Hausdorff). NaN when one has a contour and the
-    /// other none, 0 when neither has.
-    double boundary_px_mean = 0, boundary_px_p95 = 0, boundary_px_max = 0;
-    double outside_map = 0;                           ///< pixels that the map does not hold / n, right or wrong
+    double false_shadow = 0, false_light = 0, acne = 0, leak = 0, bias_false_light = 0, lost_false_light = 0,
+           offset_false_shadow = 0, boundary_false_shadow = 0, boundary_false_light = 0, outside_false_shadow = 0,
+           outside_false_light = 0, any_acne = 0, within_noise = 0, mae = 0, rmse = 0, signed_mean = 0, iou = 1,
+           boundary_px_mean = 0, boundary_px_p95 = 0, boundary_px_max = 0, outside_map = 0;
     std::array<std::size_t, kPixelStates> pixels{};   ///< per PixelState: what was counted, and what not and why
     std::array<std::size_t, kArtefacts> artefacts{};  ///< wrong pixels per cause; None: all others
 };
+
+/// What is better of two values of a metric.
+enum class Better {
+    Less,
+    NearZero,  ///< of signed ones
+    More,      ///< at most 1
+    Neither,   ///< a fact, no quality
+};
+
+/// How far a value is from the best, where less is better; NaN with Better::Neither.
+double shortfall(Better better, double value);
+
+/// A number that says how wrong a picture's shadows are. A row is all that JSON, tables, plots, searches and the page
+/// of metrics know of it.
+struct Metric {
+    std::string_view key;  ///< field of `error` in JSON, its objects' fields after a dot
+    std::string_view label;
+    std::string_view unit;     ///< kShareOfPixels, kOfVisibility, "px" or none
+    std::string_view help;     ///< a sentence
+    std::string_view formula;  ///< V: visibility by the map, R: by the truth, n: pixels that count
+    std::string_view paper = {};
+    double ErrorMetrics::*member = nullptr;  ///< none: counts wrong pixels by `causes`
+    Better better = Better::Less;
+    std::string_view part_of = {};  ///< key of the sum that it is a part of
+    std::string_view part = {};     ///< what it is called below that sum
+    /// Which wrong pixels by `causes` it is the share of.
+    enum class Counts { Otherwise, Dark, Bright, Wrong };
+    Counts counts = Counts::Otherwise;
+    std::uint32_t causes = 0;  ///< of those: bits 1 << Artefact; with Artefact::None wrong ones without a cause, too
+    bool rare = false;         ///< for people only where it is not 0
+    bool contours = false;     ///< between contours, which a frame's own sums cannot tell: NaN in LiveError
+
+    double value(const ErrorMetrics& m) const;
+};
+inline constexpr std::string_view kShareOfPixels = "share of pixels", kOfVisibility = "of visibility";
+
+/// All metrics; the first is what searches and plots begin with.
+std::span<const Metric> metrics();
+const Metric* find_metric(std::string_view key);
+
+/// What is counted and summed over the pixels that count; the frame has it of tiles
+/// (shaders/passes/error_tiles.frag.glsl).
+struct PixelSums {
+    std::array<double, kArtefacts> dark{}, bright{};  ///< false shadow and false light by cause; None: without one
+    double outside = 0, any_acne = 0, within_noise = 0;
+    double absolute = 0, squares = 0, sum = 0;  ///< of |V - R|, its square, V - R
+    double both = 0, either = 0;                ///< in shadow by V and R, by one of them
+};
+
+/// All but boundary_px_*, which are NaN.
+ErrorMetrics metrics_of(const PixelSums& sums, const Truth& truth);
 
 /// @param judged one per pixel of the truth @param joins joins_of(), or empty: all are joined
 /// @throws Error when sizes differ

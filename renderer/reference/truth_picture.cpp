@@ -48,8 +48,7 @@ FrameResult render_with_truth(Renderer& renderer, const Scene& scene, const Sett
     if (request.truth && request.truth->options != options) request.truth.reset();
     const TruthOptions wanted = options.value_or(truth_options(settings));
     const auto trace = [&] {
-        const TruthTask task =
-            truth_task(renderer, scene, settings, request, settings.view.light, wanted, cache.geometry());
+        const TruthTask task = truth_task(renderer, scene, settings, request, settings.view.light, wanted);
         request.truth = truth_picture(task, cache.trace(task, workers), options);
     };
     if (!request.truth && options) trace();  // else the frame tells whether it asks for any

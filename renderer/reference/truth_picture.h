@@ -1,8 +1,8 @@
 // A traced truth as frames take it: per pixel.
 //
-//     TruthTask task = truth_task(renderer, scene, settings, request, light, truth_options(settings),
-//     cache.geometry()); request.truth = truth_picture(task, cache.trace(task));             // any thread FrameResult
-//     frame = renderer.render(scene, settings, request);      // frame.truth.met, frame.error
+//     TruthTask task = truth_task(renderer, scene, settings, request, light, truth_options(settings));
+//     request.truth = truth_picture(task, cache.trace(task));                // any thread
+//     FrameResult frame = renderer.render(scene, settings, request);         // frame.truth.met, frame.error
 #pragma once
 
 #include <memory>

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "renderer/reference/ray_scenes.h"
+
 namespace si {
 namespace {
 
@@ -83,15 +85,14 @@ std::uint64_t truth_key(const Scene& scene, const Settings& settings, const Came
 }
 
 TruthTask truth_task(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
-                     int light, const TruthOptions& options, const std::shared_ptr<const TruthGeometry>& known) {
+                     int light, const TruthOptions& options) {
     FrameRequest wanted = request;
     wanted.outputs = {.colour = false, .surface_ids = true};
     wanted.timing = wanted.force = false;
     const FrameResult frame = renderer.render(scene, settings, wanted);
     TruthTask task;
     task.query = truth_query(scene, settings, frame.lights, light, options);
-    const bool same = known && known->key == truth_geometry_key(scene, settings).value();
-    task.geometry = same ? known : std::make_shared<TruthGeometry>(scene, settings);
+    task.geometry = ray_scenes().geometry(scene, settings);
     task.camera = frame.camera;
     task.raster = {request.width, request.height, std::max(options.step, 1)};
     task.ids = every_nth(renderer.read_surface_ids(frame.surface_ids), task.raster);
@@ -106,8 +107,9 @@ TruthTask truth_task(Renderer& renderer, const Scene& scene, const Settings& set
 TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
     TracedTruth out;
     if (!scene_ || scene_->geometry().key != task.geometry->key) {
-        scene_.reset();  // the old hierarchy's memory first
-        scene_ = timed(out.build_ms, [&] { return std::make_shared<TruthScene>(task.geometry, workers.part(0, 0.1)); });
+        scene_ = ray_scenes().find(task.geometry->key);  // lets go of the old one's memory first
+        if (!scene_)
+            scene_ = timed(out.build_ms, [&] { return ray_scenes().get(task.geometry, workers.part(0, 0.1)); });
     }
     if (!receivers_ || receivers_key_ != task.receivers_key) {
         receivers_ = timed(out.place_ms, [&] {

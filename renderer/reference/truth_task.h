@@ -1,7 +1,7 @@
 // From a frame to its truth: what must be taken on the renderer's thread, and what any thread then computes and keeps.
 //
 //     TruthCache cache;                                                              // lives as long as the session
-//     TruthTask task = truth_task(renderer, scene, settings, request, light, {.area = true}, cache.geometry());
+//     TruthTask task = truth_task(renderer, scene, settings, request, light, {.area = true});
 //     TracedTruth traced = cache.trace(task, {.stop = token, .progress = report});   // on any one thread
 //     traced.truth->visibility.at(x, y);
 #pragma once
@@ -34,11 +34,10 @@ std::uint64_t truth_key(const Scene& scene, const Settings& settings, const Came
 /// Every `step`-th pixel across and down, from the top left.
 FloatImage every_nth(const FloatImage& image, int step);
 
-/// Draws which triangle each pixel shows, and copies the scene's triangles unless `known` holds them already.
+/// Draws which triangle each pixel shows, and copies the scene's triangles unless ray_scenes() have them already.
 /// @param light index of light.*. @throws Error when there is no such light, or as Renderer::render() does
 TruthTask truth_task(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
-                     int light, const TruthOptions& options = {},
-                     const std::shared_ptr<const TruthGeometry>& known = nullptr);
+                     int light, const TruthOptions& options = {});
 
 struct TracedTruth {
     std::shared_ptr<const TruthScene> scene;
@@ -48,15 +47,11 @@ struct TracedTruth {
     double build_ms = 0, place_ms = 0, trace_ms = 0, runs_ms = 0;  ///< wall time; 0 where the cache had it
 };
 
-/// The last hierarchy and receivers, and the last truths. Used by one thread at a time.
+/// The last receivers and truths, and the last hierarchy of ray_scenes(). Used by one thread at a time.
 class TruthCache {
 public:
     /// @throws Cancelled, Error; what was complete by then is kept
     TracedTruth trace(const TruthTask& task, const Workers& workers = {});
-    /// Keeps a hierarchy that is there already, in place of building one of the same triangles.
-    void adopt(std::shared_ptr<const TruthScene> scene) { scene_ = std::move(scene); }
-    /// The triangles of the last trace, for truth_task().
-    std::shared_ptr<const TruthGeometry> geometry() const { return scene_ ? scene_->shared_geometry() : nullptr; }
     void clear() { *this = {}; }
 
 private:

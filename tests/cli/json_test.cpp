@@ -281,11 +281,13 @@ TEST(List, PresetsStandInColumns) {
     EXPECT_EQ(found, presets.size());
 }
 
-TEST(Docs, TheSettingsPageIsUpToDate) {
+TEST(Docs, TheWrittenPagesAreUpToDate) {
     EXPECT_EQ(file_bytes(std::filesystem::path(SI_SOURCE_DIR) / "docs/settings.md"), settings_page())
         << "write it with: shadow-inspector docs settings -o docs/settings.md";
     EXPECT_EQ(file_bytes(std::filesystem::path(SI_SOURCE_DIR) / "docs/presets.md"), presets_page())
         << "write it with: shadow-inspector docs presets -o docs/presets.md";
+    EXPECT_EQ(file_bytes(std::filesystem::path(SI_SOURCE_DIR) / "docs/metrics.md"), metrics_page())
+        << "write it with: shadow-inspector docs metrics -o docs/metrics.md";
 }
 
 }  // namespace

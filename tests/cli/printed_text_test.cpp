@@ -27,6 +27,7 @@ TEST(PrintedText, OfEveryCommandIsEncodedOnce) {
         {"preset", "show", "acne"},
         {"docs", "settings"},
         {"docs", "presets"},
+        {"docs", "metrics"},
         {"no-such-command"},
         {"render", "boxes", "-o", "x.png", "--set", "map.resolutoin=1"},
         {"render", "boxes", "-o", "x.png", "--size", "64x64", "--set", "map.resolution=1"},

@@ -7,6 +7,7 @@
 
 #include "app/base/output.h"
 #include "app/sweep/html_report.h"
+#include "renderer/base/base64.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/process.h"
 
@@ -19,9 +20,9 @@ struct PlausibleMeter : FakeMeter {
         CaseFacts f = FakeMeter::facts(c);
         const int n = c.settings.map.resolution;
         const double texels = c.settings.filter.kernel == 0 ? 0.243 : 0.112;
-        f.error = {{"meaning", kErrorMeaning},       {"mae", texels * 20 / n},
-                   {"false_shadow", texels * 9 / n}, {"acne", 0.0},
-                   {"iou", 1 - texels * 30 / n},     {"signed_mean", -texels * 5 / n}};
+        ErrorMetrics& m = f.error.metrics;
+        m.mae = texels * 20 / n, m.false_shadow = texels * 9 / n, m.iou = 1 - texels * 30 / n;
+        m.signed_mean = -texels * 5 / n;
         return f;
     }
     TimeSamples time(const SweepCase& c, int frames) override {

@@ -14,6 +14,7 @@
 
 #include "app/sweep/columns.h"
 #include "app/sweep/journal.h"
+#include "tests/support/number_at.h"
 #include "tests/support/process.h"
 #include "tests/unit/gltf_test_file.h"
 

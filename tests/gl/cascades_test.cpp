@@ -51,8 +51,8 @@ TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
         const FloatImage drawn = visibility(near, s, &frame);
         const FittedLight& light = frame.lights[0];
         std::vector<FloatImage> maps;
-        for (int v = 0; v < 3; ++v) maps.push_back(renderer.read_shadow_map(0, v));
-        const TruthTask task = truth_task(renderer, near, s, small(), 0, {}, {});
+        for (int v = 0; v < 3; ++v) maps.push_back(renderer.read_shadow_map(frame, 0, v));
+        const TruthTask task = truth_task(renderer, near, s, small(), 0);
         const Receivers receivers = place_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         std::size_t compared = 0, mixed = 0, wrong = 0;
         for (int y = 0; y < drawn.height; ++y)

@@ -25,7 +25,7 @@ TEST_F(ColoursTest, DepthBands) {
     FrameRequest request = small();
     request.outputs = {.colour = false, .shadow_map = true};
     const FrameResult f = renderer.render(scene, s, request);
-    const FloatImage depth = renderer.read_map_view_depth();
+    const FloatImage depth = renderer.read_map_view_depth(f);
     const ByteImage shown = renderer.read_colour(f.map_view);
     int bands[3] = {};
     for (int y = 0; y < 128; y += 3)

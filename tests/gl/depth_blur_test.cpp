@@ -39,16 +39,17 @@ TEST_F(DepthBlur, IsTheMeanOfTheNeighboursInEveryFormatAndForEveryLight) {
                                                   {"map.format", format},
                                                   {"light.type", light},
                                                   {"map.reversed_z", reversed}});
-                const auto faces = renderer.render(scene, s, maps()).lights.at(0).views.size();
+                const FrameResult plain = renderer.render(scene, s, maps());
+                const auto faces = plain.lights.at(0).views.size();
                 std::vector<FloatImage> sharp;
                 for (std::size_t face = 0; face < faces; ++face)
-                    sharp.push_back(renderer.read_shadow_map(0, int(face)));
+                    sharp.push_back(renderer.read_shadow_map(plain, 0, int(face)));
                 for (const int radius : {1, 4}) {
                     s.map.blur_texels = radius;
-                    renderer.render(scene, s, maps());
+                    const FrameResult soft = renderer.render(scene, s, maps());
                     double moved = 0;
                     for (std::size_t face = 0; face < faces; ++face) {
-                        const FloatImage blurred = renderer.read_shadow_map(0, int(face));
+                        const FloatImage blurred = renderer.read_shadow_map(soft, 0, int(face));
                         const std::vector<double> expected = box_blur(sharp[face], radius);
                         double worst = 0;
                         for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -71,12 +72,12 @@ TEST_F(DepthBlur, OfSeveralLightsBlursEachLayer) {
                                       {"light.2.type", "spot"},
                                       {"light.1.azimuth", "90"},
                                       {"light.2.azimuth", "150"}});
-    renderer.render(scene, s, maps());
-    const FloatImage first = renderer.read_shadow_map(0, 0), last = renderer.read_shadow_map(2, 0);
+    const FrameResult plain = renderer.render(scene, s, maps());
+    const FloatImage first = renderer.read_shadow_map(plain, 0, 0), last = renderer.read_shadow_map(plain, 2, 0);
     s.map.blur_texels = 2;
-    renderer.render(scene, s, maps());
+    const FrameResult soft = renderer.render(scene, s, maps());
     for (const auto& [sharp, light] : {std::pair{&first, 0}, {&last, 2}}) {
-        const FloatImage blurred = renderer.read_shadow_map(light, 0);
+        const FloatImage blurred = renderer.read_shadow_map(soft, light, 0);
         const std::vector<double> expected = box_blur(*sharp, 2);
         for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_NEAR(blurred.data[i], expected[i], 1e-6) << light;
     }

@@ -356,8 +356,7 @@ TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {
     FrameRequest request = small();
     request.outputs = {.colour = false, .shadow_map = true};
     const auto sum = [&](const Settings& s) {
-        renderer.render(scene, s, request);
-        const FloatImage map = renderer.read_shadow_map(0, 0);
+        const FloatImage map = renderer.read_shadow_map(renderer.render(scene, s, request), 0, 0);
         double total = 0;
         for (const float d : map.data) total += d;
         return total / double(map.data.size());
@@ -424,7 +423,7 @@ TEST_F(FrameTest, MapViewerShowsTheMap) {
                 {{"map.format", format}, {"map.reversed_z", reversed}, {"map.resolution", "128"}, {"view.map", "raw"}});
             const FrameResult f = renderer.render(scene, s, request);
             const ByteImage shown = renderer.read_colour(f.map_view);
-            const FloatImage stored = renderer.read_shadow_map(0, 0);
+            const FloatImage stored = renderer.read_shadow_map(f, 0, 0);
             ASSERT_EQ(shown.width, 128);
             for (int y = 0; y < 128; y += 7)
                 for (int x = 0; x < 128; x += 7)

@@ -65,9 +65,9 @@ TEST_F(LightCamera, SeesTheDepthThatTheMapStores) {
                                                 {"map.resolution", "256"},
                                                 {"map.reversed_z", "true"},  // as the camera's
                                                 {"view.map_source", "camera"}});
-        frame(scene, s, 256, 256);
-        const FloatImage camera = renderer.read_map_view_depth(),
-                         map = renderer.read_shadow_map(0, std::atoi(kind.face));
+        const FrameResult f = frame(scene, s, 256, 256);
+        const FloatImage camera = renderer.read_map_view_depth(f),
+                         map = renderer.read_shadow_map(f, 0, std::atoi(kind.face));
         int apart = 0, drawn = 0;
         for (std::size_t i = 0; i < map.data.size(); ++i) {
             apart += std::abs(camera.data[i] - map.data[i]) > 1e-5;

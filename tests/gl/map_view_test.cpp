@@ -36,7 +36,7 @@ TEST_F(MapViewTest, ShowsTheCamerasOwnDepth) {
             EXPECT_EQ(f.map_view_curve.perspective, orthographic == std::string("false"));
             EXPECT_EQ(f.map_view_curve.near, f.camera.curve.near);
             EXPECT_TRUE(f.map_view_curve.convention.reversed);
-            const FloatImage depth = renderer.read_map_view_depth();
+            const FloatImage depth = renderer.read_map_view_depth(f);
             const ByteImage shown = renderer.read_colour(f.map_view);
             ASSERT_EQ(depth.width, 320);
             ASSERT_EQ(depth.height, 180);
@@ -72,7 +72,7 @@ TEST_F(MapViewTest, NearAndFarPlanesCutSharply) {
         const FrameResult f = frame(scene, s);
         EXPECT_EQ(f.map_view_curve.near, std::stod(near));
         EXPECT_EQ(f.map_view_curve.far, std::stod(far));
-        const DepthStatistics d = depth_statistics(renderer.read_map_view_depth(), f.map_view_curve);
+        const DepthStatistics d = depth_statistics(renderer.read_map_view_depth(f), f.map_view_curve);
         EXPECT_GT(d.empty, 100u);
         EXPECT_GE(d.metres_min, f.map_view_curve.near - 1e-6);
         EXPECT_LE(d.metres_max, f.map_view_curve.far + 1e-6);
@@ -95,7 +95,7 @@ TEST_F(MapViewTest, FitsGreysToWhatIsDrawn) {
                                                             {"view.face", "3"},
                                                             {"view.map_fit", "true"}});
                     const FrameResult f = frame(scene, s);
-                    const FloatImage depth = renderer.read_map_view_depth();
+                    const FloatImage depth = renderer.read_map_view_depth(f);
                     const DepthStatistics d = depth_statistics(depth, f.map_view_curve);
                     const bool raw = view == std::string("raw");
                     const std::string where = std::string(source) + " " + type + " " + view + " " + reversed;
@@ -128,12 +128,11 @@ TEST_F(MapViewTest, ReadingBackGivesTheShownMap) {
     const Settings s =
         settings_for(scene, {{"light.type", "point"}, {"light.count", "2"}, {"view.light", "0"}, {"view.face", "3"}});
     const FrameResult f = frame(scene, s);
-    EXPECT_EQ(renderer.read_map_view_depth().data, renderer.read_shadow_map(0, 3).data);
-    EXPECT_NE(renderer.read_map_view_depth().data, renderer.read_shadow_map(0, 2).data);
+    EXPECT_EQ(renderer.read_map_view_depth(f).data, renderer.read_shadow_map(f, 0, 3).data);
+    EXPECT_NE(renderer.read_map_view_depth(f).data, renderer.read_shadow_map(f, 0, 2).data);
     EXPECT_EQ(f.map_view_curve.far, f.lights[0].views[3].curve.far);
     FrameRequest closed = small();
-    renderer.render(scene, s, closed);
-    EXPECT_THROW(renderer.read_map_view_depth(), Error);
+    EXPECT_THROW(renderer.read_map_view_depth(renderer.render(scene, s, closed)), Error);
 }
 
 }  // namespace

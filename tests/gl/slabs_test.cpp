@@ -13,7 +13,7 @@ protected:
     /// The slabs that a frame draws, from the map read back.
     std::vector<TexelSlab> slabs(const FrameResult& f, const Settings& s, Slabs which) {
         const int face = std::clamp(s.view.face, 0, int(f.lights[0].views.size()) - 1), n = f.map_resolution;
-        const FloatImage map = renderer.read_shadow_map(0, face);
+        const FloatImage map = renderer.read_shadow_map(f, 0, face);
         const TexelRegion region = slab_region(s.view, n);
         std::vector<float> depths;
         for (int y = 0; y < region.size.y; ++y)
@@ -77,8 +77,7 @@ TEST_F(SlabsTest, StandWhereTheStoredDepthLies) {
                 const ByteImage with = renderer.read_colour(f.colour);
                 Settings camera = s;
                 camera.view.map_source = int(MapSource::Camera);
-                renderer.render(scene, camera, request);
-                const FloatImage depth = renderer.read_map_view_depth();
+                const FloatImage depth = renderer.read_map_view_depth(renderer.render(scene, camera, request));
                 int visible = 0, tinted = 0, hidden = 0, strong = 0;
                 for (const auto& [point, slab] : points_on(slabs(f, s, Slabs::Stored))) {
                     const glm::dvec4 p = f.camera.project(point, size.width, size.height);

@@ -88,11 +88,11 @@ TEST_F(TapsTest, StoreWhatTheMapHoldsThereAndAnswerBeyondIt) {
     int inside = 0, beyond = 0;
     for (const char* wrap : {"border", "clamp", "repeat"}) {
         set_setting(s, "map.wrap", wrap);
+        const FloatImage map = renderer.read_shadow_map(renderer.render(scene, s, picture), 0, 0);
         for (int y = 10; y < 115; y += 9)
             for (int x = 5; x < 155; x += 11) {
                 const Probe p = renderer.probe(scene, s, picture, x, y);
                 if (!p.hit || p.lights[0].where == "behind") continue;
-                const FloatImage map = renderer.read_shadow_map(0, 0);
                 const int n = p.map_resolution;
                 for (const KernelTap& t : p.lights[0].taps) {
                     glm::ivec2 at = t.texel;

@@ -10,6 +10,7 @@
 #include "app/sweep/results.h"
 #include "app/sweep/runner.h"
 #include "renderer/base/error.h"
+#include "tests/support/number_at.h"
 
 namespace si {
 
@@ -27,11 +28,11 @@ struct FakeMeter : CaseMeter {
         measured.push_back(c.id);
         const int n = c.settings.map.resolution;
         if (n == fails_at_resolution) throw Error("no memory for\nthis map");
-        return {{{"meaning", kErrorMeaning}, {"mae", 100.0 / n}},
-                {{"map_texels", n * n}, {"bytes_touched", 4 * n * n}},
-                {"a note"},
-                "jpg",
-                "png"};
+        CaseFacts f{.notes = {"a note"}, .picture_jpg = "jpg", .artefacts_png = "png"};
+        f.error.metrics.mae = 100.0 / n;
+        f.cost.map_texels = std::uint64_t(n) * std::uint64_t(n);
+        f.cost.bytes_touched = 4 * f.cost.map_texels;
+        return f;
     }
     TimeSamples time(const SweepCase& c, int frames) override {
         timed.push_back(c.id);
@@ -62,7 +63,9 @@ struct FakeSweep {
         }
         return journal.state();
     }
-    Json results() const { return results_json(read_journal(folder), plan); }
+    SweepResults measured() const { return sweep_results(read_journal(folder), plan); }
+    /// As results.json has them.
+    Json results() const { return results_json(measured()); }
 };
 
 }  // namespace si

@@ -88,7 +88,7 @@ Shot shoot(const Scene& scene, const Settings& settings, int width, int height) 
     const std::size_t light = std::size_t(std::max(s.view.light, 0));
     if (light < shot.frame.lights.size() && shot.frame.lights[light].casts)
         for (std::size_t face = 0; face < shot.frame.lights[light].views.size(); ++face) {
-            shot.maps.push_back(renderer.read_shadow_map(int(light), int(face)));
+            shot.maps.push_back(renderer.read_shadow_map(shot.frame, int(light), int(face)));
             EXPECT_TRUE(all_within(shot.maps.back(), 1, "map")) << "face " << face;
         }
     if (shot.frame.overlay.texture) {

@@ -8,6 +8,7 @@
 
 #include "app/base/output.h"
 #include "app/editor/headless_editor.h"
+#include "app/session/command_line.h"
 #include "app/session/presets.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"

@@ -11,27 +11,29 @@
 namespace si::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Three cases of which the last is beaten, and present settings between them.
 SweepFacts made_up_sweep() {
     SweepFacts facts;
     facts.columns = measured_columns();
-    Json rows = Json::array();
+    std::vector<SweepRow> rows;
+    const auto numbers = [](double ms, double mae) {
+        CaseNumbers n{.error = CaseErrors{}, .time = TimeMeasurement{}};
+        n.error->metrics.mae = mae;
+        n.time->total_ms = {.median = ms, .p95 = ms, .median_low = ms - 0.1, .median_high = ms + 0.1};
+        return n;
+    };
     const auto add = [&](const char* kernel, double ms, double mae) {
-        rows.push_back({{"case", rows.size()},
-                        {"settings", {{"filter.kernel", kernel}, {"map.resolution", "1024"}}},
-                        {"failed", nullptr},
-                        {"error", {{"mae", mae}, {"acne", 0.0}}},
-                        {"time", {{"total_ms", {{"median", ms}, {"p95", ms}, {"noise", 0.1}}}}}});
+        rows.push_back({.number = rows.size(),
+                        .settings = {{"filter.kernel", kernel}, {"map.resolution", "1024"}},
+                        .numbers = numbers(ms, mae)});
     };
     add("hard", 2, 0.08), add("pcf5", 8, 0.01), add("pcf3", 9, 0.05);
-    for (const Json& row : rows) facts.cases.push_back(measured_case(row));
+    for (const SweepRow& row : rows) facts.cases.push_back(measured_case(row));
     facts.total = rows.size();
     facts.software = true;
-    const Json present = {{"error", {{"mae", 0.04}}}, {"time", {{"total_ms", {{"median", 4.0}, {"noise", 0.1}}}}}};
+    const CaseNumbers present = numbers(4, 0.04);
     facts.present = measured_case(present);
-    facts.view = frontier_view(rows, present, "time.total_ms.median", "error.mae");
+    facts.view = frontier_view(rows, &present, "time.total_ms.median", "error.mae");
     return facts;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/editor/headless_editor.h"
+#include "app/session/command_line.h"
 #include "app/session/presets.h"
 #include "app/session/scene_loading.h"
 #include "renderer/base/error.h"

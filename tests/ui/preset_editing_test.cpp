@@ -9,6 +9,7 @@
 
 #include "app/base/output.h"
 #include "app/editor/headless_editor.h"
+#include "app/session/command_line.h"
 #include "app/session/setting_json.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
@@ -44,8 +45,9 @@ protected:
     }
     EditorModel& model() { return editor_->model(); }
     EditorState& state() { return editor_->model().state; }
-    void wish(const EditorActions& actions) {
-        EditorActions all = actions;
+    void wish(const PresetActions& actions) {
+        EditorActions all;
+        static_cast<PresetActions&>(all) = actions;
         all.scene_width = 320, all.scene_height = 180;
         model().fulfil(all);
         editor_->settle();

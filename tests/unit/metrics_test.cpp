@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "renderer/reference/distance_transform.h"
 #include "renderer/scenes/shapes.h"
@@ -147,6 +148,66 @@ TEST(Metrics, MeasureHowFarContoursAreApart) {
     for (std::size_t y = 0; y < 8; ++y) joins[y * 12 + 3] = 2;
     EXPECT_TRUE(std::isnan(error_metrics(judged_of(moved, truth_of(rows)), truth_of(rows), joins).boundary_px_mean));
     EXPECT_THROW(error_metrics({}, truth_of(rows)), Error);
+}
+
+TEST(MetricRows, SayWhatANumberIsOnceAndForAll) {
+    std::set<std::string_view> keys, labels;
+    for (const Metric& m : metrics()) {
+        EXPECT_TRUE(keys.insert(m.key).second) << m.key;
+        EXPECT_TRUE(labels.insert(m.label).second) << m.label;
+        EXPECT_FALSE(m.formula.empty()) << m.key;
+        EXPECT_TRUE(m.help.ends_with(".")) << m.key;
+        EXPECT_EQ(find_metric(m.key), &m);
+        EXPECT_EQ(m.part_of.empty(), m.part.empty()) << m.key;
+        EXPECT_TRUE(m.part_of.empty() || find_metric(m.part_of)) << m.key;
+        EXPECT_TRUE(m.member || m.causes) << m.key << " holds nothing";
+    }
+    EXPECT_EQ(metrics().front().key, "mae") << "what searches bound unless they are told";
+    EXPECT_EQ(find_metric("prettiness"), nullptr);
+}
+
+TEST(MetricRows, CountEveryWrongPixelInOnePartOfItsSum) {
+    // One pixel of each cause on the side that it can have, 2^k of them: sums tell which were counted.
+    Truth truth;
+    truth.state.assign(1 << 16, PixelState::Counted), truth.pixels[0] = truth.state.size();
+    const double n = double(truth.state.size());
+    using A = Artefact;
+    const A dark[] = {A::Acne,   A::EdgeAliasing, A::OutsideMap, A::OffsetShadow,
+                      A::Filter, A::Undersampled, A::Penumbra};
+    const A bright[] = {A::PeterPanning,       A::Leak,         A::EdgeAliasing, A::OutsideMap, A::LostCaster,
+                        A::PeterPanningOffset, A::Undersampled, A::Penumbra};
+    PixelSums sums;
+    double all_dark = 0, all_bright = 0, weight = 1;
+    for (const A a : dark) all_dark += sums.dark[std::size_t(a)] = weight, weight *= 2;
+    for (const A a : bright) all_bright += sums.bright[std::size_t(a)] = weight, weight *= 2;
+    const ErrorMetrics m = metrics_of(sums, truth);
+    EXPECT_EQ(m.false_shadow * n, all_dark);
+    EXPECT_EQ(m.false_light * n, all_bright);
+    for (const char* sum : {"false_shadow", "false_light"}) {
+        double parts = 0;
+        for (const Metric& row : metrics())
+            if (row.part_of == sum) parts += row.value(m);
+        EXPECT_EQ(parts, find_metric(sum)->value(m)) << sum;
+    }
+    EXPECT_EQ(m.acne * n, 1);
+    EXPECT_EQ(m.offset_false_shadow * n, 8);
+    EXPECT_EQ(m.outside_false_shadow * n, 4);
+    EXPECT_EQ(m.boundary_false_shadow * n, 2 + 16 + 32 + 64);
+    EXPECT_EQ(m.bias_false_light * n, 128 * (1 + 32));
+    EXPECT_EQ(m.leak * n, 128 * 2);
+    EXPECT_EQ(m.boundary_false_light * n, 128 * (4 + 64 + 128));
+    EXPECT_EQ(m.outside_false_light * n, 128 * 8);
+    EXPECT_EQ(m.lost_false_light * n, 128 * 16);
+    EXPECT_EQ(find_metric("artefacts.undersampled")->value(m), 32 + 128 * 64);
+    EXPECT_EQ(find_metric("artefacts.filter")->value(m), 16);
+    EXPECT_EQ(double(m.artefacts[0]), n - all_dark - all_bright);
+}
+
+TEST(MetricRows, TellWhichOfTwoValuesIsBetter) {
+    EXPECT_EQ(shortfall(find_metric("mae")->better, 0.25), 0.25);
+    EXPECT_EQ(shortfall(find_metric("signed_mean")->better, -0.25), 0.25);
+    EXPECT_EQ(shortfall(find_metric("iou")->better, 0.75), 0.25);
+    EXPECT_TRUE(std::isnan(shortfall(find_metric("outside_map")->better, 0.25))) << "a fact, no quality";
 }
 
 }  // namespace

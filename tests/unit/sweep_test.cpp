@@ -149,7 +149,7 @@ TEST(Sweep, AFailingCaseIsARowWithItsError) {
     EXPECT_TRUE(r["rows"][2]["error"].is_null());
     EXPECT_EQ(r["rounds"], 4) << "the others have their times";
     for (const Json& n : r["frontier"]["cases"]) EXPECT_TRUE(n != 2 && n != 3);
-    EXPECT_NE(results_csv(r).find(",false,no memory for; this map\n"), std::string::npos);
+    EXPECT_NE(results_csv(f.measured()).find(",false,no memory for; this map\n"), std::string::npos);
     FakeMeter again;
     f.run(again);
     EXPECT_TRUE(again.measured.empty()) << "a failure is a result";
@@ -242,7 +242,7 @@ TEST(Merge, ShardsTogetherAreTheWholeSweep) {
     }
     const SweepState merged = merge_sweeps(parts);
     EXPECT_TRUE(missing_cases(merged, whole.plan).empty());
-    Json a = results_json(merged, whole.plan), b = whole.results();
+    Json a = results_json(sweep_results(merged, whole.plan)), b = whole.results();
     a.erase("runs"), b.erase("runs");
     EXPECT_EQ(a, b);
     parts.erase(parts.begin() + 1);
@@ -296,12 +296,64 @@ TEST(Results, ContentDecidesWhetherScenesAreEqual) {
     EXPECT_NE(scene_content_key(moved), scene_content_key(stage));
 }
 
+TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {
+    // Every number its own, some of them unknown: what is read is what was written.
+    CaseState c;
+    double v = 0.1;
+    for (const Metric& m : metrics())
+        if (m.member) c.error.metrics.*m.member = v /= 1.7;
+    c.error.metrics.boundary_px_max = std::numeric_limits<double>::quiet_NaN();
+    c.error.noise = 1 / 3.0;
+    std::size_t pixels = 7;
+    for (std::size_t& p : c.error.metrics.pixels) p = ++pixels;
+    for (std::size_t& a : c.error.metrics.artefacts) a = ++pixels;
+    c.cost = {.taps_per_pixel = 2.5,
+              .map_texels = 3,
+              .map_bytes = 1ull << 40,
+              .bytes_touched = 5,
+              .draws = 6,
+              .triangles = 7};
+    const std::string text = facts_line(4, c).dump();
+    SweepState state;
+    state.apply(Json::parse(text));
+    const CaseState& read = state.cases.at(4);
+    EXPECT_EQ(facts_line(4, read).dump(), text);
+    EXPECT_EQ(read.error.metrics.lost_false_light, c.error.metrics.lost_false_light);
+    EXPECT_TRUE(std::isnan(read.error.metrics.boundary_px_max));
+    EXPECT_EQ(read.error.metrics.pixels, c.error.metrics.pixels);
+    EXPECT_EQ(read.error.metrics.artefacts, c.error.metrics.artefacts);
+    EXPECT_EQ(read.error.metrics.counted, c.error.metrics.pixels[0]);
+    EXPECT_EQ(read.cost.map_bytes, c.cost.map_bytes);
+    EXPECT_EQ(read.error.noise, c.error.noise);
+    // A column says of the typed numbers what results.json holds under its key.
+    TimeSamples samples;
+    for (const double ms : {3.0, 4.0, 5.0, 9.0}) samples.total_ms.push_back(ms), samples.maps_ms.push_back(ms / 4);
+    const CaseNumbers numbers{.error = c.error, .cost = c.cost, .time = summary(samples)};
+    const Json row = {{"error", error_json(c.error.metrics, c.error.noise)},
+                      {"cost", cost_json(c.cost)},
+                      {"time", time_json(*numbers.time)}};
+    std::size_t compared = 0;
+    for (const Column& column : columns()) {
+        const double said = column.value(numbers), held = number_at(row, column.key);
+        EXPECT_TRUE(said == held || (std::isnan(said) && std::isnan(held))) << column.key << " " << said << " " << held;
+        compared += std::isfinite(held);
+        if (column.noise.empty()) continue;
+        EXPECT_EQ(noise_of(column, numbers), number_at(row, column.noise)) << column.key;
+    }
+    EXPECT_EQ(compared, columns().size() - 1);
+}
+
 TEST(Columns, ArePlottedSoThatLessIsBetter) {
-    const Json row = {{"error", {{"iou", 0.9}, {"signed_mean", -0.25}, {"mae", nullptr}}}};
-    EXPECT_NEAR(plotted_value(*find_column("error.iou"), row), 0.1, 1e-12);
-    EXPECT_EQ(plotted_value(*find_column("error.signed_mean"), row), 0.25);
-    EXPECT_TRUE(std::isnan(plotted_value(*find_column("error.mae"), row)));
-    EXPECT_TRUE(std::isnan(plotted_value(*find_column("error.acne"), row)));
+    const Json row = {{"iou", 0.9}, {"signed_mean", -0.25}, {"mae", nullptr}, {"noise", 0.125}};
+    const CaseNumbers numbers{.error = CaseErrors{error_from_json(row), number_or_nan(row, "noise")}};
+    EXPECT_NEAR(plotted_value(*find_column("error.iou"), numbers), 0.1, 1e-12);
+    EXPECT_EQ(plotted_value(*find_column("error.signed_mean"), numbers), 0.25);
+    EXPECT_EQ(noise_of(*find_column("error.signed_mean"), numbers), 0.125);
+    EXPECT_EQ(noise_of(*find_column("error.iou"), numbers), 0);
+    EXPECT_TRUE(std::isnan(plotted_value(*find_column("error.mae"), numbers)));
+    EXPECT_TRUE(std::isnan(plotted_value(*find_column("error.acne"), numbers)));
+    EXPECT_TRUE(std::isnan(plotted_value(*find_column("time.total_ms.median"), numbers))) << "not taken";
+    EXPECT_TRUE(std::isnan(plotted_value(*find_column("error.outside_map"), numbers))) << "a fact, no quality";
     for (const Column& c : columns()) EXPECT_TRUE(c.help.ends_with(".")) << c.key;
 }
 

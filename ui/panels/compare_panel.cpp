@@ -12,10 +12,8 @@
 #include "ui/widgets/theme.h"
 
 namespace si {
-namespace {
-
-std::string reference_label(const EditorState& state, const EditorFrame& frame) {
-    switch (state.compare.kind) {
+std::string reference_label(const CompareWith& with) {
+    switch (with.kind) {
         case CompareKind::Scene:
             return "the scene's own settings";
         case CompareKind::Defaults:
@@ -23,19 +21,33 @@ std::string reference_label(const EditorState& state, const EditorFrame& frame) 
         case CompareKind::Preset:
             break;
     }
-    for (const PresetEntry& p : frame.presets)
-        if (p.key == state.compare.preset) return p.title.empty() ? p.key : p.title;
-    return scene_label(state.compare.preset);
+    return with.preset;
+}
+
+namespace {
+
+/// The same with a guided preset's title, and a file without its folders.
+std::string shown_label(const CompareWith& with, std::span<const PresetEntry> presets) {
+    if (with.kind != CompareKind::Preset) return reference_label(with);
+    for (const PresetEntry& p : presets)
+        if (p.key == with.preset) return p.title.empty() ? p.key : p.title;
+    return scene_label(with.preset);
 }
 
 void reference_combo(EditorState& state, const EditorFrame& frame) {
-    if (!ImGui::BeginCombo("##reference", reference_label(state, frame).c_str(), ImGuiComboFlags_HeightLarge)) return;
+    if (!ImGui::BeginCombo("##reference", shown_label(state.compare, frame.presets).c_str(),
+                           ImGuiComboFlags_HeightLarge))
+        return;
     const auto item = [&](const std::string& label, const CompareWith& with, const std::string& hint) {
         if (ImGui::Selectable(label.c_str(), state.compare == with)) state.compare = with;
         if (!hint.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint.c_str());
     };
-    item("the scene's own settings", {CompareKind::Scene, {}}, "Defaults with what the scene suggests over them");
-    item("the program's defaults", {CompareKind::Defaults, {}}, {});
+    const auto own = [&](CompareKind kind, const std::string& hint) {
+        const CompareWith with{kind, {}};
+        item(reference_label(with), with, hint);
+    };
+    own(CompareKind::Scene, "Defaults with what the scene suggests over them");
+    own(CompareKind::Defaults, {});
     if (!frame.recent_presets.empty()) ImGui::TextDisabled("Recent presets");
     for (const std::string& path : frame.recent_presets)
         item(scene_label(path) + "##" + path, {CompareKind::Preset, path}, path);

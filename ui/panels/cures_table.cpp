@@ -54,8 +54,8 @@ void row(const Cure& cure, const CureTable& table, bool current, Settings& setti
 
 }  // namespace
 
-void cures_button(const EditorFrame& frame, EditorActions& actions, std::optional<glm::ivec2> pixel, bool wrong) {
-    const CureSearch& search = frame.cures;
+void cures_button(const CureSearch& search, CureActions& actions, std::optional<glm::ivec2> pixel, bool ready,
+                  bool wrong) {
     if (search.running) {
         const std::string text = fmt::format("{:.0f} %  {}", 100 * search.running->progress, search.running->about);
         ImGui::ProgressBar(float(search.running->progress), {ImGui::GetFontSize() * 12, 0}, text.c_str());
@@ -63,7 +63,7 @@ void cures_button(const EditorFrame& frame, EditorActions& actions, std::optiona
         if (ImGui::Button("Cancel##cures")) actions.cancel_cures = true;
         return;
     }
-    ImGui::BeginDisabled(!frame.result || !frame.scene || !wrong);
+    ImGui::BeginDisabled(!ready || !wrong);
     if (ImGui::Button("Find cures")) actions.find_cures = CureWish{pixel};
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
@@ -74,9 +74,7 @@ void cures_button(const EditorFrame& frame, EditorActions& actions, std::optiona
                 : "Nothing is wrong here.");
 }
 
-void cures_table(EditorState& state, const EditorFrame& frame, EditorActions& actions,
-                 std::optional<glm::ivec2> pixel) {
-    const CureSearch& search = frame.cures;
+void cures_table(Settings& settings, const CureSearch& search, CureActions& actions, std::optional<glm::ivec2> pixel) {
     if (!search.table || search.pixel != pixel) return;
     if (search.current)
         ImGui::TextDisabled("%zu pixels are wrong now", search.table->wrong);
@@ -96,7 +94,7 @@ void cures_table(EditorState& state, const EditorFrame& frame, EditorActions& ac
     int id = 0;
     for (const Cure& cure : search.table->rows) {
         ImGui::PushID(id++);
-        row(cure, *search.table, search.current, state.settings);
+        row(cure, *search.table, search.current, settings);
         ImGui::PopID();
     }
     ImGui::EndTable();

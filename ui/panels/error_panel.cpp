@@ -4,8 +4,10 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/reference/live_error.h"
@@ -17,59 +19,30 @@
 namespace si {
 namespace {
 
-struct Row {
-    const char* name;
-    double ErrorMetrics::*value;
-    enum { Share, Number, Signed } kind;
-    const char* about;  ///< formula, and how it reads
-    bool rare = false;  ///< not shown while it is nothing
-};
+/// The rows of one table, each sum with its parts below it. @param shares of pixels, or all others
+std::vector<const Metric*> rows_of(bool causes, const ErrorMetrics& m) {
+    std::vector<const Metric*> rows;
+    const auto add = [&](const Metric& row) {
+        if (!row.contours && row.member && !(row.rare && !(row.value(m) > 0))) rows.push_back(&row);
+    };
+    const auto is_sum = [](const Metric& row) {
+        return std::any_of(metrics().begin(), metrics().end(), [&](const Metric& o) { return o.part_of == row.key; });
+    };
+    for (const bool shares : {true, false})
+        for (const Metric& row : metrics()) {
+            if (!row.part_of.empty() || is_sum(row) != causes || (row.unit == kShareOfPixels) != shares) continue;
+            add(row);
+            for (const Metric& part : metrics())
+                if (part.part_of == row.key) add(part);
+        }
+    return rows;
+}
 
-// V: what the map gives, R: the truth, n: counted pixels.
-constexpr Row kRows[] = {
-    {"False shadow", &ErrorMetrics::false_shadow, Row::Share,
-     "#{R >= 1/2 and V < 1/2} / n\nDark though lit: acne, and shadows that are too large. The sum of the rows below."},
-    {"   acne", &ErrorMetrics::acne, Row::Share, "Surfaces that shadow themselves: more bias puts these pixels right."},
-    {"   by normal offset", &ErrorMetrics::offset_false_shadow, Row::Share,
-     "Without the normal offset these pixels are right."},
-    {"   at edges", &ErrorMetrics::boundary_false_shadow, Row::Share,
-     "Bias puts none of these right: edge aliasing, undersampled, filter and penumbra."},
-    {"   outside the map", &ErrorMetrics::outside_false_shadow, Row::Share,
-     "The map holds nothing where these are looked up, or taps reach beyond its sides.", true},
-    {"False light", &ErrorMetrics::false_light, Row::Share,
-     "#{R < 1/2 and V >= 1/2} / n\nLit though dark: shadows that are lost or too small. The sum of the rows below."},
-    {"   by bias", &ErrorMetrics::bias_false_light, Row::Share,
-     "Peter-panning: less bias, or no normal offset, puts these pixels right."},
-    {"   lost casters", &ErrorMetrics::lost_false_light, Row::Share,
-     "Culling, the near plane or a mask's mip level left out of the map what casts here."},
-    {"   leak", &ErrorMetrics::leak, Row::Share,
-     "The nearest texel, unfiltered and at its own least bias, is right here."},
-    {"   at edges", &ErrorMetrics::boundary_false_light, Row::Share,
-     "Neither bias nor filter puts these right: edge aliasing, undersampled and penumbra."},
-    {"   outside the map", &ErrorMetrics::outside_false_light, Row::Share,
-     "The map holds nothing where these are looked up, or taps reach beyond its sides.", true},
-    {"Any acne", &ErrorMetrics::any_acne, Row::Share,
-     "#{R = 1, V < 1 - 0.001, and more bias lights them wholly} / n\nAlso the faint acne that a wide kernel hides."},
-    {"Outside the map", &ErrorMetrics::outside_map, Row::Share,
-     "Pixels beside the map, beyond its far plane or behind the light, right or wrong, / n"},
-    {"Within the noise", &ErrorMetrics::within_noise, Row::Share,
-     "V and R on different sides of 1/2, but no further apart than three times the truth's own noise, / n:\nnot called "
-     "wrong. "
-     "A smaller truth.noise decides them.",
-     true},
-    {"Mean |V - R|", &ErrorMetrics::mae, Row::Number, "sum |V - R| / n, of visibility: 0 to 1"},
-    {"Root mean square", &ErrorMetrics::rmse, Row::Number, "sqrt(sum (V - R)^2 / n), of visibility: 0 to 1"},
-    {"Mean V - R", &ErrorMetrics::signed_mean, Row::Signed, "sum (V - R) / n: above 0 too light, below too dark"},
-    {"Overlap of shadows", &ErrorMetrics::iou, Row::Number,
-     "#{in shadow by both} / #{in shadow by either}: 1 is perfect"},
-};
-constexpr int kCauses = 11;  ///< rows of false shadow and false light
-
-std::string text_of(const Row& row, double value) {
+std::string text_of(const Metric& row, double value) {
     if (!std::isfinite(value)) return "-";
-    if (row.kind == Row::Share)
+    if (row.unit == kShareOfPixels)
         return value == 0 ? "0 %" : fmt::format("{:.{}f} %", 100 * value, value < 0.0095 ? 4 : 2);
-    return row.kind == Row::Signed ? fmt::format("{:+.5f}", value) : fmt::format("{:.5f}", value);
+    return row.better == Better::NearZero ? fmt::format("{:+.5f}", value) : fmt::format("{:.5f}", value);
 }
 
 void right_cell(const std::string& text, ImU32 colour = theme::kText) {
@@ -81,23 +54,28 @@ void right_cell(const std::string& text, ImU32 colour = theme::kText) {
     ImGui::PopStyleColor();
 }
 
-void metrics_table(const ErrorMetrics& m, int first, int end, const char* id) {
+/// @param causes the sums of wrong pixels with their parts, or all others
+void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable(id, 2, flags)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 6);
-    for (int i = first; i < end; ++i) {
-        const Row& row = kRows[i];
-        if (row.rare && !(m.*row.value > 0)) continue;
+    for (const Metric* row : rows_of(causes, m)) {
+        const bool part = !row->part_of.empty();
+        const std::string name = part ? "   " + std::string(row->part) : std::string(row->label);
+        const auto tooltip = [&] {
+            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n%s", row->formula.data(), row->help.data());
+        };
+        const double value = row->value(m);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::PushStyleColor(ImGuiCol_Text, row.name[0] == ' ' ? theme::kMuted : theme::kText);
-        ImGui::TextUnformatted(row.name);
+        ImGui::PushStyleColor(ImGuiCol_Text, part ? theme::kMuted : theme::kText);
+        ImGui::TextUnformatted(name.c_str());
         ImGui::PopStyleColor();
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.about);
-        right_cell(text_of(row, m.*row.value), m.*row.value == 0 ? theme::kMuted : theme::kText);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.about);
+        tooltip();
+        right_cell(text_of(*row, value), value == 0 ? theme::kMuted : theme::kText);
+        tooltip();
     }
     ImGui::EndTable();
 }
@@ -178,7 +156,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     flow(em * 4);
     save_button(state, frame, actions);
     flow(em * 6);
-    cures_button(frame, actions, {},
+    cures_button(frame.cures, actions, {}, frame.result && frame.scene,
                  frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
     flow(em * 12);
     ImGui::AlignTextToFramePadding();
@@ -188,7 +166,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
         ImGui::SameLine();
         if (ImGui::SmallButton("Cancel")) actions.cancel_truth = true;
     }
-    cures_table(state, frame, actions, {});
+    cures_table(s, frame.cures, actions, {});
     if (!frame.error) return;
     const LiveError& error = *frame.error;
     const float width = ImGui::GetContentRegionAvail().x;
@@ -200,11 +178,10 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
         ImGui::PopStyleVar();
         return;
     }
-    constexpr int kRowCount = int(std::size(kRows));
     ImGui::TableNextColumn();
-    metrics_table(error.metrics, 0, kCauses, "causes of each side");
+    metrics_table(error.metrics, true, "causes of each side");
     if (columns > 1) ImGui::TableNextColumn();
-    metrics_table(error.metrics, kCauses, kRowCount, "means");
+    metrics_table(error.metrics, false, "means");
     ImGui::TextDisabled("%zu pixels compared", error.metrics.counted);
     if (ImGui::IsItemHovered()) {
         const auto& p = error.metrics.pixels;

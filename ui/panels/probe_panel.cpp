@@ -297,8 +297,8 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
                    [&] {
                        // Cures are those of the light whose shadows are judged.
                        if (!wrong || light.light != state.settings.view.light) return;
-                       cures_button(frame, actions, state.probe_pixel, wrong);
-                       cures_table(state, frame, actions, state.probe_pixel);
+                       cures_button(frame.cures, actions, state.probe_pixel, frame.result && frame.scene, wrong);
+                       cures_table(state.settings, frame.cures, actions, state.probe_pixel);
                    });
         ImGui::PopID();
     }

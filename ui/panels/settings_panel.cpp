@@ -127,7 +127,8 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& act
         setting_row(state.settings, ref, scene_choices(frame.scene, ref.param->key));
     }
     if (table) ImGui::EndTable();
-    if (group.prefix == "bias" && !filtered) draw_tune_controls(state, frame, actions);
+    if (group.prefix == "bias" && !filtered)
+        draw_tune_controls(state.tune, state.settings, frame, frame.result && frame.scene, actions);
     ImGui::PopID();
 }
 

@@ -21,7 +21,7 @@ void limit(const char* label, const char* about, bool& on, double& value, double
     value = std::max(value, step);
 }
 
-void limits_popup(TunePanel& panel, EditorActions& actions) {
+void limits_popup(TunePanel& panel, TuneActions& actions) {
     if (!ImGui::BeginPopup("tune limits")) return;
     ImGui::TextUnformatted("Search kernels and resolutions, each with its least bias");
     limit("Error at most",
@@ -92,21 +92,22 @@ void families_table(std::span<const TunedFamily> families, bool current, Setting
 
 }  // namespace
 
-void draw_tune_controls(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& shown, bool ready,
+                        TuneActions& actions) {
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
     const auto width_of = [](const char* text) {
         return ImGui::CalcTextSize(text).x + 2 * ImGui::GetStyle().FramePadding.x;
     };
-    if (frame.tuning) {
-        const std::string text = fmt::format("{:.0f} %", 100 * frame.tuning->progress);
-        ImGui::ProgressBar(float(frame.tuning->progress), {std::max(room - width_of("Cancel") - gap, 20.f), 0},
+    if (shown.tuning) {
+        const std::string text = fmt::format("{:.0f} %", 100 * shown.tuning->progress);
+        ImGui::ProgressBar(float(shown.tuning->progress), {std::max(room - width_of("Cancel") - gap, 20.f), 0},
                            text.c_str());
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Trying %s", frame.tuning->about.c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Trying %s", shown.tuning->about.c_str());
         ImGui::SameLine();
         if (ImGui::Button("Cancel")) actions.cancel_tune = true;
         return;
     }
-    ImGui::BeginDisabled(!frame.result || !frame.scene);
+    ImGui::BeginDisabled(!ready);
     if (ImGui::Button("Least bias without acne", {std::max(room - width_of("Tune...") - gap, 20.f), 0}))
         actions.tune = TuneWish{};
     if (ImGui::IsItemHovered())
@@ -118,8 +119,8 @@ void draw_tune_controls(EditorState& state, const EditorFrame& frame, EditorActi
     if (ImGui::Button("Tune...")) ImGui::OpenPopup("tune limits");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Search kernel and resolution, too, within limits of error and time");
     ImGui::EndDisabled();
-    limits_popup(state.tune, actions);
-    families_table(frame.tuned, frame.tuned_current, state.settings);
+    limits_popup(panel, actions);
+    families_table(shown.tuned, shown.tuned_current, settings);
 }
 
 }  // namespace si

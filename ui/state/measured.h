@@ -83,4 +83,12 @@ struct SweepWish {
     bool area = false;
 };
 
+struct SweepActions {
+    std::optional<SweepWish> start_sweep;
+    bool cancel_sweep = false;
+    std::optional<std::string> save_sweep, open_sweep;  ///< folders
+    bool take_sweep_base = false;                       ///< the settings that the sweep's cases share
+    bool want_present = false;                          ///< the present settings are to be measured
+};
+
 }  // namespace si

@@ -1,0 +1,110 @@
+#include "app/editor/background_work.h"
+
+#include <algorithm>
+
+#include "app/editor/wishes.h"
+#include "renderer/inspect/dossier.h"
+
+namespace si {
+
+bool BackgroundWork::poll(const Scene* scene) {
+    const bool tuned = poll_tuning(scene);
+    return poll_cures() || tuned;
+}
+
+bool BackgroundWork::poll_tuning(const Scene* scene) {
+    const auto outcome = tuner_.end();
+    if (!outcome) return false;
+    if (!outcome->families.empty()) tuned_ = *outcome;
+    if (!outcome->found) {
+        if (outcome->failed)
+            report(state_, outcome->text);
+        else
+            state_.log.add(LogKind::Info, outcome->text);
+        return true;
+    }
+    // What was searched for is right for that scene, camera and light only.
+    Settings now = state_.settings;
+    apply_tuning(now, outcome->settings);
+    now.view = outcome->settings.view;
+    if (!scene || scene->id != outcome->scene || !(now == outcome->settings)) {
+        state_.log.add(LogKind::Warning, "Not applied, as scene or settings changed meanwhile: " + outcome->text);
+        return true;
+    }
+    apply_tuning(state_.settings, *outcome->found);
+    state_.log.add(LogKind::Info, outcome->text);
+    return true;
+}
+
+bool BackgroundWork::poll_cures() {
+    std::string problem;
+    if (!cures_.poll(problem)) return false;
+    if (!problem.empty()) state_.log.add(LogKind::Warning, problem);
+    return true;
+}
+
+void BackgroundWork::start_cures(const Scene& scene, glm::ivec2 size, std::span<const Dossier> dossiers,
+                                 const CureWish& wish) {
+    std::vector<CureIdea> own;
+    const auto light = std::size_t(std::max(state_.settings.view.light, 0));
+    if (wish.pixel && light < dossiers.size() && dossiers[light].remedy)
+        own.push_back(idea_of(*dossiers[light].remedy, state_.settings));
+    cures_.start(scene, state_.settings, size.x, size.y, wish.pixel, std::move(own));
+}
+
+void BackgroundWork::take_sweep_base() {
+    if (!sweep_.base()) return;
+    const ViewSettings view = state_.settings.view;
+    const int light = sweep_.base()->view.light;
+    state_.settings = *sweep_.base();
+    state_.settings.view = view;
+    state_.settings.view.light = light;
+}
+
+bool BackgroundWork::fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<const Dossier> dossiers,
+                            const EditorActions& actions) {
+    bool changed = false;
+    const auto wish = [&](bool wished, const auto& what) {
+        if (wished) changed |= attempt(state_, what);
+    };
+    // A kernel must be drawn to be judged: a picture that is not shown has no size.
+    wish(actions.tune.has_value(),
+         [&] { tuner_.start(scenes.require(), state_.settings, size.x, size.y, *actions.tune); });
+    if (actions.cancel_tune) tuner_.cancel();
+    wish(actions.find_cures.has_value(), [&] { start_cures(scenes.require(), size, dossiers, *actions.find_cures); });
+    if (actions.cancel_cures) cures_.cancel();
+    wish(actions.forget_cures, [&] { cures_.forget(); });
+    wish(actions.start_sweep.has_value(),
+         [&] { sweep_.start(scenes.require(), state_.scene_name, state_.settings, *actions.start_sweep); });
+    wish(actions.cancel_sweep, [&] { sweep_.cancel(); });
+    wish(actions.open_sweep.has_value(), [&] { open_sweep(*actions.open_sweep); });
+    wish(actions.save_sweep.has_value(), [&] {
+        sweep_.save(*actions.save_sweep);
+        state_.log.add(LogKind::Info, "Saved " + *actions.save_sweep + "/report.html and the tables beside it");
+    });
+    wish(actions.take_sweep_base, [&] { take_sweep_base(); });
+    return changed;
+}
+
+bool BackgroundWork::follow(const Scene* scene, const EditorActions& actions) {
+    if (actions.want_present && scene)
+        sweep_.follow(*scene, state_.scene_name, state_.settings, state_.sweep);
+    else
+        sweep_.unfollow();
+    const bool had_problem = !sweep_.facts().problem.empty();
+    const bool changed = sweep_.update(state_);
+    if (!had_problem && !sweep_.facts().problem.empty()) report(state_, "The sweep ended: " + sweep_.facts().problem);
+    return changed;
+}
+
+void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) const {
+    f.tuning = tuner_.facts();
+    if (scene && tuned_ && tuned_->scene == scene->id) {
+        f.tuned = tuned_->families;
+        f.tuned_current = tuned_->is_about(state_.settings, size.x, size.y);
+    }
+    f.cures = cures_.facts(scene ? scene->id : 0, state_.settings, size.x, size.y);
+    f.sweep = &sweep_.facts();
+}
+
+}  // namespace si

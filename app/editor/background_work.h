@@ -1,0 +1,50 @@
+// What one editor measures in the background: sweeps and the present settings' dot among them, the least bias, cures.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+
+#include "app/editor/cures.h"
+#include "app/editor/scene_desk.h"
+#include "app/editor/sweep.h"
+#include "app/editor/tuner.h"
+#include "ui/state/editor_ui.h"
+
+namespace si {
+
+class BackgroundWork {
+public:
+    /// @param state of the editor, which lives longer @param state_folder see EditorSweep
+    BackgroundWork(EditorState& state, const std::filesystem::path& state_folder)
+        : state_(state), sweep_(state_folder) {}
+
+    /// Takes what searches found over into the settings and the log. Returns whether any ended.
+    bool poll(const Scene* scene);
+    /// Does what was wished for; errors go to the log. Returns whether anything was.
+    /// @param size of the scene's picture, pixels @param dossiers of the probed pixel
+    bool fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<const Dossier> dossiers,
+                const EditorActions& actions);
+    /// Follows sweeps, and the present settings' place among their cases. Returns whether there are news.
+    bool follow(const Scene* scene, const EditorActions& actions);
+    void open_sweep(const std::filesystem::path& folder) { sweep_.open(folder, state_.sweep); }
+    void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
+
+    bool busy() const { return sweep_.busy() || tuner_.running() || cures_.running(); }
+    bool moved() const { return sweep_.moved() || tuner_.moved() || cures_.moved(); }
+    void finish() const { sweep_.wait(), tuner_.wait(), cures_.wait(); }
+
+private:
+    bool poll_tuning(const Scene* scene);
+    bool poll_cures();
+    void start_cures(const Scene& scene, glm::ivec2 size, std::span<const Dossier> dossiers, const CureWish& wish);
+    void take_sweep_base();
+
+    EditorState& state_;
+    EditorSweep sweep_;
+    EditorTuner tuner_;
+    std::optional<TuningOutcome> tuned_;  ///< the last that tried families of biases
+    EditorCures cures_;
+};
+
+}  // namespace si

@@ -1,0 +1,127 @@
+#include "app/editor/frame_loop.h"
+
+#include <algorithm>
+
+#include "app/base/output.h"
+#include "app/editor/wishes.h"
+#include "app/report/views.h"
+
+namespace si {
+
+void FrameLoop::fill(EditorFrame& f) const {
+    f.driver = drawn_ ? &renderer_.driver() : nullptr;
+    f.result = drawn_ ? &result_ : nullptr;
+    readings_.fill(f);
+    if (drawn_) {
+        f.truth = truth_.facts(result_, drawn_settings_.view.light);
+        f.error = result_.error.get();
+    }
+    f.against = against_.facts();
+    f.shader_log = shader_log_;
+}
+
+void FrameLoop::clear() {
+    drawn_ = false;
+    readings_.clear();
+    truth_.clear();
+    against_.clear();
+}
+
+bool FrameLoop::update(const Scene& scene, const EditorActions& actions, const ComparisonFacts* comparison) {
+    bool changed = false;
+    try {
+        changed |= readings_.update_frozen(renderer_, scene, state_, actions);
+    } catch (const std::exception& e) {
+        report(state_, e.what());
+        state_.frozen.reset();
+    }
+    const bool drawn = draw(scene, actions);
+    changed |= follow_readings(scene, actions, drawn);
+    try {
+        changed |= follow_truth(scene, actions, drawn, comparison);
+    } catch (const std::exception& e) {
+        report(state_, e.what());
+        changed = true;
+    }
+    return changed || drawn;
+}
+
+bool FrameLoop::draw(const Scene& scene, const EditorActions& actions) {
+    FrameRequest wanted;
+    wanted.width = std::max(1, actions.scene_width);
+    wanted.height = std::max(1, actions.scene_height);
+    wanted.outputs.colour = true;
+    wanted.outputs.shadow_map = actions.want_map;
+    wanted.outputs.overlay = true;
+    wanted.outputs.map_coordinates = actions.want_links;
+    wanted.outputs.error = actions.want_error;
+    wanted.outputs.true_colour = state_.against.view != AgainstView::Off && state_.against.truth;
+    wanted.timing = actions.want_timing;
+    wanted.truth = truth_.picture(state_.settings.view.light);
+    wanted.traced = truth_.pictures();
+    // Held against another, the picture is one pane.
+    Settings settings = state_.settings;
+    if (state_.against.view != AgainstView::Off) settings.view.panes = int(Panes::One);
+    const bool same = drawn_ && renderer_.holds(result_) && !shaders_changed_ && wanted.width == request_.width &&
+                      wanted.height == request_.height && wanted.outputs == request_.outputs &&
+                      wanted.timing == request_.timing && wanted.truth == request_.truth &&
+                      wanted.traced == request_.traced && drawn_settings_ == settings && drawn_scene_ == scene.id;
+    if (same || actions.scene_width < 1) return false;
+    request_ = wanted;
+    drawn_settings_ = settings;
+    drawn_scene_ = scene.id;
+    shaders_changed_ = false;
+    try {
+        result_ = renderer_.render(scene, drawn_settings_, request_);
+        drawn_ = true;
+        problem_.clear();
+    } catch (const std::exception& e) {
+        drawn_ = false;
+        if (problem_ != e.what()) report(state_, e.what());
+        problem_ = e.what();
+    }
+    shader_log_ = renderer_.shader_log();
+    for (const std::string& message : renderer_.take_gl_messages()) state_.log.add(LogKind::Warning, message);
+    return true;
+}
+
+bool FrameLoop::follow_readings(const Scene& scene, const EditorActions& actions, bool drawn) {
+    if (!drawn_) {
+        readings_.clear();
+        return false;
+    }
+    try {
+        return readings_.update(renderer_, scene, state_, actions, request_, result_, drawn);
+    } catch (const std::exception& e) {
+        readings_.clear();
+        report(state_, e.what());
+        return true;
+    }
+}
+
+bool FrameLoop::follow_truth(const Scene& scene, const EditorActions& actions, bool drawn,
+                             const ComparisonFacts* comparison) {
+    if (!drawn_) {
+        truth_.clear();
+        against_.clear();
+        return false;
+    }
+    const EditorTruth::Wishes wishes{actions.cancel_truth, actions.save_error};
+    bool changed = truth_.update(renderer_, scene, drawn_settings_, request_, result_, drawn, wishes);
+    if (const std::string remark = truth_.take_remark(); !remark.empty()) state_.log.add(LogKind::Info, remark);
+    changed |= against_.update(renderer_, scene, state_, request_, result_, drawn, comparison);
+    return changed;
+}
+
+void FrameLoop::save_map(const Scene& scene, const std::string& path) {
+    require_writable(path);
+    const bool camera = state_.settings.view.map_source == int(MapSource::Camera);
+    const View view = find_view(camera ? "camera-depth" : "shadow-map");
+    check_view_file(view, path);
+    FrameRequest request = request_;
+    request.timing = false;
+    write_view(renderer_, scene, state_.settings, request, view, path);
+    state_.log.add(LogKind::Info, "Saved " + path);
+}
+
+}  // namespace si

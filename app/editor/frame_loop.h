@@ -1,0 +1,64 @@
+// Draws the editor's frames: what changed, read back as far as it is shown, judged by the truth, held against another.
+#pragma once
+
+#include <string>
+
+#include "app/editor/against.h"
+#include "app/editor/readings.h"
+#include "app/editor/truth.h"
+#include "renderer/frame/renderer.h"
+#include "ui/state/editor_ui.h"
+
+namespace si {
+
+/// Needs a current OpenGL context all its life.
+class FrameLoop {
+public:
+    /// @param state of the editor, which lives longer
+    explicit FrameLoop(EditorState& state) : state_(state) {}
+
+    /// Draws the scene when anything changed, and whatever follows from it. Errors go to the log. Returns whether the
+    /// editor now shows something else. @param comparison what state.compare names; null: not known
+    bool update(const Scene& scene, const EditorActions& actions, const ComparisonFacts* comparison);
+    /// There is no scene.
+    void clear();
+    void fill(EditorFrame& frame) const;
+    /// Why there is no picture; empty: nothing is wrong.
+    const std::string& problem() const { return problem_; }
+
+    /// Size of the scene's picture, in pixels.
+    glm::ivec2 size() const { return {request_.width, request_.height}; }
+    void save_map(const Scene& scene, const std::string& path);
+    /// Whether shader files were saved since the last frame.
+    bool poll_shaders() { return shaders_changed_ = renderer_.shaders_changed() || shaders_changed_; }
+
+    std::span<const Dossier> dossiers() const { return readings_.dossiers(); }
+    /// The truth of the probed pixel is being sought; the next update() has it.
+    bool tracing_probe() const { return readings_.tracing(); }
+    bool probe_moved() const { return readings_.has_news(); }
+    void finish_probe() const { readings_.finish_tracing(); }
+    /// Rays of the picture are being traced, or something is made of them; update() has news of it.
+    bool tracing() const { return truth_.busy(); }
+    bool tracing_moved() const { return truth_.moved(); }
+    void finish_tracing() const { truth_.wait(); }
+
+private:
+    bool draw(const Scene& scene, const EditorActions& actions);
+    bool follow_readings(const Scene& scene, const EditorActions& actions, bool drawn);
+    /// Traces and compares what is shown.
+    bool follow_truth(const Scene& scene, const EditorActions& actions, bool drawn, const ComparisonFacts* comparison);
+
+    EditorState& state_;
+    Renderer renderer_;
+    FrameRequest request_;
+    Settings drawn_settings_;
+    std::uint64_t drawn_scene_ = 0;
+    bool drawn_ = false, shaders_changed_ = false;
+    FrameResult result_;
+    std::string problem_, shader_log_;
+    EditorReadings readings_;
+    EditorTruth truth_;
+    EditorAgainst against_;
+};
+
+}  // namespace si

@@ -1,0 +1,40 @@
+// Presets opened, saved and compared with in one editor, and what a crash left: settings that arrive together with a
+// scene.
+#pragma once
+
+#include "app/editor/preset_desk.h"
+#include "app/editor/scene_desk.h"
+
+namespace si {
+
+class PresetWork {
+public:
+    /// All of the editor, which live longer.
+    PresetWork(EditorState& state, EditorMemory& memory, SceneDesk& scenes)
+        : state_(state), memory_(memory), scenes_(scenes) {}
+
+    /// Reads the scene of the plan and shows it under its settings. @param remark for the log, once it is shown
+    void start(SessionPlan plan, std::string remark);
+    /// @throws Error
+    void open(const std::string& name_or_path);
+    void save(const std::string& path, const std::optional<std::string>& about, bool replace);
+    void restore_lost();
+    /// Finds out whether the present state is saved, and what it is compared with. Returns whether either changed.
+    bool compare();
+    /// What state.compare names, while that is shown.
+    const ComparisonFacts* comparison() const { return comparison_; }
+    void fill(EditorFrame& frame) const;
+
+private:
+    /// A preset was opened: what it says, and its file as the one to save to.
+    GuideNote note(const std::string& name_or_path, Preset preset, const std::string& scene_name);
+
+    EditorState& state_;
+    EditorMemory& memory_;
+    SceneDesk& scenes_;
+    PresetDesk desk_;
+    bool unsaved_ = false;
+    const ComparisonFacts* comparison_ = nullptr;
+};
+
+}  // namespace si

@@ -1,0 +1,108 @@
+// One hierarchy of rays for all who ask: the same object, built once, gone when nobody needs it.
+#include "renderer/reference/ray_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+#include <thread>
+
+#include "renderer/reference/truth_task.h"
+#include "renderer/scenes/builtin.h"
+
+namespace si {
+namespace {
+
+using Weak = std::weak_ptr<const TruthScene>;
+
+std::shared_ptr<const TruthGeometry> geometry_of(const Scene& scene, const Settings& settings = {}) {
+    return std::make_shared<const TruthGeometry>(scene, settings);
+}
+
+TEST(RayScenes, TwoUsersGetTheSameObjectAndItIsFreed) {
+    RayScenes scenes;
+    const Scene boxes = load_scene("boxes");
+    const auto geometry = geometry_of(boxes);
+    EXPECT_EQ(scenes.find(geometry->key), nullptr);
+    auto first = scenes.get(geometry);
+    auto second = scenes.get(geometry_of(boxes));  // another copy of the same triangles
+    EXPECT_EQ(first, second);
+    EXPECT_EQ(scenes.find(geometry->key), first);
+    EXPECT_EQ(scenes.geometry(boxes, {}), geometry) << "and no copy more";
+    EXPECT_EQ(scenes.size(), 1u);
+    const Weak weak = first;
+    first.reset(), second.reset();
+    EXPECT_FALSE(weak.expired()) << "the last one is kept for who comes next";
+    scenes.forget();
+    EXPECT_TRUE(weak.expired());
+    EXPECT_EQ(scenes.size(), 0u);
+}
+
+TEST(RayScenes, KeepNoMoreThanOneThatNobodyHolds) {
+    RayScenes scenes;
+    std::vector<Weak> weak;
+    std::vector<Scene> all;
+    for (int i = 0; i < 5; ++i) all.push_back(load_scene("boxes"));  // each its own, by its id
+    const auto held = scenes.get(geometry_of(all[0]));
+    for (const Scene& scene : all) weak.push_back(scenes.get(geometry_of(scene)));
+    EXPECT_EQ(scenes.size(), 2u);
+    EXPECT_EQ(weak[0].lock(), held);
+    for (std::size_t i : {1u, 2u, 3u}) EXPECT_TRUE(weak[i].expired()) << i;
+    EXPECT_FALSE(weak[4].expired());
+    EXPECT_EQ(scenes.get(geometry_of(all[0])), held);
+    EXPECT_TRUE(weak[4].expired()) << "now another one is the last";
+}
+
+TEST(RayScenes, WhoeverCastsDecides) {
+    RayScenes scenes;
+    const Scene boxes = load_scene("boxes");
+    Settings without;
+    without.objects[boxes.nodes[std::size_t(boxes.objects[0].node)].path].cast = false;
+    const auto all = scenes.get(geometry_of(boxes)), fewer = scenes.get(geometry_of(boxes, without));
+    EXPECT_NE(all, fewer);
+    EXPECT_GT(all->triangle_count(), fewer->triangle_count());
+}
+
+TEST(RayScenes, ThreadsThatAskAtOnceWaitForOneBuild) {
+    RayScenes scenes;
+    const Scene boxes = load_scene("boxes");
+    const auto geometry = geometry_of(boxes);
+    std::promise<void> building, go_on;
+    std::atomic<int> built{0};
+    std::shared_ptr<const TruthScene> first, others[3];
+    std::thread builder([&] {
+        first = scenes.get(geometry, {.progress = [&](double) {  // called while it builds
+                               ++built;
+                               building.set_value();
+                               go_on.get_future().wait();
+                           }});
+    });
+    building.get_future().wait();
+    // Who waits may be stopped.
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(scenes.get(geometry, {.stop = stop.get_token()}), Cancelled);
+    std::vector<std::thread> waiting;
+    for (auto& other : others)
+        waiting.emplace_back([&] { other = scenes.get(geometry, {.progress = [&](double) { ++built; }}); });
+    // Other scenes do not wait.
+    const Scene more = load_scene("boxes");
+    EXPECT_NE(scenes.get(geometry_of(more)), nullptr);
+    go_on.set_value();
+    builder.join();
+    for (std::thread& t : waiting) t.join();
+    EXPECT_EQ(built, 1);
+    for (const auto& other : others) EXPECT_EQ(other, first);
+}
+
+TEST(RayScenes, ACancelledBuildIsNobodysElse) {
+    RayScenes scenes;
+    const auto geometry = geometry_of(load_scene("boxes"));
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(scenes.get(geometry, {.stop = stop.get_token()}), Cancelled);
+    EXPECT_EQ(scenes.size(), 0u);
+    EXPECT_NE(scenes.get(geometry), nullptr);
+}
+
+}  // namespace
+}  // namespace si

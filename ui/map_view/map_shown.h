@@ -1,0 +1,43 @@
+// The map viewer: where it looks, what it is told, what it wishes for.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+#include "renderer/frame/frame.h"
+#include "renderer/inspect/depth_histogram.h"
+#include "renderer/inspect/texel_usage.h"
+
+namespace si {
+
+/// Pan and zoom of the map viewer: `zoom` 1 fits the map; `centre` is what stands in the middle, v up.
+struct MapWindow {
+    float zoom = 1;
+    glm::vec2 centre{0.5f};
+};
+
+/// What the depth image in the map viewer holds.
+struct MapFacts {
+    DepthStatistics statistics;
+    DepthHistogram histogram;  ///< of the values that view.map shows
+};
+
+struct MapShown {
+    const FloatImage* map_values = nullptr;  ///< the map viewer's depth image as stored, row 0 at the top
+    const MapFacts* map_facts = nullptr;
+    const FloatImage* map_coordinates = nullptr;  ///< FrameResult::map_coordinates read back
+    const TexelUsage* texel_usage = nullptr;      ///< of the shown light and face
+    const TexelUsage* frozen_usage = nullptr;     ///< the same by the pixels of state.frozen
+};
+
+struct MapActions {
+    std::optional<std::string> save_map;
+    bool want_map = false;
+    bool want_map_values = false;    ///< the cursor is over the map
+    bool want_map_facts = false;     ///< the plots are shown
+    bool want_links = false;         ///< which pixel reads which texel: a picture is hovered and nothing is dragged
+    bool want_frozen_usage = false;  ///< what the frozen camera reads: the map is shown and nothing is dragged
+};
+
+}  // namespace si

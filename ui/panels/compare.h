@@ -1,0 +1,29 @@
+// What the present state is compared with.
+#pragma once
+
+#include <string>
+
+#include "renderer/settings/settings.h"
+
+namespace si {
+
+/// What the present state is compared with.
+enum class CompareKind { Scene, Defaults, Preset };
+struct CompareWith {
+    CompareKind kind = CompareKind::Scene;
+    std::string preset;  ///< built-in key or path
+    bool operator==(const CompareWith&) const = default;
+};
+
+/// What state.compare names.
+struct ComparisonFacts {
+    CompareWith with;
+    Settings settings;
+    std::string scene;    ///< that it was made for; empty: any
+    std::string problem;  ///< why there are no settings
+};
+
+/// "the scene's own settings", or the preset as it is named: its key or path.
+std::string reference_label(const CompareWith& with);
+
+}  // namespace si
