@@ -103,7 +103,7 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                 judged += pixels.size();
                 for (const auto& [i, at] : pixels) acne_without += one.visibility.data[i] < 1 - 1e-3f;
             }
-    EXPECT_GT(double(acne_without), 0.8 * double(judged));
+    EXPECT_GT(double(acne_without), 0.7 * double(judged));
     if (c.format == MapFormat::D32F) {
         EXPECT_LT(most_texels, 0.1) << "35 texels is what pcf5 needs at 85 degrees";
     }

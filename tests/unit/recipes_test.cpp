@@ -79,14 +79,15 @@ std::vector<std::string> files_named(const std::string& recipe) {
     return out;
 }
 
-/// Whether some file of the tree has that path; NAME and * stand for any word, and a bare name for that of any folder.
+/// Whether some file of the tree has that path, from its root or from shaders/; NAME and * stand for any word, and a
+/// bare name for that of any folder.
 bool exists(const std::string& named) {
     std::string pattern;
     for (const char c : std::regex_replace(named, std::regex("NAME"), "*"))
         pattern += c == '*'                                  ? std::string("[A-Za-z0-9_-]+")
                    : std::isalnum(c) || c == '_' || c == '/' ? std::string(1, c)
                                                              : std::string("\\") + c;
-    const std::regex whole((named.find('/') == std::string::npos ? "(.*/)?" : "") + pattern);
+    const std::regex whole((named.find('/') == std::string::npos ? "(.*/)?" : "(shaders/)?") + pattern);
     for (const char* folder : {"app", "renderer", "ui", "shaders", "tests", "docs", "assets", "scripts"})
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
             if (entry.is_regular_file() && std::regex_match(fs::relative(entry.path(), kRoot).generic_string(), whole))
@@ -134,6 +135,7 @@ const std::set<std::string> kOtherWords = {
     "normals",     // a vertex attribute
     "raster",      // a term of the account
     "slope",       // a bias setting, and a term of the account
+    "taps",        // a field of probes
     "truth",       // a command, an output, a pass
     "visibility",  // a view, an output, a pass
 };
