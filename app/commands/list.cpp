@@ -10,6 +10,7 @@
 #include "app/session/setting_json.h"
 #include "renderer/base/error.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
@@ -49,14 +50,24 @@ Json setting_rows() {
     return list;
 }
 
-Json filter_rows() {
+/// The rows of a table of techniques. @param more adds what only this table knows: (Json&, const Row&)
+template <typename Row>
+Json technique_rows(std::span<const Row> rows, auto&& more) {
     Json list = Json::array();
-    for (const Filter& f : filters()) {
-        Json json = row(f.key, f.label, f.help);
+    for (const Row& r : rows) {
+        Json json = row(r.key, r.label, r.help);
+        json["paper"] = r.paper;
+        more(json, r);
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Json filter_rows() {
+    return technique_rows(filters(), [](Json& json, const Filter& f) {
         json["file"] = f.file;
         const Reach reach = f.reach(f, Settings{}, std::numeric_limits<double>::infinity());
         const FilterCost cost = f.cost(f, Settings{});
-        json["paper"] = f.paper;
         json["size"] = f.size;
         json["bilinear"] = f.bilinear;
         json["reach_texels"] = reach.bias;
@@ -65,23 +76,28 @@ Json filter_rows() {
         json["gathers"] = cost.gathers;
         json["sampler_taps"] = cost.sampler_taps;
         json["settings"] = std::vector<std::string>(f.settings.begin(), f.settings.end());
-        list.push_back(std::move(json));
-    }
-    return list;
+    });
+}
+
+Json bias_rows() {
+    static constexpr const char* kStages[] = {"compare", "look-up", "raster"};
+    return technique_rows(biases(), [](Json& json, const Bias& b) {
+        json["file"] = b.file;
+        json["stage"] = kStages[std::size_t(b.stage)];
+        json["settings"] = b.settings;
+        json["per_texel"] = b.per_texel;
+    });
 }
 
 Json overlay_rows() {
-    Json list = Json::array();
-    for (const Overlay& o : overlays()) {
-        Json json = row(o.key, o.label, o.help);
+    return technique_rows(overlays(), [](Json& json, const Overlay& o) {
+        json["file"] = o.file;
         json["unit"] = o.unit;
         json["scalar"] = o.scalar;
         json["min"] = o.min;
         json["max"] = o.max;
         json["diverging"] = o.diverging;
-        list.push_back(std::move(json));
-    }
-    return list;
+    });
 }
 
 Json view_rows() {
@@ -143,6 +159,7 @@ void print_rows(const Json& list) {
     for (const Json& r : list) {
         if (!r.contains("type")) {
             fmt::print("{:<18} {}\n", r["key"].get<std::string>(), r["help"].get<std::string>());
+            if (const std::string paper = r.value("paper", ""); !paper.empty()) fmt::print("{:<18} {}\n", "", paper);
             continue;
         }
         fmt::print("{}  ({}; default {})\n    {}\n", r["key"].get<std::string>(), range_text(r), plain(r["default"]),
@@ -155,24 +172,39 @@ void print_rows(const Json& list) {
 
 }  // namespace
 
+namespace {
+
+struct ListKind {
+    std::string key;
+    Json (*rows)();
+};
+
+const std::vector<ListKind>& kinds_of_lists() {
+    static const std::vector<ListKind> kinds = {
+        {"settings", setting_rows}, {"filters", filter_rows}, {"biases", bias_rows},   {"views", view_rows},
+        {"overlays", overlay_rows}, {"scenes", scene_rows},   {"presets", preset_rows}};
+    return kinds;
+}
+
+}  // namespace
+
 const std::vector<std::string>& list_kinds() {
-    static const std::vector<std::string> kinds = {"settings", "filters", "views", "overlays", "scenes", "presets"};
+    static const std::vector<std::string> kinds = [] {
+        std::vector<std::string> out;
+        for (const ListKind& k : kinds_of_lists()) out.push_back(k.key);
+        return out;
+    }();
     return kinds;
 }
 
 void run_list(const ListOptions& options) {
     const std::string& kind = options.kind;
-    Json list = kind == "settings"   ? setting_rows()
-                : kind == "filters"  ? filter_rows()
-                : kind == "views"    ? view_rows()
-                : kind == "overlays" ? overlay_rows()
-                : kind == "scenes"   ? scene_rows()
-                : kind == "presets"  ? preset_rows()
-                                     : Json();
-    if (list.is_null()) {
+    const auto known = std::ranges::find(kinds_of_lists(), kind, &ListKind::key);
+    if (known == kinds_of_lists().end()) {
         throw UsageError(fmt::format("list {}: it is one of {}; did you mean {}?", kind, fmt::join(list_kinds(), ", "),
                                      nearest_name(kind, list_kinds())));
     }
+    Json list = known->rows();
     Json chosen = Json::array();
     for (Json& r : list) {
         if (r["key"].get<std::string>().starts_with(options.prefix)) chosen.push_back(std::move(r));

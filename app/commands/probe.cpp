@@ -56,10 +56,11 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
     fmt::print("  7 compared depth     {:.8g}\n", p.compared);
     fmt::print("  8 stored depth       {:.8g}   = {:.6g} m, texel {},{} ({:.4g} m wide)\n", p.stored, p.stored_m,
                p.texel.x, p.texel.y, p.texel_m);
-    const bool lit = s.map.reversed_z
-                         ? (s.map.compare == int(Compare::Less) ? p.compared > p.stored : p.compared >= p.stored)
-                         : (s.map.compare == int(Compare::Less) ? p.compared < p.stored : p.compared <= p.stored);
-    fmt::print("  9 nearest texel      {:.8g} {} {:.8g} is {}\n", p.compared, than, p.stored,
+    const bool lit =
+        s.map.reversed_z
+            ? (s.map.compare == int(Compare::Less) ? p.compared_nearest > p.stored : p.compared_nearest >= p.stored)
+            : (s.map.compare == int(Compare::Less) ? p.compared_nearest < p.stored : p.compared_nearest <= p.stored);
+    fmt::print("  9 nearest texel      {:.8g} {} {:.8g} is {}\n", p.compared_nearest, than, p.stored,
                lit ? "true: lit" : "false: in shadow");
     fmt::print(" 10 kernel             visibility {:.4g}\n", p.visibility);
     if (!std::isnan(p.kernel.blocker_m))
@@ -94,6 +95,8 @@ void print_dossier(const Probe::PerLight& p, const Dossier& d) {
     fmt::print("  bias\n");
     print_amount("constant", a.amount(a.constant));
     print_amount("slope", a.amount(a.slope));
+    if (a.per_texel)
+        print_amount("for roundings", a.amount(a.rest), "as each texel is compared with the plane at its centre");
     print_amount("normal offset", a.amount(a.normal));
     if (a.raster != 0)
         print_amount("while drawing", a.amount(a.raster), "bias.raster_*, the least that a driver may add");

@@ -80,7 +80,7 @@ std::vector<View> views() {
     int index = 0;
     for (const Overlay& overlay : overlays()) {
         ++index;
-        if (overlay.key == "visibility") continue;
+        if (std::ranges::find(list, overlay.key, &View::key) != list.end()) continue;  // above, as floats too
         list.push_back(
             {std::string(overlay.key), std::string(overlay.label), std::string(overlay.help), overlay.scalar, index});
     }

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/settings/biases.h"
 #include "renderer/view/kernel_reach.h"
 
 namespace si {
 namespace {
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// The largest coordinate that shaders of this pixel compute with, in metres: across the map, or from what the picture
 /// and the map count positions from.
@@ -19,42 +22,60 @@ double extent_m(const FittedLight& light, const LightView& view, const LightRece
     return std::max({half_map, farthest.x, farthest.y, farthest.z});
 }
 
-double raster_offset(const BiasSettings& bias, const PolygonOffset& driver, const glm::dvec2& per_texel,
-                     double quantum) {
-    const double by_slope =
-        bias.raster_slope != 0 ? bias.raster_slope * driver.slope(per_texel) : 0;  // edge-on it is infinite
-    const double offset = by_slope + bias.raster_units * driver.unit(quantum);
-    return bias.raster_clamp > 0 ? std::min(offset, bias.raster_clamp) : offset;
-}
-
 }  // namespace
 
 double BiasAccount::contact_gap_m() const {
     return contact_gap(amount(clears()).metres, theta_rad);
 }
 
+double BiasAccount::compared_at(const glm::dvec2& centre) const {
+    if (!per_texel || plane.edge_on()) return receiver.compared;
+    const double moved = glm::dot(plane.gradient, centre - glm::dvec2(receiver.tap));
+    const double depth = receiver.compared + std::clamp(moved, -most_moved, most_moved);
+    // Where the plane runs on beyond the far plane, the map may be empty.
+    return curve.convention.reversed ? std::max(depth, std::min(receiver.compared, 0.0))
+                                     : std::min(depth, std::max(receiver.compared, 1.0));
+}
+
 BiasAccount bias_account(const FittedLight& light, const Settings& settings, int resolution, const SurfacePoint& p,
                          const RasterTraits& driver) {
     const BiasSettings& bias = settings.bias;
+    const Bias& row = bias_of(settings);
     BiasAccount a;
     a.receiver = light_receiver(light, bias, resolution, p.position_ws, p.geometric, p.bias_normal);
-    const LightReceiver& r = a.receiver;
+    LightReceiver& r = a.receiver;
     const LightView& view = light.views[r.view];
     a.plane = receiver_plane(view, p.position_ws, p.geometric);
     a.theta_rad = std::acos(std::clamp(r.n_dot_l, -1.0, 1.0));
     a.curve = view.curve;
-    const double quantum = depth_quantum(MapFormat(settings.map.format), r.uvd.z);
+    BiasInput b{.curve = view.curve,
+                .texel_m = r.texel_m,
+                .n_dot_l = glm::dot(p.bias_normal, r.to_light),
+                .z = r.tap_m,
+                .polygon = driver.offset[std::size_t(settings.map.format)],
+                .per_texel = a.plane.gradient / double(resolution),
+                .quantum = depth_quantum(MapFormat(settings.map.format), r.uvd.z)};
     const double kappa = reach_under(settings, light, resolution).bias;
-    a.least = least_bias(a.plane.gradient, kappa, resolution, quantum, driver.subpixel_bits,
-                         rounding_bias(view, p.position_ws, extent_m(light, view, r, resolution, p)));
-    const double slope = bias.slope * (1 - std::clamp(glm::dot(p.bias_normal, r.to_light), 0.0, 1.0));
-    (slope > bias.constant ? a.slope : a.constant) = r.bias_depth;
+    const double extent = extent_m(light, view, r, resolution, p);
+    a.least = least_bias(a.plane.gradient, kappa, resolution, b.quantum, driver.subpixel_bits,
+                         rounding_bias(view, p.position_ws, extent));
+    a.per_texel = compares_per_texel(settings);
+    if (a.per_texel) {
+        a.most_moved = bias.plane_clamp > 0 ? bias.plane_clamp * r.texel_m * view.curve.slope(r.own_m) : kNoLimit;
+        a.least.kernel = a.least.kernel > a.most_moved ? a.least.kernel - a.most_moved : 0;
+        a.least.rounding += placing_bias(a.plane.gradient, extent, r.texel_m * resolution);
+        a.rest = b.rest = a.least.rest();
+    }
+    r.bias_depth = row.amount(bias, b);
+    r.bias_m = view.curve.metres_nearer(r.tap_m, r.bias_depth);
     const double away = view.curve.convention.reversed ? -1 : 1;
-    if (bias.normal != 0)
-        a.normal = a.plane.edge_on() ? std::numeric_limits<double>::infinity()
-                                     : away * (a.plane.at(glm::dvec2(r.tap)) - r.tap.z);
-    a.raster = raster_offset(bias, driver.offset[std::size_t(settings.map.format)],
-                             a.plane.gradient / double(resolution), quantum);
+    r.compared = r.tap.z - away * r.bias_depth;
+    BiasSettings level = bias;
+    level.slope = 0;
+    const double own = a.plane.edge_on() && a.per_texel ? 0 : r.bias_depth - a.rest;
+    (r.bias_depth > row.amount(level, b) ? a.slope : a.constant) = own;
+    if (bias.normal != 0) a.normal = a.plane.edge_on() ? kNoLimit : away * (a.plane.at(glm::dvec2(r.tap)) - r.tap.z);
+    a.raster = bias_at(BiasStage::Raster).amount(bias, b);
     a.lifts = away * (r.uvd.z - r.compared) + a.raster;
     return a;
 }

@@ -35,16 +35,24 @@ struct BiasAccount {
 
     // What each setting is worth against acne: how far it brings the compared depth before the receiver's own plane.
     double constant = 0, slope = 0;  ///< only the larger one acts; the other is 0
+    /// Of a bias.kind that compares every texel with the plane at its centre: what that adds for roundings.
+    double rest = 0;
     /// Of the normal offset: h / |n . ray|, as the look-up moves along the plane; infinite for a plane edge-on.
     double normal = 0;
     /// Of bias.raster_*, on this plane, by what the driver makes of them (PolygonOffset).
     double raster = 0;
 
     /// All of them: the surface does not shadow itself when this is at least least.total().
-    double clears() const { return constant + slope + normal + raster; }
+    double clears() const { return constant + slope + rest + normal + raster; }
     /// How far the compared depth is moved towards the light: a surface nearer to the receiver than this is lost. Of
     /// the normal offset that is only its part along the light.
     double lifts = 0;
+    /// Whether every texel is compared with a depth of its own (Bias::per_texel), and by how much that may differ from
+    /// the one at the look-up (bias.plane_clamp).
+    bool per_texel = false;
+    double most_moved = 0;
+    /// The depth that is compared with a texel. @param centre its map coordinates
+    double compared_at(const glm::dvec2& centre) const;
     DepthAmount amount(double depth) const {
         const double along_axis = curve.metres_nearer(receiver.own_m, depth);
         return {depth, along_axis / receiver.texel_m, along_axis / receiver.axis_per_ray};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderer/settings/biases.h"
+
 namespace si {
 
 LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, int resolution,
@@ -26,22 +28,13 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     r.texel_m = view.texel_size(view.curve.perspective ? w : 1.0, resolution);
     r.own_m = view.curve.distance(r.uvd.z);
     r.axis_per_ray = std::max(glm::dot(r.to_light, view.axes[2]), 1e-6);
-    r.normal_offset_m = bias.normal * r.texel_m;
+    r.normal_offset_m = bias_at(BiasStage::LookUp).amount(bias, {.curve = view.curve, .texel_m = r.texel_m});
     const glm::dvec4 moved =
         view.clip_from_relative(position_ws + bias_normal * r.normal_offset_m) * glm::dvec4(0, 0, 0, 1);
     r.tap = to_unit(glm::dvec3(moved) / moved.w);
-    const double slope = bias.slope * (1 - std::clamp(glm::dot(bias_normal, r.to_light), 0.0, 1.0));
-    const double amount = std::max(slope, bias.constant);
-    if (bias.unit == int(BiasUnit::Depth)) {
-        r.bias_depth = amount;
-        r.bias_m = view.curve.metres_nearer(r.own_m, amount);
-    } else {
-        r.bias_m = bias.unit == int(BiasUnit::Texels) ? amount * r.texel_m : amount;
-        // From where the normal offset has moved the point to, so that the compared depth moves by just these metres.
-        r.bias_depth = view.curve.depth_nearer(std::max(moved.w, 1e-3 * view.curve.near), r.bias_m);
-    }
+    r.tap_m = std::max(view.curve.perspective ? moved.w : 1.0, 1e-3 * view.curve.near);
+    r.compared = r.tap.z;
     const bool reversed = view.curve.convention.reversed;
-    r.compared = r.tap.z - (reversed ? -r.bias_depth : r.bias_depth);
     const bool beyond = reversed ? r.uvd.z < 0 : r.uvd.z > 1;
     const bool sides = r.uvd.x < 0 || r.uvd.x > 1 || r.uvd.y < 0 || r.uvd.y > 1;
     r.place = w <= 0                      ? MapPlace::Behind

@@ -1,5 +1,4 @@
-// A surface point as a light's map sees it, with the bias that the settings give it: shaders/lib/receiver.glsl in
-// double.
+// A surface point as a light's map sees it: shaders/lib/receiver.glsl in double. bias_account() brings its bias.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -29,15 +28,17 @@ struct LightReceiver {
     double texel_m = 0;       ///< world size of a texel here
     double own_m = 0;         ///< metres along the view's axis
     double axis_per_ray = 1;  ///< cosine between the ray to the light and the view's axis, at least 1e-6
-    double bias_depth = 0;    ///< depth-buffer units, >= 0 brings the point nearer to the light
+    double bias_depth = 0;    ///< of bias.kind, depth-buffer units, >= 0 brings the compared depth nearer to the light
     double bias_m = 0;        ///< the same in metres along the axis
     double normal_offset_m = 0;
     glm::dvec3 tap{0};    ///< uvd after the normal offset, before the depth bias
-    double compared = 0;  ///< the depth that is compared
+    double tap_m = 1;     ///< metres along the view's axis there, above 0 from a perspective light
+    double compared = 0;  ///< the depth that is compared at `tap`
     MapPlace place = MapPlace::Inside;
     bool in_map() const { return place == MapPlace::Inside || place == MapPlace::BeforeNear; }
 };
 
+/// Without the bias of bias.kind, which is bias_account()'s to bring.
 /// @param bias_normal unit, the one that bias.normal_source chooses
 /// @param resolution of the map
 LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, int resolution,

@@ -63,6 +63,10 @@ double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double e
     return 4 * 0x1p-23 * std::max(extent_m * view.curve.slope(z), view.curve.depth(z));
 }
 
+double placing_bias(const glm::dvec2& gradient, double extent_m, double across_m) {
+    return 4 * 0x1p-23 * (extent_m / across_m) * (std::abs(gradient.x) + std::abs(gradient.y));
+}
+
 double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws,
                            double b_min) {
     const glm::dvec3 relative = point_ws - view.eye;

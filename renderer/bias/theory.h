@@ -36,7 +36,9 @@ struct LeastBias {
     double quantum = 0;   ///< storing rounds
     double snapping = 0;  ///< vertices snap to the rasteriser's sub-pixel grid
     double rounding = 0;  ///< shaders compute in single precision
-    double total() const { return kernel + quantum + snapping + rounding; }
+    /// What is left where every texel is compared with the plane's own depth at its centre.
+    double rest() const { return quantum + snapping + rounding; }
+    double total() const { return kernel + rest(); }
 };
 
 /// The least depth bias under which a plane does not shadow itself:
@@ -53,6 +55,11 @@ LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolu
 /// the coordinates (up to `extent_m` metres), the second that of the depth itself, which is what remains in a
 /// perspective map whose depths crowd at 1.
 double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m);
+
+/// What roundings of map coordinates are worth on a plane, 4 2^-23 (extent / across) (|g_u| + |g_v|): they count where
+/// texels are compared with the plane's depth at their place.
+/// @param across_m width of the map at the receiver
+double placing_bias(const glm::dvec2& gradient, double extent_m, double across_m);
 
 /// The least offset along the normal (metres) that does the work of a depth bias `b_min`: moving a plane by h along n
 /// moves it by h / |n . r| along the light's ray r, so h is |n . r| times the metres that b_min is worth. For an

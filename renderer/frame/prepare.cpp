@@ -8,6 +8,7 @@
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/reference/truth_picture.h"
+#include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
@@ -133,7 +134,12 @@ void choose_kernel(FrameState& f) {
     const Filter& filter = filter_of(f.settings);
     f.filter_sampler = uses_sampler(f.settings);
     if (f.settings.filter.method == int(FilterMethod::Sampler) && !f.filter_sampler)
-        f.notes.push_back("filter.method sampler cannot compare a colour map; gather is used");
+        f.notes.push_back(
+            f.settings.map.format == int(MapFormat::Colour)
+                ? "filter.method sampler cannot compare a colour map; gather is used"
+                : fmt::format("filter.method sampler compares 2x2 texels with one depth, and bias.kind {} "
+                              "has one for each; gather is used",
+                              bias_of(f.settings).key));
     f.defines = settings_defines(f.settings);
     f.defines.push_back({"KERNEL_SIZE", std::to_string(filter.size)});
     f.defines.push_back({"SUBPIXEL_BITS", std::to_string(f.driver.subpixel_bits)});
@@ -147,6 +153,7 @@ void choose_kernel(FrameState& f) {
     });
     f.defines.push_back({"VIEWS_BLEND", blend ? "1" : "0"});
     if (f.gl.scene->coloured()) f.defines.push_back({"VERTEX_COLOURS", "1"});
+    f.defines.push_back({"BIAS_PER_TEXEL", compares_per_texel(f.settings) ? "1" : "0"});
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
     f.preamble = settings_block_text() + light_constants(f);
     f.surface_flags = needs_surface_flags(f);

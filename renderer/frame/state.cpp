@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/frame/settings_block.h"
+#include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 
 namespace si {
@@ -12,6 +13,7 @@ GLuint FrameState::program(std::string_view vertex, std::string_view fragment, s
     wanted.vertex = vertex;
     wanted.fragment = fragment;
     wanted.includes["FILTER_FILE"] = filter_of(settings).file;
+    wanted.includes["BIAS_FILE"] = bias_of(settings).file;
     wanted.defines = defines;
     for (gl::Define& d : extra) {
         if (d.name.ends_with("_FILE"))

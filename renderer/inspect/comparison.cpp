@@ -161,6 +161,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     p.compared = as_compared(settings, r.compared);
     const glm::dvec2 centre = glm::dvec2(r.tap) * double(n);
     p.texel = glm::ivec2(glm::clamp(glm::floor(centre), glm::dvec2(-1e9), glm::dvec2(1e9)));
+    p.compared_nearest = as_compared(settings, p.account.compared_at((glm::dvec2(p.texel) + 0.5) / double(n)));
     p.where = place_name(r.place);
     const StoredDepths depths(map, settings, n, view.curve);
     const bool guarded = settings.map.wrap == int(MapWrap::Range) && !depths.inside(p.texel);
@@ -171,8 +172,10 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
         for (const RecordedTap& recorded : merged(pixel.taps)) {
             KernelTap tap{.texel = recorded.texel, .weight = recorded.weight, .stored = recorded.stored};
             tap.stored_m = view.curve.distance(tap.stored);
-            tap.plane = p.account.plane.at((glm::dvec2(tap.texel) + 0.5) / double(n));
-            tap.lit = passes(settings, p.compared, tap.stored);
+            const glm::dvec2 at = (glm::dvec2(tap.texel) + 0.5) / double(n);
+            tap.plane = p.account.plane.at(at);
+            tap.compared = as_compared(settings, p.account.compared_at(at));
+            tap.lit = passes(settings, tap.compared, tap.stored);
             tap.meets = depths.inside(tap.texel) ? met(p.account, view.curve.convention, tap.stored, tap.plane)
                                                  : KernelTap::Meets::Nothing;
             p.taps.push_back(tap);

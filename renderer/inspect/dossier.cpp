@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/map_limits.h"
 
@@ -313,9 +314,11 @@ private:
         if (p_.account.slope > 0) keys.push_back("bias.slope");
         if (p_.account.constant > 0) keys.push_back("bias.constant");
         for (const std::string_view key : {"bias.normal", "bias.slope", "bias.constant"})
-            if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+            if (std::find(keys.begin(), keys.end(), key) == keys.end() && acts(key)) keys.push_back(key);
         return keys;
     }
+    /// Whether bias.kind lets the setting act.
+    bool acts(std::string_view key) const { return unread_bias(settings_, key).empty(); }
     static double& value_of(Settings& s, std::string_view key) {
         return key == "bias.normal" ? s.bias.normal : key == "bias.slope" ? s.bias.slope : s.bias.constant;
     }
@@ -358,7 +361,7 @@ private:
                 Settings bare = settings_;
                 bare.bias.normal = 0;
                 for (const std::string_view key : {"bias.slope", "bias.constant"}) {
-                    if (value_of(bare, key) <= 0 && key == "bias.slope") continue;
+                    if (!acts(key) || (value_of(bare, key) <= 0 && key == "bias.slope")) continue;
                     const auto value = least_value(bare, key);
                     if (!value) continue;
                     Remedy r = set(key, *value);

@@ -24,6 +24,7 @@ struct KernelTap {
     double weight = 0;                ///< share of the kernel's result
     double stored = 0, stored_m = 0;  ///< depth, and metres along the light's axis
     double plane = 0;                 ///< depth of the receiver's plane at the texel's centre
+    double compared = 0;              ///< depth that the texel is compared with
     bool lit = false;                 ///< the comparison's result
     Meets meets = Meets::Nothing;
 };
@@ -71,7 +72,8 @@ struct Probe {
         double normal_offset_m = 0;
         glm::dvec3 offset_position_ws{0};  ///< after the normal offset
         double texel_m = 0;
-        double compared = 0;  ///< depth after bias; of 16 and 24-bit maps within [0,1]
+        double compared = 0;          ///< depth after bias, of 16 and 24-bit maps within [0,1], at the look-up
+        double compared_nearest = 0;  ///< the one that the nearest texel is compared with
         KernelFacts kernel;
         std::vector<KernelTap> taps;  ///< row by row from the lowest, each texel once; none of kernels that are no sum
         glm::ivec2 taps_first{0}, taps_size{0};  ///< the rectangle of texels that holds all of them

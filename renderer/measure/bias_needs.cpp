@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderer/bias/account.h"
+#include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -12,9 +13,9 @@ namespace {
 /// What one pixel asks for, in texels.
 struct Need {
     double total = 0, step = 0;  ///< the least bias, and its part that does not grow with the slope
-    double falls = 0;            ///< 1 - n.l
-    double per_normal = 0;       ///< bias that one texel of normal offset is worth: 1 / |n . ray|
-    double gap_per_texel = 0;    ///< metres of contact gap that a texel of bias costs
+    double n_dot_l = 1;
+    double per_normal = 0;     ///< bias that one texel of normal offset is worth: 1 / |n . ray|
+    double gap_per_texel = 0;  ///< metres of contact gap that a texel of bias costs
     double gap(double bias_texels) const { return bias_texels * gap_per_texel; }
 };
 
@@ -48,11 +49,12 @@ BiasSettings cheapest_slope(const std::vector<Need>& needs, double largest) {
     for (int i = 0; i <= kSteps; ++i) {
         const double constant = largest * std::pow(1e-3, double(i) / kSteps);
         const double slope = worst(needs, [&](const Need& n) {
-            return n.total <= constant ? 0 : n.falls > 1e-9 ? n.total / n.falls : 1e9;
+            return n.total <= constant ? 0 : n.n_dot_l < 1 - 1e-9 ? n.total / (1 - n.n_dot_l) : 1e9;
         });
         double cost = 0;
-        for (const Need& n : needs) cost += n.gap(std::max(constant, slope * n.falls));
-        if (cost < least_cost) least_cost = cost, best = in_texels(constant, slope, 0);
+        const BiasSettings pair = in_texels(constant, slope, 0);
+        for (const Need& n : needs) cost += n.gap(slope_amount(pair, n.n_dot_l));
+        if (cost < least_cost) least_cost = cost, best = pair;
     }
     return best;
 }
@@ -88,6 +90,8 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
     if (!light.casts) return out;
     const Truth& truth = *measured.traced.truth;
     const FloatImage& hard = truth.hard();
+    Settings searched = settings;  // the families' kind, whatever the present one is
+    searched.bias.kind = default_bias();
     std::vector<Need> needs;
     std::vector<double> gaps, shifts;
     for (std::size_t i = 0; i < truth.state.size(); ++i) {
@@ -95,16 +99,18 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
             measured.judged[i].has(JudgedPixel::kOutside))
             continue;
         const Receiver& r = measured.traced.receivers->pixels[i];
-        const BiasAccount a = bias_account(light, settings, measured.map_resolution,
-                                           {r.position_ws, r.normal_ws, r.normal_ws, measured.camera.origin()}, driver);
-        const double step = a.amount(a.least.quantum + a.least.rounding).texels;
-        const double total = a.amount(a.least.total()).texels;
+        const auto under = [&](const Settings& s) {
+            return bias_account(light, s, measured.map_resolution,
+                                {r.position_ws, r.normal_ws, r.normal_ws, measured.camera.origin()}, driver);
+        };
+        const BiasAccount a = under(settings);
+        const LeastBias least = a.per_texel ? under(searched).least : a.least;
+        const double b = least.total();
+        const double step = a.amount(least.quantum + least.rounding).texels, total = a.amount(b).texels;
         const LightView& view = light.views[a.receiver.view];
-        const double b = a.least.total();
         const double offset_m = least_normal_offset(view, r.position_ws, r.normal_ws, b);
         if (!std::isfinite(total) || !(offset_m > 0)) continue;  // edge-on
-        needs.push_back({total, step, 1 - std::clamp(a.receiver.n_dot_l, 0.0, 1.0),
-                         total * a.receiver.texel_m / offset_m,
+        needs.push_back({total, step, std::clamp(a.receiver.n_dot_l, 0.0, 1.0), total * a.receiver.texel_m / offset_m,
                          contact_gap(a.receiver.texel_m / a.receiver.axis_per_ray, a.theta_rad)});
         gaps.push_back(a.contact_gap_m());
         shifts.push_back(a.receiver.normal_offset_m * std::tan(std::min(a.theta_rad, 1.57)));

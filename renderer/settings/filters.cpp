@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "renderer/settings/biases.h"
 #include "renderer/settings/choices_of.h"
 
 namespace si {
@@ -155,8 +156,14 @@ FilterCost Filter::square_cost(const Filter& row, const Settings& settings) {
     return {gathers, taps, by_gathers ? 4 * gathers : (row.bilinear ? 4 : 1) * taps};
 }
 
+bool compares_per_texel(const Settings& settings) {
+    return bias_of(settings).per_texel && filter_of(settings).samples == Samples::Depth;
+}
+
 bool uses_sampler(const Settings& settings) {
-    return settings.filter.method == int(FilterMethod::Sampler) && settings.map.format != int(MapFormat::Colour);
+    if (settings.filter.method != int(FilterMethod::Sampler) || settings.map.format == int(MapFormat::Colour))
+        return false;
+    return !(compares_per_texel(settings) && filter_of(settings).bilinear);
 }
 
 int default_filter() {

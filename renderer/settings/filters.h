@@ -63,7 +63,10 @@ struct Filter {
 /// Bytes that a kernel wants prepared for each texel of the maps, besides the depths.
 int prefilter_bytes_per_texel(const Settings& settings);
 
-/// Whether a kernel compares in a shadow sampler: where filter.method asks for it and the map's format can.
+/// Whether every texel is compared with a depth of its own: bias.kind would, and the kernel compares depths.
+bool compares_per_texel(const Settings& settings);
+/// Whether a kernel compares in a shadow sampler: where filter.method asks for it, the map's format can, and one depth
+/// serves all texels of a bilinear comparison.
 bool uses_sampler(const Settings& settings);
 
 std::span<const Filter> filters();

@@ -16,10 +16,12 @@ enum class OverlayDraw { Fragments, Edges, Count };
 struct Overlay {
     std::string_view key, label, unit, help;
     std::string_view file;
+    std::string_view paper;         ///< where what it shows comes from; empty: from no one paper
     bool scalar = true;             ///< x goes through the colour scale; otherwise rgba as it is
     double min = 0, max = 1;        ///< colour scale when view.overlay_range is declared
     bool diverging = false;         ///< the scale is centred on zero
     bool reads_visibility = false;  ///< asks for the visibility texture
+    bool names_causes = false;      ///< its colours are those of causes; their legend has numbers
     bool reads_truth = false;       ///< asks for the traced truth and for what it makes of the visibility
     OverlayDraw draw = OverlayDraw::Fragments;
 };

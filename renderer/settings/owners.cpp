@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 
 namespace si {
@@ -21,15 +22,17 @@ struct TechniqueTable {
     std::vector<Row> rows;
 };
 
+/// @param choices of the chooser, which may be fewer than the table's rows
 template <typename Rows>
-TechniqueTable table_of(std::string_view chooser, const Rows& rows) {
+TechniqueTable table_of(std::string_view chooser, const Rows& rows, std::size_t choices) {
     TechniqueTable table{chooser, {}};
-    for (const auto& row : rows) table.rows.push_back({row.key, row.label, row.settings});
+    for (const auto& row : rows.first(choices)) table.rows.push_back({row.key, row.label, row.settings});
     return table;
 }
 
 std::vector<TechniqueTable> technique_tables() {
-    return {table_of("filter.kernel", filters())};
+    return {table_of("filter.kernel", filters(), filters().size()),
+            table_of("bias.kind", biases(), bias_choices().size())};
 }
 
 struct Ownership {

@@ -1,4 +1,5 @@
 // Rows of the shadow technique: map, caster, bias and filter.
+#include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/rows.h"
 
@@ -135,7 +136,18 @@ constexpr auto kCaster = std::to_array<Param>({
 });
 static_assert(kCaster.size() == members<CasterSettings>(), "a member of CasterSettings has no row");
 
+std::string_view slope_idle(const Settings& s, int) {
+    if (const std::string_view why = unread_bias(s, "bias.slope"); !why.empty()) return why;
+    return s.bias.slope <= s.bias.constant
+               ? "without effect: bias = max(slope * (1 - n.l), constant) and slope is not above constant"
+               : "";
+}
+
 constexpr auto kBias = of_map(std::to_array<Param>({
+    {SI_FIELD(bias.kind), .label = "Kind", .unit = "", .cost = Cost::Program, .choices = bias_choices,
+     .help = "What is subtracted from the fragment's depth before the comparison. Normal offset and raster bias act "
+             "beside it.",
+     .shader = true},
     {SI_FIELD(bias.unit), .label = "Unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true},
     {SI_FIELD(bias.constant), .label = "Constant", .unit = "bias.unit", .min = 0, .max = 1000, .logarithmic = true,
@@ -143,11 +155,15 @@ constexpr auto kBias = of_map(std::to_array<Param>({
              "comparison. Too little: acne. Too much: shadows come off their objects (peter-panning).",
      .shader = true},
     {SI_FIELD(bias.slope), .label = "Slope", .unit = "bias.unit", .min = 0, .max = 1000, .logarithmic = true,
-     SI_IDLE(s.bias.slope <= s.bias.constant,
-             "without effect: bias = max(slope * (1 - n.l), constant) and slope is not above constant"),
+     .idle = slope_idle,
      .help =
          "Bias at grazing light. Bias = max(slope * (1 - n.l), constant), with n.l the cosine between surface normal "
          "and light.",
+     .shader = true},
+    {SI_FIELD(bias.plane_clamp), .label = "Plane clamp", .unit = "texels", .min = 0, .max = 10000, .logarithmic = true,
+     .help = "How far the depth that a texel is compared with may differ from the one at the look-up, in widths of a "
+             "texel along the light's axis; 0 is no limit. A plane that the light grazes is steep without bound; "
+             "beyond the limit it may show acne.",
      .shader = true},
     {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "texels", .min = 0, .max = 100, .logarithmic = true,
      .help = "Moves the point that is looked up along its normal by this many texels (normal-offset shadows). Cures "
@@ -155,8 +171,7 @@ constexpr auto kBias = of_map(std::to_array<Param>({
              "any angle of light; too much lets light in at inner edges.",
      .shader = true},
     {SI_FIELD(bias.normal_source), .label = "Normal", .unit = "", .cost = Cost::Program, SI_CHOICES(kNormals),
-     SI_IDLE(s.bias.slope <= s.bias.constant && s.bias.normal == 0,
-             "without effect: neither slope nor normal offset acts"),
+     SI_IDLE(!slope_idle(s, i).empty() && s.bias.normal == 0, "without effect: neither slope nor normal offset acts"),
      .help = "The normal that slope bias and normal offset use.", .shader = true},
     {SI_FIELD(bias.raster_slope), .label = "Raster slope", .unit = "x depth slope", .min = -100, .max = 100,
      .help = "glPolygonOffset factor while the map is drawn: depth per texel of the triangle's own slope, times this. "

@@ -72,12 +72,18 @@ struct CasterSettings {
     bool operator==(const CasterSettings&) const = default;
 };
 
+/// The rows of the bias and filter tables that are chosen where nobody chooses: by their keys, wherever they stand.
+int default_bias();
+int default_filter();
+
 struct BiasSettings {
-    int unit = 1;  ///< BiasUnit
+    int kind = default_bias();  ///< row of the bias table
+    int unit = 1;               ///< BiasUnit
     // Three texels along the normal clear a plane at any angle under the default kernel: h >= kappa*sqrt(2)*sin(theta)
     // with kappa = 2 (bias_theory.h); the constant covers quantisation.
     double constant = 0.1;
     double slope = 0.0;
+    double plane_clamp = 100;
     double normal = 3.0;
     int normal_source = 0;  ///< NormalSource
     double raster_slope = 0;
@@ -85,9 +91,6 @@ struct BiasSettings {
     double raster_clamp = 0;
     bool operator==(const BiasSettings&) const = default;
 };
-
-/// The row of the filter table that is chosen where nobody chooses: by its key, wherever it stands.
-int default_filter();
 
 struct FilterSettings {
     int kernel = default_filter();  ///< row of the filter table

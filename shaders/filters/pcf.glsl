@@ -20,7 +20,7 @@ float filter_visibility(Receiver r) {
             float x0 = x == 0 ? 1.0 - f.x : 1.0, x1 = x == KERNEL_SIZE - 1 ? f.x : 1.0;
             // Gathering where four texels meet keeps rounding from choosing a neighbouring quad.
             vec2 meet = (corner + vec2(x - radius + 1, y - radius + 1)) * texel;
-            vec4 lit = depth_test(r.reference, map_gather(meet, r.layer));
+            vec4 lit = gather_lit(r, meet);
             sum += dot(lit, vec4(x0 * y1, x1 * y1, x1 * y0, x0 * y0));
         }
     }

@@ -23,7 +23,7 @@ float filter_visibility(Receiver r) {
     for (int i = 0; i < filter_blocker_taps; ++i) {
         vec2 at = r.uvd_offset.xy + turned(POISSON_DISK[i], turn) * (search / float(map_resolution));
         float stored = searched_depth(at, r.layer);
-        float blocks = 1.0 - depth_test(r.reference, stored);
+        float blocks = 1.0 - depth_test(compared_depth(r, at), stored);
         blocker_m += blocks * metres_from_depth(stored, near, far, perspective);
         blockers += blocks;
     }

@@ -9,15 +9,9 @@ float axis_per_ray(Receiver r) {
     return max(dot(r.to_light, axis) * inversesqrt(max(dot(axis, axis), 1e-37)), 1e-6);
 }
 
-/// Metres, of the geometric normal's slope: constant and slope bias along the view's axis, and the normal offset's share.
+/// Metres, of the geometric normal's slope: bias of the compared depth along the view's axis, and the normal offset's
+/// share.
 float bias_along_ray_m(Receiver r) {
-    float amount = max(bias_slope * (1.0 - clamp(r.geometric_n_dot_l, 0.0, 1.0)), bias_constant);
-#if bias_unit == bias_unit_texels
-    float along_axis_m = amount * r.texel_m;
-#elif bias_unit == bias_unit_metres
-    float along_axis_m = amount;
-#else
-    float along_axis_m = metres_nearer(r, amount);
-#endif
+    float along_axis_m = metres_nearer(r, depth_bias(bias_input(r, r.geometric_n_dot_l, r.z)));
     return along_axis_m / axis_per_ray(r) + bias_normal * r.texel_m * r.geometric_n_dot_l;
 }

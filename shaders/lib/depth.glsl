@@ -1,17 +1,19 @@
 // Depth comparison as the map's convention has it, never assumed.
 
 /// The shadow test per component: 1 lit, 0 in shadow. NaN is in shadow.
-vec4 depth_test(float own, vec4 stored) {
+vec4 depth_test(vec4 own, vec4 stored) {
 #if map_reversed_z && map_compare == map_compare_lequal
-    return vec4(greaterThanEqual(vec4(own), stored));
+    return vec4(greaterThanEqual(own, stored));
 #elif map_reversed_z
-    return vec4(greaterThan(vec4(own), stored));
+    return vec4(greaterThan(own, stored));
 #elif map_compare == map_compare_lequal
-    return vec4(lessThanEqual(vec4(own), stored));
+    return vec4(lessThanEqual(own, stored));
 #else
-    return vec4(lessThan(vec4(own), stored));
+    return vec4(lessThan(own, stored));
 #endif
 }
+
+vec4 depth_test(float own, vec4 stored) { return depth_test(vec4(own), stored); }
 
 float depth_test(float own, float stored) { return depth_test(own, vec4(stored)).x; }
 

@@ -65,7 +65,9 @@ Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
     float reach = frame.lights[r.light].kernel.y;
     vec2 gradient = plane_gradient(r);
     float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
-    e.least = least_bias(r, gradient, reach);
+    e.least = least_bias(r, gradient);
+    // Surfaces that rise beside the plane meet the kernel's whole reach, whatever each texel is compared with.
+    float whole = least_bias(r, gradient, reach);
     e.least_nearest = least_bias(r, gradient, 0.5);
     e.slack = reach * per_texel;
     e.own = r.bias_depth;
@@ -74,9 +76,9 @@ Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
     float raster = e.worth - e.offset - e.own;
     e.applied = away(r.uvd.z - r.reference) + raster;
     float reach_depth = depth_nearer(r, r.z, reach * r.texel_m);
-    e.bent = 2.0 * e.least + reach_depth;
+    e.bent = 2.0 * whole + reach_depth;
     e.most = more.z > (frame.lights[r.light].kernel.z + 1.0) * r.texel_m ? e.bent : e.least;
-    e.far = 2.0 * max(e.own, e.least) + reach_depth;
+    e.far = 2.0 * max(e.own, whole) + reach_depth;
     e.texel_m = r.texel_m;
     float cosine = clamp(r.geometric_n_dot_l, 1e-6, 1.0), sine = sqrt(max(1.0 - cosine * cosine, 0.0));
     float offset_m = bias_normal * r.texel_m;

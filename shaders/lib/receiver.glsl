@@ -35,7 +35,10 @@ struct Receiver {
     float z;            // metres along the axis from a perspective light, kept above 0; else 1
     float depth_per_m;  // |d depth / d metres along the axis| here
     float bias_depth;   // applied, in depth-buffer units, >= 0 brings the fragment nearer to the light
-    float reference;    // the depth that is compared
+    float reference;    // the depth that is compared; where BIAS_PER_TEXEL that at uvd_offset
+#if BIAS_PER_TEXEL
+    vec2 reference_slope;  // by how much that grows over the map, per map width
+#endif
     int where;
 };
 
@@ -64,13 +67,22 @@ bool faces_light(Receiver r) { return r.geometric_n_dot_l > FACES_AWAY_COSINE; }
 
 const float NEAREST_SHARE = 1e-3;  // of the near plane: nothing is taken to be nearer to a perspective light
 
-/// By how much the depth of a point at z changes when it comes that many metres along the axis nearer to r's light:
-/// DepthCurve::depth_nearer(), where the slope at r is not enough, as depth rises faster towards a perspective light.
+/// By how much the depth of a point at z changes when it comes that many metres along the axis nearer to a light:
+/// DepthCurve::depth_nearer(), where the slope at a receiver is not enough, as depth rises faster towards a perspective
+/// light.
+/// @param nearest metres along the axis: nothing comes nearer
+/// @param own_z of the receiver whose slope is depth_per_m
+float depth_nearer(bool perspective, float nearest, float own_z, float depth_per_m, float z, float metres) {
+    float moved = perspective ? min(metres, z - nearest) : metres;
+    float steeper = perspective ? (own_z / z) * (own_z / (z - moved)) : 1.0;
+    return moved * depth_per_m * steeper;
+}
+
+float nearest_z(Receiver r) { return NEAREST_SHARE * frame.views[r.layer].curve.x; }
+
+/// The same of r's light.
 float depth_nearer(Receiver r, float z, float metres) {
-    bool perspective = LIGHT_PERSPECTIVE[r.light] != 0;
-    float moved = perspective ? min(metres, z - NEAREST_SHARE * frame.views[r.layer].curve.x) : metres;
-    float steeper = perspective ? (r.z / z) * (r.z / (z - moved)) : 1.0;
-    return moved * r.depth_per_m * steeper;
+    return depth_nearer(LIGHT_PERSPECTIVE[r.light] != 0, nearest_z(r), r.z, r.depth_per_m, z, metres);
 }
 
 /// The inverse at r: metres along the axis; see DepthCurve::metres_nearer().
@@ -94,6 +106,9 @@ vec3 bias_normal_of(Surface s) {
     return s.geometric;
 #endif
 }
+
+#include "lib/bias.glsl"
+#include "biases/normal_offset.glsl"
 
 /// @param layer of the view that it is looked up in
 Receiver receiver_in(Surface s, int index, int layer) {
@@ -120,24 +135,19 @@ Receiver receiver_in(Surface s, int index, int layer) {
     vec4 o = h;
     float offset_z = r.z;
 #if BIAS_NORMAL_OFFSET
-    o += view.uvd_from_relative * vec4(bias_normal_ws * (bias_normal * r.texel_m), 0.0);
+    o += view.uvd_from_relative * vec4(normal_offset(bias_normal_ws, r.texel_m), 0.0);
     if (!perspective) o.w = 1.0;
     offset_z = perspective ? max(o.w, NEAREST_SHARE * near) : 1.0;
 #endif
 
-    float slope_term = bias_slope * (1.0 - clamp(r.n_dot_l, 0.0, 1.0));
-    float amount = max(slope_term, bias_constant);
-#if bias_unit == bias_unit_texels
-    r.bias_depth = depth_nearer(r, offset_z, amount * r.texel_m);
-#elif bias_unit == bias_unit_metres
-    r.bias_depth = depth_nearer(r, offset_z, amount);
-#else
-    r.bias_depth = amount;
-#endif
-
     r.uvd = h.xyz / h.w;
     r.uvd_offset = o.xyz / o.w;
+    BiasInput b = bias_input(r, r.n_dot_l, offset_z);
+    r.bias_depth = depth_bias(b);
     r.reference = r.uvd_offset.z - away(r.bias_depth);
+#if BIAS_PER_TEXEL
+    r.reference_slope = reference_slope(b);
+#endif
 
     if (LIGHT_CASTS[index] == 0)
         r.where = NO_MAP;

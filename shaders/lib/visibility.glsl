@@ -1,17 +1,9 @@
 // Visibility of one light from one surface point: the guards, then the chosen kernel.
 #include "lib/receiver.glsl"
+#include "lib/compare.glsl"
 #include "shared/judged.h"
 
 #define UNKNOWN uintBitsToFloat(0x7fc00000u)
-
-/// One comparison of the receiver's depth at a place of its map, by filter.method.
-float compares_lit(Receiver r, vec2 at) {
-#if FILTER_SAMPLER
-    return map_compare_at(at, r.layer, r.reference);
-#else
-    return depth_test(r.reference, map_depth(at, r.layer));
-#endif
-}
 
 /// What a kernel learns besides visibility; NaN where it does not say.
 struct Filtered {
@@ -44,19 +36,12 @@ bool is_guarded(Receiver r) {
     return guarded;
 }
 
-/// The depth that is compared, as shadow samplers have it with formats that hold nothing beyond 0 to 1.
-float reference_of(float depth) {
-#if (!FILTER_SAMPLER || COMPARE_BY_HAND) && (map_format == map_format_d16 || map_format == map_format_d24)
-    return clamp(depth, 0.0, 1.0);
-#else
-    return depth;
-#endif
-}
-
 /// What the map says of a receiver in front of the guards' backs: 1 lit, 0 in shadow.
 float map_visibility(Receiver r) {
     if (is_guarded(r)) return outside_visibility();
+#if !BIAS_PER_TEXEL
     r.reference = reference_of(r.reference);
+#endif
     return filter_visibility(r);
 }
 

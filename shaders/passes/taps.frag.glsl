@@ -6,7 +6,9 @@ uniform ivec2 pixel;
 
 void main() {
     Receiver r = make_receiver(seen_surface(pixel), LIGHT_INDEX);
+#if !BIAS_PER_TEXEL
     r.reference = reference_of(r.reference);
+#endif
 #ifdef RECORD_TAPS
     tap_wanted = int(gl_FragCoord.x);
     float weight = filter_visibility(r);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -42,6 +43,35 @@ TEST(Lists, RowsHaveKeyLabelAndHelp) {
     EXPECT_EQ(json_of({"list", "scenes", "--json"})[0]["key"], "stage");
 }
 
+TEST(Lists, TechniquesSayWhereTheyComeFromAndWhatIsTheirs) {
+    const Json settings = json_of({"list", "settings", "--json"});
+    for (const char* kind : {"filters", "biases", "overlays"}) {
+        std::size_t papers = 0;
+        for (const Json& r : json_of({"list", kind, "--json"})) {
+            ASSERT_TRUE(r["paper"].is_string()) << r;
+            papers += !r["paper"].get<std::string>().empty();
+            EXPECT_TRUE(std::filesystem::exists(SI_SOURCE_DIR "/shaders/" + r["file"].get<std::string>())) << r;
+            if (!r.contains("settings")) continue;
+            for (const Json& key : r["settings"]) EXPECT_TRUE(row(settings, key)) << key;
+        }
+        EXPECT_GT(papers, 2u) << kind;
+    }
+    const Json list = json_of({"list", "biases", "--json"});
+    const Json* plane = row(list, "receiver-plane");
+    ASSERT_TRUE(plane);
+    EXPECT_EQ((*plane)["stage"], "compare");
+    EXPECT_EQ((*plane)["per_texel"], true);
+    EXPECT_EQ((*plane)["settings"], Json({"bias.plane_clamp"}));
+    EXPECT_NE((*plane)["paper"].get<std::string>().find("Isidoro"), std::string::npos);
+    // Of bias.kind exactly the rows of that stage can be chosen.
+    for (const Json& r : list) {
+        bool choice = false;
+        for (const Json& c : (*row(settings, "bias.kind"))["choices"]) choice |= c["key"] == r["key"];
+        EXPECT_EQ(choice, r["stage"] == "compare") << r;
+    }
+    EXPECT_NE(run_program({"list", "biases"}).out.find("Isidoro"), std::string::npos);
+}
+
 TEST(Lists, SettingsSayWhatTheyTake) {
     const Json list = json_of({"list", "settings", "--json"});
     ASSERT_EQ(list.size(), params().size());
@@ -69,7 +99,7 @@ TEST(Lists, SettingsSayWhatTheyTake) {
 
 TEST(Lists, PrefixNarrows) {
     const Json list = json_of({"list", "settings", "bias.", "--json"});
-    EXPECT_EQ(list.size(), 8u);
+    EXPECT_EQ(list.size(), 10u);
 }
 
 TEST(Help, IsEverywhereAndComesFromTheTable) {

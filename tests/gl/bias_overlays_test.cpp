@@ -75,9 +75,12 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
     const Scene scene = hills();
     for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
         for (const char* format : {"d16", "d24", "d32f"})
-            for (const bool reversed : {false, true}) {
-                SCOPED_TRACE(testing::Message() << int(type) << " " << format << (reversed ? " reversed" : ""));
+            for (const auto& [reversed, kind] :
+                 {std::pair{false, "slope"}, {true, "slope"}, {false, "constant"}, {true, "receiver-plane"}}) {
+                SCOPED_TRACE(testing::Message()
+                             << int(type) << " " << format << (reversed ? " reversed " : " ") << kind);
                 Settings s = lit_by(type);
+                set_setting(s, "bias.kind", kind);
                 set_setting(s, "map.format", format);
                 s.map.reversed_z = reversed;
                 s.filter.kernel = test::kernel(reversed ? "pcf3" : "hard");
@@ -104,6 +107,7 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                 compare("bias-slack", [](const BiasAccount& a) {
                     return a.amount(a.clears()).texels - a.amount(a.least.total()).texels;
                 });
+                compare("bias-applied", [](const BiasAccount& a) { return a.amount(a.lifts - a.raster).texels; });
             }
 }
 

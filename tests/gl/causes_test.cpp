@@ -117,6 +117,11 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
         agree(box, s, "polygon offset");
         s.map.blur_texels = 2;
         agree(box, s, "polygon offset and depth blur");
+        s = test::texel_settings(kernel, 256, 30);
+        set_setting(s, "bias.kind", "receiver-plane");
+        EXPECT_GT(count(agree(box, s, "much beyond the plane"), Artefact::PeterPanning), 10u);
+        s.bias.constant = 0;
+        EXPECT_EQ(count(agree(box, s, "the plane alone"), Artefact::Acne), 0u);
     }
     Settings s = test::texel_settings("pcf3", 256, 3);
     s.lights[0].fit = int(LightFit::Manual);

@@ -62,10 +62,14 @@ TEST_F(DossierTest, TapsAddUpToWhatTheGpuFound) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     int checked = 0, partial = 0, off = 0;
     for (const Filter& filter : filters())
-        for (const char* format : {"d16", "d32f", "colour"}) {
+        for (const auto& [format, kind] : {std::pair{"d16", "receiver-plane"},
+                                           {"d32f", "slope"},
+                                           {"colour", "constant"},
+                                           {"d32f", "receiver-plane"}}) {
             if (!filter.linear) continue;
             Settings s = plain(std::string(filter.key).c_str(), 0.7);
             set_setting(s, "map.format", format);
+            set_setting(s, "bias.kind", kind);
             s.map.resolution = 128;
             s.bias.normal = 0.5;
             for (int y = 20; y < 110; y += 17)

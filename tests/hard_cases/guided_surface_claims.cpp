@@ -47,6 +47,18 @@ const Claims& guided_surface_claims() {
                        0.7 * (e.false_light + e.false_shadow))
                  << "what is wrong is that edges moved";
          }},
+        {"receiver-plane",
+         [] {
+             const Guided g("receiver-plane");
+             EXPECT_LT(g.wrongly_dark({"Room/Back wall"}), 0.005);
+             EXPECT_LT(g.wrongly_dark({"Room/Floor"}), 0.01);
+             EXPECT_LT(g.wrongly_lit({"Room/Floor"}), 0.15) << "shadows start at the feet";
+             EXPECT_GT(Guided("receiver-plane", {"bias.kind=constant"}).wrongly_dark(), 0.4) << "it is the plane";
+             const ErrorMetrics e = g.error();
+             EXPECT_LT(e.false_shadow, 0.01);
+             EXPECT_EQ(e.bias_false_light, 0);
+             EXPECT_EQ(e.artefacts[std::size_t(Artefact::PeterPanningOffset)], 0u);
+         }},
         {"normal-offset-mapped",
          [] {
              const Guided frayed("normal-offset-mapped", {}, 320, 180);

@@ -106,6 +106,9 @@ void bias_terms(const BiasAccount& a) {
     if (!begin_amounts("terms")) return;
     amount_row("constant", a.amount(a.constant), "bias.constant; 0 where the slope bias is larger");
     amount_row("slope", a.amount(a.slope), "bias.slope times (1 - n.l); 0 where bias.constant is larger");
+    if (a.per_texel)
+        amount_row("for roundings", a.amount(a.rest),
+                   "What bias.kind adds, as it compares each texel with the plane at the texel's centre");
     amount_row(
         "normal offset", a.amount(a.normal),
         "What bias.normal is worth along the light: offset / cos(angle of light), as the look-up moves along the "
@@ -133,7 +136,10 @@ void depths(const Probe::PerLight& p) {
     row("stored depth", depth(p.stored, p.stored_linear, p.stored_m),
         "Nearest texel: as stored, from 0 at the near to 1 at the far plane, metres along the light's axis");
     row("own depth", depth(p.own, p.own_linear, p.own_m), "Before any bias");
-    row("compared depth", fmt::format("{:.7f}", p.compared), "Own depth after bias and normal offset");
+    row("compared depth", fmt::format("{:.7f}", p.compared),
+        p.account.per_texel
+            ? "Own depth after bias and normal offset; each texel is compared with the plane at its centre"
+            : "Own depth after bias and normal offset");
     row("nearer by", metres_text(p.gap_m), "How much nearer to the light the stored surface is, along the light's ray");
     row("visibility", fmt::format("{:.4f}", p.visibility), "What the renderer's filter computed: 1 lit, 0 in shadow");
     const KernelFacts& k = p.kernel;

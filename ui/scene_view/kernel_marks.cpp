@@ -33,7 +33,7 @@ const char* meets_text(const KernelTap& t) {
     return "";
 }
 
-void tooltip(const Probe::PerLight& p, const KernelTap& t) {
+void tooltip(const KernelTap& t) {
     const std::string text = fmt::format(
         "texel {}, {}: {}\n"
         "stored    {:.8f}   {}   {}\n"
@@ -41,7 +41,7 @@ void tooltip(const Probe::PerLight& p, const KernelTap& t) {
         "own plane {:.8f}\n"
         "weighs {:.3g} % of the kernel",
         t.texel.x, t.texel.y, t.lit ? "passes, lit" : "fails, dark", t.stored, metres_text(t.stored_m), meets_text(t),
-        p.compared, t.plane, 100 * t.weight);
+        t.compared, t.plane, 100 * t.weight);
     ImGui::SetTooltip("%s", text.c_str());
 }
 
@@ -79,7 +79,7 @@ const KernelTap* draw_tap_grid(const Probe::PerLight& p, float side) {
             hovered = &t;
         }
     }
-    if (hovered) tooltip(p, *hovered);
+    if (hovered) tooltip(*hovered);
     return hovered;
 }
 

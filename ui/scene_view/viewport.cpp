@@ -181,7 +181,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     draw_scene_marks(PicturePainter(view, list), state, frame);
     draw_probe_mark(state, result, lo, size);
     draw_readers(state, frame, lo, size);
-    if (pane.overlay > 0 && overlays()[std::size_t(pane.overlay - 1)].key == "artefacts")
+    if (pane.overlay > 0 && overlays()[std::size_t(pane.overlay - 1)].names_causes)
         draw_artefact_legend(frame.error, lo.x, hi.y, size.x);
     else
         draw_legend(pane, lo.x, hi.y, size);

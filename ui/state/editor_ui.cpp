@@ -102,9 +102,8 @@ bool shows_artefacts(const Settings& settings) {
     const ViewSettings& v = settings.view;
     const int shown[] = {v.overlay, v.overlay_2, v.overlay_3, v.overlay_4};
     const int panes = v.panes == int(Panes::Four) ? 4 : v.panes == int(Panes::Two) ? 2 : 1;
-    return std::any_of(shown, shown + panes, [](int overlay) {
-        return overlay > 0 && overlays()[std::size_t(overlay - 1)].key == "artefacts";
-    });
+    return std::any_of(shown, shown + panes,
+                       [](int overlay) { return overlay > 0 && overlays()[std::size_t(overlay - 1)].names_causes; });
 }
 
 void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& actions) {

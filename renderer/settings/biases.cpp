@@ -1,0 +1,149 @@
+#include "renderer/settings/biases.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "renderer/settings/choices_of.h"
+
+namespace si {
+namespace {
+
+/// An amount in bias.unit as depth.
+double unit_depth(const BiasSettings& bias, const BiasInput& b, double amount) {
+    if (bias.unit == int(BiasUnit::Depth)) return amount;
+    return b.curve.depth_nearer(b.z, bias.unit == int(BiasUnit::Texels) ? amount * b.texel_m : amount);
+}
+
+double constant_bias(const BiasSettings& bias, const BiasInput& b) {
+    return unit_depth(bias, b, bias.constant);
+}
+
+double slope_bias(const BiasSettings& bias, const BiasInput& b) {
+    return unit_depth(bias, b, slope_amount(bias, b.n_dot_l));
+}
+
+double receiver_plane_bias(const BiasSettings& bias, const BiasInput& b) {
+    return unit_depth(bias, b, bias.constant) + b.rest;
+}
+
+double normal_offset(const BiasSettings& bias, const BiasInput& b) {
+    return bias.normal * b.texel_m;
+}
+
+double raster_offset(const BiasSettings& bias, const BiasInput& b) {
+    const double by_slope =
+        bias.raster_slope != 0 ? bias.raster_slope * b.polygon.slope(b.per_texel) : 0;  // edge-on it is infinite
+    const double offset = by_slope + bias.raster_units * b.polygon.unit(b.quantum);
+    return bias.raster_clamp > 0 ? std::min(offset, bias.raster_clamp) : offset;
+}
+
+constexpr std::string_view kSlopeSettings[] = {"bias.slope"};
+constexpr std::string_view kPlaneSettings[] = {"bias.plane_clamp"};
+constexpr std::string_view kNormalSettings[] = {"bias.normal"};
+constexpr std::string_view kRasterSettings[] = {"bias.raster_slope", "bias.raster_units", "bias.raster_clamp"};
+
+constexpr Bias kBiases[] = {
+    {.key = "slope",
+     .label = "Slope over constant",
+     .help = "The lectures' bias: max(slope * (1 - n.l), constant), with n.l the cosine between surface normal and "
+             "light. The compared depth is the same for all texels of the kernel.",
+     .paper = "",
+     .file = "biases/slope.glsl",
+     .settings = kSlopeSettings,
+     .amount = slope_bias},
+    {.key = "constant",
+     .label = "Constant",
+     .help = "bias.constant alone, whatever the angle of the light.",
+     .paper = "Williams: Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978",
+     .file = "biases/constant.glsl",
+     .amount = constant_bias},
+    {.key = "receiver-plane",
+     .label = "Receiver plane",
+     .help = "Every texel is compared with the depth that the receiver's own plane has at the texel's centre, from the "
+             "triangle's normal and without screen derivatives: no acne on planes at any angle and under any kernel "
+             "for no more bias than roundings take. bias.constant is added. Where a kernel reaches over an inner edge "
+             "the plane runs on behind what it meets, and darkens.",
+     .paper = "Isidoro: Shadow Mapping: GPU-based Tips and Techniques, GDC 2006 (by screen derivatives)",
+     .file = "biases/receiver_plane.glsl",
+     .settings = kPlaneSettings,
+     .per_texel = true,
+     .amount = receiver_plane_bias},
+    {.key = "normal-offset",
+     .label = "Normal offset",
+     .help = "bias.normal: moves the point that is looked up along its normal. Acts beside bias.kind.",
+     .paper = "Holbert: Saying Goodbye to Shadow Acne, GDC 2011",
+     .file = "biases/normal_offset.glsl",
+     .stage = BiasStage::LookUp,
+     .settings = kNormalSettings,
+     .amount = normal_offset},
+    {.key = "raster",
+     .label = "Polygon offset",
+     .help = "bias.raster_*: stored depths recede while the map is drawn, by the slope of the triangle and by steps of "
+             "the format. Acts beside bias.kind.",
+     .paper = "OpenGL 4.5 core, 14.6.5 Depth Offset",
+     .file = "biases/raster.glsl",
+     .stage = BiasStage::Raster,
+     .settings = kRasterSettings,
+     .amount = raster_offset},
+};
+
+std::span<const Bias> kinds() {
+    const auto end = std::ranges::find_if(kBiases, [](const Bias& b) { return b.stage != BiasStage::Compare; });
+    return {std::begin(kBiases), end};
+}
+
+bool lists(const Bias& row, std::string_view key) {
+    return std::ranges::find(row.settings, key) != row.settings.end();
+}
+
+}  // namespace
+
+double slope_amount(const BiasSettings& bias, double n_dot_l) {
+    return std::max(bias.slope * (1 - std::clamp(n_dot_l, 0.0, 1.0)), bias.constant);
+}
+
+int default_bias() {
+    static const int row = int(std::ranges::find(kBiases, "slope", &Bias::key) - std::begin(kBiases));
+    return row;
+}
+
+std::span<const Bias> biases() {
+    return kBiases;
+}
+
+std::span<const Choice> bias_choices() {
+    static const std::vector<Choice> choices = choices_of(kinds());
+    return choices;
+}
+
+const Bias& bias_of(const Settings& settings) {
+    return kinds()[std::size_t(std::clamp(settings.bias.kind, 0, int(kinds().size()) - 1))];
+}
+
+const Bias& bias_at(BiasStage stage) {
+    return *std::ranges::find(kBiases, stage, &Bias::stage);
+}
+
+bool reads_setting(const Bias& row, std::string_view key) {
+    return lists(row, key) || std::ranges::none_of(kBiases, [&](const Bias& b) { return lists(b, key); });
+}
+
+std::string_view unread_bias(const Settings& settings, std::string_view key) {
+    static const std::map<std::string_view, std::string> reasons = [] {
+        std::map<std::string_view, std::string> out;
+        for (const Bias& row : kinds())
+            for (const std::string_view k : row.settings) {
+                std::string& text = out[k];
+                text += (text.empty() ? "without effect: read by bias.kind " : " and ") + std::string(row.key);
+            }
+        for (auto& [k, text] : out) text += " only";
+        return out;
+    }();
+    if (reads_setting(bias_of(settings), key)) return {};
+    const auto reason = reasons.find(key);
+    return reason == reasons.end() ? std::string_view() : reason->second;
+}
+
+}  // namespace si

@@ -1,0 +1,99 @@
+// How much bias a receiver's plane needs, and what the chosen row of the bias table gives it: renderer/bias/theory.h and
+// renderer/settings/biases.h in single precision. Depths are in depth-buffer units. Needs Receiver and its functions of
+// lib/receiver.glsl, which includes this.
+
+/// The plane's depth gradient over the map, per map width. From two directions within the plane and their steps in the
+/// map by the quotient rule; that of depth is known in closed form, where a quotient would cancel.
+vec2 plane_gradient(Receiver r) {
+    vec3 n = r.surface.geometric;
+    vec3 along = normalize(abs(n.x) > abs(n.z) ? vec3(-n.y, n.x, 0.0) : vec3(0.0, -n.z, n.y));
+    mat4 m = frame.views[r.layer].uvd_from_relative;
+    vec4 p = m * vec4(along, 0.0), q = m * vec4(cross(n, along), 0.0);
+    vec2 depth = vec2(p.z, q.z);
+    vec2 a = p.xy, b = q.xy;
+    if (LIGHT_PERSPECTIVE[r.light] != 0) {
+        depth = vec2(away(r.depth_per_m * p.w), away(r.depth_per_m * q.w));
+        a = (p.xy - r.uvd.xy * p.w) / r.w;
+        b = (q.xy - r.uvd.xy * q.w) / r.w;
+    }
+    return vec2(depth.x * b.y - depth.y * a.y, depth.y * a.x - depth.x * b.x) / (a.x * b.y - a.y * b.x);
+}
+
+/// One step of the stored depth at r.
+float depth_quantum(Receiver r) {
+#if map_format == map_format_d16
+    return 1.0 / 65535.0;
+#elif map_format == map_format_d24
+    return 1.0 / 16777215.0;
+#else
+    return exp2(floor(log2(clamp(r.uvd.z, 1.17549435e-38, 1.0))) - 23.0);
+#endif
+}
+
+/// The largest coordinate that shaders compute with here, in metres.
+float extent_m(Receiver r) {
+    vec3 farthest = max(abs(r.surface.position), abs(r.surface.position - frame.map_origin.xyz));
+    return max(max(0.5 * r.texel_m * float(map_resolution), farthest.x), max(farthest.y, farthest.z));
+}
+
+/// Where one depth is compared with all texels.
+/// @param reach_texels how far the centre of a texel that is compared may lie, per axis
+float least_bias(Receiver r, vec2 gradient, float reach_texels) {
+    float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
+    float snapping = SUBPIXEL_BITS > 0 ? exp2(-float(SUBPIXEL_BITS + 1)) : 0.0;
+    return (reach_texels + snapping) * per_texel + depth_quantum(r) +
+           exp2(-21.0) * max(extent_m(r) * r.depth_per_m, r.uvd.z);
+}
+
+/// Where every texel is compared with the plane at its centre: besides, what roundings of map coordinates are worth.
+float rest_bias(Receiver r, vec2 gradient) {
+    float across_m = r.texel_m * float(map_resolution);
+    return least_bias(r, gradient, 0.0) + exp2(-21.0) * (extent_m(r) / across_m) * (abs(gradient.x) + abs(gradient.y));
+}
+
+struct BiasInput {
+    bool perspective;   // the view of the light
+    float nearest;      // metres along its axis: nothing comes nearer
+    float n_dot_l;      // of the normal that bias.normal_source chooses
+    float texel_m;      // world size of a texel at the receiver
+    float z;            // metres along the axis of the point that is looked up
+    float own_z;        // of the receiver
+    float depth_per_m;  // at own_z
+    vec2 gradient;      // of the plane's depth over the map; 0 where rows of the table do not read it (BIAS_PER_TEXEL)
+    float rest;         // rest_bias(); likewise
+};
+
+/// An amount in bias.unit as depth.
+float unit_depth(BiasInput b, float amount) {
+#if bias_unit == bias_unit_texels
+    return depth_nearer(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, amount * b.texel_m);
+#elif bias_unit == bias_unit_metres
+    return depth_nearer(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, amount);
+#else
+    return amount;
+#endif
+}
+
+#include BIAS_FILE
+
+/// @param n_dot_l of the normal that counts
+/// @param z metres along the axis of the point that is looked up
+BiasInput bias_input(Receiver r, float n_dot_l, float z) {
+    BiasInput b = BiasInput(LIGHT_PERSPECTIVE[r.light] != 0, nearest_z(r), n_dot_l, r.texel_m, z, r.z, r.depth_per_m,
+                            vec2(0.0), 0.0);
+#if BIAS_PER_TEXEL
+    // Edge-on there is no gradient, and no look-up.
+    if (faces_light(r)) {
+        b.gradient = plane_gradient(r);
+        b.rest = rest_bias(r, b.gradient);
+    }
+#endif
+    return b;
+}
+
+#if BIAS_PER_TEXEL
+/// By how much the compared depth may differ from the receiver's own, whatever its plane.
+float most_moved(Receiver r) {
+    return bias_plane_clamp > 0.0 ? bias_plane_clamp * r.texel_m * r.depth_per_m : 3e38;
+}
+#endif

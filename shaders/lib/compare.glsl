@@ -1,0 +1,63 @@
+// The depths that are compared with stored ones, which bias.kind may make another for every texel.
+
+/// A depth as shadow samplers have it with formats that hold nothing beyond 0 to 1.
+vec4 reference_of(vec4 depth) {
+#if (!FILTER_SAMPLER || COMPARE_BY_HAND) && (map_format == map_format_d16 || map_format == map_format_d24)
+    return clamp(depth, 0.0, 1.0);
+#else
+    return depth;
+#endif
+}
+float reference_of(float depth) { return reference_of(vec4(depth)).x; }
+
+#if BIAS_PER_TEXEL
+/// The depths of the receiver's plane, brought nearer by the bias, at map coordinates.
+vec4 reference_at(Receiver r, vec4 u, vec4 v) {
+    float most = most_moved(r);
+    vec4 moved = r.reference_slope.x * (u - r.uvd_offset.x) + r.reference_slope.y * (v - r.uvd_offset.y);
+    vec4 depth = r.reference + clamp(moved, -most, most);
+    // Where the plane runs on beyond the far plane, the map may be empty.
+#if map_reversed_z
+    return reference_of(max(depth, min(r.reference, 0.0)));
+#else
+    return reference_of(min(depth, max(r.reference, 1.0)));
+#endif
+}
+
+vec2 texel_centre(vec2 at) { return (floor(at * float(map_resolution)) + 0.5) / float(map_resolution); }
+#endif
+
+/// The depth that the texel at a place of the map is compared with.
+float compared_depth(Receiver r, vec2 at) {
+#if BIAS_PER_TEXEL
+    at = texel_centre(at);
+    return reference_at(r, at.xxxx, at.yyyy).x;
+#else
+    return r.reference;
+#endif
+}
+
+/// One comparison at a place of the receiver's map, by filter.method.
+float compares_lit(Receiver r, vec2 at) {
+    float own = compared_depth(r, at);
+#if BIAS_PER_TEXEL
+    at = texel_centre(at);  // that no rounding of the sampler's reads its neighbour
+#endif
+#if FILTER_SAMPLER
+    return map_compare_at(at, r.layer, own);
+#else
+    return depth_test(own, map_depth(at, r.layer));
+#endif
+}
+
+/// The comparisons of the four texels that meet at a place of the receiver's map, in textureGather's order.
+vec4 gather_lit(Receiver r, vec2 meet) {
+#if BIAS_PER_TEXEL
+    float half_texel = 0.5 / float(map_resolution);
+    vec4 own = reference_at(r, meet.x + vec4(-half_texel, half_texel, half_texel, -half_texel),
+                            meet.y + vec4(half_texel, half_texel, -half_texel, -half_texel));
+    return depth_test(own, map_gather(meet, r.layer));
+#else
+    return depth_test(r.reference, map_gather(meet, r.layer));
+#endif
+}

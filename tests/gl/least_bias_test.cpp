@@ -1,0 +1,123 @@
+// The least bias stands in GLSL (shaders/lib/bias.glsl, lib/least_bias.glsl) and in C++ (renderer/bias): both are equal
+// on random planes under random lights, for every format, kernel and kind of bias.
+#include <random>
+
+#include "renderer/bias/account.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/filters.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+class LeastBiasTwins : public FrameTest {
+protected:
+    static constexpr int kWidth = 24, kHeight = 18;
+    std::mt19937 random{20261};
+    double uniform(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random); }
+
+    /// A plane somewhere in the world that fills the picture, with a small sheet before it, so that lights have depths
+    /// to span.
+    struct Sight {
+        Scene scene;
+        Settings settings;
+        glm::dvec3 at, normal;
+    };
+    Sight random_sight(LightType type) {
+        Sight sight;
+        sight.at = glm::dvec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)) * std::pow(10.0, uniform(0, 4));
+        const glm::dvec3 tilt(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+        const glm::dmat3 turn(orthonormal_basis(glm::normalize(tilt + glm::dvec3(0, 0.2, 0))));
+        glm::dmat4 place(turn);
+        place[3] = glm::dvec4(sight.at, 1);
+        sight.normal = glm::dvec3(place[1]);
+        const int grey = add_material(sight.scene, "grey", {0.6f, 0.6f, 0.6f});
+        add_object(sight.scene, "plane", -1, add_mesh(sight.scene, "plane", make_plane(10, 10), grey), place);
+        add_object(sight.scene, "sheet", -1, add_mesh(sight.scene, "sheet", make_plane(0.1f, 0.1f), grey),
+                   place * moved(4, 2, 4));
+        finalise(sight.scene);
+        Settings& s = sight.settings;
+        s.camera.source = int(CameraSource::Manual);
+        const glm::dvec3 from = glm::normalize(sight.normal + 0.4 * glm::dvec3(place[0]));
+        s.camera.target_x = sight.at.x, s.camera.target_y = sight.at.y, s.camera.target_z = sight.at.z;
+        s.camera.azimuth = glm::degrees(std::atan2(from.x, from.z));
+        s.camera.elevation = glm::degrees(std::asin(std::clamp(from.y, -1.0, 1.0)));
+        s.camera.distance = 4;
+        LightSettings& light = s.lights[0];
+        light.type = int(type);
+        // Some lights lie along the axes exactly.
+        light.azimuth = uniform(0, 1) < 0.3 ? 90 * std::floor(uniform(0, 4)) : uniform(-180, 180);
+        light.elevation = uniform(0, 1) < 0.2 ? 90 : uniform(-85, 85);
+        light.target_x = light.target_y = light.target_z = 0;
+        light.distance = type == LightType::Directional ? 0 : uniform(6, 30), light.cone = uniform(50, 100);
+        s.map.resolution = 1 << int(uniform(6, 11));
+        return sight;
+    }
+};
+
+TEST_F(LeastBiasTwins, AreEqualOnRandomPlanes) {
+    int compared = 0, perspective = 0, grazing = 0, exponent = 0;
+    double worst = 0;
+    for (const LightType type : test::kLightTypes)
+        for (const char* format : {"d16", "d24", "d32f", "colour"})
+            for (const Filter& filter : filters())
+                for (const Choice& kind : bias_choices()) {
+                    const Sight sight = random_sight(type);
+                    Settings s = sight.settings;
+                    set_setting(s, "map.format", format);
+                    set_setting(s, "filter.kernel", filter.key);
+                    set_setting(s, "bias.kind", kind.key);
+                    set_setting(s, "view.overlay", "least-bias");
+                    s.map.reversed_z = uniform(0, 1) < 0.5;
+                    s.bias.plane_clamp = uniform(0, 1) < 0.5 ? 0 : uniform(0.1, 20);
+                    FrameRequest request{.width = kWidth, .height = kHeight};
+                    request.outputs = {.colour = false, .overlay = true};
+                    const FrameResult frame = renderer.render(sight.scene, s, request);
+                    const FloatImage values = renderer.read_float(frame.overlay, 4);
+                    int here = 0;
+                    for (int y = 0; y < kHeight; ++y)
+                        for (int x = 0; x < kWidth; ++x) {
+                            const float value = values.at(x, y);
+                            if (std::isnan(value)) continue;
+                            glm::dvec3 origin, dir;
+                            frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
+                            const double along =
+                                glm::dot(sight.at - origin, sight.normal) / glm::dot(dir, sight.normal);
+                            const glm::dvec3 p = origin + dir * along;
+                            const glm::dvec3 n = glm::dot(dir, sight.normal) < 0 ? sight.normal : -sight.normal;
+                            const BiasAccount a = bias_account(frame.lights[0], s, frame.map_resolution,
+                                                               {p, n, n, frame.camera.origin()}, renderer.driver());
+                            const double cosine = a.receiver.n_dot_l;
+                            if (cosine < 0.01) continue;  // half a degree: single precision keeps few digits
+                            const double expected = a.amount(a.least.total()).texels;
+                            // The tangent of the angle carries the normal's rounding over its cosine; beside that a few
+                            // dozen roundings of single precision each, and of coordinates up to the scene's extent.
+                            double scale = expected;
+                            // Of what bias.plane_clamp leaves of the kernel's part, both terms round.
+                            if (a.per_texel && a.least.kernel > 0) scale += a.amount(a.most_moved).texels;
+                            double tolerance = scale * 2e-5 / cosine;
+                            // A step of a float is another on the other side of a power of two.
+                            const double mantissa = std::frexp(a.receiver.uvd.z, &exponent);
+                            if (std::min(mantissa - 0.5, 1 - mantissa) < 1e-5)
+                                tolerance += a.amount(a.least.quantum).texels;
+                            const double off = std::abs(value - expected);
+                            ASSERT_LE(off, tolerance)
+                                << int(type) << " " << format << " " << filter.key << " " << kind.key
+                                << (s.map.reversed_z ? " reversed" : "") << ", cosine " << cosine << ", at " << x << ","
+                                << y << ": " << value << " on the GPU, " << expected << " here";
+                            worst = std::max(worst, off / tolerance);
+                            ++compared, ++here;
+                            perspective += a.curve.perspective;
+                            grazing += cosine < 0.2;
+                        }
+                }
+    EXPECT_GT(compared, 10000);
+    EXPECT_GT(perspective, 3000);
+    EXPECT_GT(grazing, 1000);
+    EXPECT_GT(worst, 0.01) << "the tolerance says nothing";
+}
+
+}  // namespace
+}  // namespace si
