@@ -34,8 +34,7 @@ bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& setti
         any = true;
         request.traced.resize(std::max(request.traced.size(), std::size_t(i) + 1));
         auto& known = request.traced[std::size_t(i)];
-        const TruthTask task =
-            truth_task(renderer, scene, settings, request, i, truth_options(settings), cache.geometry());
+        const TruthTask task = truth_task(renderer, scene, settings, request, i, truth_options(settings));
         if (!known || known->key != task.key) known = truth_picture(task, cache.trace(task, workers));
     }
     return any;
