@@ -389,7 +389,7 @@ TEST(Pcss, PenumbraeAreAsWideAsSimilarTrianglesSay) {
                 const float gap_m = gap.at(x, y, 0), texels = width.at(x, y, 0);
                 if (std::isnan(gap_m)) continue;
                 ++found;
-                const LightView& view = frame.lights[0].view_of(hit->position);
+                const LightView& view = view_of(frame.lights[0], hit->position);
                 const double texel_m =
                     view.texel_size(glm::dot(view.eye - hit->position, view.axes[2]), frame.map_resolution);
                 ASSERT_NEAR(gap_m, 1, 0.03) << x << "," << y;

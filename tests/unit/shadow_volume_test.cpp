@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-constexpr double kEndless = 1e4;
+constexpr double kFarAway_m = 1e4;
 
 struct Ws {
     glm::dvec3 a, b, c;
@@ -54,7 +54,7 @@ public:
     }
     /// How many triangles stand between the point and the light.
     int between(const glm::dvec3& p) const {
-        const glm::dvec3 d = light_.parallel ? light_.to_light * kEndless : light_.position_ws - p;
+        const glm::dvec3 d = light_.parallel ? light_.to_light * kFarAway_m : light_.position_ws - p;
         int sum = 0;
         for (const Ws& t : casters_) {
             const bool before = crossing(t, p, d) != 0, behind = crossing(t, p + d, d) != 0;
@@ -73,7 +73,7 @@ private:
     glm::dvec3 place(const glm::dmat4& world, std::uint32_t v) const {
         const glm::dvec3 at(world * glm::dvec4(glm::dvec3(mesh_.positions[v / 2]), 1));
         if (v % 2 == 0) return at;
-        return at + kEndless * (light_.parallel ? -light_.to_light : glm::normalize(at - light_.position_ws));
+        return at + kFarAway_m * (light_.parallel ? -light_.to_light : glm::normalize(at - light_.position_ws));
     }
 };
 
