@@ -74,6 +74,7 @@ std::string_view size_idle(const Settings& s, int) {
 }
 
 std::string_view cascades_idle(const Settings& s, int i) {
+    if (!source_of(s, i).needs.map) return "without effect: light.source is not a map";
     if (!has_type(s, i, LightType::Directional)) return "without effect: only a directional light has cascades";
     if (!of(s, i).cast) return "without effect: the light casts no shadow";
     if (of(s, i).projection == at(LightProjection::Perspective))

@@ -7,7 +7,7 @@
 namespace si {
 namespace {
 
-constexpr double kFlat = 1e-12;  // a box whose volume is that share of what its edges span has no inside
+constexpr double kFlatBox = 1e-12;  // a box whose volume is that share of what its edges span has no inside
 
 /// a + b . p >= 0 is inside.
 struct Plane {
@@ -70,7 +70,7 @@ struct Slice {
 std::optional<std::array<Plane, 6>> planes_of(const Box& box) {
     const glm::dmat3 edges(box[1] - box[0], box[2] - box[0], box[4] - box[0]);
     const double volume = std::abs(glm::determinant(edges));
-    if (!(volume > kFlat * glm::length(edges[0]) * glm::length(edges[1]) * glm::length(edges[2]))) return {};
+    if (!(volume > kFlatBox * glm::length(edges[0]) * glm::length(edges[1]) * glm::length(edges[2]))) return {};
     const glm::dmat3 rows = glm::transpose(glm::inverse(edges));
     std::array<Plane, 6> planes;
     for (int i = 0; i < 3; ++i) {
