@@ -129,6 +129,7 @@ Json results_json(const SweepState& state, const SweepPlan& plan) {
                                                : state.run(ranked.rounds.front().first);
     Json json = {{"format", kResultsFormat}, {"version", kResultsVersion}};
     for (const char* key : {"scene", "picture", "truth", "settings", "axes", "shard"}) json[key] = state.spec.at(key);
+    json["settings_version"] = kSettingsVersion;
     json["combinations"] = plan.product;
     json["cases"] = plan.cases.size();
     json["finished"] = finished, json["failed"] = failed;
