@@ -179,7 +179,7 @@ void add_probe(CLI::App& app, Options& o, std::function<void()>& run) {
 
 void add_list(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* c = app.add_subcommand("list", "List what there is, with explanations");
-    c->add_option("WHAT", o.list.kind, "settings, filters, views, overlays, scenes or presets")->required();
+    c->add_option("WHAT", o.list.kind, "settings, filters, fits, views, overlays, scenes or presets")->required();
     c->add_option("KEY", o.list.prefix, "Only keys that start with this, such as bias or bias.slope");
     c->add_flag("--json", o.json, "An array of rows as JSON");
     c->callback([&o, &run] {

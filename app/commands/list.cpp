@@ -11,6 +11,7 @@
 #include "renderer/base/error.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
 
@@ -65,6 +66,18 @@ Json filter_rows() {
         json["gathers"] = cost.gathers;
         json["sampler_taps"] = cost.sampler_taps;
         json["settings"] = std::vector<std::string>(f.settings.begin(), f.settings.end());
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Json fit_rows() {
+    Json list = Json::array();
+    for (const FitRow& f : fits()) {
+        Json json = row(f.key, f.label, f.help);
+        json["paper"] = f.paper;
+        json["reads_camera"] = f.reads_camera;
+        json["narrows"] = f.narrows;
         list.push_back(std::move(json));
     }
     return list;
@@ -156,7 +169,8 @@ void print_rows(const Json& list) {
 }  // namespace
 
 const std::vector<std::string>& list_kinds() {
-    static const std::vector<std::string> kinds = {"settings", "filters", "views", "overlays", "scenes", "presets"};
+    static const std::vector<std::string> kinds = {"settings", "filters", "fits",   "views",
+                                                   "overlays", "scenes",  "presets"};
     return kinds;
 }
 
@@ -164,6 +178,7 @@ void run_list(const ListOptions& options) {
     const std::string& kind = options.kind;
     Json list = kind == "settings"   ? setting_rows()
                 : kind == "filters"  ? filter_rows()
+                : kind == "fits"     ? fit_rows()
                 : kind == "views"    ? view_rows()
                 : kind == "overlays" ? overlay_rows()
                 : kind == "scenes"   ? scene_rows()

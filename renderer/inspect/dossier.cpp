@@ -102,6 +102,9 @@ private:
         if (!p_.casts)
             return d_.right ? "right: lit, as no map is drawn for this light"
                             : "wrong: dark in truth, but this light has no map";
+        if (p_.where == "beyond shadows")
+            return d_.right ? "right: lit, as light.fit has found that nothing can cast a shadow there"
+                            : "wrong: dark in truth, where light.fit has found that nothing can cast a shadow";
         if (truth_.evidence.place == CauseEvidence::kOutside)
             return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", p_.where,
                                dark() ? "dark" : "lit",

@@ -1,5 +1,6 @@
 // Rows of the lights: light.count, and light.<i>.* for i below 16.
 #include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
 #include "renderer/settings/rows.h"
 
 namespace si {
@@ -11,10 +12,6 @@ constexpr Choice kTypes[] = {
     {"directional", "directional", "Parallel rays from infinitely far away, as the sun's."},
     {"spot", "spot", "A cone from a point; falls with the square of the distance."},
     {"point", "point", "All directions from a point, drawn as six map faces; falls with the square of the distance."},
-};
-constexpr Choice kFits[] = {
-    {"manual", "by hand", "near, far, extent and distance as given (0: as the scene fit finds them)."},
-    {"scene", "whole scene", "The frustum holds the bounds of the scene."},
 };
 constexpr Choice kProjections[] = {
     {"auto", "automatic", "Orthographic for directional lights, perspective for the others."},
@@ -147,7 +144,7 @@ constexpr auto kLight = with_scope(
         {SI_LIGHT_FIELD(blue), .label = "Blue", .unit = "", .min = 0, .max = 1, .help = "Colour, linear blue."},
         {SI_LIGHT_FIELD(cast), .label = "Casts shadows", .unit = "",
          .help = "Whether the light has a shadow map. Off: everything it reaches is lit, and no map is drawn for it."},
-        {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", SI_CHOICES(kFits),
+        {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", .choices = fit_choices,
          SI_IDLE(has_no_use_for_map(s, i), "without effect: the light casts no shadow"),
          .help = "Who chooses what the shadow map covers."},
         {SI_LIGHT_FIELD(projection), .label = "Projection", .unit = "", SI_CHOICES(kProjections),
