@@ -9,11 +9,14 @@
 #include "app/session/presets.h"
 #include "app/session/setting_json.h"
 #include "renderer/base/error.h"
+#include "renderer/reference/metrics.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
@@ -86,6 +89,27 @@ Json bias_rows() {
         json["stage"] = kStages[std::size_t(b.stage)];
         json["settings"] = b.settings;
         json["per_texel"] = b.per_texel;
+    });
+}
+
+Json fit_rows() {
+    return technique_rows(fits(), [](Json& json, const FitRow& f) {
+        json["reads_camera"] = f.reads_camera;
+        json["narrows"] = f.narrows;
+    });
+}
+
+Json source_rows() {
+    return technique_rows(sources(), [](Json& json, const Source& s) {
+        json["file"] = s.file;
+        json["fused"] = s.fused;
+    });
+}
+
+Json metric_rows() {
+    return technique_rows(metrics(), [](Json& json, const Metric& m) {
+        json["unit"] = m.unit;
+        json["formula"] = m.formula;
     });
 }
 
@@ -181,8 +205,9 @@ struct ListKind {
 
 const std::vector<ListKind>& kinds_of_lists() {
     static const std::vector<ListKind> kinds = {
-        {"settings", setting_rows}, {"filters", filter_rows}, {"biases", bias_rows},   {"views", view_rows},
-        {"overlays", overlay_rows}, {"scenes", scene_rows},   {"presets", preset_rows}};
+        {"settings", setting_rows}, {"filters", filter_rows}, {"biases", bias_rows},      {"sources", source_rows},
+        {"fits", fit_rows},         {"views", view_rows},     {"overlays", overlay_rows}, {"metrics", metric_rows},
+        {"scenes", scene_rows},     {"presets", preset_rows}};
     return kinds;
 }
 
