@@ -47,7 +47,7 @@ protected:
         const FrameResult frame = renderer.render(scene, s, request);
         for (const std::string& note : frame.notes) ADD_FAILURE() << note;
         const FloatImage v = renderer.read_float(frame.visibility, 1);
-        const TruthTask task = truth_task(renderer, scene, s, request, 0, {.nearest = false}, cache.geometry());
+        const TruthTask task = truth_task(renderer, scene, s, request, 0, {.nearest = false});
         const std::shared_ptr<const Truth> truth = cache.trace(task, {.threads = 2}).truth;
         Compared c{.pixels = v.data.size()};
         for (int y = 0; y < v.height; ++y)

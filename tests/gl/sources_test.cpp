@@ -26,8 +26,7 @@ protected:
         return renderer.read_float(render_with_truth(renderer, scene, s, request, cache, workers).visibility, 1);
     }
     Truth truth(const Scene& scene, const Settings& s, int light) {
-        const TruthTask task =
-            truth_task(renderer, scene, s, asks_for_visibility(), light, truth_options(s), cache.geometry());
+        const TruthTask task = truth_task(renderer, scene, s, asks_for_visibility(), light, truth_options(s));
         return *cache.trace(task, workers).truth;
     }
 };
