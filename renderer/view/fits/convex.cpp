@@ -43,7 +43,7 @@ void clip(Polygon& polygon, const HalfSpace& plane) {
     polygon = std::move(left);
 }
 
-std::vector<HalfSpace> planes_of(const Box& body) {
+std::vector<HalfSpace> half_spaces_of(const Box& body) {
     glm::dvec3 centre(0);
     for (const glm::dvec3& p : body) centre += p / 8.0;
     const double size = extent_m(body);
@@ -75,11 +75,11 @@ std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace
     return points;
 }
 
-std::vector<glm::dvec3> common_points(const Box& a, std::span<const HalfSpace> planes_of_a, const Box& b,
-                                      std::span<const HalfSpace> planes_of_b) {
-    std::vector<glm::dvec3> points = points_within(a, planes_of_b);
+std::vector<glm::dvec3> common_points(const Box& a, std::span<const HalfSpace> sides_of_a, const Box& b,
+                                      std::span<const HalfSpace> sides_of_b) {
+    std::vector<glm::dvec3> points = points_within(a, sides_of_b);
     // A flat body holds no corner of another; its own sides say it all.
-    if (planes_of_a.size() == 6) add_sides_within(points, b, planes_of_a);
+    if (sides_of_a.size() == 6) add_sides_within(points, b, sides_of_a);
     return points;
 }
 

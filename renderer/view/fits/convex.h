@@ -18,7 +18,7 @@ using Polygon = std::vector<glm::dvec3>;
 void clip(Polygon& polygon, const HalfSpace& plane);
 
 /// The planes of a body with eight corners (ordered as Box), facing inwards; those of sides without area are left out.
-std::vector<HalfSpace> planes_of(const Box& body);
+std::vector<HalfSpace> half_spaces_of(const Box& body);
 
 /// Points whose hull is what lies of a body within all of the planes, where these are sides that never end (of a
 /// prism): no corner of theirs may lie within the body.
@@ -26,7 +26,7 @@ std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace
 
 /// Points whose hull is what two bodies have in common; none when that is nothing. The bodies may be flat; of two flat
 /// ones nothing is found but what their sides cut of each other.
-std::vector<glm::dvec3> common_points(const Box& a, std::span<const HalfSpace> planes_of_a, const Box& b,
-                                      std::span<const HalfSpace> planes_of_b);
+std::vector<glm::dvec3> common_points(const Box& a, std::span<const HalfSpace> sides_of_a, const Box& b,
+                                      std::span<const HalfSpace> sides_of_b);
 
 }  // namespace si

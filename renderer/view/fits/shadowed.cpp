@@ -148,7 +148,7 @@ private:
             return;
         }
         Blocker blocker;
-        for (const HalfSpace& inwards : planes_of(in_.shape.boxes[caster])) {
+        for (const HalfSpace& inwards : half_spaces_of(in_.shape.boxes[caster])) {
             const HalfSpace side{-inwards.normal, -inwards.offset};
             if (facing(side, at) > kEdgeOn) blocker.planes.push_back(behind(side));
         }
@@ -258,7 +258,7 @@ ViewExtent lit_extent(const FitInput& in, std::size_t box) {
     if (!(far > 0) || e.lo.z > far) return {};
     if (is_within(e, in.view, near, far)) return lit_extent(in, std::span<const glm::dvec3>(corners));
     const Box pyramid = pyramid_of(in.view, near, far);
-    return lit_extent(in, common_points(corners, planes_of(corners), pyramid, planes_of(pyramid)));
+    return lit_extent(in, common_points(corners, half_spaces_of(corners), pyramid, half_spaces_of(pyramid)));
 }
 
 std::optional<MapRegion> shadowed_region(const FitInput& in, std::span<const ViewExtent> receivers) {

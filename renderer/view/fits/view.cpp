@@ -26,7 +26,7 @@ Box frustum_of(const Camera& camera) {
 std::optional<MapRegion> fit_view(const FitInput& in) {
     if (!in.camera) return fit_casters(in);
     const Box frustum = frustum_of(*in.camera);
-    const std::vector<HalfSpace> sides = planes_of(frustum);
+    const std::vector<HalfSpace> sides = half_spaces_of(frustum);
     std::vector<ViewExtent> receivers(in.shape.boxes.size());
     for (std::size_t i = 0; i < receivers.size(); ++i) {
         if (!in.shape.box_receives[i]) continue;
@@ -34,7 +34,8 @@ std::optional<MapRegion> fit_view(const FitInput& in) {
         const bool whole = std::ranges::all_of(sides, [&](const HalfSpace& side) {
             return std::ranges::all_of(box, [&](const glm::dvec3& p) { return side.distance(p) >= 0; });
         });
-        receivers[i] = whole ? lit_extent(in, i) : lit_extent(in, common_points(box, planes_of(box), frustum, sides));
+        receivers[i] =
+            whole ? lit_extent(in, i) : lit_extent(in, common_points(box, half_spaces_of(box), frustum, sides));
     }
     return shadowed_region(in, receivers);
 }
