@@ -11,6 +11,7 @@
 #include "app/session/setting_json.h"
 #include "renderer/base/embedded.h"
 #include "renderer/base/error.h"
+#include "renderer/settings/earlier.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -19,7 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "shadow-inspector-preset";
-constexpr int kVersion = 1;
 constexpr std::string_view kFolder = "assets/presets/", kExtension = ".json";
 
 [[noreturn]] void refuse(const std::string& name, const std::string& why) {
@@ -79,7 +79,8 @@ std::string text_member(const Json& json, const char* key, const std::string& na
     return it->get<std::string>();
 }
 
-void check_header(const Json& json, const std::string& name) {
+/// The version of the file.
+int check_header(const Json& json, const std::string& name) {
     static const std::vector<std::string> known = {"format", "version", "title", "topic", "about", "scene", "settings"};
     if (!json.is_object()) refuse(name, "not a preset: an object {\"format\": ...} is wanted");
     const auto format = json.find("format");
@@ -87,9 +88,12 @@ void check_header(const Json& json, const std::string& name) {
         refuse(name, fmt::format("not a preset: \"format\" must be \"{}\"", kFormat));
     }
     const auto version = json.find("version");
-    if (version == json.end() || *version != kVersion) {
-        refuse(name, fmt::format("\"version\" is {}, but this program reads version {}",
-                                 version == json.end() ? "missing" : version->dump(), kVersion));
+    const bool whole = version != json.end() && version->is_number_integer();
+    if (!whole || *version < 1 || *version > kSettingsVersion) {
+        refuse(name,
+               fmt::format("\"version\" is {}, but this program reads versions 1 to {}{}",
+                           version == json.end() ? "missing" : version->dump(), kSettingsVersion,
+                           whole && *version > kSettingsVersion ? ": a newer one wrote the file; open it there" : ""));
     }
     for (const auto& [key, value] : json.items()) {
         if (std::find(known.begin(), known.end(), key) == known.end()) {
@@ -98,6 +102,7 @@ void check_header(const Json& json, const std::string& name) {
     }
     const auto settings = json.find("settings");
     if (settings == json.end() || !settings->is_object()) refuse(name, "\"settings\" must be an object of key: value");
+    return version->get<int>();
 }
 
 /// The presets inside the program, by file name.
@@ -120,32 +125,40 @@ std::string preset_key(const EmbeddedFile& file) {
 
 Preset parse_preset(std::string_view text, const std::string& name) {
     const Json json = parse_json(text, name);
-    check_header(json, name);
+    const int version = check_header(json, name);
     Preset preset;
     preset.title = text_member(json, "title", name);
     preset.topic = text_member(json, "topic", name);
     preset.about = text_member(json, "about", name);
     preset.scene = text_member(json, "scene", name);
     std::map<std::string, std::string> written;  // canonical key -> key as written
+    std::vector<SettingValue> values;
     for (const auto& [key, value] : json["settings"].items()) {
         const std::string place = fmt::format("settings.\"{}\": ", key);
         const auto ref = find_setting(key);
         if (!ref) refuse(name, place + fmt::format("unknown setting; did you mean {}?", nearest_key(key)));
-        const auto [earlier, is_new] = written.emplace(setting_key(*ref), key);
-        if (!is_new) refuse(name, place + fmt::format("the same setting as \"{}\"; keep one", earlier->second));
         try {
-            set_value(preset.settings, *ref, setting_from_json(*ref, value));
+            const std::size_t first = values.size();
+            values.emplace_back(*ref, setting_from_json(*ref, value));
+            if (value.is_string())
+                std::ranges::move(also_meant(*ref, value.get<std::string>()), std::back_inserter(values));
+            for (std::size_t i = first; i < values.size(); ++i) {
+                const auto [earlier, is_new] = written.emplace(setting_key(values[i].first), key);
+                if (!is_new) refuse(name, place + fmt::format("the same setting as \"{}\"; keep one", earlier->second));
+            }
         } catch (const UsageError& e) {
             refuse(name, place + e.what());
         }
     }
+    preset.settings = defaults_of_version(version, lights_of(values));
+    for (const auto& [ref, value] : values) set_value(preset.settings, ref, value);
     return preset;
 }
 
 std::string preset_text(const Preset& preset) {
     Json json;
     json["format"] = kFormat;
-    json["version"] = kVersion;
+    json["version"] = kSettingsVersion;
     for (const auto& [key, text] : {std::pair{"title", &preset.title},
                                     {"topic", &preset.topic},
                                     {"about", &preset.about},

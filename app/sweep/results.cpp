@@ -146,6 +146,7 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
 Json results_json(const SweepResults& results) {
     Json json = {{"format", kResultsFormat}, {"version", kResultsVersion}};
     for (const char* key : {"scene", "picture", "truth", "settings", "axes", "shard"}) json[key] = results.spec.at(key);
+    json["settings_version"] = kSettingsVersion;
     json["combinations"] = results.combinations;
     json["cases"] = results.cases;
     json["finished"] = results.finished, json["failed"] = results.failed;

@@ -26,6 +26,20 @@ std::string shown(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+/// All values that settings have in a sweep, in what its cases share or in some of them.
+std::vector<SettingValue> values_named(const Json& settings, const std::vector<SweepAxis>& axes) {
+    std::vector<SettingValue> values;
+    const auto add = [&](const std::string& key, const std::string& text) {
+        const auto ref = find_setting(key);
+        if (!ref) throw Error(fmt::format("{}: no such setting", key));
+        values.emplace_back(*ref, parse_value(*ref, text));
+    };
+    for (const auto& [key, value] : settings.items()) add(key, value.get<std::string>());
+    for (const SweepAxis& axis : axes)
+        for (const std::string& value : axis.values) add(axis.key, value);
+    return values;
+}
+
 std::string axes_text(const Json& axes) {
     std::string text;
     for (const Json& axis : axes) {
@@ -100,7 +114,7 @@ Json spec_json(const SweepSpec& spec) {
     return json;
 }
 
-SweepSpec spec_from_json(const Json& json) {
+SweepSpec spec_from_json(const Json& json, int settings_version) {
     try {
         SweepSpec spec;
         spec.scene = json.at("scene").at("name").get<std::string>();
@@ -108,12 +122,12 @@ SweepSpec spec_from_json(const Json& json) {
         spec.scene_content = std::stoull(json["scene"].at("content").get<std::string>(), nullptr, 16);
         spec.width = json.at("picture").at("width").get<int>(), spec.height = json["picture"].at("height").get<int>();
         spec.area = json.at("truth") == "area";
-        for (const auto& [key, value] : json.at("settings").items())
-            set_setting(spec.base, key, value.get<std::string>());
         for (const Json& axis : json.at("axes")) {
             spec.axes.push_back({axis.at("key").get<std::string>(), axis.at("values").get<std::vector<std::string>>()});
             if (spec.axes.back().values.empty()) throw Error(fmt::format("{} has no values", spec.axes.back().key));
         }
+        spec.base = defaults_of_version(settings_version, lights_of(values_named(json.at("settings"), spec.axes)));
+        for (const auto& [key, value] : json["settings"].items()) set_setting(spec.base, key, value.get<std::string>());
         spec.shard = parse_shard(json.at("shard").get<std::string>());
         return spec;
     } catch (const std::exception& e) {

@@ -8,6 +8,7 @@
 
 #include "app/session/session.h"
 #include "renderer/measure/axes.h"
+#include "renderer/settings/earlier.h"
 
 namespace si {
 
@@ -39,8 +40,9 @@ SweepSpec sweep_spec(const std::string& scene_name, const Scene& scene, const Se
                      std::vector<SweepAxis> axes, int width, int height);
 
 nlohmann::ordered_json spec_json(const SweepSpec& spec);
+/// @param settings_version of the file that it is from (earlier.h)
 /// @throws Error when it is not what spec_json() writes
-SweepSpec spec_from_json(const nlohmann::ordered_json& json);
+SweepSpec spec_from_json(const nlohmann::ordered_json& json, int settings_version = kSettingsVersion);
 
 /// Of the cases and their order, which follow from the spec and from what the program knows of its settings.
 std::string plan_key(const SweepPlan& plan);

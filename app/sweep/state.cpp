@@ -22,7 +22,6 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr const char* kJournalFormat = "shadow-inspector-sweep-journal";
-constexpr int kJournalVersion = 1;
 
 std::string machine_key() {
     std::string id;
@@ -98,9 +97,13 @@ const RunInfo* SweepState::run(const std::string& id) const {
 void SweepState::apply(const Json& line) {
     if (line.contains("format")) {
         if (line["format"] != kJournalFormat) throw Error("this is no journal of a sweep");
-        if (line.at("version") != kJournalVersion)
-            throw Error(fmt::format("version {} of the journal is not known; {} is", line["version"].dump(), kJournalVersion));
+        const Json& version = line.at("version");
+        if (!version.is_number_integer() || version < 1 || version > kSettingsVersion)
+            throw Error(fmt::format("version {} of the journal is not known; versions 1 to {} are", version.dump(),
+                                    kSettingsVersion));
         spec = line.at("spec");
+        // As this program would have written it.
+        if (version < kSettingsVersion) spec = spec_json(spec_from_json(spec, version.get<int>()));
         plan = line.at("plan").get<std::string>();
     } else if (line.contains("turn")) {
         cases[line["turn"].get<std::size_t>()].turns.push_back(turn_of(line));
@@ -125,7 +128,7 @@ void SweepState::apply(const Json& line) {
 }
 
 Json header_line(const Json& spec, const std::string& plan) {
-    return {{"format", kJournalFormat}, {"version", kJournalVersion}, {"plan", plan}, {"spec", spec}};
+    return {{"format", kJournalFormat}, {"version", kSettingsVersion}, {"plan", plan}, {"spec", spec}};
 }
 
 Json run_line(const RunInfo& run) {

@@ -66,7 +66,7 @@ std::string note_on_merged(const Settings& base, const SweepAxis& axis, const st
     std::string why;
     for (const std::string& value : axis.values) {
         Settings s = base;
-        set_value(s, ref, parse_value(ref, value));
+        set_setting(s, axis.key, value);
         if (why.empty() && !kept.contains(value)) why = idle_reason(s, ref);
     }
     if (axis.key.starts_with("view.") && axis.key != "view.light") why = "without effect on what is measured";
@@ -110,7 +110,9 @@ SweepAxis parse_axis(std::string_view text) {
         throw UsageError(fmt::format("--vary {}: more than {} values", axis.key, kMaxValues));
     std::vector<std::string> unique;
     for (const std::string& value : axis.values) {
-        const std::string canonical = value_text(*ref->param, parse_value(*ref, value));
+        // An old name that says more than one of today stays what it is.
+        const std::string canonical =
+            also_meant(*ref, value).empty() ? value_text(*ref->param, parse_value(*ref, value)) : value;
         if (std::find(unique.begin(), unique.end(), canonical) == unique.end()) unique.push_back(canonical);
     }
     axis.values = std::move(unique);

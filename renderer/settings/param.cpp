@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "renderer/settings/aliases.h"
 #include "renderer/settings/owners.h"
 #include "renderer/settings/sources.h"
 
@@ -12,10 +13,13 @@ namespace {
 
 constexpr std::string_view kLightPrefix = "light.", kObjectPrefix = "object.";
 
-/// The row whose key is exactly `key` and whose scope is `scope`.
+/// The row whose key is, or once was, exactly `key` and whose scope is `scope`.
 const Param* find_row(std::string_view key, Scope scope) {
     for (const Param& p : params()) {
         if (p.scope == scope && p.key == key) return &p;
+    }
+    for (const SettingAlias& alias : aliases().settings) {
+        if (alias.was == key) return find_row(alias.key, scope);
     }
     return nullptr;
 }

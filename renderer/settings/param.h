@@ -53,7 +53,8 @@ struct SettingRef {
     std::string object;  ///< node path for Scope::Object
 };
 
-/// Finds a dotted key ("bias.slope", "light.2.azimuth", "light.azimuth", "object.Root/Fence.cull").
+/// Finds a dotted key, of today or an old one (aliases.h) ("bias.slope", "light.2.azimuth", "light.azimuth",
+/// "object.Root/Fence.cull").
 std::optional<SettingRef> find_setting(std::string_view key);
 /// The canonical dotted key of a setting ("light.azimuth" is light 0).
 std::string setting_key(const SettingRef& ref);
@@ -71,9 +72,13 @@ Value default_value(const SettingRef& ref);
 
 /// The value as presets and --set write it: choice keys, true/false, shortest round-trip numbers.
 std::string value_text(const Param& p, const Value& v);
-/// Parses and range-checks a value. @throws UsageError naming the key, the value and what is allowed.
+/// Parses and range-checks a value; old names of choices are read too. @throws UsageError naming the key, the value and
+/// what is allowed.
 Value parse_value(const SettingRef& ref, std::string_view text);
-/// find_setting + parse_value + set_value. @throws UsageError (unknown key: names the nearest).
+/// What else a text sets, where it is an old name of a choice that several settings stand for now; else nothing.
+std::vector<std::pair<SettingRef, Value>> also_meant(const SettingRef& ref, std::string_view text);
+/// find_setting + parse_value + set_value, and what else the text meant. @throws UsageError (unknown key: names the
+/// nearest).
 void set_setting(Settings& s, std::string_view key, std::string_view text);
 
 /// Every setting that `s` has (lights 0..15, objects with an override), in table order.

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "renderer/base/error.h"
+#include "renderer/settings/aliases.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -36,6 +37,13 @@ std::optional<T> read_number(std::string_view text) {
     return v;
 }
 
+const ChoiceAlias* alias_of(const SettingRef& ref, std::string_view text) {
+    const auto rows = aliases().choices;
+    const auto it =
+        std::ranges::find_if(rows, [&](const ChoiceAlias& a) { return a.key == ref.param->key && a.was == text; });
+    return it == rows.end() ? nullptr : &*it;
+}
+
 int parse_choice(const SettingRef& ref, std::string_view text) {
     const auto choices = ref.param->choices();
     std::vector<std::string> keys;
@@ -43,6 +51,7 @@ int parse_choice(const SettingRef& ref, std::string_view text) {
         if (choices[i].key == text) return int(i);
         keys.emplace_back(choices[i].key);
     }
+    if (const ChoiceAlias* alias = alias_of(ref, text)) return parse_choice(ref, alias->choice);
     refuse(ref, text, fmt::format("is none of {}; did you mean {}?", fmt::join(keys, ", "), nearest_name(text, keys)));
 }
 
@@ -110,12 +119,26 @@ Value parse_value(const SettingRef& ref, std::string_view text) {
     return parse_number(ref, text, false) + 0.0;  // + 0.0: "-0" is 0
 }
 
+std::vector<std::pair<SettingRef, Value>> also_meant(const SettingRef& ref, std::string_view text) {
+    std::vector<std::pair<SettingRef, Value>> more;
+    const ChoiceAlias* alias = ref.param->choices ? alias_of(ref, text) : nullptr;
+    if (!alias) return more;
+    for (const ChoiceAlias::Also& also : alias->also) {
+        if (also.key.empty()) continue;
+        SettingRef other = *find_setting(also.key);
+        other.light = ref.light, other.object = ref.object;
+        more.emplace_back(other, parse_value(other, also.value));
+    }
+    return more;
+}
+
 void set_setting(Settings& s, std::string_view key, std::string_view text) {
     const auto ref = find_setting(key);
     if (!ref) {
         throw UsageError(fmt::format("\"{}\": unknown setting; did you mean {}?", key, nearest_key(key)));
     }
     set_value(s, *ref, parse_value(*ref, text));
+    for (const auto& [other, value] : also_meant(*ref, text)) set_value(s, other, value);
 }
 
 std::vector<std::string> sanitise(Settings& s) {

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string with_settings(const std::string& settings) {
-    return R"({"format":"shadow-inspector-preset","version":1,"settings":{)" + settings + "}}";
+    return R"({"format":"shadow-inspector-preset","version":2,"settings":{)" + settings + "}}";
 }
 
 std::string refusal(const std::string& json) {
@@ -69,7 +69,7 @@ TEST(Presets, RoundTrip) {
 TEST(Presets, HoldsOnlyDifferencesWithChoicesByKey) {
     const auto json = nlohmann::json::parse(preset_text(sample()));
     EXPECT_EQ(json["format"], "shadow-inspector-preset");
-    EXPECT_EQ(json["version"], 1);
+    EXPECT_EQ(json["version"], 2);
     EXPECT_EQ(json["settings"].size(), 6u);
     EXPECT_EQ(json["settings"]["filter.kernel"], "hard");
     EXPECT_EQ(json["settings"]["map.reversed_z"], true);
@@ -116,7 +116,12 @@ TEST(Presets, WrongFilesAreRefusedWithThePlace) {
         {"[]", "not a preset"},
         {"{}", "\"format\" must be"},
         {R"({"format":"other","version":1,"settings":{}})", "\"format\" must be"},
-        {R"({"format":"shadow-inspector-preset","version":2,"settings":{}})", "\"version\" is 2"},
+        {R"({"format":"shadow-inspector-preset","version":3,"settings":{}})",
+         "\"version\" is 3, but this program reads versions 1 to 2: a newer one wrote the file"},
+        {R"({"format":"shadow-inspector-preset","version":0,"settings":{}})",
+         "\"version\" is 0, but this program reads versions 1 to 2"},
+        {R"({"format":"shadow-inspector-preset","version":"1","settings":{}})", "\"version\" is \"1\""},
+        {R"({"format":"shadow-inspector-preset","version":1.5,"settings":{}})", "\"version\" is 1.5"},
         {R"({"format":"shadow-inspector-preset","settings":{}})", "\"version\" is missing"},
         {R"({"format":"shadow-inspector-preset","version":1})", "\"settings\" must be an object"},
         {R"({"format":"shadow-inspector-preset","version":1,"settings":[]})", "\"settings\" must be an object"},
