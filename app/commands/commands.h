@@ -73,7 +73,7 @@ struct ProbeOptions {
 void run_probe(const ProbeOptions& options);
 
 struct ListOptions {
-    std::string kind;    ///< settings, filters, views, overlays, scenes, presets
+    std::string kind;    ///< settings, filters, fits, views, overlays, scenes, presets
     std::string prefix;  ///< of the keys to list
     bool json = false;
 };

@@ -12,6 +12,7 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
 
@@ -86,6 +87,13 @@ Json bias_rows() {
         json["stage"] = kStages[std::size_t(b.stage)];
         json["settings"] = b.settings;
         json["per_texel"] = b.per_texel;
+    });
+}
+
+Json fit_rows() {
+    return technique_rows(fits(), [](Json& json, const FitRow& f) {
+        json["reads_camera"] = f.reads_camera;
+        json["narrows"] = f.narrows;
     });
 }
 
@@ -181,8 +189,8 @@ struct ListKind {
 
 const std::vector<ListKind>& kinds_of_lists() {
     static const std::vector<ListKind> kinds = {
-        {"settings", setting_rows}, {"filters", filter_rows}, {"biases", bias_rows},   {"views", view_rows},
-        {"overlays", overlay_rows}, {"scenes", scene_rows},   {"presets", preset_rows}};
+        {"settings", setting_rows}, {"filters", filter_rows},   {"biases", bias_rows},  {"fits", fit_rows},
+        {"views", view_rows},       {"overlays", overlay_rows}, {"scenes", scene_rows}, {"presets", preset_rows}};
     return kinds;
 }
 

@@ -133,7 +133,8 @@ bool Workspace::read(WorkspaceData& data) {
     if (!fs::exists(fs::symlink_status(path, error))) return true;
     try {
         const Json json = Json::parse(read_text_file(path), nullptr, false);
-        if (!json.is_object() || json.value("format", Json()) != kWorkspaceFormat || json.value("version", Json()) != kWorkspaceVersion)
+        if (!json.is_object() || json.value("format", Json()) != kWorkspaceFormat ||
+            json.value("version", Json()) != kWorkspaceVersion)
             throw Error(
                 fmt::format("{}: not a workspace of this version; move it away to have layout and recent files "
                             "remembered again",

@@ -64,8 +64,8 @@ std::vector<Column> make_columns() {
                               &T::total_ms, &Spread::median));
     all.push_back(time_column("p95", "total_ms", "Time of a frame, 95 %", "Nineteen frames of twenty take less.",
                               &T::total_ms, &Spread::p95));
-    all.push_back(time_column("median", "shadow_maps_ms", "Time of shadow maps", "Median of the passes that draw maps, or shadow volumes.",
-                              &T::maps_ms, &Spread::median));
+    all.push_back(time_column("median", "shadow_maps_ms", "Time of shadow maps",
+                              "Median of the passes that draw maps, or shadow volumes.", &T::maps_ms, &Spread::median));
     all.push_back(time_column("median", "picture_ms", "Time of the picture",
                               "Median of all other passes: visibility and shading.", &T::picture_ms, &Spread::median));
     all.push_back({.key = "time.spread",

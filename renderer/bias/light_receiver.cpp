@@ -37,7 +37,10 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     const bool reversed = view.curve.convention.reversed;
     const bool beyond = reversed ? r.uvd.z < 0 : r.uvd.z > 1;
     const bool sides = r.uvd.x < 0 || r.uvd.x > 1 || r.uvd.y < 0 || r.uvd.y > 1;
+    const double rim = 1.0 / resolution;
+    const bool shadowless = light.closed && (r.uvd.x < rim || r.uvd.x > 1 - rim || r.uvd.y < rim || r.uvd.y > 1 - rim);
     r.place = w <= 0                      ? MapPlace::Behind
+              : shadowless                ? MapPlace::BeyondShadows
               : beyond                    ? MapPlace::BeyondFar
               : sides                     ? MapPlace::Sides
               : r.own_m < view.curve.near ? MapPlace::BeforeNear

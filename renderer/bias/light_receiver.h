@@ -14,7 +14,8 @@ inline bool faces_light(double n_dot_l) {
     return n_dot_l > double(shared::FACES_AWAY_COSINE);
 }
 
-enum class MapPlace { Inside, BeforeNear, Sides, BeyondFar, Behind };
+/// BeyondShadows: where nothing can cast one, as the light's fit has found.
+enum class MapPlace { Inside, BeforeNear, Sides, BeyondFar, Behind, BeyondShadows };
 
 struct LightReceiver {
     std::size_t view = 0;        ///< of the light's

@@ -10,6 +10,7 @@
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
 #include "renderer/view/kernel_reach.h"
@@ -38,6 +39,8 @@ Key lights_as_placed_key(const FrameState& f) {
             for (int i = 0; i < std::min(f.settings.light_count, kMaxLights); ++i)
                 std::visit([&](auto v) { key.add(v); }, get_value(f.settings, {&p, i, {}}));
     for (const auto& [path, o] : f.settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
+    for (int i = 0; i < f.settings.light_count; ++i)
+        if (fit_row(f.settings.lights[std::size_t(i)].fit).narrows) key.add(fit_margin_texels(f.settings));
     return key;
 }
 
@@ -60,7 +63,7 @@ void fit(FrameState& f) {
     Key key = lights_as_placed_key(f);
     if (key.value() != r.as_placed_key) {
         r.placed = place_lights(f.scene, f.settings);
-        r.as_placed = fit_maps(r.placed, f.settings, nullptr, f.driver.max_texture_size);
+        r.as_placed = fit_maps(r.placed, f.scene, f.settings, nullptr, f.driver.max_texture_size);
         r.as_placed_key = key.value();
     }
     f.camera = make_camera(f.scene, f.settings, double(f.request.width) / f.request.height, r.as_placed);
@@ -70,7 +73,7 @@ void fit(FrameState& f) {
         key.add(reach_of(f.settings).read).add(f.settings.bias.normal).add(f.settings.map.blur_texels);
     }
     if (key.value() != r.fit_key) {
-        r.fitted = camera ? fit_maps(r.placed, f.settings, &f.camera, f.driver.max_texture_size) : r.as_placed;
+        r.fitted = camera ? fit_maps(r.placed, f.scene, f.settings, &f.camera, f.driver.max_texture_size) : r.as_placed;
         r.fit_key = key.value();
     }
     f.view_count = 0;
@@ -119,6 +122,7 @@ std::string light_constants(const FrameState& f) {
            array("LIGHT_CASTS", [&](std::size_t i) { return int(lights[i].casts); }) +
            array("LIGHT_FIRST_VIEW", [&](std::size_t i) { return f.first_view[i]; }) +
            array("LIGHT_VIEWS", [&](std::size_t i) { return lights[i].casts ? int(lights[i].views.size()) : 0; }) +
+           array("LIGHT_CLOSED", [&](std::size_t i) { return int(lights[i].casts && lights[i].closed); }) +
            array("LIGHT_CHOICE", [&](std::size_t i) { return lights[i].casts ? int(lights[i].chooser.choice) : 0; }) +
            array("LIGHT_PERSPECTIVE",
                  [&](std::size_t i) { return int(lights[i].casts && lights[i].is_perspective()); });

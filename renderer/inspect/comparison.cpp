@@ -21,6 +21,8 @@ std::string_view place_name(MapPlace place) {
             return "beyond far";
         case MapPlace::Behind:
             return "behind";
+        case MapPlace::BeyondShadows:
+            return "beyond shadows";
     }
     return "";
 }
@@ -40,6 +42,7 @@ std::string verdict(const Settings& settings, const Probe::PerLight& p) {
     if (!p.receives) return "lit: this object receives no shadows";
     if (!faces_light(p.n_dot_l)) return "in shadow: the surface faces away from the light";
     if (p.where == "behind") return "outside the map: behind the light";
+    if (p.where == "beyond shadows") return "lit: where light.fit has found that nothing can cast a shadow";
     if (p.where == "beyond far" && settings.map.far_guard)
         return fmt::format("{}: beyond the light's far plane, the far guard decides",
                            p.visibility > 0.5 ? "lit" : "unlit");
@@ -168,7 +171,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     p.stored = guarded ? depths.border() : depths.at(p.texel);
     p.stored_m = view.curve.distance(p.stored), p.stored_linear = linear(p.stored_m);
     p.gap_m = (p.own_m - p.stored_m) / r.axis_per_ray;
-    if (r.place != MapPlace::Behind) {
+    if (r.place != MapPlace::Behind && r.place != MapPlace::BeyondShadows) {
         for (const RecordedTap& recorded : merged(pixel.taps)) {
             KernelTap tap{.texel = recorded.texel, .weight = recorded.weight, .stored = recorded.stored};
             tap.stored_m = view.curve.distance(tap.stored);

@@ -106,6 +106,9 @@ private:
                             : fmt::format("wrong: {} though {} in truth; {}", is, truth_.lit ? "lit" : "dark",
                                           p_.fitted.reason);
         }
+        if (p_.where == "beyond shadows")
+            return d_.right ? "right: lit, as light.fit has found that nothing can cast a shadow there"
+                            : "wrong: dark in truth, where light.fit has found that nothing can cast a shadow";
         if (truth_.evidence.place == CauseEvidence::kOutside)
             return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", p_.where,
                                dark() ? "dark" : "lit",

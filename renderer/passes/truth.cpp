@@ -66,14 +66,14 @@ std::uint64_t judged_key(const FrameState& f) {
     return key.add(f.gl.programs.source().generation()).value();
 }
 
-/// Whether nothing of the scene lies beyond the map of the shown light: it is fitted around all of it, or there is
+/// Whether nothing of the scene lies beyond the map of the shown light, or nothing that could be in shadow, or there is
 /// none.
 bool map_holds_all(const FrameState& f) {
     const auto light = std::size_t(f.settings.view.light);
     if (light >= f.gl.fitted.size()) return false;
     const FittedLight& fitted = f.gl.fitted[light];
     if (!fitted.casts) return true;
-    return fitted.type == LightType::Directional && f.settings.lights[light].fit == int(LightFit::Scene) &&
+    return fitted.type == LightType::Directional && f.settings.lights[light].fit != int(LightFit::Manual) &&
            fitted.chooser.choice == ViewChoice::One && !fitted.is_perspective();
 }
 

@@ -1,5 +1,6 @@
 // Rows of the lights: light.count, and light.<i>.* for i below 16.
 #include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
 #include "renderer/settings/rows.h"
 #include "renderer/settings/sources.h"
 
@@ -12,10 +13,6 @@ constexpr Choice kTypes[] = {
     {"directional", "directional", "Parallel rays from infinitely far away, as the sun's."},
     {"spot", "spot", "A cone from a point; falls with the square of the distance."},
     {"point", "point", "All directions from a point, drawn as six map faces; falls with the square of the distance."},
-};
-constexpr Choice kFits[] = {
-    {"manual", "by hand", "near, far, extent and distance as given (0: as the scene fit finds them)."},
-    {"scene", "whole scene", "The frustum holds the bounds of the scene."},
 };
 constexpr Choice kProjections[] = {
     {"auto", "automatic", "Orthographic for directional lights, perspective for the others."},
@@ -153,7 +150,7 @@ constexpr auto kLight = with_scope(
         {SI_LIGHT_FIELD(source), .label = "Source", .unit = "", .choices = source_choices,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
          .help = "Where the light's shadows come from. All can be held against the ray-traced truth."},
-        {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", SI_CHOICES(kFits), .idle = map_idle,
+        {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", .choices = fit_choices, .idle = map_idle,
          .help = "Who chooses what the shadow map covers."},
         {SI_LIGHT_FIELD(projection), .label = "Projection", .unit = "", SI_CHOICES(kProjections),
          .idle = projection_idle, .help = "The projection of the shadow map."},

@@ -196,8 +196,8 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .help = "How the shadow test is filtered. Wider kernels blur the stair steps and call for more bias.",
      .shader = true},
     {SI_FIELD(filter.method), .label = "Method", .unit = "", .cost = Cost::Program, SI_CHOICES(kMethods),
-     .idle = method_idle,
-     .help = "How the kernel reads the map. Both give the same picture at different cost.", .shader = true},
+     .idle = method_idle, .help = "How the kernel reads the map. Both give the same picture at different cost.",
+     .shader = true},
     {SI_FIELD(filter.taps), .label = "Taps", .unit = "taps", .min = 1, .max = 64, .logarithmic = true,
      .cost = Cost::Program,
      .help = "How many places of the disk are compared. Few of them show as steps in each edge, or as noise where "

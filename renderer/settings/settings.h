@@ -13,7 +13,7 @@ inline constexpr int kMaxCascades = 4;
 
 // Enumerations are stored as the index of their choice; the choices stand in the table, in this order.
 enum class LightType { Directional, Spot, Point };
-enum class LightFit { Manual, Scene };
+enum class LightFit { Manual, Scene, Casters, View };
 enum class CascadeChoice { Interval, Map };
 enum class LightProjection { Automatic, Orthographic, Perspective };
 enum class CameraSource { Automatic, Manual, Light };
@@ -107,6 +107,9 @@ struct FilterSettings {
     bool operator==(const FilterSettings&) const = default;
 };
 
+/// The row of the fit table that is chosen where nobody chooses.
+int default_fit();
+
 struct LightSettings {
     int type = 0;  ///< LightType
     double azimuth = -40, elevation = 45;
@@ -118,9 +121,9 @@ struct LightSettings {
     double intensity = 1;
     double red = 1, green = 1, blue = 1;
     bool cast = true;
-    int source = 0;      ///< row of the source table
-    int fit = 1;         ///< LightFit
-    int projection = 0;  ///< LightProjection
+    int source = 0;           ///< row of the source table
+    int fit = default_fit();  ///< LightFit, row of the fit table
+    int projection = 0;       ///< LightProjection
     double near = 0, far = 0, extent = 0;
     int cascades = 1;
     double split_lambda = 0.5;

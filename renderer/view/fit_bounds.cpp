@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/view/fits/convex.h"
+#include "renderer/view/fits/flat_mesh.h"
+
 namespace si {
 namespace {
 
@@ -29,18 +32,27 @@ ObjectSettings settings_of(const Scene& scene, const Settings& settings, const O
     return it == settings.objects.end() ? ObjectSettings() : it->second;
 }
 
+void add_box(SceneShape& shape, const Box& box, bool casts, bool receives, std::size_t object,
+             const std::optional<HalfSpace>& plane) {
+    shape.boxes.push_back(box);
+    shape.box_casts.push_back(casts), shape.box_receives.push_back(receives);
+    shape.box_objects.push_back(object);
+    shape.box_planes.push_back(plane);
+    shape.box_tolerance.push_back(flat_tolerance(0.5 * glm::distance(box[0], box[7])));
+}
+
 bool clipped(const Box& box, const LightView& view) {
-    const ViewExtent e = extent_of(box, view);
     const double near = view.curve.near - 1e-9 * std::abs(view.curve.near);
-    if (view.curve.perspective) return e.hi.z > 0 && std::max(0.0, entry_into_pyramid(e, view.half_width)) < near;
-    return e.lo.z < near && e.lo.x <= view.half_width && e.hi.x >= -view.half_width && e.lo.y <= view.half_width &&
-           e.hi.y >= -view.half_width;
+    if (!view.curve.perspective) return extent_within(box, view).lo.z < near;
+    const ViewExtent e = extent_of(box, view);
+    return e.hi.z > 0 && std::max(0.0, entry_into_pyramid(e, view.half_width)) < near;
 }
 
 }  // namespace
 
 SceneShape scene_shape(const Scene& scene, const Settings& settings) {
     SceneShape s;
+    std::vector<std::optional<std::optional<HalfSpace>>> planes(scene.meshes.size());  // of meshes that were looked at
     for (const Object& o : scene.objects) {
         const Mesh& mesh = scene.meshes[o.mesh];
         if (mesh.indices.size() < 3 || mesh.bounds.empty()) continue;
@@ -51,8 +63,10 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
         if (scene.objects.size() > kMaxFitObjects) continue;
         const Box box = corners(mesh.bounds, o.world);
         if (!finite(box)) continue;
-        s.boxes.push_back(box);
-        s.box_casts.push_back(own.cast), s.box_receives.push_back(own.receive);
+        auto& known = planes[std::size_t(o.mesh)];
+        if (!known) known = plane_of(mesh);
+        const std::optional<HalfSpace> plane = *known ? transformed(**known, o.world) : std::nullopt;
+        add_box(s, box, own.cast, own.receive, std::size_t(&o - scene.objects.data()), plane);
     }
     Bounds bounds = scene.bounds;
     if (bounds.empty() || !std::isfinite(bounds.radius())) {
@@ -61,24 +75,32 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
             for (const glm::dvec3& p : box) bounds.add(p);
     }
     if (bounds.empty()) bounds = {glm::dvec3(-1), glm::dvec3(1)};
-    if (s.boxes.empty()) {
-        s.boxes.push_back(corners(bounds, glm::dmat4(1.0)));
-        s.box_casts.push_back(s.casters), s.box_receives.push_back(s.receivers);
-    }
+    s.one_box = s.boxes.empty();
+    if (s.one_box) add_box(s, corners(bounds, glm::dmat4(1.0)), s.casters, s.receivers, 0, std::nullopt);
     s.centre = bounds.centre();
     // A single point still needs a size: what a double resolves at its distance from the origin.
     s.radius = std::max({bounds.radius(), 1e-7, glm::length(s.centre) * 0x1p-38});
     return s;
 }
 
-ViewExtent extent_of(const Box& box, const LightView& view) {
+ViewExtent extent_of(std::span<const glm::dvec3> points, const LightView& view) {
     const glm::dmat3 view_from_world = glm::transpose(view.axes);
     ViewExtent e;
-    for (const glm::dvec3& p : box) {
+    for (const glm::dvec3& p : points) {
         const glm::dvec3 v = view_from_world * (p - view.eye);
         e.add(glm::dvec3(v.x, v.y, -v.z));
     }
     return e;
+}
+
+ViewExtent extent_within(const Box& box, const LightView& view) {
+    std::vector<HalfSpace> sides;
+    for (const int axis : {0, 1})
+        for (const double way : {-1.0, 1.0}) {
+            const glm::dvec3 inwards = way * view.axes[axis];
+            sides.push_back(HalfSpace::through(view.eye - view.half_width * inwards, inwards));
+        }
+    return extent_of(points_within(box, sides), view);
 }
 
 ViewExtent extent_of(const SceneShape& shape, const LightView& view) {

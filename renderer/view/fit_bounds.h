@@ -4,10 +4,13 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <limits>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/fits/half_space.h"
 #include "renderer/view/light_fit.h"
 
 namespace si {
@@ -17,15 +20,22 @@ using Box = std::array<glm::dvec3, 8>;
 
 struct SceneShape {
     glm::dvec3 centre{0};
-    double radius = 1;                          ///< of the sphere around the bounds; never 0
-    std::vector<Box> boxes;                     ///< never empty
-    std::vector<bool> box_casts, box_receives;  ///< as long as `boxes`
-    bool triangles = false;                     ///< the scene has any
-    bool casters = false;                       ///< an object with triangles casts
-    bool receivers = false;                     ///< an object with triangles receives shadows
+    double radius = 1;            ///< of the sphere around the bounds; never 0
+    bool one_box = false;         ///< it stands for all objects
+    std::vector<Box> boxes;       ///< never empty
+    std::vector<bool> box_casts;  ///< as long as `boxes`, like all that begins so
+    std::vector<bool> box_receives;
+    std::vector<std::size_t> box_objects;  ///< of Scene::objects
+    /// Of objects whose triangles all lie in one plane, within box_tolerance.
+    std::vector<std::optional<HalfSpace>> box_planes;
+    std::vector<double> box_tolerance;  ///< metres
+    bool triangles = false;             ///< the scene has any
+    bool casters = false;               ///< an object with triangles casts
+    bool receivers = false;             ///< an object with triangles receives shadows
 };
 
 /// Boxes of all objects; above 20000 objects the scene's box stands for them. Always finite, also for empty scenes.
+/// Meshes are read to find the flat ones.
 SceneShape scene_shape(const Scene& scene, const Settings& settings);
 
 /// Extent in a view: x and y across, z metres along the axis (positive in front).
@@ -36,8 +46,11 @@ struct ViewExtent {
     void add(const ViewExtent& e) { lo = glm::min(lo, e.lo), hi = glm::max(hi, e.hi); }
 };
 
-ViewExtent extent_of(const Box& box, const LightView& view);
+ViewExtent extent_of(std::span<const glm::dvec3> points, const LightView& view);
 ViewExtent extent_of(const SceneShape& shape, const LightView& view);
+
+/// Of what lies of a box within the sides of a parallel view.
+ViewExtent extent_within(const Box& box, const LightView& view);
 
 /// The least distance along the axis at which a box can meet the pyramid |x|, |y| <= z tan; infinite when it cannot.
 double entry_into_pyramid(const ViewExtent& e, double tan_half);

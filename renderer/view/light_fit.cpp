@@ -11,6 +11,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/finite.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
 #include "renderer/settings/sources.h"
 #include "renderer/view/camera.h"
 #include "renderer/view/cascades.h"
@@ -22,10 +23,11 @@ namespace si {
 namespace {
 
 constexpr double kMinHalfAngle = 1e-3, kMaxHalfAngle = 1.5;  // rad; tan() stays below 15
-constexpr double kMarginTexels = 2;     // at each side, so that a kernel at the edge of the scene finds cleared texels
-constexpr double kNearShare = 1e-3;     // least near / far of a perspective map: D24 then resolves far / 2e4
-constexpr double kDepthMargin = 1e-4;   // of the depth range, at each end
-constexpr double kNearestSplit = 1e-3;  // of the farthest depth: a camera within the scene sees surfaces at 0 m
+constexpr double kMarginTexels = 2;  // at each side, so that a kernel at the edge of the scene finds cleared texels
+constexpr double kMostOffsetTexels = 32;  // beyond it a normal offset leads where the map ends
+constexpr double kNearShare = 1e-3;       // least near / far of a perspective map: D24 then resolves far / 2e4
+constexpr double kDepthMargin = 1e-4;     // of the depth range, at each end
+constexpr double kNearestSplit = 1e-3;    // of the farthest depth: a camera within the scene sees surfaces at 0 m
 // 2^10 steps of a float: a thinner range or map has no useful resolution.
 constexpr double kMinShare = 1024.0 / (1 << 23);
 
@@ -75,12 +77,15 @@ double face_margin_texels(const Settings& settings) {
 
 /// What the fit of one light goes by.
 struct FitContext {
+    const Scene& scene;
     const SceneShape& shape;
     const LightSettings& settings;
     DepthConvention convention;
     int resolution;
     double face_margin_texels;
     double reach_m;  ///< how far a spot or point light shines; infinite when unlimited
+    const Camera* camera;
+    double margin_texels;  ///< fit_margin_texels()
 };
 
 double size_of(const LightSettings& s) {
@@ -330,6 +335,34 @@ PlacedLight place(const LightSettings& s, const SceneShape& shape) {
     return light;
 }
 
+/// A map narrowed to a region: about the region's middle, or in perspective about the light's axis.
+void fit_region(FittedLight& light, LightView view, const FitContext& c, const MapRegion& region) {
+    light.closed = true;
+    if (view.curve.perspective) {
+        const glm::dvec2 aside = glm::max(glm::abs(region.lo), glm::abs(region.hi));
+        const double tangent = std::max({aside.x, aside.y, kMinHalfAngle});
+        return fit_perspective(light, view, c,
+                               std::min(with_margin(tangent, tangent, c.resolution, c.margin_texels),
+                                        with_margin(view.half_width, 0, c.resolution)));
+    }
+    const glm::dvec2 size = region.hi - region.lo;
+    view.eye += view.axes * glm::dvec3(0.5 * (region.lo + region.hi), 0);
+    view.half_width = with_margin(0.5 * std::max(size.x, size.y), c.shape.radius, c.resolution, c.margin_texels);
+    view.curve.convention = c.convention;
+    ViewExtent held;
+    for (const Box& box : c.shape.boxes) held.add(extent_within(box, view));
+    const double pad = kDepthMargin * (held.hi.z - held.lo.z);
+    view.curve.near = held.lo.z - pad;
+    view.curve.far = held.hi.z + pad;
+    finish_view(light, view, c, 1);
+}
+
+/// Whether the light's map is divided among views of the camera's depths.
+bool has_cascades(const LightSettings& s) {
+    return s.cascades > 1 && s.type == int(LightType::Directional) && s.fit != int(LightFit::Manual) &&
+           s.projection != int(LightProjection::Perspective);
+}
+
 void fit_one_view(FittedLight& light, const FitContext& c) {
     LightView view;
     view.axes = orthonormal_basis(light.to_light);
@@ -338,8 +371,15 @@ void fit_one_view(FittedLight& light, const FitContext& c) {
     // As the cone's circle touches the map's sides, only kernels at its rim need the margin.
     const double tangent = directional ? 0 : with_margin(std::tan(light.half_cone_rad), 0, c.resolution);
     const int projection = c.settings.projection;
-    if (directional ? projection == int(LightProjection::Perspective)
-                    : projection != int(LightProjection::Orthographic))
+    const bool perspective = directional ? projection == int(LightProjection::Perspective)
+                                         : projection != int(LightProjection::Orthographic);
+    if (perspective != directional) {  // else its rays are not the light's
+        view.curve.perspective = perspective;
+        view.half_width = directional ? 1 : std::tan(light.half_cone_rad);
+        const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera};
+        if (const auto region = fit_row(c.settings.fit).find(input)) return fit_region(light, view, c, *region);
+    }
+    if (perspective)
         fit_perspective(light, view, c, tangent);
     else
         fit_orthographic(light, view, c, tangent * light.distance_m, !directional);
@@ -396,12 +436,17 @@ PlacedLights place_lights(const Scene& scene, const Settings& settings) {
 
 bool fit_reads_camera(const Settings& settings, int light) {
     const LightSettings& s = settings.lights[std::size_t(light)];
-    return s.cascades > 1 && s.type == int(LightType::Directional) && s.fit != int(LightFit::Manual) &&
-           s.projection != int(LightProjection::Perspective);
+    return has_cascades(s) || fit_row(s.fit).reads_camera;
 }
 
-std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Settings& settings, const Camera* camera,
-                                  int max_resolution) {
+double fit_margin_texels(const Settings& settings) {
+    const Reach reach = reach_of(settings);
+    const double offset = std::clamp(finite_or(settings.bias.normal, 0), BiasSettings().normal, kMostOffsetTexels);
+    return std::ceil(std::max(reach.edge, reach.read) + settings.map.blur_texels + offset) + 2;
+}
+
+std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
+                                  const Camera* camera, int max_resolution) {
     const SceneShape& shape = *placed.shape;
     const int resolution = std::clamp(settings.map.resolution, 1, std::max(1, max_resolution));
     std::vector<FittedLight> lights;
@@ -409,15 +454,18 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Settings& se
         const LightSettings& s = settings.lights[i];
         FittedLight& light = lights.emplace_back();
         static_cast<PlacedLight&>(light) = placed.lights[i];
-        const FitContext context{shape,
+        const FitContext context{scene,
+                                 shape,
                                  s,
                                  {true, settings.map.reversed_z},
                                  resolution,
                                  face_margin_texels(settings),
-                                 light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity()};
+                                 light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity(),
+                                 camera,
+                                 fit_margin_texels(settings)};
         if (light.six_faces)
             fit_faces(light, context);
-        else if (camera && fit_reads_camera(settings, int(i)))
+        else if (camera && has_cascades(s))
             fit_cascades(light, context, settings, *camera);
         else
             fit_one_view(light, context);
@@ -444,7 +492,7 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Settings& se
 }
 
 std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, const Camera* camera) {
-    return fit_maps(place_lights(scene, settings), settings, camera);
+    return fit_maps(place_lights(scene, settings), scene, settings, camera);
 }
 
 }  // namespace si

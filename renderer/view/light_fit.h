@@ -47,8 +47,10 @@ struct FittedLight : PlacedLight {
     std::string reason;            ///< why it has no map
     std::vector<LightView> views;  ///< all perspective or none; six faces: +x -x +y -y +z -z; cascades
     ViewChooser chooser;           ///< which of them a point is looked up in
-    int clipped_casters = 0;       ///< objects reaching in front of the near plane
-    MapLimits limits;              ///< of lights that cast
+    /// No point that the light reaches lies in shadow beyond its map: there the shaders say lit, without a look.
+    bool closed = false;
+    int clipped_casters = 0;  ///< objects reaching in front of the near plane
+    MapLimits limits;         ///< of lights that cast
     /// Whether its maps are drawn in perspective, all of them; false when it has none.
     bool is_perspective() const { return !views.empty() && views[0].curve.perspective; }
     bool is_cascaded() const { return chooser.choice == ViewChoice::Interval || chooser.choice == ViewChoice::Map; }
@@ -72,12 +74,18 @@ PlacedLights place_lights(const Scene& scene, const Settings& settings);
 /// Whether the fit that these settings choose for a light depends on the camera.
 bool fit_reads_camera(const Settings& settings, int light);
 
+/// Texels that a map has on each side of the region that a fit narrows it to: the kernel's reach, the normal offset (at
+/// least its default, so that it does not change the map up to there) and two more. What lies less than one texel from
+/// the rim, or beyond, is taken to be lit: no kernel would find anything else there.
+double fit_margin_texels(const Settings& settings);
+
 /// Gives every placed light the views of its maps. A pure function.
+/// @param scene that the lights were placed in
 /// @param camera whose picture the maps are for; null: fits that depend on one hold the whole scene instead, as the
 ///     camera that looks through a light has them
 /// @param max_resolution the GL limit on texture size
-std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Settings& settings, const Camera* camera,
-                                  int max_resolution = 16384);
+std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
+                                  const Camera* camera, int max_resolution = 16384);
 
 /// Both at once.
 std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, const Camera* camera = nullptr);

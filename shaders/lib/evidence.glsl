@@ -39,7 +39,7 @@ float look(Receiver r, bool offset, float depth_bias) {
 
 float look_nearest(Receiver r, bool offset, float depth_bias) {
     if (!offset) r.uvd_offset = r.uvd;
-    if (is_guarded(r)) return outside_visibility();
+    if (is_guarded(r)) return guarded_visibility(r);
     map_is_unfiltered = true;
     float lit = depth_test(reference_of(r.uvd_offset.z - away(depth_bias)), map_depth(r.uvd_offset.xy, r.layer));
     map_is_unfiltered = false;

@@ -6,6 +6,7 @@
 #include "shared/facing.h"
 
 const int INSIDE = 0, OUTSIDE_SIDES = 1, OUTSIDE_FAR = 2, BEHIND = 3, NO_MAP = 4;
+const int BEYOND_SHADOWS = 5;  // where nothing can cast a shadow, as the light's fit has found
 
 /// The surface under the pixel, whichever light.
 struct Surface {
@@ -153,6 +154,9 @@ Receiver receiver_in(Surface s, int index, int layer) {
         r.where = NO_MAP;
     else if (!(h.w > 0.0) || !(o.w > 0.0))
         r.where = BEHIND;
+    else if (LIGHT_CLOSED[index] != 0 && (any(lessThan(r.uvd.xy, vec2(view.curve.w))) ||
+                                          any(greaterThan(r.uvd.xy, vec2(1.0 - view.curve.w)))))
+        r.where = BEYOND_SHADOWS;
     else if (away(r.uvd.z) > away(1.0 - float(map_reversed_z)))
         r.where = OUTSIDE_FAR;
     else if (any(lessThan(r.uvd.xy, vec2(0.0))) || any(greaterThan(r.uvd.xy, vec2(1.0))))

@@ -16,6 +16,7 @@ Filtered found = Filtered(UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN);
 
 #include FILTER_FILE
 
+/// Of what lies where the map says nothing.
 float outside_visibility() {
 #if map_outside == map_outside_lit
     return 1.0;
@@ -24,9 +25,9 @@ float outside_visibility() {
 #endif
 }
 
-/// Whether the look-up is answered without the map, by outside_visibility().
+/// Whether the look-up is answered without the map, by guarded_visibility().
 bool is_guarded(Receiver r) {
-    bool guarded = r.where == BEHIND;
+    bool guarded = r.where == BEHIND || r.where == BEYOND_SHADOWS;
 #if map_far_guard
     guarded = guarded || r.where == OUTSIDE_FAR;
 #endif
@@ -36,9 +37,14 @@ bool is_guarded(Receiver r) {
     return guarded;
 }
 
+float guarded_visibility(Receiver r) {
+    // Lit by construction, whatever map.wrap and map.outside say of the map's sides.
+    return r.where == BEYOND_SHADOWS ? 1.0 : outside_visibility();
+}
+
 /// What the map says of a receiver in front of the guards' backs: 1 lit, 0 in shadow.
 float map_visibility(Receiver r) {
-    if (is_guarded(r)) return outside_visibility();
+    if (is_guarded(r)) return guarded_visibility(r);
 #if !BIAS_PER_TEXEL
     r.reference = reference_of(r.reference);
 #endif
@@ -59,9 +65,10 @@ float light_visibility(Surface s, int light) {
     return v;
 }
 
-/// Whether the map holds the surface, and if so, whether the normal offset leads the look-up out of it.
+/// Whether the map holds the surface, or need not, and if so, whether the normal offset leads the look-up out of it.
 int place_in_map(Receiver r) {
-    if (r.where != INSIDE) return r.where == NO_MAP ? PLACE_INSIDE : PLACE_OUTSIDE;
+    if (r.where == NO_MAP || r.where == BEYOND_SHADOWS) return PLACE_INSIDE;
+    if (r.where != INSIDE) return PLACE_OUTSIDE;
     bool led = any(lessThan(r.uvd_offset.xy, vec2(0.0))) || any(greaterThan(r.uvd_offset.xy, vec2(1.0)));
     return led ? PLACE_LED_OUTSIDE : PLACE_INSIDE;
 }

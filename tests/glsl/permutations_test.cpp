@@ -192,7 +192,7 @@ std::vector<Axis> axes() {
     out.push_back({{}, {{}, {{"caster.blend", "mask"}}}});
     out.push_back({{}, {{}, {{"view.slabs", "both"}}}});
     out.push_back({{}, {{}, {{"view.map_fit", "true"}}}});
-    out.push_back({{"MAP_LAYERS", "LIGHT_TYPE", "LIGHT_CHOICE", "LIGHT_PERSPECTIVE", "VIEWS_BLEND"},
+    out.push_back({{"MAP_LAYERS", "LIGHT_TYPE", "LIGHT_CLOSED", "LIGHT_CHOICE", "LIGHT_PERSPECTIVE", "VIEWS_BLEND"},
                    {{},
                     {{"light.type", "spot"}},
                     {{"light.type", "point"}},
@@ -201,6 +201,7 @@ std::vector<Axis> axes() {
                     {{"light.cast", "false"}},
                     {{"light.cascades", "3"}},
                     {{"light.cascades", "2"}, {"light.cascade_choice", "map"}, {"light.cascade_blend", "0"}},
+                    {{"light.fit", "casters"}},
                     {{"light.count", "2"}, {"light.1.type", "point"}, {"view.light", "1"}}}});
     Axis source{{"SOURCE_FILE", "HAS_MAP"}, {}};
     for (const Source& row : sources()) source.choices.push_back({{"light.source", std::string(row.key)}});
@@ -258,7 +259,8 @@ protected:
                 for (const auto& [key, value] : *choice) set_setting(s, key, value);
             FrameRequest request{.width = 8, .height = 8};
             request.outputs = {.colour = true, .shadow_map = true, .visibility = true, .overlay = true};
-            request.outputs.map_coordinates = request.outputs.texels_read = request.outputs.error = request.outputs.true_colour = true;
+            request.outputs.map_coordinates = request.outputs.texels_read = request.outputs.error =
+                request.outputs.true_colour = true;
             if (chosen.size() == 1) {
                 // What a probe draws where it hits, and what runs while there is no truth.
                 FrameRequest untold = request;

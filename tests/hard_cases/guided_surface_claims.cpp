@@ -150,6 +150,15 @@ const Claims& guided_surface_claims() {
              EXPECT_NEAR(fine.shot.view().texel_size(1, 4096), 0.008, 0.0005);
          }},
         {"resolution-4096", [] { EXPECT_EQ(Guided("resolution-4096").shot.frame.map_resolution, 4096); }},
+        {"fit-casters",
+         [] {
+             const Guided narrow("fit-casters", {}, 320, 180), whole("fit-casters", {"light.fit=scene"}, 320, 180);
+             const Guided::Nodes ground{"Stage/Ground"}, fence{"Stage/Fence/*"};
+             EXPECT_NEAR(narrow.shot.view().texel_size(1, 1024), 0.012, 0.0008);
+             EXPECT_NEAR(whole.shot.view().texel_size(1, 1024), 0.033, 0.0005);
+             EXPECT_LT(narrow.wrongly_lit(ground, fence), 0.7 * whole.wrongly_lit(ground, fence));
+             EXPECT_EQ(narrow.error().outside_map, 0);
+         }},
         {"hard-edges", [] { EXPECT_EQ(Guided("hard-edges").grey(), 0); }},
         {"pcf-by-hand",
          [] {

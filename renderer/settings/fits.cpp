@@ -1,0 +1,49 @@
+#include "renderer/settings/fits.h"
+
+#include "renderer/settings/choices_of.h"
+
+namespace si {
+namespace {
+
+constexpr FitRow kFits[] = {
+    {.key = "manual",
+     .label = "by hand",
+     .help = "near, far, extent and distance as given (0: as the scene fit finds them)."},
+    {.key = "scene", .label = "whole scene", .help = "The frustum holds the bounds of the scene."},
+    {.key = "casters",
+     .label = "where shadows fall",
+     .help = "Only where a caster can shadow anything that faces the light, wherever the camera is; all else is lit. A "
+             "ground is drawn but does not widen the map, as it shadows nothing that stands on it. Point lights, wide "
+             "cones and suns in perspective: the whole scene.",
+     .narrows = true,
+     .find = fit_casters},
+    {.key = "view",
+     .label = "what is seen",
+     .help = "As where shadows fall, but only of the surfaces that the camera sees: the finest texels, which change "
+             "as the camera moves.",
+     .paper = "Brabec, Annen, Seidel, Practical Shadow Mapping, Journal of Graphics Tools 7(4), 2002",
+     .reads_camera = true,
+     .narrows = true,
+     .find = fit_view},
+};
+
+}  // namespace
+
+std::span<const FitRow> fits() {
+    return kFits;
+}
+
+int default_fit() {
+    return int(LightFit::Scene);
+}
+
+const FitRow& fit_row(int fit) {
+    return kFits[std::size_t(fit >= 0 && fit < int(std::size(kFits)) ? fit : int(LightFit::Scene))];
+}
+
+std::span<const Choice> fit_choices() {
+    static const std::vector<Choice> choices = choices_of(fits());
+    return choices;
+}
+
+}  // namespace si

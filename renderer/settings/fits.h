@@ -1,0 +1,26 @@
+// The table of fits: what a shadow map covers. A new one is one row here and one function.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "renderer/settings/param.h"
+#include "renderer/view/fits/region.h"
+
+namespace si {
+
+struct FitRow {
+    std::string_view key, label, help;
+    std::string_view paper;     ///< where it is from; empty: it is common
+    bool reads_camera = false;  ///< maps change with the camera
+    bool narrows = false;       ///< it may leave out of a map what is never in shadow
+    Fit find = fit_scene;       ///< asked for suns without perspective, and for spot lights of one map that have it
+};
+
+/// In the order of LightFit, whose names the program itself knows.
+std::span<const FitRow> fits();
+/// The row that light.fit names; for numbers that name none the whole scene.
+const FitRow& fit_row(int fit);
+std::span<const Choice> fit_choices();
+
+}  // namespace si

@@ -1,0 +1,86 @@
+#include "renderer/view/fits/convex.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace si {
+namespace {
+
+/// Corners of the six sides, each in turn around it.
+constexpr int kSides[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};
+
+double extent_m(const Box& body) {
+    double size = 0;
+    for (const glm::dvec3& p : body) size = std::max(size, glm::distance(p, body[0]));
+    return size;
+}
+
+void add_sides_within(std::vector<glm::dvec3>& points, const Box& body, std::span<const HalfSpace> planes) {
+    Polygon side;
+    for (const auto& corners : kSides) {
+        side.clear();
+        for (const int i : corners) side.push_back(body[std::size_t(i)]);
+        for (const HalfSpace& plane : planes) clip(side, plane);
+        points.insert(points.end(), side.begin(), side.end());
+    }
+}
+
+}  // namespace
+
+void clip(Polygon& polygon, const HalfSpace& plane) {
+    if (polygon.empty()) return;
+    if (std::ranges::all_of(polygon, [&](const glm::dvec3& p) { return plane.distance(p) >= 0; })) return;
+    Polygon left;
+    left.reserve(polygon.size() + 1);
+    glm::dvec3 before = polygon.back();
+    double d_before = plane.distance(before);
+    for (const glm::dvec3& p : polygon) {
+        const double d = plane.distance(p);
+        if ((d < 0) != (d_before < 0)) left.push_back(before + (p - before) * (d_before / (d_before - d)));
+        if (d >= 0) left.push_back(p);
+        before = p, d_before = d;
+    }
+    polygon = std::move(left);
+}
+
+std::vector<HalfSpace> half_spaces_of(const Box& body) {
+    glm::dvec3 centre(0);
+    for (const glm::dvec3& p : body) centre += p / 8.0;
+    const double size = extent_m(body);
+    std::vector<HalfSpace> planes;
+    for (const auto& side : kSides) {
+        // Diagonals, as an edge may have no length (the tip of a pyramid).
+        const glm::dvec3 a = body[std::size_t(side[2])] - body[std::size_t(side[0])];
+        const glm::dvec3 b = body[std::size_t(side[3])] - body[std::size_t(side[1])];
+        const glm::dvec3 normal = glm::cross(a, b);
+        const double area = glm::length(normal);
+        if (!(area > 1e-12 * size * size)) continue;
+        glm::dvec3 middle(0);
+        for (const int i : side) middle += 0.25 * body[std::size_t(i)];
+        const HalfSpace plane = HalfSpace::through(middle, normal / area);
+        planes.push_back(plane.distance(centre) < 0 ? HalfSpace{-plane.normal, -plane.offset} : plane);
+    }
+    return planes;
+}
+
+std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace> planes) {
+    std::vector<glm::dvec3> points;
+    for (const HalfSpace& plane : planes)
+        if (std::ranges::all_of(body, [&](const glm::dvec3& p) { return plane.distance(p) < 0; })) return points;
+    if (std::ranges::all_of(planes, [&](const HalfSpace& plane) {
+            return std::ranges::all_of(body, [&](const glm::dvec3& p) { return plane.distance(p) >= 0; });
+        }))
+        return {body.begin(), body.end()};
+    add_sides_within(points, body, planes);
+    return points;
+}
+
+std::vector<glm::dvec3> common_points(const Box& a, std::span<const HalfSpace> sides_of_a, const Box& b,
+                                      std::span<const HalfSpace> sides_of_b) {
+    std::vector<glm::dvec3> points = points_within(a, sides_of_b);
+    // A flat body holds no corner of another; its own sides say it all.
+    if (sides_of_a.size() == 6) add_sides_within(points, b, sides_of_a);
+    return points;
+}
+
+}  // namespace si

@@ -1,0 +1,32 @@
+// Convex bodies cut by planes, for what lies in a light's or a camera's view. Pure CPU, double precision.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "renderer/view/fit_bounds.h"
+#include "renderer/view/fits/half_space.h"
+
+namespace si {
+
+using Polygon = std::vector<glm::dvec3>;
+
+/// Leaves of a convex polygon what lies on the positive side. Sutherland, Hodgman, Reentrant Polygon Clipping, CACM
+/// 17(1), 1974.
+void clip(Polygon& polygon, const HalfSpace& plane);
+
+/// The planes of a body with eight corners (ordered as Box), facing inwards; those of sides without area are left out.
+std::vector<HalfSpace> half_spaces_of(const Box& body);
+
+/// Points whose hull is what lies of a body within all of the planes, where these are sides that never end (of a
+/// prism): no corner of theirs may lie within the body.
+std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace> planes);
+
+/// Points whose hull is what two bodies have in common; none when that is nothing. The bodies may be flat; of two flat
+/// ones nothing is found but what their sides cut of each other.
+std::vector<glm::dvec3> common_points(const Box& a, std::span<const HalfSpace> sides_of_a, const Box& b,
+                                      std::span<const HalfSpace> sides_of_b);
+
+}  // namespace si

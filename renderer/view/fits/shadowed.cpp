@@ -1,0 +1,268 @@
+#include "renderer/view/fits/shadowed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/view/fits/flat_mesh.h"
+
+namespace si {
+namespace {
+
+constexpr double kViewBegins = 1e-4;         // of the farthest corner's distance: a perspective view begins there
+constexpr double kEdgeOn = 1e-6;             // cosine up to which rounding decides which side of a plane is lit
+constexpr std::size_t kMostPairs = 1 << 18;  // of casters and receivers that are held against each other
+constexpr std::size_t kMostTriangles = 1 << 19;
+constexpr double kLarge = 0.25;             // of what receives shadows, across: it is worth a closer look
+constexpr std::size_t kMostOutline = 4096;  // vertices of a caster whose outline is found
+constexpr std::size_t kMostEdges = 256;     // of that outline
+
+bool empty(const ViewExtent& e) {
+    return !(e.lo.x <= e.hi.x && e.lo.y <= e.hi.y && e.lo.z <= e.hi.z);
+}
+
+MapRegion across(const ViewExtent& e) {
+    return {glm::dvec2(e.lo), glm::dvec2(e.hi)};
+}
+
+/// x and y across the view as a region has them, z metres along it.
+glm::dvec3 seen_from_light(const LightView& view, const glm::dvec3& p) {
+    const glm::dvec3 v = glm::transpose(view.axes) * (p - view.eye);
+    return view.curve.perspective ? glm::dvec3(v.x / -v.z, v.y / -v.z, -v.z) : glm::dvec3(v.x, v.y, -v.z);
+}
+
+/// The pyramid within which a perspective view is lit, out to `far`.
+Box pyramid_of(const LightView& view, double near, double far) {
+    Box box;
+    for (int i = 0; i < 8; ++i) {
+        const double z = i & 4 ? far : near, half = z * view.half_width;
+        box[std::size_t(i)] = view.eye + view.axes * glm::dvec3((i & 1 ? 1 : -1) * half, (i & 2 ? 1 : -1) * half, -z);
+    }
+    return box;
+}
+
+bool is_within(const ViewExtent& e, const LightView& view, double near, double far) {
+    return e.lo.z >= near && e.hi.z <= far && std::max({-e.lo.x, e.hi.x, -e.lo.y, e.hi.y}) <= e.lo.z * view.half_width;
+}
+
+/// What a caster can shadow lies behind all of these planes, on their positive sides, and within its outline.
+struct Blocker {
+    std::vector<HalfSpace> planes;
+    std::vector<HalfSpace> outline;  ///< as seen from the light; z of the normals is 0
+    double rim = 0;                  ///< by which the outline lies within the caster's own
+};
+
+double cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b) {
+    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+}
+
+/// Counter-clockwise. Andrew, Another efficient algorithm for convex hulls in two dimensions, IPL 9(5), 1979.
+std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points) {
+    std::ranges::sort(points, [](const auto& a, const auto& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    std::vector<glm::dvec2> hull;
+    for (int pass = 0; pass < 2; ++pass) {
+        const std::size_t begin = hull.size();
+        for (const glm::dvec2& p : points) {
+            while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+            hull.push_back(p);
+        }
+        if (!hull.empty()) hull.pop_back();
+        std::ranges::reverse(points);
+    }
+    return hull;
+}
+
+class Shadowed {
+public:
+    Shadowed(const FitInput& in, std::span<const ViewExtent> receivers) : in_(in), receivers_(receivers) {
+        for (const ViewExtent& e : receivers_)
+            if (!empty(e)) all_.add(e);
+    }
+
+    std::optional<MapRegion> region() {
+        if (empty(all_)) return std::nullopt;
+        const SceneShape& s = in_.shape;
+        const glm::dvec3 size = all_.hi - all_.lo;
+        std::vector<std::size_t> last;
+        casts_.resize(s.boxes.size());
+        for (std::size_t i = 0; i < s.boxes.size(); ++i) {
+            if (!s.box_casts[i]) continue;
+            casts_[i] = lit_extent(in_, i);
+            if (empty(casts_[i]) || casts_[i].lo.z > all_.hi.z) continue;
+            const glm::dvec3 own = casts_[i].hi - casts_[i].lo;
+            const bool large = own.x * own.y >= kLarge * size.x * size.y;
+            if (s.box_planes[i] || (large && never_shades_itself(i)))
+                last.push_back(i);
+            else
+                add(across(casts_[i]).common(across(all_)));
+        }
+        // What is found so far spares most of the work on these.
+        for (const std::size_t i : last) add_caster(i);
+        return region_.empty() ? std::nullopt : std::optional(region_);
+    }
+
+private:
+    void add(const MapRegion& r) {
+        if (!r.empty()) region_.add(r);
+    }
+
+    const Mesh& mesh_of(std::size_t box) const {
+        return in_.scene.meshes[std::size_t(in_.scene.objects[in_.shape.box_objects[box]].mesh)];
+    }
+
+    bool is_two_sided(const Mesh& mesh) const {
+        return mesh.material >= 0 && in_.scene.materials[std::size_t(mesh.material)].double_sided;
+    }
+
+    /// What is convex does not, unless its inner side is drawn, too.
+    bool never_shades_itself(std::size_t caster) const {
+        if (in_.shape.one_box) return false;
+        const Mesh& mesh = mesh_of(caster);
+        return !is_two_sided(mesh) && is_convex(mesh);
+    }
+
+    /// Whether so many pairs more are to be held against each other.
+    bool affords_pairs() {
+        pairs_ += receivers_.size();
+        return pairs_ <= kMostPairs;
+    }
+
+    /// Cosine between the direction to the light and a plane's normal, about.
+    double facing(const HalfSpace& plane, const glm::dvec3& at) const {
+        if (!in_.view.curve.perspective) return glm::dot(plane.normal, in_.view.axes[2]);
+        return plane.distance(in_.view.eye) / std::max(glm::distance(in_.view.eye, at), 1e-300);
+    }
+
+    /// A caster that does not shade itself.
+    void add_caster(std::size_t caster) {
+        const MapRegion most = across(casts_[caster]).common(across(all_));
+        if (most.empty() || region_.holds(most)) return;
+        if (!affords_pairs()) return region_.add(most);
+        const double tolerance = in_.shape.box_tolerance[caster];
+        const glm::dvec3 at = in_.shape.boxes[caster][0];
+        const auto behind = [&](const HalfSpace& p) { return HalfSpace{-p.normal, -p.offset - tolerance}; };
+        if (const auto& plane = in_.shape.box_planes[caster]) {
+            const double cosine = facing(*plane, at);
+            const HalfSpace flipped{-plane->normal, -plane->offset};
+            if (cosine > -kEdgeOn) add_behind(caster, {{behind(*plane)}, {}});
+            if (cosine < kEdgeOn) add_behind(caster, {{behind(flipped)}, {}});
+            return;
+        }
+        Blocker blocker;
+        for (const HalfSpace& inwards : half_spaces_of(in_.shape.boxes[caster])) {
+            const HalfSpace side{-inwards.normal, -inwards.offset};
+            if (facing(side, at) > kEdgeOn) blocker.planes.push_back(behind(side));
+        }
+        add_behind(caster, std::move(blocker));
+    }
+
+    void add_behind(std::size_t caster, Blocker blocker) {
+        for (std::size_t i = 0; i < receivers_.size(); ++i) {
+            if (i == caster || empty(receivers_[i])) continue;
+            const MapRegion both = across(casts_[caster]).common(across(receivers_[i]));
+            if (both.empty() || region_.holds(both)) continue;
+            const Box& box = in_.shape.boxes[i];
+            if (std::ranges::any_of(blocker.planes, [&](const HalfSpace& plane) {
+                    return std::ranges::all_of(box, [&](const glm::dvec3& p) { return plane.distance(p) <= 0; });
+                }))
+                continue;
+            if (blocker.outline.empty()) find_outline(caster, blocker);
+            add_receiver(blocker, i, both);
+        }
+    }
+
+    /// The lines around a caster, a little within it, so that what only touches its rim is outside.
+    void find_outline(std::size_t caster, Blocker& blocker) const {
+        std::vector<glm::dvec2> points;
+        const Object& object = in_.scene.objects[in_.shape.box_objects[caster]];
+        const Mesh& mesh = mesh_of(caster);
+        bool in_front = true;
+        const auto add = [&](const glm::dvec3& p) {
+            const glm::dvec3 v = seen_from_light(in_.view, p);
+            in_front = in_front && (!in_.view.curve.perspective || v.z > 0);
+            points.emplace_back(v);
+        };
+        if (mesh.positions.size() <= kMostOutline)
+            for (const glm::vec3& p : mesh.positions) add(glm::dvec3(object.world * glm::dvec4(p, 1)));
+        std::vector<glm::dvec2> hull = in_front ? convex_hull(points) : std::vector<glm::dvec2>();
+        if (in_front && (hull.size() < 3 || hull.size() > kMostEdges)) {
+            points.clear();
+            for (const glm::dvec3& p : in_.shape.boxes[caster]) add(p);
+            hull = convex_hull(points);
+        }
+        // Behind a perspective light there is no outline: everything counts as within it.
+        if (!in_front) return;
+        const ViewExtent& e = casts_[caster];
+        blocker.rim = flat_tolerance(std::max(e.hi.x - e.lo.x, e.hi.y - e.lo.y));
+        for (std::size_t i = 0; i < hull.size(); ++i) {
+            const glm::dvec2 a = hull[i], along = hull[(i + 1) % hull.size()] - a;
+            const double length = glm::length(along);
+            if (!(length > 0)) continue;
+            const glm::dvec3 normal(-along.y / length, along.x / length, 0);
+            blocker.outline.push_back({normal, -glm::dot(normal, glm::dvec3(a, 0)) - blocker.rim});
+        }
+    }
+
+    /// Adds where across the view a caster shadows a receiver; at most `both`.
+    void add_receiver(const Blocker& blocker, std::size_t receiver, const MapRegion& both) {
+        const Object& object = in_.scene.objects[in_.shape.box_objects[receiver]];
+        const Mesh& mesh = mesh_of(receiver);
+        triangles_ += mesh.indices.size() / 3;
+        if (triangles_ > kMostTriangles) return add(both);
+        const LightView& view = in_.view;
+        const bool two_sided = is_two_sided(mesh);
+        const double winding = glm::determinant(glm::dmat3(object.world)) < 0 ? -1 : 1;
+        const HalfSpace ahead = HalfSpace::through(view.eye, -view.axes[2]);
+        const auto corner = [&](std::size_t i) {
+            return glm::dvec3(object.world * glm::dvec4(mesh.positions[mesh.indices[i]], 1));
+        };
+        Polygon polygon;
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            const glm::dvec3 a = corner(i), b = corner(i + 1), c = corner(i + 2);
+            const glm::dvec3 to_light = view.curve.perspective ? view.eye - a : view.axes[2];
+            if (!two_sided && winding * glm::dot(glm::cross(b - a, c - a), to_light) <= 0) continue;
+            polygon.assign({a, b, c});
+            for (const HalfSpace& plane : blocker.planes) clip(polygon, plane);
+            if (view.curve.perspective &&
+                std::ranges::any_of(polygon, [&](const glm::dvec3& p) { return !(ahead.distance(p) > 0); }))
+                return add(both);
+            for (glm::dvec3& p : polygon) p = seen_from_light(view, p);
+            for (const HalfSpace& line : blocker.outline) clip(polygon, line);
+            MapRegion part;
+            for (const glm::dvec3& p : polygon)
+                part.add(glm::dvec2(p) - blocker.rim), part.add(glm::dvec2(p) + blocker.rim);
+            add(part.common(both));
+        }
+    }
+
+    const FitInput& in_;
+    std::span<const ViewExtent> receivers_;
+    std::vector<ViewExtent> casts_;  ///< by box, empty for those that do not
+    ViewExtent all_;                 ///< of the receivers
+    MapRegion region_;
+    std::size_t pairs_ = 0, triangles_ = 0;
+};
+
+}  // namespace
+
+ViewExtent lit_extent(const FitInput& in, std::span<const glm::dvec3> points) {
+    ViewExtent e;
+    for (const glm::dvec3& p : points) e.add(seen_from_light(in.view, p));
+    return e;
+}
+
+ViewExtent lit_extent(const FitInput& in, std::size_t box) {
+    const Box& corners = in.shape.boxes[box];
+    if (!in.view.curve.perspective) return lit_extent(in, std::span<const glm::dvec3>(corners));
+    const ViewExtent e = extent_of(corners, in.view);
+    const double far = std::min(e.hi.z, in.reach_m), near = kViewBegins * far;
+    if (!(far > 0) || e.lo.z > far) return {};
+    if (is_within(e, in.view, near, far)) return lit_extent(in, std::span<const glm::dvec3>(corners));
+    const Box pyramid = pyramid_of(in.view, near, far);
+    return lit_extent(in, common_points(corners, half_spaces_of(corners), pyramid, half_spaces_of(pyramid)));
+}
+
+std::optional<MapRegion> shadowed_region(const FitInput& in, std::span<const ViewExtent> receivers) {
+    return Shadowed(in, receivers).region();
+}
+
+}  // namespace si

@@ -1,0 +1,193 @@
+// Maps that are fitted to where shadows are: what lies beyond is lit, in truth and in the picture, and finer for it.
+#include "renderer/settings/fits.h"
+
+#include <algorithm>
+
+#include "app/report/map_report.h"
+#include "renderer/reference/error_task.h"
+#include "renderer/scenes/shapes.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+class FitsTest : public FrameTest {
+protected:
+    TruthCache cache;
+
+    struct Judged {
+        std::size_t beyond = 0, shadowed_beyond = 0, unlit_beyond = 0, shadowed = 0;
+        ErrorMetrics metrics;
+        FittedLight light;
+    };
+
+    /// Holds every pixel's visibility against hard truth.
+    Judged judge(const Scene& scene, const Settings& s, int width = 240, int height = 135) {
+        FrameRequest request{.width = width, .height = height};
+        request.outputs = {.colour = false, .visibility = true, .map_coordinates = true};
+        const FrameResult frame = renderer.render(scene, s, request);
+        const FloatImage coordinates = renderer.read_float(frame.map_coordinates, 4);
+        const FloatImage visibility = renderer.read_float(frame.visibility, 1);
+        request.outputs = {.colour = false};
+        const MeasuredError measured = measure_error(renderer, scene, s, request, 0, {}, cache);
+        const Truth& truth = *measured.traced.truth;
+        Judged out{.metrics = measured.metrics, .light = frame.lights.at(0)};
+        const FloatImage& hard = truth.hard();
+        for (std::size_t i = 0; i < truth.state.size(); ++i) {
+            if (truth.state[i] != PixelState::Counted) continue;
+            const bool shadow = hard.data[i] < 0.5f;
+            out.shadowed += shadow;
+            if (coordinates.data[4 * i + 3] > 0) continue;
+            ++out.beyond;
+            out.shadowed_beyond += shadow;
+            out.unlit_beyond += visibility.data[i] != 1.f;
+        }
+        return out;
+    }
+};
+
+TEST_F(FitsTest, WhatLiesBeyondIsLitInTruthOverAllScenesAndDirections) {
+    struct Sun {
+        const char *azimuth, *elevation;
+    };
+    for (const BuiltinScene& row : builtin_scenes()) {
+        const Scene scene = load_scene(std::string(row.key));
+        std::vector<Sets> lights;
+        for (const Sun& sun : {Sun{"0", "90"}, Sun{"90", "20"}, Sun{"180", "45"}, Sun{"-33", "62"}})
+            lights.push_back({{"light.azimuth", sun.azimuth}, {"light.elevation", sun.elevation}});
+        lights.push_back({{"light.type", "spot"}, {"light.cone", "50"}, {"light.elevation", "60"}});
+        lights.push_back({{"light.type", "spot"}, {"light.cone", "100"}, {"light.azimuth", "90"}});
+        for (Sets light : lights) {
+            SCOPED_TRACE(std::string(row.key) + " " + light[0].second + " " + light[1].second);
+            light.emplace_back("map.resolution", "1024");
+            light.emplace_back("light.fit", "scene");
+            const Judged whole = judge(scene, settings_for(scene, light));
+            for (const FitRow& fit : fits()) {
+                if (!fit.narrows) continue;
+                SCOPED_TRACE(fit.key);
+                light.back().second = fit.key;
+                const Judged j = judge(scene, settings_for(scene, light));
+                EXPECT_EQ(j.shadowed_beyond, 0u) << "of " << j.beyond;
+                EXPECT_EQ(j.unlit_beyond, 0u);
+                EXPECT_TRUE(j.metrics.outside_map == 0 || !j.light.closed);
+                EXPECT_LE(j.metrics.mae, 1.1 * whole.metrics.mae + 2e-3) << "a map that holds less holds it finer";
+                EXPECT_LE(j.light.views[0].half_width, 1.05 * whole.light.views[0].half_width);
+            }
+        }
+    }
+}
+
+TEST_F(FitsTest, BeyondItNeitherWrapNorOutsideDecides) {
+    Scene scene = test::floor_and_box(10, {1.5, 1, 2});
+    for (const char* wrap : {"border", "clamp", "repeat", "range"})
+        for (const char* outside : {"lit", "unlit"}) {
+            SCOPED_TRACE(std::string(wrap) + " " + outside);
+            Settings s = test::texel_settings("pcf3", 512, 3);
+            for (const auto& [key, value] :
+                 Sets{{"map.wrap", wrap}, {"map.outside", outside}, {"light.fit", "casters"}, {"bias.normal", "0"}})
+                set_setting(s, key, value);
+            const Judged j = judge(scene, s);
+            EXPECT_TRUE(j.light.closed);
+            EXPECT_GT(j.beyond, 3000u) << "the floor is much wider than the box";
+            EXPECT_EQ(j.unlit_beyond, 0u);
+            EXPECT_EQ(j.metrics.outside_map, 0);
+            EXPECT_GT(j.shadowed, 300u);
+            // By hand, the same map has an outside.
+            s.lights[0].fit = int(LightFit::Manual);
+            s.lights[0].extent = j.light.views[0].half_width;
+            EXPECT_GT(judge(scene, s).metrics.outside_map, 0.1);
+        }
+}
+
+TEST_F(FitsTest, KernelsAreWholeAtTheRim) {
+    // Seen from straight above, the edges of the box's shadow lie on the region's sides: what a kernel greys beyond
+    // them must not be cut off. The same map by hand reads on everywhere.
+    Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.5);
+    for (const char* kernel : {"hard", "pcf3", "pcf9"}) {
+        SCOPED_TRACE(kernel);
+        Settings s = test::texel_settings(kernel, 128, 8);
+        s.lights[0].elevation = 90, s.lights[0].azimuth = 0;
+        s.lights[0].fit = int(LightFit::Casters);
+        FrameRequest request{.width = 300, .height = 200};
+        request.outputs = {.colour = false, .visibility = true};
+        const FrameResult frame = renderer.render(scene, s, request);
+        ASSERT_TRUE(frame.lights[0].closed);
+        const FloatImage narrowed = renderer.read_float(frame.visibility, 1);
+        const LightView view = frame.lights[0].views[0];
+        LightSettings& light = s.lights[0];
+        light.fit = int(LightFit::Manual);
+        light.extent = view.half_width;
+        const glm::dvec3 aside = view.eye - frame.lights[0].position;
+        light.target_x = aside.x, light.target_y = aside.y, light.target_z = aside.z;
+        const FrameResult by_hand = renderer.render(scene, s, request);
+        ASSERT_NEAR(by_hand.lights[0].views[0].half_width, view.half_width, 1e-9);
+        const FloatImage read = renderer.read_float(by_hand.visibility, 1);
+        std::size_t differs = 0, grey = 0;
+        for (std::size_t i = 0; i < read.data.size(); ++i) {
+            differs += std::abs(read.data[i] - narrowed.data[i]) > 1e-3f;
+            grey += read.data[i] > 0.01f && read.data[i] < 0.99f;
+        }
+        EXPECT_EQ(differs, 0u);
+        EXPECT_EQ(grey > 50, std::string(kernel) != "hard") << grey;
+    }
+}
+
+TEST_F(FitsTest, TheStageReadsTwiceTheShareOfItsTexels) {
+    const Scene scene = load_scene("stage");
+    FrameRequest request{.width = 1280, .height = 720};
+    const auto share = [&](const char* fit) {
+        return map_report(renderer, scene, settings_for(scene, {{"light.fit", fit}}), request)->usage.utilisation();
+    };
+    const double scene_fit = share("scene"), casters = share("casters"), view = share("view");
+    RecordProperty("shares", std::to_string(scene_fit) + " " + std::to_string(casters) + " " + std::to_string(view));
+    EXPECT_GE(casters, 2 * scene_fit) << scene_fit << " -> " << casters;
+    EXPECT_GE(view, 0.9 * casters) << view;
+}
+
+TEST_F(FitsTest, OnlyTheViewFitFollowsTheCamera) {
+    const Scene scene = load_scene("stage");
+    const auto half_width = [&](const char* fit, const char* azimuth) {
+        const Settings s = settings_for(
+            scene,
+            {{"light.fit", fit}, {"camera.source", "manual"}, {"camera.distance", "4"}, {"camera.azimuth", azimuth}});
+        const FrameResult frame = renderer.render(scene, s, small());
+        EXPECT_TRUE(frame.lights[0].closed);
+        return std::pair(frame.lights[0].views[0].half_width, frame.lights[0].views[0].eye);
+    };
+    EXPECT_EQ(half_width("casters", "0"), half_width("casters", "130"));
+    EXPECT_NE(half_width("view", "0"), half_width("view", "130"));
+    EXPECT_LT(half_width("view", "0").first, half_width("casters", "0").first);
+}
+
+TEST_F(FitsTest, AProbeSaysThatNothingCanCastAShadowThere) {
+    Scene scene = test::floor_and_box(10, {1.5, 1, 2});
+    Settings s = test::texel_settings("pcf3", 512, 3);
+    s.lights[0].fit = int(LightFit::Casters);
+    const FrameRequest request{.width = 240, .height = 180};
+    FrameRequest drawn = request;
+    drawn.outputs = {.map_coordinates = true};
+    const FloatImage coordinates = renderer.read_float(renderer.render(scene, s, drawn).map_coordinates, 4);
+    int beyond = 0, inside = 0;
+    for (int y = 5; y < 180; y += 25)
+        for (int x = 5; x < 240; x += 25) {
+            const Probe probe = renderer.probe(scene, s, request, x, y);
+            if (!probe.hit || !faces_light(probe.lights[0].n_dot_l)) continue;
+            const Probe::PerLight& p = probe.lights[0];
+            const bool reads = coordinates.data[4 * std::size_t(y * 240 + x) + 3] > 0;
+            EXPECT_EQ(p.where == "beyond shadows", !reads) << x << " " << y << " " << p.where;
+            (reads ? inside : beyond) += 1;
+            if (reads) continue;
+            EXPECT_EQ(p.visibility, 1);
+            EXPECT_TRUE(p.taps.empty());
+            EXPECT_EQ(p.evidence.place, CauseEvidence::kInside) << "that is no artefact";
+            EXPECT_NE(p.verdict.find("nothing can cast a shadow"), std::string::npos) << p.verdict;
+        }
+    EXPECT_GT(beyond, 5);
+    EXPECT_GT(inside, 3);
+}
+
+}  // namespace
+}  // namespace si
