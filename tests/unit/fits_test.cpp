@@ -49,7 +49,7 @@ std::vector<glm::dvec3> box_corners(const glm::dvec3& lo, const glm::dvec3& hi) 
     return points;
 }
 
-void expect_near(const std::optional<MapRegion>& found, const MapRegion& expected, double tolerance) {
+void expect_bounds_near(const std::optional<MapRegion>& found, const MapRegion& expected, double tolerance) {
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->lo.x, expected.lo.x, tolerance);
     EXPECT_NEAR(found->lo.y, expected.lo.y, tolerance);
@@ -95,11 +95,11 @@ TEST(CastersFit, AFloorUnderABoxDoesNotWidenIt) {
              {std::pair{0.0, 90.0}, {90.0, 45.0}, {0.0, 30.0}, {180.0, 60.0}, {270.0, 20.0}, {33.0, 40.0}}) {
             SCOPED_TRACE(testing::Message() << azimuth << " " << elevation << " at " << offset.x);
             const LightView view = sun(m.scene, azimuth, elevation);
-            expect_near(m.fit(fit_casters, view), region_of(view, box), 1e-4);
+            expect_bounds_near(m.fit(fit_casters, view), region_of(view, box), 1e-4);
         }
         const glm::dvec3 lamp = offset + glm::dvec3(1, 9, 2);
         const LightView view = spot(lamp, offset, 120);
-        expect_near(m.fit(fit_casters, view), region_of(view, box), 1e-4);
+        expect_bounds_near(m.fit(fit_casters, view), region_of(view, box), 1e-4);
     }
 }
 
@@ -109,7 +109,7 @@ TEST(CastersFit, ATiltedFloorIsAFloor) {
     std::vector<glm::dvec3> box = box_corners({2, 0, -1}, {4, 1, 1});
     for (glm::dvec3& p : box) p = glm::dvec3(turn * glm::dvec4(p, 1)) + glm::dvec3(5, -2, 1);
     const LightView view = sun(m.scene, 20, 70);
-    expect_near(m.fit(fit_casters, view), region_of(view, box), 1e-4);
+    expect_bounds_near(m.fit(fit_casters, view), region_of(view, box), 1e-4);
     // Its triangles need not lie in a plane of the mesh's own axes.
     Made baked;
     Mesh floor = make_plane(20, 20);
@@ -119,7 +119,7 @@ TEST(CastersFit, ATiltedFloorIsAFloor) {
     finalise(baked.scene);
     for (glm::dvec3& p : box) p -= glm::dvec3(5, -2, 1);
     const LightView there = sun(baked.scene, 20, 70);
-    expect_near(baked.fit(fit_casters, there), region_of(there, box), 1e-4);
+    expect_bounds_near(baked.fit(fit_casters, there), region_of(there, box), 1e-4);
 }
 
 TEST(CastersFit, WhatIsFlatAndShadowsSomethingCounts) {
@@ -130,8 +130,8 @@ TEST(CastersFit, WhatIsFlatAndShadowsSomethingCounts) {
         m.add("Wall", make_quad(4, 2.5), moved(1, 0, 2), true);
         finalise(m.scene);
         const LightView view = sun(m.scene, azimuth, 35);
-        expect_near(m.fit(fit_casters, view), region_of(view, {{-1, 0, 2}, {3, 0, 2}, {-1, 2.5, 2}, {3, 2.5, 2}}),
-                    1e-4);
+        expect_bounds_near(m.fit(fit_casters, view),
+                           region_of(view, {{-1, 0, 2}, {3, 0, 2}, {-1, 2.5, 2}, {3, 2.5, 2}}), 1e-4);
     }
     // A shelf of 2 x 3 m above a floor; a floor above a larger floor.
     Made m;
@@ -139,7 +139,7 @@ TEST(CastersFit, WhatIsFlatAndShadowsSomethingCounts) {
     m.add("Shelf", make_plane(2, 3), moved(4, 1, 0));
     finalise(m.scene);
     const LightView view = sun(m.scene, 0, 90);
-    expect_near(m.fit(fit_casters, view), region_of(view, {{3, 1, -1.5}, {5, 1, 1.5}}), 1e-4);
+    expect_bounds_near(m.fit(fit_casters, view), region_of(view, {{3, 1, -1.5}, {5, 1, 1.5}}), 1e-4);
 }
 
 TEST(CastersFit, AFloorWithSomethingBelowCountsThere) {
@@ -150,7 +150,7 @@ TEST(CastersFit, AFloorWithSomethingBelowCountsThere) {
     const LightView view = sun(m.scene, 0, 90);
     // The box, the sunk one and, through the floor, the cellar's floor.
     MapRegion expected = region_of(view, {{4, 0, 1}, {-6.5, 0, -5.5}, {1.5, -4, 8}});
-    expect_near(m.fit(fit_casters, view), expected, 1e-4);
+    expect_bounds_near(m.fit(fit_casters, view), expected, 1e-4);
     // From below the floor shadows all that stands on it.
     Made above = floor_and_box_at(glm::dvec3(0));
     above.add("Far", make_box({1, 1, 1}), moved(-8, 5, -8));
@@ -170,7 +170,7 @@ TEST(CastersFit, WhatTurnsItsBackToTheLightReceivesFromBothSidesOnly) {
         const LightView view = sun(m.scene, 0, 90);
         MapRegion expected = region_of(view, {{2, 0, -1}, {4, 0, 1}});
         if (two_sided) expected.add(region_of(view, {{-6.5, -1, 6}, {-3.5, -1, 8}}));
-        expect_near(m.fit(fit_casters, view), expected, 1e-4);
+        expect_bounds_near(m.fit(fit_casters, view), expected, 1e-4);
     }
 }
 
@@ -181,13 +181,14 @@ TEST(CastersFit, ASlabIsAFloorToo) {
     m.add("Box", make_box({2, 1, 2}), moved(3, 0.5, 0));
     finalise(m.scene);
     const LightView view = sun(m.scene, 70, 35);
-    expect_near(m.fit(fit_casters, view), region_of(view, box_corners({2, 0, -1}, {4, 1, 1})), 1e-4);
+    expect_bounds_near(m.fit(fit_casters, view), region_of(view, box_corners({2, 0, -1}, {4, 1, 1})), 1e-4);
     // Seen from within, its lower side is shaded by its upper one.
     Made open;
     open.add("Slab", make_box({20, 0.3, 20}), moved(0, -0.15, 0), true);
     finalise(open.scene);
     const LightView there = sun(open.scene, 70, 35);
-    expect_near(open.fit(fit_casters, there), region_of(there, box_corners({-10, -0.3, -10}, {10, 0, 10})), 1e-4);
+    expect_bounds_near(open.fit(fit_casters, there), region_of(there, box_corners({-10, -0.3, -10}, {10, 0, 10})),
+                       1e-4);
 }
 
 TEST(CastersFit, WithoutAnyShadowItIsTheSceneFit) {
@@ -207,7 +208,7 @@ TEST(CastersFit, ObjectsThatNeitherCastNorReceiveDoNotCount) {
     const LightView view = sun(m.scene, 0, 90);
     Settings s;
     s.objects["Root/Ghost"] = {.cast = false};
-    expect_near(m.fit(fit_casters, view, s), region_of(view, {{2, 0, -1}, {4, 0, 1}}), 1e-4);
+    expect_bounds_near(m.fit(fit_casters, view, s), region_of(view, {{2, 0, -1}, {4, 0, 1}}), 1e-4);
     EXPECT_TRUE(m.fit(fit_casters, view)->holds(region_of(view, {{-8, 0, -8}})));
     s = {};
     s.objects["Root/Floor"] = {.receive = false};
@@ -241,10 +242,10 @@ TEST(ViewFit, HoldsWhatTheCameraSees) {
             const glm::dvec3 ray = camera.axes * glm::dvec3(x * side, y * side, -10);
             seen.add(region_of(view, {camera.eye + ray}));
         }
-    expect_near(m.fit(fit_view, view, {}, &camera), seen, 1e-6);
+    expect_bounds_near(m.fit(fit_view, view, {}, &camera), seen, 1e-6);
     const auto all = m.fit(fit_casters, view);
-    expect_near(all, region_of(view, {{-75, 0, -75}, {75, 0, 75}}), 1e-6);
-    expect_near(m.fit(fit_view, view), *all, 0);
+    expect_bounds_near(all, region_of(view, {{-75, 0, -75}, {75, 0, 75}}), 1e-6);
+    expect_bounds_near(m.fit(fit_view, view), *all, 0);
 }
 
 /// Points on all surfaces that the camera could see lit, and whether rays find something before the light.

@@ -9,12 +9,12 @@
 namespace si::test {
 namespace {
 
-void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-9) {
+void expect_place_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-9) {
     EXPECT_LE(glm::length(a - b), tolerance)
         << a.x << ' ' << a.y << ' ' << a.z << " is not " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
-glm::dvec3 moved(const glm::dmat4& m, const glm::dvec3& p) {
+glm::dvec3 moved_by(const glm::dmat4& m, const glm::dvec3& p) {
     return glm::dvec3(m * glm::dvec4(p, 1));
 }
 
@@ -27,8 +27,8 @@ TEST(GltfScene, TransformsScaleThenRotateThenTranslate) {
     file.json["nodes"][0]["rotation"] = {0, 0, h, h};
     file.json["nodes"][0]["scale"] = {2, -3, 4};
     const Scene scene = file.load();
-    expect_near(moved(scene.objects[0].world, {1, 0, 0}), {10, 22, 30});
-    expect_near(moved(scene.objects[0].world, {0, 1, 0}), {13, 20, 30});
+    expect_place_near(moved_by(scene.objects[0].world, {1, 0, 0}), {10, 22, 30});
+    expect_place_near(moved_by(scene.objects[0].world, {0, 1, 0}), {13, 20, 30});
     EXPECT_LT(glm::determinant(scene.objects[0].world), 0);
 }
 
@@ -44,7 +44,7 @@ TEST(GltfScene, ParentsComeFirstAndMultiplyFromTheLeft) {
     EXPECT_EQ(scene.nodes[0].name, "parent");
     EXPECT_EQ(scene.nodes[1].parent, 0);
     EXPECT_EQ(scene.nodes[1].path, "parent/child");
-    expect_near(moved(scene.objects[0].world, {0, 1, 0}), {7, 1, 0});  // sheared by 0.5, moved by 3, doubled
+    expect_place_near(moved_by(scene.objects[0].world, {0, 1, 0}), {7, 1, 0});  // sheared by 0.5, moved by 3, doubled
 }
 
 TEST(GltfScene, OtherScenesAreLeftOut) {
@@ -79,8 +79,8 @@ TEST(GltfScene, InstancesShareTheMesh) {
     const Scene scene = file.load();
     EXPECT_EQ(scene.meshes.size(), 1u);
     ASSERT_EQ(scene.objects.size(), 2u);
-    expect_near(moved(scene.objects[0].world, {1, 0, 0}), {1, 0, 100});
-    expect_near(moved(scene.objects[1].world, {1, 0, 0}), {5, 2, 100}, 1e-6);
+    expect_place_near(moved_by(scene.objects[0].world, {1, 0, 0}), {1, 0, 100});
+    expect_place_near(moved_by(scene.objects[1].world, {1, 0, 0}), {5, 2, 100}, 1e-6);
 }
 
 TEST(GltfScene, CamerasOfBothKinds) {
@@ -97,7 +97,7 @@ TEST(GltfScene, CamerasOfBothKinds) {
     EXPECT_NEAR(scene.cameras[0].fov_y_deg, 180 / std::numbers::pi, 1e-9);
     EXPECT_EQ(scene.cameras[0].near, 0.5);
     EXPECT_EQ(scene.cameras[0].far, 0);
-    expect_near(glm::dvec3(scene.cameras[0].world[3]), {1, 2, 3});
+    expect_place_near(glm::dvec3(scene.cameras[0].world[3]), {1, 2, 3});
     EXPECT_EQ(scene.cameras[1].name, "plan");
     EXPECT_TRUE(scene.cameras[1].orthographic);
     EXPECT_EQ(scene.cameras[1].height, 4);
@@ -121,7 +121,7 @@ TEST(GltfScene, LightsOfThreeKinds) {
     EXPECT_EQ(scene.lights[0].type, static_cast<int>(LightType::Directional));
     EXPECT_EQ(scene.lights[0].intensity, 3);
     EXPECT_EQ(scene.lights[0].colour, glm::dvec3(1, 0.5, 0.25));
-    expect_near(-glm::dvec3(scene.lights[0].world[2]), {0, 1, 0});  // -z turned by +90 degrees about x
+    expect_place_near(-glm::dvec3(scene.lights[0].world[2]), {0, 1, 0});  // -z turned by +90 degrees about x
     EXPECT_EQ(scene.lights[1].type, static_cast<int>(LightType::Point));
     EXPECT_EQ(scene.lights[1].range, 12);
     EXPECT_EQ(scene.lights[2].range, 0) << "unlimited";

@@ -31,7 +31,7 @@ SceneLight light_of(LightType type, const glm::dvec3& position, const glm::dvec3
     return light;
 }
 
-void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
+void expect_light_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
     EXPECT_LE(glm::distance(a, b), tolerance)
         << a.x << ' ' << a.y << ' ' << a.z << " / " << b.x << ' ' << b.y << ' ' << b.z;
 }
@@ -51,9 +51,9 @@ TEST(SceneLights, PlacesAndDirectionsComeOutAsTheyWentIn) {
                 const FittedLight fitted = fit_lights(scene, s).at(0);
                 EXPECT_EQ(fitted.type, type);
                 if (type != LightType::Directional)
-                    expect_near(fitted.position, place, 1e-9 + 1e-14 * glm::length(place));
+                    expect_light_near(fitted.position, place, 1e-9 + 1e-14 * glm::length(place));
                 if (type != LightType::Point)
-                    expect_near(fitted.to_light, glm::normalize(glm::dvec3(scene.lights[0].world[2])), 1e-14);
+                    expect_light_near(fitted.to_light, glm::normalize(glm::dvec3(scene.lights[0].world[2])), 1e-14);
             }
 }
 
@@ -72,7 +72,7 @@ TEST(SceneLights, ConesColoursAndRatiosOfBrightness) {
     const auto fitted = fit_lights(scene, s);
     EXPECT_NEAR(fitted[0].cos_cone_outer, std::cos(0.5), 1e-12);
     EXPECT_NEAR(fitted[0].cos_cone_inner, std::cos(0.2), 1e-12);
-    expect_near(fitted[0].radiance / fitted[1].radiance.x, glm::dvec3(10, 5, 0), 1e-9);
+    expect_light_near(fitted[0].radiance / fitted[1].radiance.x, glm::dvec3(10, 5, 0), 1e-9);
     EXPECT_EQ(s.lights[2].intensity, 1);
 }
 
