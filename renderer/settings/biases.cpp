@@ -136,9 +136,9 @@ std::string_view unread_bias(const Settings& settings, std::string_view key) {
         for (const Bias& row : kinds())
             for (const std::string_view k : row.settings) {
                 std::string& text = out[k];
-                text += (text.empty() ? "without effect: read by bias.kind " : " and ") + std::string(row.key);
+                text += (text.empty() ? "without effect: only bias.kind " : " or ") + std::string(row.key);
             }
-        for (auto& [k, text] : out) text += " only";
+        for (auto& [k, text] : out) text += " reads it";
         return out;
     }();
     if (reads_setting(bias_of(settings), key)) return {};

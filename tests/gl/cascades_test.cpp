@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/bias/account.h"
 #include "renderer/bias/light_receiver.h"
 #include "renderer/measure/measure.h"
 #include "renderer/reference/truth_task.h"
@@ -69,7 +70,10 @@ TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
                     alone.views = {light.views[view]};
                     alone.chooser = {};
                     const LightReceiver r =
-                        light_receiver(alone, s.bias, frame.map_resolution, at.position_ws, at.normal_ws, at.normal_ws);
+                        bias_account(alone, s, frame.map_resolution,
+                                     {at.position_ws, at.normal_ws, at.normal_ws, frame.camera.origin()},
+                                     renderer.driver())
+                            .receiver;
                     if (!(r.n_dot_l > 1e-3)) sure = false;
                     const glm::dvec2 texel = glm::dvec2(r.tap) * 128.0, part = glm::fract(texel);
                     const glm::ivec2 t(glm::clamp(texel, 0.0, 127.0));

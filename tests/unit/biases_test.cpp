@@ -63,10 +63,10 @@ TEST(Biases, SayWhichSettingsTheyLeaveIdle) {
     Settings s = of_kind("slope");
     s.bias.slope = 3;
     EXPECT_EQ(idle(s, "bias.slope"), "");
-    EXPECT_EQ(idle(s, "bias.plane_clamp"), "without effect: read by bias.kind receiver-plane only");
+    EXPECT_EQ(idle(s, "bias.plane_clamp"), "without effect: only bias.kind receiver-plane reads it");
     s = of_kind("receiver-plane");
     s.bias.slope = 3;
-    EXPECT_EQ(idle(s, "bias.slope"), "without effect: read by bias.kind slope only");
+    EXPECT_EQ(idle(s, "bias.slope"), "without effect: only bias.kind slope reads it");
     EXPECT_EQ(idle(s, "bias.plane_clamp"), "");
     EXPECT_EQ(idle(s, "bias.constant"), "") << "all rows read it";
     s.bias.normal = 0;

@@ -155,6 +155,7 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
     f.lights[0].casts = false;
     EXPECT_EQ(work_cost(s, f).map_bytes, 0u);
     s.map.format = int(MapFormat::D16);
+    f.lights[0].casts = true;
     // A bilinear tap of a sampler compares 2x2 texels; a nearest one a single texel, as do nearest kernels by gathers.
     for (std::size_t i = 0; i < filters().size(); ++i) {
         s.filter.kernel = int(i);
