@@ -236,7 +236,9 @@ TEST(Cascades, GoOverIntoEachOther) {
             // Through the land, where maps hold it.
             const auto now = weights(scene.camera.eye - scene.camera.axes[2] * (length * i / kSteps));
             for (std::size_t k = 0; k < 4; ++k) {
-                if (choice == CascadeChoice::Interval) EXPECT_LT(std::abs(now[k] - before[k]), 0.02) << i;
+                if (choice == CascadeChoice::Interval) {
+                    EXPECT_LT(std::abs(now[k] - before[k]), 0.02) << i;
+                }
                 if (now[k] > 0.99) met.insert(k);
             }
             before = now;
@@ -261,7 +263,8 @@ TEST(Cascades, AreLeftToTheFit) {
     Cascaded away({{0, 0, 0}, -40, 45, 30, 8, 30, false, CascadeChoice::Interval});
     away.settings.camera.target_y = 1e4, away.settings.camera.elevation = -80;
     const Camera camera = make_camera(away.scene, away.settings, 1.5);
-    for (const LightView& view : fit_lights(away.scene, away.settings, &camera)[0].views) {
+    const std::vector<FittedLight> lights = fit_lights(away.scene, away.settings, &camera);
+    for (const LightView& view : lights[0].views) {
         EXPECT_TRUE(std::isfinite(view.half_width) && view.half_width > 0);
         EXPECT_GT(view.curve.far, view.curve.near);
     }

@@ -13,6 +13,7 @@ namespace si {
 namespace {
 
 /// Work that says when it began and goes on until it is let.
+/// Outlives the job that it works for: declared before it.
 struct Puppet {
     std::promise<void> begun, let;
     std::atomic<bool> stopped{false};  ///< seen when it ended
@@ -30,10 +31,10 @@ struct Puppet {
 };
 
 TEST(Job, GivesItsValueOnce) {
+    Puppet puppet;
     Job<int> job;
     EXPECT_FALSE(job.busy() || job.wanted() || job.moved() || job.poll());
     job.wait();
-    Puppet puppet;
     job.start(puppet.work(7));
     puppet.wait_until_begun();
     EXPECT_TRUE(job.busy() && job.wanted());
@@ -49,8 +50,8 @@ TEST(Job, GivesItsValueOnce) {
 }
 
 TEST(Job, TheNextBeginsWhenTheCancelledOneHasEndedAndOnlyItIsHeardOf) {
-    Job<int> job;
     Puppet first, third;
+    Job<int> job;
     job.start(first.work(1, false));
     first.wait_until_begun();
     bool second_ran = false;
@@ -70,8 +71,8 @@ TEST(Job, TheNextBeginsWhenTheCancelledOneHasEndedAndOnlyItIsHeardOf) {
 
 TEST(Job, CancelledIsCancelledWhateverBecameOfIt) {
     for (const bool heeds : {true, false}) {
-        Job<int> job;
         Puppet puppet;
+        Job<int> job;
         job.start(puppet.work(7, heeds));
         puppet.wait_until_begun();
         job.cancel();
@@ -93,8 +94,8 @@ TEST(Job, CancelledIsCancelledWhateverBecameOfIt) {
 }
 
 TEST(Job, OneThatIsCancelledBeforeItBeganNeverBegins) {
-    Job<int> job;
     Puppet first;
+    Job<int> job;
     bool ran = false;
     job.start(first.work(1));
     first.wait_until_begun();
@@ -107,8 +108,8 @@ TEST(Job, OneThatIsCancelledBeforeItBeganNeverBegins) {
 }
 
 TEST(Job, NothingIsHeardOfWhatWasDropped) {
-    Job<int> job;
     Puppet puppet;
+    Job<int> job;
     job.start(puppet.work(7, false));
     puppet.wait_until_begun();
     job.drop();
@@ -134,6 +135,7 @@ TEST(Job, TellsWhyItFailed) {
 }
 
 TEST(Job, TellsProgressOfWhatIsWantedAlone) {
+    Puppet second;
     Job<int> job;
     std::promise<void> told, more, ended;
     job.start([&](const Workers& workers, const auto& report) {
@@ -155,7 +157,6 @@ TEST(Job, TellsProgressOfWhatIsWantedAlone) {
     ended.get_future().wait();
     EXPECT_FALSE(job.moved()) << "nothing that is worth drawing";
     EXPECT_EQ(job.progress(), 0.509);
-    Puppet second;
     job.start(second.work(2), 0.1);
     second.wait_until_begun();
     EXPECT_EQ(job.progress(), 0.1) << "the first one's 0.9 is nobody's";
