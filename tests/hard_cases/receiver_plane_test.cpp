@@ -105,7 +105,9 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
             }
     EXPECT_GT(double(acne_without), 0.7 * double(judged));
     if (c.format == MapFormat::D32F) {
-        EXPECT_LT(most_texels, 0.1) << "35 texels is what pcf5 needs at 85 degrees";
+        // Corners snap by half a step of the driver's grid, which both axes' slopes of 85 degrees make depth of.
+        const double snapping = 17 * std::exp2(-(hard_renderer().driver().subpixel_bits + 1));
+        EXPECT_LT(most_texels, 0.1 + snapping) << "35 texels is what pcf5 needs at 85 degrees";
     }
 }
 
