@@ -244,14 +244,8 @@ void set_samplers(const FrameState& f) {
     const bool bilinear = filter_of(f.settings).bilinear;
     const float far_depth = m.reversed_z ? 0.f : 1.f;
     const float border = m.outside == int(Outside::Lit) ? far_depth : 1.f - far_depth;
-    const glm::vec4 border_colour(border);
-    const GLint wrap = m.wrap == int(MapWrap::Border)   ? GL_CLAMP_TO_BORDER
-                       : m.wrap == int(MapWrap::Repeat) ? GL_REPEAT
-                                                        : GL_CLAMP_TO_EDGE;
     for (const GLuint sampler : {f.gl.map_nearest.id(), f.gl.map_compare.id()}) {
-        glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, wrap);
-        glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, wrap);
-        glSamplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, &border_colour.x);
+        set_map_wrap(sampler, m, border);
         const bool compare = sampler == f.gl.map_compare.id();
         glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);
         glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);

@@ -29,6 +29,16 @@ GLuint FrameState::program(std::string_view vertex, std::string_view fragment, s
     return gl.programs.get(wanted);
 }
 
+void set_map_wrap(GLuint sampler, const MapSettings& map, float border) {
+    const GLint wrap = map.wrap == int(MapWrap::Border)   ? GL_CLAMP_TO_BORDER
+                       : map.wrap == int(MapWrap::Repeat) ? GL_REPEAT
+                                                          : GL_CLAMP_TO_EDGE;
+    const glm::vec4 colour(border);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, wrap);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, wrap);
+    glSamplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, &colour.x);
+}
+
 void FrameState::bind_maps() const {
     const gl::Target& map = gl.compared_map();
     if (!map.texture) return;

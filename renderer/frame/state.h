@@ -190,6 +190,8 @@ void bind_truth(const FrameState& f);
 // One function per pass; each appends itself to the plan. (renderer/passes/)
 void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan);
 void add_depth_blur_pass(FrameState& f, std::vector<Pass>& plan);
+/// What a sampler finds beyond a map's sides, by map.wrap; with a border, that in each channel.
+void set_map_wrap(GLuint sampler, const MapSettings& map, float border);
 /// Mean and mean square of the maps' depths, for kernels that read those.
 void add_moments_pass(FrameState& f, std::vector<Pass>& plan);
 void bind_moments(const FrameState& f);

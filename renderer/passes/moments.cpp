@@ -19,7 +19,7 @@ void sum_moments(FrameState& f, MomentTargets& t, const gl::Framebuffer& rows, c
     const auto draw = [&](GLuint framebuffer, const char* columns) {
         f.begin_fullscreen_pass(framebuffer, n, n);
         const GLuint id =
-            f.program("passes/fullscreen.vert.glsl", "passes/moments.frag.glsl", {{"MOMENTS_COLUMNS", columns}});
+            f.program("passes/fullscreen.vert.glsl", "passes/moments.frag.glsl", {{"BLUR_COLUMNS", columns}});
         glUseProgram(id);
         glUniform1i(glGetUniformLocation(id, "layer"), layer);
         glUniform1i(glGetUniformLocation(id, "radius"), f.settings.filter.blur);
@@ -37,13 +37,7 @@ void sum_moments(FrameState& f, MomentTargets& t, const gl::Framebuffer& rows, c
 void set_moments_sampler(const FrameState& f, gl::Sampler& sampler) {
     if (!sampler) sampler = gl::Sampler::create("moments");
     const MapSettings& m = f.settings.map;
-    const GLint wrap = m.wrap == int(MapWrap::Border)   ? GL_CLAMP_TO_BORDER
-                       : m.wrap == int(MapWrap::Repeat) ? GL_REPEAT
-                                                        : GL_CLAMP_TO_EDGE;
-    const glm::vec4 border(m.outside == int(Outside::Lit) ? 1.f : 0.f);
-    glSamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_S, wrap);
-    glSamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_T, wrap);
-    glSamplerParameterfv(sampler.id(), GL_TEXTURE_BORDER_COLOR, &border.x);
+    set_map_wrap(sampler.id(), m, m.outside == int(Outside::Lit) ? 1.f : 0.f);
     glSamplerParameteri(sampler.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glSamplerParameteri(sampler.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }

@@ -1,12 +1,7 @@
 // The mean and mean square of depths about each texel of the shadow maps, as the moments pass leaves them. Depths are
 // shares of the map's range along its axis, 0 near to 1 far, whatever the map's format and direction.
-#if MAP_LAYERS > 1
-layout(binding = 14) uniform sampler2DArray moments_map;
-#define AT_MOMENTS(at, layer) vec3(at, layer)
-#else
-layout(binding = 14) uniform sampler2D moments_map;
-#define AT_MOMENTS(at, layer) at
-#endif
+#include "lib/shadow_map.glsl"
+layout(binding = 14) uniform MAPS moments_map;
 
 /// The share of the range at a stored or compared depth; the depth itself where it is linear.
 float share_of_range(float depth, float near, float far, bool perspective) {
@@ -21,7 +16,7 @@ float share_of_range(float depth, Receiver r) {
 
 /// The moments at a place of the map, blended of 2x2 texels.
 vec2 map_moments(Receiver r, vec2 at) {
-    vec2 moments = texture(moments_map, AT_MOMENTS(at, r.layer)).rg;
+    vec2 moments = texture(moments_map, IN_LAYER(at, r.layer)).rg;
 #ifdef MARK_TEXELS
     map_gather(round(at * float(map_resolution)) / float(map_resolution), r.layer);  // the 2x2 that are blended
 #endif

@@ -1,30 +1,32 @@
 // The shadow maps: one picture is a plain texture, several are the layers of an array.
 #if MAP_LAYERS > 1
-layout(binding = 0) uniform sampler2DArray shadow_map;               // nearest, no comparison
+#define MAPS sampler2DArray
+#define IN_LAYER(at, layer) vec3(at, layer)
 layout(binding = 1) uniform sampler2DArrayShadow shadow_map_compare; // comparison as map_compare has it
-float stored_depth(vec2 at, int layer) { return texture(shadow_map, vec3(at, layer)).r; }
-vec4 stored_gather(vec2 at, int layer) { return textureGather(shadow_map, vec3(at, layer)); }
 float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec4(at, layer, own)); }
 #else
-layout(binding = 0) uniform sampler2D shadow_map;
+#define MAPS sampler2D
+#define IN_LAYER(at, layer) at
 layout(binding = 1) uniform sampler2DShadow shadow_map_compare;
-float stored_depth(vec2 at, int layer) { return texture(shadow_map, at).r; }
-vec4 stored_gather(vec2 at, int layer) { return textureGather(shadow_map, at); }
 float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec3(at, own)); }
 #endif
+layout(binding = 0) uniform MAPS shadow_map;  // nearest, no comparison
+float stored_depth(vec2 at, int layer) { return texture(shadow_map, IN_LAYER(at, layer)).r; }
+vec4 stored_gather(vec2 at, int layer) { return textureGather(shadow_map, IN_LAYER(at, layer)); }
+float stored_texel(ivec2 texel, int layer) {
+#if MAP_LAYERS > 1
+    return texelFetch(shadow_map, ivec3(texel, layer), 0).r;
+#else
+    return texelFetch(shadow_map, texel, 0).r;
+#endif
+}
 
 /// A depth that every comparison finds lit, or dark.
 float depth_of(bool lit) { return lit == (map_reversed_z == 0) ? 3e38 : -3e38; }
 
 #ifdef MAP_TRIALS
 // The same kernels on another map, and with an answer in place of what lies beyond the map's sides.
-#if MAP_LAYERS > 1
-layout(binding = 10) uniform sampler2DArray unfiltered_map;
-#define UNFILTERED(at, layer) vec3(at, layer)
-#else
-layout(binding = 10) uniform sampler2D unfiltered_map;
-#define UNFILTERED(at, layer) at
-#endif
+layout(binding = 10) uniform MAPS unfiltered_map;
 bool map_is_unfiltered = false;
 float beyond_answer = -1.0;  // visibility of taps beyond the sides; below 0: as map.wrap has it
 
@@ -41,13 +43,13 @@ vec4 answered(vec4 depth, vec4 u, vec4 v) {
 }
 
 float map_depth(vec2 at, int layer) {
-    float depth = map_is_unfiltered ? texture(unfiltered_map, UNFILTERED(at, layer)).r : stored_depth(at, layer);
+    float depth = map_is_unfiltered ? texture(unfiltered_map, IN_LAYER(at, layer)).r : stored_depth(at, layer);
     return answered(vec4(depth), at.xxxx, at.yyyy).x;
 }
 
 /// @param at where four texels meet
 vec4 map_gather(vec2 at, int layer) {
-    vec4 depth = map_is_unfiltered ? textureGather(unfiltered_map, UNFILTERED(at, layer)) : stored_gather(at, layer);
+    vec4 depth = map_is_unfiltered ? textureGather(unfiltered_map, IN_LAYER(at, layer)) : stored_gather(at, layer);
     vec2 half_texel = vec2(0.5 / float(map_resolution));
     vec4 u = at.x + vec4(-1.0, 1.0, 1.0, -1.0) * half_texel.x, v = at.y + vec4(1.0, 1.0, -1.0, -1.0) * half_texel.y;
     return answered(depth, u, v);

@@ -179,7 +179,7 @@ std::vector<Axis> axes() {
         else
             axis.choices = {{{key, "false"}}, {{key, "true"}}};
         if (p.key == "filter.method") axis.names.insert("FILTER_SAMPLER");
-        if (p.key == "filter.kernel") axis.names.insert({"KERNEL_SIZE", "FILTER_FILE", "MOMENTS_COLUMNS"});
+        if (p.key == "filter.kernel") axis.names.insert({"KERNEL_SIZE", "FILTER_FILE", "BLUR_COLUMNS"});
         if (p.key == "bias.kind") axis.names.insert({"BIAS_FILE", "BIAS_PER_TEXEL"});
         out.push_back(std::move(axis));
     }
