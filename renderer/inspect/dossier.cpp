@@ -321,7 +321,7 @@ private:
         return keys;
     }
     /// Whether bias.kind lets the setting act.
-    bool acts(std::string_view key) const { return unread_bias(settings_, key).empty(); }
+    bool acts(std::string_view key) const { return reads_setting(bias_of(settings_), key); }
     static double& value_of(Settings& s, std::string_view key) {
         return key == "bias.normal" ? s.bias.normal : key == "bias.slope" ? s.bias.slope : s.bias.constant;
     }

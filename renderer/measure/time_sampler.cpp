@@ -138,8 +138,7 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
     const std::uint64_t fetched = settings.map.format == int(MapFormat::Colour) ? 4 : bytes;
     cost.map_bytes = cost.map_texels * bytes;
     // Moments of each map, and of one along x alone.
-    if (const auto prepared = std::uint64_t(prefilter_bytes_per_texel(settings)); casting > 0)
-        cost.map_bytes += prepared * (cost.map_texels + texels * (prepared > 0 ? 1 : 0));
+    if (casting > 0) cost.map_bytes += std::uint64_t(prefilter_bytes_per_texel(settings)) * (cost.map_texels + texels);
     // The blurred copy, which has no depth buffer beside it, and one map blurred along x alone as 32-bit floats.
     if (settings.map.blur_texels > 0 && casting > 0) cost.map_bytes += cost.map_texels * fetched + 4 * texels;
     const std::uint64_t pixels = std::uint64_t(frame.colour.width) * std::uint64_t(frame.colour.height);

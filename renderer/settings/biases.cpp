@@ -1,8 +1,6 @@
 #include "renderer/settings/biases.h"
 
 #include <algorithm>
-#include <map>
-#include <string>
 #include <vector>
 
 #include "renderer/settings/choices_of.h"
@@ -128,22 +126,6 @@ const Bias& bias_at(BiasStage stage) {
 
 bool reads_setting(const Bias& row, std::string_view key) {
     return lists(row, key) || std::ranges::none_of(kBiases, [&](const Bias& b) { return lists(b, key); });
-}
-
-std::string_view unread_bias(const Settings& settings, std::string_view key) {
-    static const std::map<std::string_view, std::string> reasons = [] {
-        std::map<std::string_view, std::string> out;
-        for (const Bias& row : kinds())
-            for (const std::string_view k : row.settings) {
-                std::string& text = out[k];
-                text += (text.empty() ? "without effect: only bias.kind " : " or ") + std::string(row.key);
-            }
-        for (auto& [k, text] : out) text += " reads it";
-        return out;
-    }();
-    if (reads_setting(bias_of(settings), key)) return {};
-    const auto reason = reasons.find(key);
-    return reason == reasons.end() ? std::string_view() : reason->second;
 }
 
 }  // namespace si

@@ -56,8 +56,6 @@ const Bias& bias_of(const Settings& settings);
 const Bias& bias_at(BiasStage stage);
 /// Whether the row reads a setting, or all rows do.
 bool reads_setting(const Bias& row, std::string_view key);
-/// Why no bias in use reads a setting of bias.*; empty when one does.
-std::string_view unread_bias(const Settings& settings, std::string_view key);
 
 /// The lectures' bias, max(slope (1 - n.l), constant), in bias.unit.
 double slope_amount(const BiasSettings& bias, double n_dot_l);

@@ -16,7 +16,7 @@ namespace {
 struct TechniqueTable {
     std::string_view chooser;  ///< key of the setting
     struct Row {
-        std::string_view key, label;
+        std::string_view key;
         std::span<const std::string_view> settings;
     };
     std::vector<Row> rows;
@@ -26,7 +26,7 @@ struct TechniqueTable {
 template <typename Rows>
 TechniqueTable table_of(std::string_view chooser, const Rows& rows, std::size_t choices) {
     TechniqueTable table{chooser, {}};
-    for (const auto& row : rows.first(choices)) table.rows.push_back({row.key, row.label, row.settings});
+    for (const auto& row : rows.first(choices)) table.rows.push_back({row.key, row.settings});
     return table;
 }
 

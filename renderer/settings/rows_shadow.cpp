@@ -136,11 +136,8 @@ constexpr auto kCaster = std::to_array<Param>({
 });
 static_assert(kCaster.size() == members<CasterSettings>(), "a member of CasterSettings has no row");
 
-std::string_view slope_idle(const Settings& s, int) {
-    if (const std::string_view why = unread_bias(s, "bias.slope"); !why.empty()) return why;
-    return s.bias.slope <= s.bias.constant
-               ? "without effect: bias = max(slope * (1 - n.l), constant) and slope is not above constant"
-               : "";
+bool slope_acts(const Settings& s) {
+    return reads_setting(bias_of(s), "bias.slope") && s.bias.slope > s.bias.constant;
 }
 
 constexpr auto kBias = of_map(std::to_array<Param>({
@@ -155,7 +152,8 @@ constexpr auto kBias = of_map(std::to_array<Param>({
              "comparison. Too little: acne. Too much: shadows come off their objects (peter-panning).",
      .shader = true},
     {SI_FIELD(bias.slope), .label = "Slope", .unit = "bias.unit", .min = 0, .max = 1000, .logarithmic = true,
-     .idle = slope_idle,
+     SI_IDLE(s.bias.slope <= s.bias.constant,
+             "without effect: bias = max(slope * (1 - n.l), constant) and slope is not above constant"),
      .help =
          "Bias at grazing light. Bias = max(slope * (1 - n.l), constant), with n.l the cosine between surface normal "
          "and light.",
@@ -171,7 +169,7 @@ constexpr auto kBias = of_map(std::to_array<Param>({
              "any angle of light; too much lets light in at inner edges.",
      .shader = true},
     {SI_FIELD(bias.normal_source), .label = "Normal", .unit = "", .cost = Cost::Program, SI_CHOICES(kNormals),
-     SI_IDLE(!slope_idle(s, i).empty() && s.bias.normal == 0, "without effect: neither slope nor normal offset acts"),
+     SI_IDLE(!slope_acts(s) && s.bias.normal == 0, "without effect: neither slope nor normal offset acts"),
      .help = "The normal that slope bias and normal offset use.", .shader = true},
     {SI_FIELD(bias.raster_slope), .label = "Raster slope", .unit = "x depth slope", .min = -100, .max = 100,
      .help = "glPolygonOffset factor while the map is drawn: depth per texel of the triangle's own slope, times this. "
