@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <optional>
 #include <utility>
 
 #include "renderer/base/error.h"
@@ -67,22 +68,31 @@ PixelFacts draw_pixel(FrameState& f, int x, int y_bottom, int light) {
     return facts;
 }
 
+/// The surface of a pixel, whichever light.
+struct SeenPixel {
+    Block<kSeenImages> block;
+    glm::ivec2 at;  ///< in the block
+
+    SeenPixel(FrameState& f, int x, int y_bottom) : block(f, x, y_bottom), at(x & 1, y_bottom & 1) {
+        PassInfo info;
+        f.draw_from_camera("passes/seen_surfaces.frag.glsl", {}, info);
+    }
+};
+
 /// Runs the kernel of a pixel once for each of `width` fragments.
-std::vector<glm::vec4> run_kernel(FrameState& f, int x, int y_bottom, int light, int width,
+std::vector<glm::vec4> run_kernel(FrameState& f, const SeenPixel& seen, int light, int width,
                                   std::vector<gl::Define> defines) {
-    const Block<kSeenImages> block(f, x, y_bottom);
     PassInfo info;
-    f.draw_from_camera("passes/seen_surfaces.frag.glsl", {}, info);
     gl::Target taps;
     taps.ensure("taps", GL_RGBA32F, width, 1);
     const gl::Framebuffer framebuffer = gl::make_framebuffer("taps", &taps, nullptr);
     f.begin_fullscreen_pass(framebuffer.id(), width, 1);
     f.bind_maps();
-    bind_seen_surfaces(block.targets());
+    bind_seen_surfaces(seen.block.targets());
     defines.push_back({"LIGHT_INDEX", std::to_string(light)});
     const GLuint program = f.program("passes/fullscreen.vert.glsl", "passes/taps.frag.glsl", std::move(defines));
     glUseProgram(program);
-    glUniform2i(glGetUniformLocation(program, "pixel"), x & 1, y_bottom & 1);
+    glUniform2i(glGetUniformLocation(program, "pixel"), seen.at.x, seen.at.y);
     FrameState::draw_fullscreen(info);
     std::vector<glm::vec4> values(std::size_t(width), glm::vec4(0));
     glGetTextureImage(taps.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.size() * sizeof(glm::vec4)),
@@ -92,17 +102,16 @@ std::vector<glm::vec4> run_kernel(FrameState& f, int x, int y_bottom, int light,
 
 /// Each texel that the kernel reads with that one lit and all others dark: exact for every kernel that is linear in its
 /// comparisons.
-std::vector<RecordedTap> draw_taps(FrameState& f, int x, int y_bottom, int light) {
+std::vector<RecordedTap> draw_taps(FrameState& f, const SeenPixel& seen, int light) {
     std::vector<RecordedTap> out;
     if (!filter_of(f.settings).linear) return out;
-    for (const glm::vec4& v :
-         run_kernel(f, x, y_bottom, light, kMostTaps, {{"RECORD_TAPS", "1"}, {"COMPARE_BY_HAND", "1"}}))
+    for (const glm::vec4& v : run_kernel(f, seen, light, kMostTaps, {{"RECORD_TAPS", "1"}, {"COMPARE_BY_HAND", "1"}}))
         if (v.w >= 0) out.push_back({glm::ivec2(glm::clamp(glm::vec2(v), -1e9f, 1e9f)), v.z, v.w});
     return out;
 }
 
-KernelFacts draw_kernel_facts(FrameState& f, int x, int y_bottom, int light) {
-    const glm::vec4 v = run_kernel(f, x, y_bottom, light, 1, {}).front();
+KernelFacts draw_kernel_facts(FrameState& f, const SeenPixel& seen, int light) {
+    const glm::vec4 v = run_kernel(f, seen, light, 1, {}).front();
     return {v.x, v.y, v.z, v.w};
 }
 
@@ -150,6 +159,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     out.map_resolution = f.map_resolution;
     out.around = part_of(ids, {x, y}, out.around_at);
     const int y_bottom = request.height - 1 - y;
+    std::optional<SeenPixel> seen;
     for (std::size_t i = 0; i < std::max<std::size_t>(f.gl.fitted.size(), 1); ++i) {
         const PixelFacts facts = draw_pixel(f, x, y_bottom, int(i));
         out.hit = facts.hit();
@@ -180,8 +190,9 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                                                                          : out.normal_ws;
         pixel.point.origin_ws = f.origin;
         if (f.gl.fitted[i].casts) {
-            pixel.taps = draw_taps(f, x, y_bottom, int(i));
-            pixel.kernel = draw_kernel_facts(f, x, y_bottom, int(i));
+            if (!seen) seen.emplace(f, x, y_bottom);
+            pixel.taps = draw_taps(f, *seen, int(i));
+            pixel.kernel = draw_kernel_facts(f, *seen, int(i));
         }
         out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
         out.lights.back().evidence = draw_trials(f, x, y_bottom, int(i));
