@@ -43,7 +43,7 @@ void require(const FrameResult& frame, std::uint64_t renderer, const Resources& 
 ByteImage Renderer::read_colour(const Image& image) {
     ByteImage out{image.width, image.height, {}};
     out.data.resize(std::size_t(image.width) * std::size_t(image.height) * 4);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl::begin_reading();
     glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.data.size()), out.data.data());
     flip_rows(out.data, out.width, out.height, 4);
     return out;
@@ -54,7 +54,7 @@ FloatImage Renderer::read_float(const Image& image, int channels) {
     out.data.resize(std::size_t(image.width) * std::size_t(image.height) * std::size_t(channels));
     constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
     const GLenum format = kFormats[channels - 1];
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl::begin_reading();
     glGetTextureImage(image.texture, 0, format, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)), out.data.data());
     flip_rows(out.data, out.width, out.height, channels);
     return out;
@@ -63,7 +63,7 @@ FloatImage Renderer::read_float(const Image& image, int channels) {
 SurfaceIds Renderer::read_surface_ids(const Image& image) {
     SurfaceIds out{image.width, image.height, {}};
     out.data.resize(std::size_t(image.width) * std::size_t(image.height));
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl::begin_reading();
     glGetTextureImage(image.texture, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, GLsizei(out.data.size() * sizeof(glm::uvec2)),
                       out.data.data());
     flip_rows(out.data, out.width, out.height, 1);
@@ -85,7 +85,7 @@ FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int fa
     const gl::Target& map = r.compared_map();
     const int n = map.width;
     FloatImage out{n, n, 1, std::vector<float>(std::size_t(n) * std::size_t(n))};
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl::begin_reading();
     const GLenum format = map.format == GL_R32F ? GL_RED : GL_DEPTH_COMPONENT;
     glGetTextureSubImage(map.texture.id(), 0, 0, 0, layer, n, n, 1, format, GL_FLOAT,
                          GLsizei(out.data.size() * sizeof(float)), out.data.data());
@@ -100,7 +100,7 @@ FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
     require(frame, impl_->number, impl_->resources, "camera depth");
     const gl::Target& t = impl_->resources.camera_depth;
     FloatImage out{t.width, t.height, 1, std::vector<float>(std::size_t(t.width) * std::size_t(t.height))};
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl::begin_reading();
     glGetTextureImage(t.texture.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)),
                       out.data.data());
     flip_rows(out.data, t.width, t.height, 1);

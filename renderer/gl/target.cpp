@@ -86,4 +86,9 @@ Framebuffer make_layers_framebuffer(std::string_view label, const Target& colour
     return fb;
 }
 
+void begin_reading() {
+    glFinish();
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+}
+
 }  // namespace si::gl

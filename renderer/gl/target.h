@@ -30,4 +30,8 @@ Framebuffer make_framebuffer(std::string_view label, std::span<const Target> col
 /// Each layer of an array texture as a colour attachment of its own.
 Framebuffer make_layers_framebuffer(std::string_view label, const Target& colours);
 
+/// Before pixels are read back into memory: rows without gaps, and what is drawn is there. OpenGL promises the latter,
+/// but llvmpipe of Mesa 22.3 now and then hands out what a target held before, where all that is under way is a clear.
+void begin_reading();
+
 }  // namespace si::gl

@@ -179,6 +179,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                           .visibility = facts.values[3].x};
         if (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused) {
             float drawn = 1;
+            gl::begin_reading();
             glGetTextureSubImage(f.gl.visibility.texture.id(), 0, x, y_bottom, GLint(i), 1, 1, 1, GL_RED, GL_FLOAT,
                                  sizeof drawn, &drawn);
             pixel.visibility = drawn;
