@@ -40,7 +40,8 @@ Key lights_as_placed_key(const FrameState& f) {
                 std::visit([&](auto v) { key.add(v); }, get_value(f.settings, {&p, i, {}}));
     for (const auto& [path, o] : f.settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
     for (int i = 0; i < f.settings.light_count; ++i)
-        if (fit_row(f.settings.lights[std::size_t(i)].fit).narrows) key.add(fit_margin_texels(f.settings));
+        if (fit_row(f.settings.lights[std::size_t(i)].fit).narrows)
+            key.add(fit_margin_texels(f.settings, f.settings.map.resolution));
     return key;
 }
 

@@ -56,7 +56,9 @@ std::string_view planes_idle(const Settings& s, int i) {
 std::string_view extent_idle(const Settings& s, int i) {
     const auto planes = planes_idle(s, i);
     if (!planes.empty()) return planes;
-    return is_orthographic(s, i) ? "" : "without effect: only an orthographic map has an extent";
+    return is_orthographic(s, i) || has_type(s, i, LightType::Spot)
+               ? ""
+               : "without effect: only an orthographic map and a spot light's have an extent";
 }
 
 std::string_view projection_idle(const Settings& s, int i) {
@@ -165,8 +167,9 @@ constexpr auto kLight = with_scope(
                  "steps of depth."},
         {SI_LIGHT_FIELD(extent), .label = "Extent", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .idle = extent_idle,
-         .help = "Half the width of an orthographic map; 0 is the fit's value. A texel is 2 * extent / map.resolution "
-                 "wide."},
+         .help =
+             "Half the width of an orthographic map, or of a spot light's at its target, at most its cone's; 0 is the "
+             "fit's value. A texel is 2 * extent / map.resolution wide there."},
         {SI_LIGHT_FIELD(cascades), .label = "Cascades", .unit = "maps", .min = 1, .max = kMaxCascades,
          .idle = cascades_idle,
          .help = "Maps of a directional light, each fitted to what the camera sees of receivers in an interval of its "

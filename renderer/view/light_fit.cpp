@@ -25,6 +25,7 @@ namespace {
 constexpr double kMinHalfAngle = 1e-3, kMaxHalfAngle = 1.5;  // rad; tan() stays below 15
 constexpr double kMarginTexels = 2;  // at each side, so that a kernel at the edge of the scene finds cleared texels
 constexpr double kMostOffsetTexels = 32;  // beyond it a normal offset leads where the map ends
+constexpr double kMarginSteps = 64;       // in the map's width, of the margin of a region
 constexpr double kNearShare = 1e-3;       // least near / far of a perspective map: D24 then resolves far / 2e4
 constexpr double kDepthMargin = 1e-4;     // of the depth range, at each end
 constexpr double kNearestSplit = 1e-3;    // of the farthest depth: a camera within the scene sees surfaces at 0 m
@@ -107,7 +108,7 @@ void finish_view(FittedLight& light, LightView view, const FitContext& c, double
     light.views.push_back(view);
 }
 
-/// Half extent of an orthographic map in metres by hand, or 0.
+/// Half extent in metres by hand, or 0.
 double manual_half_extent(const LightSettings& s) {
     return s.fit == int(LightFit::Manual) ? positive_or(s.extent, 0) : 0;
 }
@@ -351,6 +352,7 @@ void fit_region(FittedLight& light, LightView view, const FitContext& c, const M
     view.curve.convention = c.convention;
     ViewExtent held;
     for (const Box& box : c.shape.boxes) held.add(extent_within(box, view));
+    if (!(held.lo.z <= held.hi.z)) held = extent_of(c.shape, view);  // too far away for doubles to tell
     const double pad = kDepthMargin * (held.hi.z - held.lo.z);
     view.curve.near = held.lo.z - pad;
     view.curve.far = held.hi.z + pad;
@@ -369,7 +371,7 @@ void fit_one_view(FittedLight& light, const FitContext& c) {
     view.eye = light.position;
     const bool directional = light.type == LightType::Directional;
     // As the cone's circle touches the map's sides, only kernels at its rim need the margin.
-    const double tangent = directional ? 0 : with_margin(std::tan(light.half_cone_rad), 0, c.resolution);
+    double tangent = directional ? 0 : with_margin(std::tan(light.half_cone_rad), 0, c.resolution);
     const int projection = c.settings.projection;
     const bool perspective = directional ? projection == int(LightProjection::Perspective)
                                          : projection != int(LightProjection::Orthographic);
@@ -379,10 +381,13 @@ void fit_one_view(FittedLight& light, const FitContext& c) {
         const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera};
         if (const auto region = fit_row(c.settings.fit).find(input)) return fit_region(light, view, c, *region);
     }
-    if (perspective)
+    if (perspective) {
+        const double by_hand = directional ? 0 : manual_half_extent(c.settings) / light.distance_m;
+        if (by_hand > 0) tangent = std::min(tangent, std::max(by_hand, kMinHalfAngle));
         fit_perspective(light, view, c, tangent);
-    else
+    } else {
         fit_orthographic(light, view, c, tangent * light.distance_m, !directional);
+    }
 }
 
 /// Whether any box begins within the range; along the views' axes, so that a few may pass that do not.
@@ -439,10 +444,12 @@ bool fit_reads_camera(const Settings& settings, int light) {
     return has_cascades(s) || fit_row(s.fit).reads_camera;
 }
 
-double fit_margin_texels(const Settings& settings) {
+double fit_margin_texels(const Settings& settings, int resolution) {
     const Reach reach = reach_of(settings);
     const double offset = std::clamp(finite_or(settings.bias.normal, 0), BiasSettings().normal, kMostOffsetTexels);
-    return std::ceil(std::max(reach.edge, reach.read) + settings.map.blur_texels + offset) + 2;
+    const double texels = std::ceil(std::max(reach.edge, reach.read) + settings.map.blur_texels + offset) + 2;
+    const double step = std::max(resolution / kMarginSteps, 1.0);
+    return step * std::ceil(texels / step);
 }
 
 std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
@@ -462,7 +469,7 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
                                  face_margin_texels(settings),
                                  light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity(),
                                  camera,
-                                 fit_margin_texels(settings)};
+                                 fit_margin_texels(settings, resolution)};
         if (light.six_faces)
             fit_faces(light, context);
         else if (camera && has_cascades(s))

@@ -75,9 +75,10 @@ PlacedLights place_lights(const Scene& scene, const Settings& settings);
 bool fit_reads_camera(const Settings& settings, int light);
 
 /// Texels that a map has on each side of the region that a fit narrows it to: the kernel's reach, the normal offset (at
-/// least its default, so that it does not change the map up to there) and two more. What lies less than one texel from
-/// the rim, or beyond, is taken to be lit: no kernel would find anything else there.
-double fit_margin_texels(const Settings& settings);
+/// least its default, so that it does not change the map up to there) and two more, in steps of 1/64 of the map:
+/// kernels and resolutions are then mostly compared on the same region, and a truth once traced serves all of them.
+/// What lies less than one texel from the rim, or beyond, is taken to be lit: no kernel would find anything else there.
+double fit_margin_texels(const Settings& settings, int resolution);
 
 /// Gives every placed light the views of its maps. A pure function.
 /// @param scene that the lights were placed in

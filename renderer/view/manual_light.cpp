@@ -28,6 +28,8 @@ LightSettings manual_light(const LightSettings& settings, const FittedLight& fit
     const LightView& view = fitted.views[0];
     s.near = view.curve.near;
     s.far = view.curve.far;
+    // What the cone bounds follows it still.
+    if (!orthographic && fitted.closed) s.extent = view.half_width * s.distance;
     if (!orthographic) return s;
     s.extent = view.half_width;
     if (fitted.type != LightType::Directional) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "renderer/settings/fits.h"
 #include "tests/support/box_scene.h"
 
 namespace si {
@@ -105,6 +106,7 @@ TEST(LightFit, SceneFitHoldsTheScene) {
         }
         const Scene scene = box_scene(boxes, offset);
         Settings s = one_light(LightType(i % 3));
+        s.lights[0].fit = int(LightFit::Scene);
         s.lights[0].azimuth = 180 * unit(random);
         s.lights[0].elevation = 90 * unit(random);
         s.lights[0].cone = 85 + 80 * unit(random);
@@ -193,6 +195,8 @@ TEST(LightFit, SpotAnglesStayFinite) {
                 s.lights[0].cone = cone;
                 s.lights[0].projection = projection;
                 s.lights[0].distance = distance;
+                EXPECT_TRUE(all_finite(fit_lights(scene, s)[0])) << cone << " " << projection;
+                s.lights[0].fit = int(LightFit::Scene);
                 const FittedLight light = fit_lights(scene, s)[0];
                 ASSERT_TRUE(all_finite(light)) << cone << " " << projection;
                 const bool wide = 0.5 * cone * M_PI / 180 > 1.5;
@@ -204,6 +208,21 @@ TEST(LightFit, SpotAnglesStayFinite) {
                 }
                 EXPECT_LE(light.cos_cone_outer, light.cos_cone_inner);
             }
+}
+
+TEST(LightFit, ASpotsMapByHandIsAtMostItsCones) {
+    const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
+    Settings s = one_light(LightType::Spot);
+    LightSettings& l = s.lights[0];
+    l.fit = int(LightFit::Manual), l.cone = 60, l.distance = 8;
+    const double of_cone = fit_lights(scene, s)[0].views[0].half_width;
+    EXPECT_NEAR(of_cone, std::tan(M_PI / 6), 0.01);
+    l.extent = 2;
+    EXPECT_DOUBLE_EQ(fit_lights(scene, s)[0].views[0].half_width, 2.0 / 8);
+    l.extent = 100;
+    EXPECT_EQ(fit_lights(scene, s)[0].views[0].half_width, of_cone);
+    l.extent = 1e-300;
+    EXPECT_TRUE(all_finite(fit_lights(scene, s)[0]));
 }
 
 TEST(LightFit, DegenerateScenes) {
@@ -220,28 +239,31 @@ TEST(LightFit, DegenerateScenes) {
             for (int projection : {0, 1, 2})
                 for (double distance : {0.0, 1e-9, 1.0, 1e7})
                     for (double elevation : {90.0, 0.0, 30.0})
-                        for (int resolution : {1, 16384}) {
-                            Settings s = one_light(LightType(type));
-                            s.lights[0].projection = projection;
-                            s.lights[0].distance = distance;
-                            s.lights[0].elevation = elevation;
-                            s.map.resolution = resolution;
-                            const FittedLight light = fit_lights(scenes[i], s)[0];
-                            ASSERT_TRUE(all_finite(light)) << i << " " << type << " " << projection << " " << distance;
-                            const LightView& v = light.views[0];
-                            // A wide perspective map of one texel has none that is shorter than its range.
-                            const double texel = v.texel_size(v.curve.far, resolution);
-                            const double least =
-                                v.curve.perspective ? std::min(2 * texel, 1e-4 * v.curve.far) : 2 * texel;
-                            ASSERT_GE(v.curve.far - v.curve.near, least * 0.999) << i << " " << type;
-                        }
+                        for (int resolution : {1, 16384})
+                            for (LightFit fit : {LightFit::Scene, LightFit::Casters}) {
+                                Settings s = one_light(LightType(type));
+                                s.lights[0].fit = int(fit);
+                                s.lights[0].projection = projection;
+                                s.lights[0].distance = distance;
+                                s.lights[0].elevation = elevation;
+                                s.map.resolution = resolution;
+                                const FittedLight light = fit_lights(scenes[i], s)[0];
+                                ASSERT_TRUE(all_finite(light))
+                                    << i << " " << type << " " << projection << " " << distance;
+                                const LightView& v = light.views[0];
+                                // A wide perspective map of one texel has none that is shorter than its range.
+                                const double texel = v.texel_size(v.curve.far, resolution);
+                                const double least =
+                                    v.curve.perspective ? std::min(2 * texel, 1e-4 * v.curve.far) : 2 * texel;
+                                ASSERT_GE(v.curve.far - v.curve.near, least * 0.999) << i << " " << type;
+                            }
 }
 
 TEST(LightFit, NonFiniteSettingsAreReplaced) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     for (double bad : {double(NAN), double(INFINITY), -double(INFINITY), -1.0})
         for (int type : {0, 1, 2})
-            for (int fit : {0, 1}) {
+            for (int fit = 0; fit < int(fits().size()); ++fit) {
                 Settings s = one_light(LightType(type));
                 LightSettings& l = s.lights[0];
                 l.fit = fit;
@@ -329,6 +351,7 @@ TEST(LightFit, ByHand) {
     EXPECT_FALSE(light.notes.empty());
     // Zeros leave the fit's values.
     l = LightSettings();
+    l.fit = int(LightFit::Scene);
     const FittedLight fitted = fit_lights(scene, s)[0];
     l.fit = int(LightFit::Manual);
     EXPECT_EQ(fit_lights(scene, s)[0].views[0].projection, fitted.views[0].projection);

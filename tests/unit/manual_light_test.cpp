@@ -38,6 +38,8 @@ std::vector<Settings> lights_to_try() {
                         l.elevation = elevation;
                         l.target_x = 0.7, l.target_z = -2;
                         all.push_back(s);
+                        l.fit = int(LightFit::Scene);
+                        all.push_back(s);
                         l.fit = int(LightFit::Manual);  // zeros are the fit's values
                         all.push_back(s);
                         l.near = 0.25;

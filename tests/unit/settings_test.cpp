@@ -226,6 +226,8 @@ TEST(SettingsIdle, SaysWhy) {
     EXPECT_FALSE(idle("light.cone").empty());
     s.lights[0].type = static_cast<int>(LightType::Spot);
     EXPECT_TRUE(idle("light.cone").empty());
+    EXPECT_TRUE(idle("light.extent").empty());
+    s.lights[0].type = static_cast<int>(LightType::Point);
     EXPECT_FALSE(idle("light.extent").empty());
     EXPECT_FALSE(idle("light.1.azimuth").empty());
     s.light_count = 2;

@@ -137,7 +137,8 @@ LightPose grab_light(const LightPose& pose, LightHandle h, const FittedLight& fi
     if (h == LightHandle::Range) return start;
     const bool directional = pose.type == LightType::Directional;
     const bool turns = h == LightHandle::Direction || is_cone(h);
-    if (turns || (h == LightHandle::Target && !directional)) {
+    const bool moves = h == LightHandle::Position || h == LightHandle::Target || is_axis(h);
+    if (turns || (moves && !directional)) {
         if (!directional) start.settings.distance = pose.distance;
         return start;
     }

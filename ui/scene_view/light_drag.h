@@ -9,8 +9,9 @@
 namespace si {
 
 /// A pose to start a drag from: what the fit chose is written into the settings as far as the handle calls for it, so
-/// that it stays. Place, extent, near and far turn light.fit to manual; a cone, a spot light's direction and its target
-/// only hold the distance; a range changes nothing else; a directional light turns under its fit.
+/// that it stays. Extent, near, far and a directional light's place and target turn light.fit to manual; place,
+/// direction, cone and target of another only hold the distance, and its map is fitted anew; a range changes nothing
+/// else; a directional light turns under its fit.
 LightPose grab_light(const LightPose& pose, LightHandle handle, const FittedLight& fitted);
 
 /// The light after `handle`, grabbed in the pose `start`, was dragged so that it appears at `to` (pixels); nothing when
