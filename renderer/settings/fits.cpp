@@ -34,7 +34,7 @@ std::span<const FitRow> fits() {
 }
 
 int default_fit() {
-    return int(LightFit::Scene);
+    return int(LightFit::Casters);
 }
 
 const FitRow& fit_row(int fit) {

@@ -134,9 +134,10 @@ TEST(Help, IsEverywhereAndComesFromTheTable) {
 
 TEST(Report, TellsSceneSettingsFitAndPasses) {
     const auto folder = fresh_test_folder();
-    const ProcessResult r = run_program({"render", "boxes", "-o", "a.png", "--size", "64x48", "--report", "r.json",
-                                         "--set", "map.resolution=256", "--set", "light.elevation=90"},
-                                        folder);
+    const ProcessResult r =
+        run_program({"render", "boxes", "-o", "a.png", "--size", "64x48", "--report", "r.json", "--set",
+                     "map.resolution=256", "--set", "light.elevation=90", "--set", "light.fit=scene"},
+                    folder);
     ASSERT_EQ(r.code, 0) << r.err;
     const Json report = Json::parse(file_bytes(folder / "r.json"));
     EXPECT_GT(report["scene"]["triangles"], 0);

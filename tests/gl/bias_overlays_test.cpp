@@ -64,7 +64,7 @@ Settings lit_by(LightType type) {
     s.camera.target_y = 0.6;
     s.camera.distance = 7;
     LightSettings& light = s.lights[0];
-    light.type = int(type);
+    light.type = int(type), light.fit = int(LightFit::Scene);
     if (type != LightType::Directional) light.distance = 6, light.cone = 80;
     s.bias.unit = int(BiasUnit::Texels);
     s.bias.constant = 0.4, s.bias.slope = 2.5, s.bias.normal = 1.3;

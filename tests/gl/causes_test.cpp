@@ -151,7 +151,8 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
     const Scene teapot = load_scene("teapot");
     for (const char* slope : {"1", "3", "10"})
         EXPECT_GT(count(agree(teapot,
-                              settings_for(teapot, {{"bias.normal_source", "shading"},
+                              settings_for(teapot, {{"light.fit", "scene"},
+                                                    {"bias.normal_source", "shading"},
                                                     {"bias.constant", "0"},
                                                     {"bias.slope", slope},
                                                     {"bias.normal", "1"},

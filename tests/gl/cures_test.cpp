@@ -77,8 +77,9 @@ TEST_F(CuresTest, AnOffsetsStripIsCured) {
 TEST_F(CuresTest, TheStageIsCuredOfTooMuchBiasAndOfFrontCulling) {
     const Scene stage = load_scene("stage");
     width = 640, height = 360;
-    cured(stage, settings_for(stage, {{"bias.constant", "40"}, {"bias.normal", "0"}}), {Artefact::PeterPanning}, 500);
-    cured(stage, settings_for(stage, {{"caster.cull", "front"}}), {Artefact::LostCaster}, 500);
+    cured(stage, settings_for(stage, {{"light.fit", "scene"}, {"bias.constant", "40"}, {"bias.normal", "0"}}),
+          {Artefact::PeterPanning}, 500);
+    cured(stage, settings_for(stage, {{"light.fit", "scene"}, {"caster.cull", "front"}}), {Artefact::LostCaster}, 500);
 }
 
 TEST_F(CuresTest, AFenceIsCuredByTheResolutionThatItNeeds) {

@@ -35,7 +35,8 @@ TEST_F(DepthBlur, IsTheMeanOfTheNeighboursInEveryFormatAndForEveryLight) {
     for (const auto& [format, step] : formats)
         for (const char* light : {"directional", "spot", "point"})
             for (const char* reversed : {"false", "true"}) {
-                Settings s = settings_for(scene, {{"map.resolution", "48"},
+                Settings s = settings_for(scene, {{"light.fit", "scene"},
+                                                  {"map.resolution", "48"},
                                                   {"map.format", format},
                                                   {"light.type", light},
                                                   {"map.reversed_z", reversed}});
@@ -66,9 +67,11 @@ TEST_F(DepthBlur, IsTheMeanOfTheNeighboursInEveryFormatAndForEveryLight) {
 
 TEST_F(DepthBlur, OfSeveralLightsBlursEachLayer) {
     const Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"map.resolution", "32"},
+    Settings s = settings_for(scene, {{"light.fit", "scene"},
+                                      {"map.resolution", "32"},
                                       {"light.count", "3"},
                                       {"light.1.type", "point"},
+                                      {"light.2.fit", "scene"},
                                       {"light.2.type", "spot"},
                                       {"light.1.azimuth", "90"},
                                       {"light.2.azimuth", "150"}});

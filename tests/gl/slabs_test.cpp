@@ -63,6 +63,7 @@ TEST_F(SlabsTest, StandWhereTheStoredDepthLies) {
         for (const char* format : {"d16", "d32f", "colour"})
             for (const char* reversed : {"false", "true"}) {
                 const Settings plain = settings_for(scene, {{"light.type", type},
+                                                            {"light.fit", "scene"},
                                                             {"map.format", format},
                                                             {"map.reversed_z", reversed},
                                                             {"map.resolution", "64"},
@@ -104,7 +105,7 @@ TEST_F(SlabsTest, StandWhereTheStoredDepthLies) {
 
 TEST_F(SlabsTest, NothingIsDrawnOutsideTheRegionOrOverTheBackground) {
     const Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"map.resolution", "256"}, {"view.slabs_texels", "16"}});
+    Settings s = settings_for(scene, {{"light.fit", "scene"}, {"map.resolution", "256"}, {"view.slabs_texels", "16"}});
     const ByteImage without = picture(scene, s);
     s.view.slabs = int(Slabs::Both);
     const FrameResult f = renderer.render(scene, s, small());

@@ -171,6 +171,7 @@ Settings hard_settings() {
 
 Settings texel_settings(std::string_view filter, int resolution, double constant_texels) {
     Settings s = hard_settings();
+    s.lights[0].fit = int(LightFit::Scene);
     s.map.resolution = resolution;
     s.filter.kernel = kernel(filter);
     s.bias = no_bias();

@@ -58,7 +58,7 @@ std::string format_name(MapFormat format);
 /// A directional light of 30 degrees azimuth and 40 degrees elevation, a map of 512, hand-set camera above the floor.
 Settings hard_settings();
 
-/// The same with a bias of so many texels and no other.
+/// The same with a map over the whole scene and a bias of so many texels and no other.
 Settings texel_settings(std::string_view filter, int resolution, double constant_texels);
 
 /// A wall 2 m high on a plane of 20 m, and the settings of texel_settings() under a sun 15 degrees high behind it.
