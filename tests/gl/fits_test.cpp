@@ -145,6 +145,7 @@ TEST_F(FitsTest, TheStageReadsTwiceTheShareOfItsTexels) {
     RecordProperty("shares", std::to_string(scene_fit) + " " + std::to_string(casters) + " " + std::to_string(view));
     EXPECT_GE(casters, 2 * scene_fit) << scene_fit << " -> " << casters;
     EXPECT_GE(view, 0.9 * casters) << view;
+    EXPECT_EQ(fit_row(LightSettings().fit).key, "casters") << "what the program starts with";
 }
 
 TEST_F(FitsTest, OnlyTheViewFitFollowsTheCamera) {

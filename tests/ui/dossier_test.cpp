@@ -6,6 +6,7 @@
 
 #include "app/editor/headless_editor.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/sources.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/scene_view/kernel_marks.h"
 
@@ -83,6 +84,20 @@ TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
     ASSERT_TRUE(cancel);
     ui.click(*cancel);
     EXPECT_TRUE(ui.last_wish.cancel_tune);
+}
+
+TEST(TuneControls, WithoutAMapThereIsNothingToSearch) {
+    UiHarness ui(1280, 720);
+    ui.state.settings.lights[0].source = 1;
+    ASSERT_FALSE(source_of(ui.state.settings, 0).needs.map);
+    ui.frames(4);
+    for (const char* label : {"Least bias without acne", "Tune..."}) {
+        const auto button = ui.find("/rows_", "bias", label);
+        ASSERT_TRUE(button) << label;
+        ui.click(*button);
+        EXPECT_FALSE(ui.last_wish.tune) << label;
+        EXPECT_FALSE(ui.find("##Popup", "", "Search"));
+    }
 }
 
 TEST(KernelMarks, TapsAreColouredByWhatTheyMeet) {

@@ -86,6 +86,16 @@ void light_tabs(Settings& s) {
     }
 }
 
+/// As the search itself would say, which is for the shown light.
+std::string_view why_nothing_to_tune(const EditorState& state, const EditorFrame& frame) {
+    if (!frame.result || !frame.scene) return "There is no picture yet.";
+    const auto light = std::size_t(state.settings.view.light);
+    const auto& lights = frame.result->lights;
+    return light < lights.size() && lights[light].casts
+               ? ""
+               : "The light shown draws no shadow map: there is no bias to find.";
+}
+
 void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Group& group) {
     const std::vector<SettingRef> rows = rows_of(state, group.prefix);
     if (rows.empty()) return;
@@ -128,7 +138,7 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& act
     }
     if (table) ImGui::EndTable();
     if (group.prefix == "bias" && !filtered)
-        draw_tune_controls(state.tune, state.settings, frame, frame.result && frame.scene, actions);
+        draw_tune_controls(state.tune, state.settings, frame, why_nothing_to_tune(state, frame), actions);
     ImGui::PopID();
 }
 

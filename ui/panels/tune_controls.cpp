@@ -92,7 +92,7 @@ void families_table(std::span<const TunedFamily> families, bool current, Setting
 
 }  // namespace
 
-void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& shown, bool ready,
+void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& shown, std::string_view why_not,
                         TuneActions& actions) {
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
     const auto width_of = [](const char* text) {
@@ -107,7 +107,8 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& s
         if (ImGui::Button("Cancel")) actions.cancel_tune = true;
         return;
     }
-    ImGui::BeginDisabled(!ready);
+    ImGui::BeginDisabled(!why_not.empty());
+    ImGui::BeginGroup();
     if (ImGui::Button("Least bias without acne", {std::max(room - width_of("Tune...") - gap, 20.f), 0}))
         actions.tune = TuneWish{};
     if (ImGui::IsItemHovered())
@@ -118,7 +119,10 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& s
     ImGui::SameLine();
     if (ImGui::Button("Tune...")) ImGui::OpenPopup("tune limits");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Search kernel and resolution, too, within limits of error and time");
+    ImGui::EndGroup();
     ImGui::EndDisabled();
+    if (!why_not.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", std::string(why_not).c_str());
     limits_popup(panel, actions);
     families_table(shown.tuned, shown.tuned_current, settings);
 }
