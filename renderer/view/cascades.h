@@ -1,6 +1,7 @@
 // What the camera sees of boxes, and how its depth is divided among several maps. Pure CPU, double precision.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -15,9 +16,24 @@ namespace si {
 /// @param near, far above 0 where lambda is
 std::vector<double> split_depths(double near, double far, int count, double lambda);
 
-/// The corners of what the camera sees of a box between two depths, world space; empty when it sees nothing of it.
-/// The seen part is the convex hull of them.
-std::vector<glm::dvec3> seen_corners(const Camera& camera, double from_m, double to_m, const Box& box);
+/// What a camera sees between two of its depths.
+class CameraSlice {
+public:
+    CameraSlice(const Camera& camera, double from_m, double to_m);
+    /// Points whose convex hull is the part of a box that is seen, world space; none when nothing of it is.
+    /// @param within only what lies in this body counts
+    std::vector<glm::dvec3> seen_of(const Box& box, const Box* within = nullptr) const;
+    /// The same in view space: x right, y up, z the distance along the axis.
+    std::vector<glm::dvec3> seen_in_view(const Box& box) const;
+
+private:
+    Box in_view(const Box& box) const;
+
+    glm::dvec3 eye_;
+    glm::dmat3 axes_;
+    Box corners_;                      ///< in view space
+    std::array<HalfSpace, 6> planes_;  ///< the same
+};
 
 struct DepthSpan {
     double from_m = 0, to_m = 0;

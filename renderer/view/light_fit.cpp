@@ -229,9 +229,10 @@ double reach_of_lookups(const Settings& s) {
 void fit_cascade(FittedLight& light, LightView view, const FitContext& c, const Camera& camera, const DepthSpan& span,
                  double margin) {
     ViewExtent seen;
+    const CameraSlice slice(camera, span.from_m, span.to_m);
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
         if (!c.shape.box_receives[i]) continue;
-        for (const glm::dvec3& p : seen_corners(camera, span.from_m, span.to_m, c.shape.boxes[i])) {
+        for (const glm::dvec3& p : slice.seen_of(c.shape.boxes[i])) {
             const glm::dvec3 v = glm::transpose(view.axes) * (p - view.eye);
             seen.add({v.x, v.y, -v.z});
         }

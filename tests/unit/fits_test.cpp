@@ -248,7 +248,21 @@ TEST(ViewFit, HoldsWhatTheCameraSees) {
     expect_bounds_near(m.fit(fit_view, view), *all, 0);
 }
 
-/// Points on all surfaces that the camera could see lit, and whether rays find something before the light.
+/// A point of a scene's surfaces, with the side of its triangle that is the front.
+struct OnSurface {
+    glm::dvec3 position, normal;
+    bool two_sided;
+};
+
+OnSurface surface_point(const Scene& scene, const test::Triangle& t, const glm::dvec3& position) {
+    const Object& object = scene.objects[std::size_t(t.object)];
+    const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
+    const double front = glm::determinant(glm::dmat3(object.world)) < 0 ? -1 : 1;  // mirrored: the other side
+    const bool two_sided = mesh.material >= 0 && scene.materials[std::size_t(mesh.material)].double_sided;
+    return {position, front * t.normal, two_sided};
+}
+
+/// Points on all surfaces, wherever a camera may be.
 template <class Use>
 void each_surface_point(const Scene& scene, const test::RayTruth& rays, int count, Use use) {
     std::mt19937 random(5);
@@ -264,43 +278,77 @@ void each_surface_point(const Scene& scene, const test::RayTruth& rays, int coun
         const test::Triangle& t = rays.triangle(std::min(which, int(rays.triangle_count()) - 1));
         double u = unit(random), v = unit(random);
         if (u + v > 1) u = 1 - u, v = 1 - v;
-        const Object& object = scene.objects[std::size_t(t.object)];
-        const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
-        const double front = glm::determinant(glm::dmat3(object.world)) < 0 ? -1 : 1;  // mirrored: the other side
-        const bool two_sided = mesh.material >= 0 && scene.materials[std::size_t(mesh.material)].double_sided;
-        use(t.a + u * (t.b - t.a) + v * (t.c - t.a) + scene.bounds.centre(), front * t.normal, two_sided);
+        use(surface_point(scene, t, t.a + u * (t.b - t.a) + v * (t.c - t.a) + scene.bounds.centre()));
     }
 }
 
-struct Counted {
+/// What each pixel of a small picture shows: the first surface between the near and far planes that is not the back of
+/// a single-sided one.
+template <class Use>
+void each_seen_point(const Scene& scene, const test::RayTruth& rays, const Camera& camera, int width, int height,
+                     Use use) {
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            glm::dvec3 origin, dir;
+            camera.pixel_ray(x, y, width, height, origin, dir);
+            const double per_depth = 1 / -glm::dot(dir, camera.axes[2]);
+            double gone = camera.curve.near * per_depth;
+            for (int layers = 0; layers < 30; ++layers) {
+                const auto hit = rays.first_hit(origin + gone * dir, dir);
+                if (!hit) break;
+                gone += hit->distance;
+                if (gone > camera.curve.far * per_depth) break;
+                const OnSurface p = surface_point(scene, rays.triangle(hit->triangle), hit->position);
+                if (p.two_sided || glm::dot(p.normal, dir) < 0) {
+                    use(p);
+                    break;
+                }
+                gone += 1e-9 * scene.bounds.radius();
+            }
+        }
+}
+
+/// Counts points within and beyond a region, and demands that none beyond is shadowed.
+class Beyond {
+public:
     int beyond = 0, within = 0, shadowed = 0;
+
+    Beyond(const Scene& scene, const test::RayTruth& rays, const LightView& view, const MapRegion& region)
+        : scene_(scene), rays_(rays), view_(view), region_(region) {
+        light_.type = view.curve.perspective ? LightType::Spot : LightType::Directional;
+        light_.to_light = view.axes[2], light_.position = view.eye;
+    }
+    /// @param every of the points within so many are asked whether they lie in shadow
+    void look_at(const OnSurface& p, int every) {
+        const double facing = glm::dot(p.normal, test::direction_to(light_, p.position));
+        if (p.two_sided ? std::abs(facing) < 1e-5 : facing < 1e-5) return;
+        const glm::dvec3 v = glm::transpose(view_.axes) * (p.position - view_.eye);
+        if (view_.curve.perspective && std::max(std::abs(v.x), std::abs(v.y)) > -v.z * view_.half_width) return;
+        const glm::dvec2 at = glm::dvec2(v) / (view_.curve.perspective ? -v.z : 1.0);
+        const double rim = 1e-6 * (view_.curve.perspective ? 1 : scene_.bounds.radius());
+        const bool is_beyond = at.x < region_.lo.x - rim || at.y < region_.lo.y - rim || at.x > region_.hi.x + rim ||
+                               at.y > region_.hi.y + rim;
+        (is_beyond ? beyond : within) += 1;
+        if (!is_beyond && within % every != 0) return;
+        const double least = 1e-5 * scene_.bounds.radius();
+        if (!rays_.occluded(p.position + std::copysign(least, facing) * p.normal, light_, -1, 0)) return;
+        ++shadowed;
+        EXPECT_FALSE(is_beyond) << "at " << p.position.x << " " << p.position.y << " " << p.position.z;
+    }
+
+private:
+    const Scene& scene_;
+    const test::RayTruth& rays_;
+    LightView view_;
+    MapRegion region_;
+    FittedLight light_;
 };
 
-/// Demands that no point beyond the region is shadowed.
-Counted expect_lit_beyond(const Scene& scene, const LightView& view, const MapRegion& region, int points) {
+Beyond expect_lit_beyond(const Scene& scene, const LightView& view, const MapRegion& region, int points) {
     const test::RayTruth rays(scene);
-    FittedLight light;
-    light.type = view.curve.perspective ? LightType::Spot : LightType::Directional;
-    light.to_light = view.axes[2], light.position = view.eye;
-    Counted n;
-    const double rim = 1e-6 * (view.curve.perspective ? 1 : scene.bounds.radius());
-    each_surface_point(scene, rays, points, [&](const glm::dvec3& p, const glm::dvec3& normal, bool two_sided) {
-        const glm::dvec3 to_light = test::direction_to(light, p);
-        const double facing = glm::dot(normal, to_light);
-        if (two_sided ? std::abs(facing) < 1e-5 : facing < 1e-5) return;
-        const glm::dvec3 v = glm::transpose(view.axes) * (p - view.eye);
-        if (view.curve.perspective && std::max(std::abs(v.x), std::abs(v.y)) > -v.z * view.half_width) return;
-        const glm::dvec2 at = glm::dvec2(v) / (view.curve.perspective ? -v.z : 1.0);
-        const bool beyond = at.x < region.lo.x - rim || at.y < region.lo.y - rim || at.x > region.hi.x + rim ||
-                            at.y > region.hi.y + rim;
-        (beyond ? n.beyond : n.within) += 1;
-        if (!beyond && n.within % 16 != 0) return;  // of these it is enough to know that there are shadows
-        const double least = 1e-5 * scene.bounds.radius();
-        if (!rays.occluded(p + std::copysign(least, facing) * normal, light, -1, 0)) return;
-        ++n.shadowed;
-        EXPECT_FALSE(beyond) << "at " << p.x << " " << p.y << " " << p.z;
-    });
-    return n;
+    Beyond out(scene, rays, view, region);
+    each_surface_point(scene, rays, points, [&](const OnSurface& p) { out.look_at(p, 16); });
+    return out;
 }
 
 TEST(CastersFit, OfTheBuiltInScenesNothingLiesInShadowBeyond) {
@@ -325,47 +373,148 @@ TEST(CastersFit, OfTheBuiltInScenesNothingLiesInShadowBeyond) {
                 EXPECT_EQ(row.key, "plane");
                 continue;
             }
-            const Counted n = expect_lit_beyond(scene, view, *region, large ? 400 : 3000);
+            const Beyond n = expect_lit_beyond(scene, view, *region, large ? 400 : 3000);
             narrowed += n.beyond > 100 && n.shadowed > 0;
         }
     }
     EXPECT_GT(narrowed, 15) << "of all these some have to be narrower than the scene";
 }
 
+/// Floors with a few boxes, cards and balls: of any size, some far from the origin, mirrored, turned by right angles.
+struct RandomScene {
+    Made made;
+    double scale;
+};
+
+RandomScene random_scene(int i, std::mt19937& random) {
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const double scale = std::pow(10.0, 3 * unit(random));
+    Made m(i % 3 == 0 ? scale * 1e3 * glm::dvec3(unit(random), unit(random), unit(random)) : glm::dvec3(0));
+    const glm::dmat4 all = scaled(scale, scale, i % 4 == 0 ? -scale : scale) *
+                           turned(i % 2 ? 90 * (i % 5) : 180 * unit(random), {0, 1, 0});
+    m.add("Floor", make_plane(20, 20, 1 + i % 3, 1), all, i % 7 == 0);
+    if (i % 5 == 0) m.add("Slab", make_box({22, 0.5, 22}), all * moved(0, -1, 0));
+    for (int k = 0; k <= i % 6; ++k) {
+        const glm::dmat4 place = all * moved(4 * unit(random), 1 + unit(random), 4 * unit(random)) *
+                                 turned(180 * unit(random), glm::normalize(glm::dvec3(unit(random), 1, unit(random))));
+        const double size = 0.3 + std::abs(unit(random));
+        if (k % 3 == 0) m.add("Box", make_box({size, 1, 2 * size}), place, i % 2 == 0);
+        if (k % 3 == 1) m.add("Card", make_quad(2 * size, size), place, i % 3 == 0);
+        if (k % 3 == 2) m.add("Ball", make_sphere(size), place);
+    }
+    finalise(m.scene);
+    return {std::move(m), scale};
+}
+
+/// Suns, some straight above, below or along an axis, and spot lights above the scene.
+LightView random_light(int i, const RandomScene& s, std::mt19937& random) {
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const Scene& scene = s.made.scene;
+    const double elevation = i % 6 == 0 ? 90 : i % 6 == 1 ? -60 : 10 + 70 * std::abs(unit(random));
+    if (i % 4 != 3) return sun(scene, i % 2 ? 90.0 * (i % 4) : 180 * unit(random), elevation);
+    const glm::dvec3 middle = scene.bounds.centre();
+    return spot(middle + s.scale * glm::dvec3(6 * unit(random), 8, 6 * unit(random)), middle,
+                40 + 40 * std::abs(unit(random)));
+}
+
 TEST(CastersFit, OfRandomScenesNothingLiesInShadowBeyond) {
     std::mt19937 random(9);
-    std::uniform_real_distribution<double> unit(-1, 1);
     int beyond = 0, shadowed = 0;
     for (int i = 0; i < 150; ++i) {
         SCOPED_TRACE(i);
-        const double scale = std::pow(10.0, 3 * unit(random));
-        Made m(i % 3 == 0 ? scale * 1e3 * glm::dvec3(unit(random), unit(random), unit(random)) : glm::dvec3(0));
-        const glm::dmat4 all = scaled(scale, scale, i % 4 == 0 ? -scale : scale) *
-                               turned(i % 2 ? 90 * (i % 5) : 180 * unit(random), {0, 1, 0});
-        m.add("Floor", make_plane(20, 20, 1 + i % 3, 1), all, i % 7 == 0);
-        if (i % 5 == 0) m.add("Slab", make_box({22, 0.5, 22}), all * moved(0, -1, 0));
-        for (int k = 0; k <= i % 6; ++k) {
-            const glm::dmat4 place =
-                all * moved(4 * unit(random), 1 + unit(random), 4 * unit(random)) *
-                turned(180 * unit(random), glm::normalize(glm::dvec3(unit(random), 1, unit(random))));
-            const double size = 0.3 + std::abs(unit(random));
-            if (k % 3 == 0) m.add("Box", make_box({size, 1, 2 * size}), place, i % 2 == 0);
-            if (k % 3 == 1) m.add("Card", make_quad(2 * size, size), place, i % 3 == 0);
-            if (k % 3 == 2) m.add("Ball", make_sphere(size), place);
-        }
-        finalise(m.scene);
-        const double elevation = i % 6 == 0 ? 90 : i % 6 == 1 ? -60 : 10 + 70 * std::abs(unit(random));
-        const LightView view =
-            i % 4 == 3 ? spot(m.scene.bounds.centre() + scale * glm::dvec3(6 * unit(random), 8, 6 * unit(random)),
-                              m.scene.bounds.centre(), 40 + 40 * std::abs(unit(random)))
-                       : sun(m.scene, i % 2 ? 90.0 * (i % 4) : 180 * unit(random), elevation);
-        const auto region = m.fit(fit_casters, view);
+        const RandomScene s = random_scene(i, random);
+        const LightView view = random_light(i, s, random);
+        const auto region = s.made.fit(fit_casters, view);
         if (!region) continue;
-        const Counted n = expect_lit_beyond(m.scene, view, *region, 400);
+        const Beyond n = expect_lit_beyond(s.made.scene, view, *region, 400);
         beyond += n.beyond, shadowed += n.shadowed;
     }
     EXPECT_GT(beyond, 5000);
     EXPECT_GT(shadowed, 300);
+}
+
+// Wherever the camera stands and looks: outside, within the scene, behind the light, through a narrow angle, without
+// perspective, cut off by its planes; and lights within the scene that shine past half of what is seen.
+TEST(ViewFit, OfRandomCamerasNothingSeenLiesInShadowBeyond) {
+    std::mt19937 random(31);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    int narrower = 0;
+    std::array<int, 6> beyond{}, shadowed{};
+    for (int i = 0; i < 480; ++i) {
+        SCOPED_TRACE(i);
+        const RandomScene s = random_scene(i, random);
+        const Scene& scene = s.made.scene;
+        const double m = s.scale;
+        const glm::dvec3 middle = scene.bounds.centre();
+        const auto near_middle = [&](double metres) {
+            return middle + m * metres * glm::dvec3(unit(random), 0.4 * unit(random), unit(random));
+        };
+        const LightView view = i % 8 == 5 ? spot(near_middle(4) + m * glm::dvec3(0, 1, 0), near_middle(5), 50 + i % 90)
+                                          : random_light(i, s, random);
+        const int kind = i / 3 % 6;
+        glm::dvec3 eye = near_middle(9) + m * glm::dvec3(0, 6, 0), at = near_middle(4);
+        if (kind == 1) eye = near_middle(4);
+        if (kind == 2) eye = view.curve.perspective ? view.eye + 2 * m * view.axes[2] : middle + 15 * m * view.axes[2];
+        Camera camera = camera_at(eye, at, kind == 3 ? 6 : 45, 1e-2 * m, 80 * m);
+        camera.aspect = 1.6;
+        if (kind == 4) camera.orthographic = true, camera.height = 5 * m;
+        if (kind == 5) camera.curve.near = 5 * m, camera.curve.far = 11 * m;
+        const auto region = s.made.fit(fit_view, view, {}, &camera);
+        const auto all = s.made.fit(fit_casters, view);
+        if (!region) continue;
+        ASSERT_TRUE(all);
+        EXPECT_TRUE(MapRegion({all->lo - 1e-6 * m, all->hi + 1e-6 * m}).holds(*region)) << "at most what casters need";
+        const double area = (region->hi.x - region->lo.x) * (region->hi.y - region->lo.y);
+        narrower += area < 0.7 * (all->hi.x - all->lo.x) * (all->hi.y - all->lo.y);
+        const test::RayTruth rays(scene);
+        Beyond n(scene, rays, view, *region);
+        each_seen_point(scene, rays, camera, 20, 13, [&](const OnSurface& p) { n.look_at(p, 1); });
+        beyond[std::size_t(kind)] += n.beyond, shadowed[std::size_t(kind)] += n.shadowed;
+    }
+    for (std::size_t kind = 0; kind < 6; ++kind) {
+        EXPECT_GT(beyond[kind], 300) << kind;
+        EXPECT_GT(shadowed[kind], 40) << kind;
+    }
+    EXPECT_GT(narrower, 100);
+}
+
+// What is seen of a floor may reach past a spot light that stands above it: of that only what lies before the light
+// counts, out to the sides of its cone.
+TEST(ViewFit, OfWhatReachesBehindASpotLightTheFrontCounts) {
+    for (const glm::dvec3 offset : {glm::dvec3(0), glm::dvec3(-3e4, 10, 8e3)}) {
+        Made m(offset);
+        m.add("Floor", make_plane(60, 60), glm::dmat4(1));
+        m.add("Box", make_box({2, 1.9, 2}), moved(0, 0.95, -4));
+        finalise(m.scene);
+        Settings s;
+        s.objects["Root/Box"] = {.receive = false};
+        const LightView view = spot(offset + glm::dvec3(0, 2, 0), offset + glm::dvec3(0, 2, -10), 100);
+        const Camera camera = camera_at(offset + glm::dvec3(0, 30, 0), offset, 60, 0.1, 100);
+        // The box's own extent, but no higher than the farthest floor that is seen.
+        const MapRegion expected{{-1.0 / 3, -2.0 / 3}, {1.0 / 3, -2 / (30 * std::tan(30 * kDegree))}};
+        expect_bounds_near(m.fit(fit_view, view, s, &camera), expected, 1e-6);
+    }
+}
+
+// A camera that sees nothing gets the map of the whole scene, without a promise; what it sees lit is promised.
+TEST(ViewFit, OfWhatIsNotSeenItHoldsTheScene) {
+    for (const glm::dvec3 offset : {glm::dvec3(0), glm::dvec3(5e4, -200, 3e3)}) {
+        Made m = floor_and_box_at(offset);
+        for (const LightView& view : {sun(m.scene, 90, 45), spot(offset + glm::dvec3(1, 9, 2), offset, 120)}) {
+            const Camera away = camera_at(offset + glm::dvec3(0, 5, 12), offset + glm::dvec3(0, 9, 40), 50, 0.01, 100);
+            EXPECT_FALSE(m.fit(fit_view, view, {}, &away));
+            const Camera beside =
+                camera_at(offset + glm::dvec3(-8, 6, -8), offset + glm::dvec3(-8, 0, -8.01), 20, 0.01, 100);
+            EXPECT_FALSE(m.fit(fit_view, view, {}, &beside)) << "it sees lit floor only";
+        }
+        Settings s;
+        s.lights[0].fit = int(LightFit::View);
+        const Camera away = camera_at(offset + glm::dvec3(0, 5, 12), offset + glm::dvec3(0, 9, 40), 50, 0.01, 100);
+        const FittedLight of_view = fit_lights(m.scene, s, &away)[0];
+        EXPECT_FALSE(of_view.closed);
+        s.lights[0].fit = int(LightFit::Scene);
+        EXPECT_EQ(of_view.views[0].half_width, fit_lights(m.scene, s, &away)[0].views[0].half_width);
+    }
 }
 
 Mesh bounded(Mesh mesh) {

@@ -63,23 +63,39 @@ std::vector<HalfSpace> half_spaces_of(const Box& body) {
     return planes;
 }
 
+Lies lies(const Box& body, std::span<const HalfSpace> planes) {
+    bool within = true;
+    for (const HalfSpace& plane : planes) {
+        const auto held = std::ranges::count_if(body, [&](const glm::dvec3& p) { return plane.distance(p) >= 0; });
+        if (held == 0) return Lies::Beyond;
+        within &= held == std::ssize(body);
+    }
+    return within ? Lies::Within : Lies::Across;
+}
+
 std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace> planes) {
     std::vector<glm::dvec3> points;
-    for (const HalfSpace& plane : planes)
-        if (std::ranges::all_of(body, [&](const glm::dvec3& p) { return plane.distance(p) < 0; })) return points;
-    if (std::ranges::all_of(planes, [&](const HalfSpace& plane) {
-            return std::ranges::all_of(body, [&](const glm::dvec3& p) { return plane.distance(p) >= 0; });
-        }))
-        return {body.begin(), body.end()};
-    add_sides_within(points, body, planes);
+    const Lies where = lies(body, planes);
+    if (where == Lies::Within) points.assign(body.begin(), body.end());
+    if (where == Lies::Across) add_sides_within(points, body, planes);
     return points;
 }
 
-std::vector<glm::dvec3> common_points(const Box& a, std::span<const HalfSpace> sides_of_a, const Box& b,
-                                      std::span<const HalfSpace> sides_of_b) {
-    std::vector<glm::dvec3> points = points_within(a, sides_of_b);
+std::vector<glm::dvec3> common_points(const Box& box, std::span<const ConvexBody> bodies) {
+    std::vector<HalfSpace> planes;
+    for (const ConvexBody& body : bodies) planes.insert(planes.end(), body.sides.begin(), body.sides.end());
+    if (lies(box, planes) != Lies::Across) return points_within(box, planes);
+    std::vector<glm::dvec3> points;
+    add_sides_within(points, box, planes);
     // A flat body holds no corner of another; its own sides say it all.
-    if (sides_of_a.size() == 6) add_sides_within(points, b, sides_of_a);
+    const std::vector<HalfSpace> sides_of_box = half_spaces_of(box);
+    if (sides_of_box.size() < 6) return points;
+    for (const ConvexBody& body : bodies) {
+        planes = sides_of_box;
+        for (const ConvexBody& other : bodies)
+            if (&other != &body) planes.insert(planes.end(), other.sides.begin(), other.sides.end());
+        add_sides_within(points, body.corners, planes);
+    }
     return points;
 }
 

@@ -20,13 +20,21 @@ void clip(Polygon& polygon, const HalfSpace& plane);
 /// The planes of a body with eight corners (ordered as Box), facing inwards; those of sides without area are left out.
 std::vector<HalfSpace> half_spaces_of(const Box& body);
 
+/// Where a body lies of planes: all of it beyond one of them, or all of it within all of them.
+enum class Lies { Beyond, Across, Within };
+Lies lies(const Box& body, std::span<const HalfSpace> planes);
+
 /// Points whose hull is what lies of a body within all of the planes, where these are sides that never end (of a
 /// prism): no corner of theirs may lie within the body.
 std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace> planes);
 
-/// Points whose hull is what two bodies have in common; none when that is nothing. The bodies may be flat; of two flat
-/// ones nothing is found but what their sides cut of each other.
-std::vector<glm::dvec3> common_points(const Box& a, std::span<const HalfSpace> sides_of_a, const Box& b,
-                                      std::span<const HalfSpace> sides_of_b);
+struct ConvexBody {
+    Box corners;
+    std::span<const HalfSpace> sides;
+};
+
+/// Points whose hull is what a box and a few bodies have in common; none when that is nothing. All may be flat; of flat
+/// ones in one plane nothing is found but what their sides cut of each other.
+std::vector<glm::dvec3> common_points(const Box& box, std::span<const ConvexBody> bodies);
 
 }  // namespace si

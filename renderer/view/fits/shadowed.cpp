@@ -30,6 +30,12 @@ glm::dvec3 seen_from_light(const LightView& view, const glm::dvec3& p) {
     return view.curve.perspective ? glm::dvec3(v.x / -v.z, v.y / -v.z, -v.z) : glm::dvec3(v.x, v.y, -v.z);
 }
 
+ViewExtent seen_from_light(const LightView& view, std::span<const glm::dvec3> points) {
+    ViewExtent e;
+    for (const glm::dvec3& p : points) e.add(seen_from_light(view, p));
+    return e;
+}
+
 /// The pyramid within which a perspective view is lit, out to `far`.
 Box pyramid_of(const LightView& view, double near, double far) {
     Box box;
@@ -244,21 +250,21 @@ private:
 
 }  // namespace
 
-ViewExtent lit_extent(const FitInput& in, std::span<const glm::dvec3> points) {
-    ViewExtent e;
-    for (const glm::dvec3& p : points) e.add(seen_from_light(in.view, p));
-    return e;
-}
-
-ViewExtent lit_extent(const FitInput& in, std::size_t box) {
+ViewExtent lit_extent(const FitInput& in, std::size_t box, const CameraSlice* seen) {
     const Box& corners = in.shape.boxes[box];
-    if (!in.view.curve.perspective) return lit_extent(in, std::span<const glm::dvec3>(corners));
+    const auto all = [&] {
+        return seen ? seen->seen_of(corners) : std::vector<glm::dvec3>(corners.begin(), corners.end());
+    };
+    if (!in.view.curve.perspective) return seen_from_light(in.view, all());
     const ViewExtent e = extent_of(corners, in.view);
     const double far = std::min(e.hi.z, in.reach_m), near = kViewBegins * far;
     if (!(far > 0) || e.lo.z > far) return {};
-    if (is_within(e, in.view, near, far)) return lit_extent(in, std::span<const glm::dvec3>(corners));
+    if (is_within(e, in.view, near, far)) return seen_from_light(in.view, all());
     const Box pyramid = pyramid_of(in.view, near, far);
-    return lit_extent(in, common_points(corners, half_spaces_of(corners), pyramid, half_spaces_of(pyramid)));
+    if (seen) return seen_from_light(in.view, seen->seen_of(corners, &pyramid));
+    const std::vector<HalfSpace> sides = half_spaces_of(pyramid);
+    const ConvexBody lit{pyramid, sides};
+    return seen_from_light(in.view, common_points(corners, {&lit, 1}));
 }
 
 std::optional<MapRegion> shadowed_region(const FitInput& in, std::span<const ViewExtent> receivers) {

@@ -4,15 +4,16 @@
 #include <span>
 #include <vector>
 
+#include "renderer/view/cascades.h"
 #include "renderer/view/fits/convex.h"
 #include "renderer/view/fits/region.h"
 
 namespace si {
 
-/// Extent across and along the view (as the region's, and metres) of what the light can reach of a box of the shape, or
-/// of a body with these corners. Empty where it reaches nothing.
-ViewExtent lit_extent(const FitInput& in, std::size_t box);
-ViewExtent lit_extent(const FitInput& in, std::span<const glm::dvec3> points);
+/// Extent across and along the view (as the region's, and metres) of what the light can reach of a box of the shape.
+/// Empty where it reaches nothing.
+/// @param seen only what lies in it counts
+ViewExtent lit_extent(const FitInput& in, std::size_t box, const CameraSlice* seen = nullptr);
 
 /// Holds every place across the view where a caster shadows a receiver that faces the light, by their boxes. Flat
 /// casters, and large ones that are convex, are looked at closer: they shadow nothing that lies in the planes that they
