@@ -7,6 +7,7 @@
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/truth_picture.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
 
 namespace si {
 namespace {
@@ -30,16 +31,6 @@ protected:
         return *cache.trace(task, workers).truth;
     }
 };
-
-/// Far from the world's origin.
-Scene moved_away(const char* name, const glm::dvec3& by) {
-    Scene scene = load_scene(name);
-    for (Node& node : scene.nodes)
-        if (node.parent < 0) node.local[3] += glm::dvec4(by, 0);
-    for (SceneCamera& camera : scene.cameras) camera.world[3] += glm::dvec4(by, 0);
-    finalise(scene);
-    return scene;
-}
 
 TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
     ASSERT_FALSE(sources().empty());
@@ -96,7 +87,8 @@ TEST_F(SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives) {
 
 // The rays' own answer at every pixel, wherever scene and light stand, hard and with size, in part.
 TEST_F(SourcesTest, TracedIsTheTruthItself) {
-    const Scene scene = moved_away("boxes", {4e3, -2e3, 9e3});
+    Scene scene = load_scene("boxes");
+    test::move_scene(scene, {4e3, -2e3, 9e3});
     for (const char* type : {"directional", "spot", "point"})
         for (const char* elevation : {"35", "90"})
             for (const bool area : {false, true}) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/context/headless_context.h"
+#include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
@@ -73,13 +74,14 @@ Shot shoot(const Scene& scene, const Settings& settings, int width, int height) 
     Renderer& renderer = hard_renderer();
     Shot shot;
     shot.width = width, shot.height = height;
+    TruthCache cache;
     FrameRequest request;
     request.width = width, request.height = height;
     request.outputs = {.colour = true, .shadow_map = true, .visibility = true, .overlay = true};
     Settings s = settings;
     s.view.overlay = overlay_row("non-finite");
     s.view.overlay_opacity = 0;
-    shot.frame = renderer.render(scene, s, request);
+    shot.frame = render_with_truth(renderer, scene, s, request, cache);
     expect_finite(shot.frame);
     if (shot.frame.visibility.texture) shot.visibility = renderer.read_float(shot.frame.visibility, 1);
     EXPECT_EQ(shot.visibility.data.size(), std::size_t(width) * std::size_t(height));
@@ -194,6 +196,17 @@ Settings low_sun_settings(std::string_view filter, int resolution, double consta
     s.lights[0].azimuth = 0, s.lights[0].elevation = 15;
     s.camera.distance = 18, s.camera.elevation = 35, s.camera.azimuth = 150;
     return s;
+}
+
+void move_scene(Scene& scene, const glm::dvec3& by) {
+    for (Node& node : scene.nodes)
+        if (node.parent < 0) node.local[3] += glm::dvec4(by, 0);
+    for (SceneCamera& camera : scene.cameras) camera.world[3] += glm::dvec4(by, 0);
+    finalise(scene);
+}
+
+void move_camera(Settings& settings, const glm::dvec3& by) {
+    settings.camera.target_x += by.x, settings.camera.target_y += by.y, settings.camera.target_z += by.z;
 }
 
 BiasSettings no_bias() {

@@ -65,6 +65,18 @@ Settings texel_settings(std::string_view filter, int resolution, double constant
 Scene wall_on_plane();
 Settings low_sun_settings(std::string_view filter, int resolution, double constant_texels);
 
+/// Moves all of a scene, its cameras too, and what a hand-set camera looks at.
+void move_scene(Scene& scene, const glm::dvec3& by);
+void move_camera(Settings& settings, const glm::dvec3& by);
+
+/// Where a scene stands and where its light comes from: at home, far away under a light at an exact right angle, and
+/// beside the origin under one straight above. Tests take them by turns.
+struct Place {
+    glm::dvec3 at{0};
+    double azimuth = 30, elevation = 60;
+};
+inline constexpr Place kPlaces[] = {{}, {{4e3, -120, 9e3}, 90, 60}, {{-70, 5, 8}, 180, 90}};
+
 /// No bias of any kind, in units of depth.
 BiasSettings no_bias();
 

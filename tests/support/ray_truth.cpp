@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/bias/light_receiver.h"
+
 namespace si::test {
 namespace {
 
@@ -121,7 +123,7 @@ TruthImage trace_truth(const RayTruth& scene, const Camera& camera, const Fitted
             camera.pixel_ray(x, y, width, height, origin, dir);
             const std::optional<Hit> hit = image.hits[at] = scene.first_hit(origin, dir);
             if (!hit) continue;
-            if (glm::dot(hit->normal, direction_to(light, hit->position)) <= 0) {
+            if (!faces_light(glm::dot(hit->normal, direction_to(light, hit->position)))) {
                 image.lit[at] = Lit::Away;
                 continue;
             }

@@ -1,0 +1,221 @@
+// What every bias has to keep to, whichever it is: a loop over the rows of the bias table and over what each has to be
+// turned, under every light, with kernels, formats, fits and places by turns.
+#include "renderer/settings/biases.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/bias/account.h"
+#include "renderer/inspect/probe.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
+#include "renderer/settings/param.h"
+#include "renderer/view/kernel_reach.h"
+#include "tests/support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+/// A bias, spent by one of its settings, and what it is tried under.
+struct BiasCase {
+    std::string bias, key;
+    LightType light;
+    MapFormat format;
+    bool reversed;
+    std::string kernel, fit;
+    Place place;
+};
+
+/// Without any bias but of this kind.
+Settings unbiased(const Bias& row) {
+    Settings s = hard_settings();
+    s.bias = no_bias();
+    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.plane_clamp = 0;
+    if (row.stage == BiasStage::Compare) set_setting(s, "bias.kind", row.key);
+    return s;
+}
+
+/// The settings by which a row gives more when they are turned up: its own, and bias.constant of those that compare.
+std::vector<std::string> amounts_of(const Bias& row) {
+    std::vector<std::string> keys(row.settings.begin(), row.settings.end());
+    if (row.stage == BiasStage::Compare) keys.emplace_back("bias.constant");
+    const BiasInput sample{
+        .curve = {.near = 1, .far = 9}, .texel_m = 0.1, .n_dot_l = 0.5, .per_texel = {0.01, 0.02}, .quantum = 1e-5};
+    std::erase_if(keys, [&](const std::string& key) {
+        Settings s = unbiased(row);
+        const double none = row.amount(s.bias, sample);
+        const SettingRef ref = *find_setting(key);
+        set_value(s, ref, std::min(2.0, ref.param->max));
+        return !(row.amount(s.bias, sample) > none);
+    });
+    return keys;
+}
+
+std::vector<BiasCase> bias_cases() {
+    std::vector<BiasCase> out;
+    std::size_t turn = 0, format = 0;
+    for (const Bias& row : biases())
+        for (const std::string& key : amounts_of(row))
+            for (const LightType light : kLightTypes) {
+                const std::size_t k = turn++ * 5 % filters().size();
+                for (const Place& place : kPlaces) {
+                    out.push_back({std::string(row.key), key, light, MapFormat(format % 4), format % 3 == 0,
+                                   std::string(filters()[k].key), std::string(fits()[format % fits().size()].key),
+                                   place});
+                    ++format;
+                }
+            }
+    return out;
+}
+
+std::string bias_name(const testing::TestParamInfo<BiasCase>& info) {
+    const char* lights[] = {"directional", "spot", "point"};
+    const BiasCase& c = info.param;
+    std::string name = c.bias + "_by_" + c.key.substr(5) + "_" + lights[int(c.light)] + "_" + format_name(c.format) +
+                       "_" + c.kernel + "_" + c.fit + "_" + std::to_string(info.index);
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+class EachBias : public testing::TestWithParam<BiasCase> {
+protected:
+    const BiasCase& c = GetParam();
+    const Bias& row = *std::ranges::find(biases(), c.bias, &Bias::key);
+
+    /// The setting at `value`, and whatever else the row gives by at a tenth of it: a slope alone is nothing where the
+    /// light is straight above.
+    void give(Settings& s, double value) const {
+        for (const std::string& key : amounts_of(row)) {
+            const SettingRef ref = *find_setting(key);
+            set_value(s, ref, std::min(key == c.key ? value : 0.1 * value, ref.param->max));
+        }
+    }
+    Settings settings(double value) const {
+        Settings s = unbiased(row);
+        s.map.resolution = 256, s.map.format = int(c.format), s.map.reversed_z = c.reversed;
+        s.filter.kernel = kernel(c.kernel);
+        LightSettings& light = s.lights[0];
+        light.type = int(c.light);
+        light.azimuth = c.place.azimuth, light.elevation = c.place.elevation;
+        light.distance = c.light == LightType::Directional ? 0 : 9;
+        light.cone = 80, light.size = c.light == LightType::Directional ? 0.5 : 0.05;
+        set_setting(s, "light.fit", c.fit);
+        s.camera.elevation = 35;  // sees below the cover
+        move_camera(s, c.place.at);
+        give(s, value);
+        return s;
+    }
+
+    BiasAccount account(const Hit& hit, const FrameResult& frame, const Settings& s) const {
+        return bias_account(frame.lights[0], s, frame.map_resolution,
+                            {hit.position, hit.normal, hit.normal, frame.camera.origin()}, hard_renderer().driver());
+    }
+    /// Of the lit pixels that show a plane turned upwards: those that the settings clear by their account, and how many
+    /// rise across the map by much more than roundings.
+    struct Told {
+        std::vector<std::size_t> cleared;
+        std::size_t lit = 0, sloped = 0;
+    };
+    Told told(const TruthImage& truth, const FrameResult& frame, const Settings& s, int step) const {
+        Told out;
+        for (std::size_t i = 0; i < truth.lit.size(); i += std::size_t(step)) {
+            if (truth.lit[i] != Lit::Lit || truth.hits[i]->normal.y < 0.5) continue;
+            ++out.lit;
+            const BiasAccount a = account(*truth.hits[i], frame, s);
+            out.sloped += a.least.kernel > 4 * (a.least.quantum + a.least.rounding);
+            if (a.clears() >= a.least.total()) out.cleared.push_back(i);
+        }
+        return out;
+    }
+};
+
+/// The least value that clears three of four lit pixels: what its theory says.
+template <class Share>
+double least_value(Share share_cleared) {
+    constexpr double kEnough = 0.75, most = 1e8;  // a tenth of it: as much as bias.raster_units may be
+    double lo = 0, hi = 1e-3;
+    if (share_cleared(0) >= kEnough) return 0;
+    while (hi < most && share_cleared(hi) < kEnough) lo = hi, hi *= 4;
+    hi = std::min(hi, most);
+    for (int i = 0; i < 12; ++i) {
+        const double middle = 0.5 * (lo + hi);
+        (share_cleared(middle) >= kEnough ? hi : lo) = middle;
+    }
+    return hi;
+}
+
+TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
+    // A sheet: the walls of a box would lie along the rays of a light at a right angle, where a driver may draw a
+    // sliver of no width with any depth.
+    add_object(scene, "cover", -1, add_mesh(scene, "cover", make_plane(4, 4), grey), moved(0, 2.25, 0));
+    move_scene(scene, c.place.at);
+    Settings s = settings(0);
+    const Shot none = shoot(scene, s);
+    const double reach = reach_under(s, none.light(), none.frame.map_resolution).edge + 1;
+    const auto truth_within = [&](double texels) {
+        return trace_truth(RayTruth(scene), none.frame.camera, none.light(), none.width, none.height,
+                           none.frame.map_resolution, texels);
+    };
+    TruthImage truth = truth_within(reach);
+    const double value = least_value([&](double v) {
+        give(s, v);
+        const Told t = told(truth, none.frame, s, 13);
+        return double(t.cleared.size()) / double(std::max<std::size_t>(t.lit, 1));
+    });
+    if (row.stage == BiasStage::LookUp) truth = truth_within(reach + value);  // edges move by as much
+    give(s, value * 1.001);
+    const Shot least = shoot(scene, s);
+    const Told t = told(truth, least.frame, s, 1);
+    const Tolerance& tolerance = filter_of(s).tolerance;
+    ASSERT_GT(t.lit, 2000u);
+    EXPECT_GT(double(t.cleared.size()), 0.7 * double(t.lit)) << "at " << value;
+    std::size_t acne = 0, without = 0, dark = 0, leaks = 0;
+    for (const std::size_t i : t.cleared) {
+        acne += least.visibility.data[i] < 1 - tolerance.lit;
+        without += none.visibility.data[i] < 1 - tolerance.lit;
+    }
+    for (std::size_t i = 0; i < truth.lit.size(); ++i) {
+        if (truth.lit[i] != Lit::Shadow || truth.hits[i]->normal.y < 0.5) continue;
+        const BiasAccount a = account(*truth.hits[i], least.frame, s);
+        if (a.amount(a.lifts).metres > 2) continue;  // the cover is 2.25 m above
+        ++dark, leaks += least.visibility.data[i] > tolerance.dark;
+    }
+    EXPECT_EQ(acne, 0u) << "of " << t.cleared.size() << " at " << value;
+    EXPECT_EQ(leaks, 0u) << "of " << dark << " at " << value;
+    EXPECT_GT(dark, 100u);
+    // Where nothing else clears a plane that rises, it shadows itself without: else all this says little.
+    if (filter_of(s).samples == Samples::Depth && t.sloped > t.lit / 2) EXPECT_GT(without, 20u) << value;
+}
+
+TEST_P(EachBias, ChangesNothingWhereNothingCasts) {
+    Scene scene = floor_and_box(10, {1.5, 1, 2});
+    move_scene(scene, c.place.at);
+    for (const double value : {0.0, 3.0}) {
+        Settings s = settings(value);
+        s.objects["floor"] = s.objects["box"] = {.cast = false};
+        for (const float v : shoot(scene, s, 64, 48).visibility.data) ASSERT_TRUE(v == 1 || v == 0) << v;
+        // The floor alone does not cast: whatever lies away from the box's shadow reads an empty map.
+        s.objects["box"].cast = true;
+        const Shot shot = shoot(scene, s, 64, 48);
+        const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 5;
+        const TruthImage truth = trace_truth(RayTruth(scene), shot.frame.camera, shot.light(), shot.width, shot.height,
+                                             shot.frame.map_resolution, reach);
+        int lit = 0;
+        for (std::size_t i = 0; i < truth.lit.size(); ++i) {
+            if (truth.lit[i] != Lit::Lit || std::abs(truth.hits[i]->position.y - c.place.at.y) > 1e-3) continue;
+            ++lit;
+            ASSERT_GE(shot.visibility.data[i], 1 - filter_of(s).tolerance.lit) << value;
+        }
+        EXPECT_GT(lit, 300);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EachBias, testing::ValuesIn(bias_cases()), bias_name);
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,140 @@
+// What every fit has to keep to, whichever it is: a loop over the rows of the fit table under every light, with kernels
+// and places by turns.
+#include "renderer/settings/fits.h"
+
+#include <algorithm>
+
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/param.h"
+#include "renderer/view/kernel_reach.h"
+#include "tests/support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+struct FitCase {
+    std::string fit;
+    LightType light;
+    std::string kernel;
+    Place place;
+    bool seen_in_part;  ///< the camera is near, and sees a part of the scene
+};
+
+std::vector<FitCase> fit_cases() {
+    std::vector<FitCase> out;
+    std::size_t turn = 0;
+    for (const FitRow& row : fits())
+        for (const LightType light : kLightTypes) {
+            const std::string kernel(filters()[turn++ * 5 % filters().size()].key);
+            for (const Place& place : kPlaces)
+                for (const bool part : {false, true}) out.push_back({std::string(row.key), light, kernel, place, part});
+        }
+    return out;
+}
+
+std::string fit_name(const testing::TestParamInfo<FitCase>& info) {
+    const char* lights[] = {"directional", "spot", "point"};
+    std::string name = info.param.fit + "_" + lights[int(info.param.light)] + "_" + info.param.kernel + "_" +
+                       std::to_string(info.index);
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+class EachFit : public testing::TestWithParam<FitCase> {
+protected:
+    const FitCase& c = GetParam();
+
+    Settings settings() const {
+        Settings s = texel_settings(c.kernel, 256, 0);
+        LightSettings& light = s.lights[0];
+        light.type = int(c.light);
+        light.azimuth = c.place.azimuth, light.elevation = c.place.elevation;
+        light.distance = c.light == LightType::Directional ? 0 : 9;
+        light.cone = 80, light.size = c.light == LightType::Directional ? 0.5 : 0.05;
+        if (c.seen_in_part) s.camera.distance = 4, s.camera.target_x = 1;
+        move_camera(s, c.place.at);
+        // Enough for any of these maps: in metres, so that it is the same for all fits.
+        s.bias.unit = int(BiasUnit::Metres), s.bias.constant = 0.6;
+        return s;
+    }
+};
+
+/// A floor, half of it covered 2 m above, and a box that floats over the rest.
+Scene covered_in_part(const glm::dvec3& at) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
+    add_object(scene, "cover", -1, add_mesh(scene, "cover", make_plane(3, 5), grey), moved(-2, 2, 0));
+    add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.2, 0.4, 1.6}), grey), moved(2, 1.5, 0.5));
+    move_scene(scene, at);
+    return scene;
+}
+
+// Away from edges visibility is that of rays, whatever the map leaves out: so it is that of any other fit, too.
+TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
+    const Scene scene = covered_in_part(c.place.at);
+    Settings s = settings();
+    set_setting(s, "light.fit", "scene");
+    const Shot whole = shoot(scene, s);
+    set_setting(s, "light.fit", c.fit);
+    const Shot shot = shoot(scene, s);
+    const FitRow& row = fits()[std::size_t(s.lights[0].fit)];
+    // The widest texels of the two maps say where an edge is near; depths that kernels compare may lie beside it.
+    const double reach = reach_under(s, whole.light(), whole.frame.map_resolution).edge + 1.5;
+    const TruthImage truth = trace_truth(RayTruth(scene), whole.frame.camera, whole.light(), whole.width, whole.height,
+                                         whole.frame.map_resolution, reach);
+    const Tolerance& tolerance = filter_of(s).tolerance;
+    int lit = 0, dark = 0, beyond = 0;
+    for (std::size_t i = 0; i < truth.lit.size(); ++i) {
+        const Lit is = truth.lit[i];
+        if (is != Lit::Lit && is != Lit::Shadow && is != Lit::Boundary) continue;
+        if (truth.hits[i]->normal.y < 0.5) continue;  // sides of the box lie within the bias of its top
+        const double v = shot.visibility.data[i];
+        const glm::dvec4 at = uvdw(view_of(shot.light(), truth.hits[i]->position), truth.hits[i]->position);
+        const bool outside = std::min({at.x, at.y, 1 - at.x, 1 - at.y}) < 0;
+        if (outside && shot.light().closed) {
+            ++beyond;
+            EXPECT_NE(is, Lit::Shadow) << "pixel " << i;
+            EXPECT_EQ(v, 1) << "pixel " << i;
+        }
+        if (is == Lit::Boundary) continue;
+        (is == Lit::Lit ? lit : dark) += 1;
+        ASSERT_TRUE(is == Lit::Lit ? v >= 1 - tolerance.lit : v <= tolerance.dark)
+            << v << " at pixel " << i << " of " << c.fit;
+        ASSERT_NEAR(v, whole.visibility.data[i], std::max(tolerance.lit, tolerance.dark)) << "pixel " << i;
+    }
+    EXPECT_GT(lit, 1000);
+    EXPECT_GT(dark, 100);
+    EXPECT_TRUE(row.narrows || !shot.light().closed);
+    if (row.narrows && c.light != LightType::Point) {
+        EXPECT_TRUE(shot.light().closed);
+        EXPECT_LT(shot.view().half_width, 0.95 * whole.view().half_width) << "else there was nothing to narrow";
+    }
+    if (row.narrows && c.light == LightType::Directional && !c.seen_in_part) EXPECT_GT(beyond, 100);
+}
+
+// Where nothing is in shadow, there is nothing to narrow down to: all is lit, inside the map and outside.
+TEST_P(EachFit, LightsALonePlane) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(8, 8), grey));
+    move_scene(scene, c.place.at);
+    Settings s = settings();
+    set_setting(s, "light.fit", c.fit);
+    const Shot shot = shoot(scene, s, 80, 60);
+    const TruthImage truth = trace_truth(RayTruth(scene), shot.frame.camera, shot.light(), shot.width, shot.height,
+                                         shot.frame.map_resolution, 0);
+    int lit = 0;
+    for (std::size_t i = 0; i < truth.lit.size(); ++i) {
+        if (truth.lit[i] != Lit::Lit) continue;
+        ++lit;
+        ASSERT_GE(shot.visibility.data[i], 1 - filter_of(s).tolerance.lit);
+    }
+    EXPECT_GT(lit, 1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EachFit, testing::ValuesIn(fit_cases()), fit_name);
+
+}  // namespace
+}  // namespace si::test

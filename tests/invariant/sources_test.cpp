@@ -1,0 +1,139 @@
+// What every source of visibility has to keep to, whichever it is: a loop over the rows of the source table under every
+// light, against the closed form of a plane below half a cover.
+#include "renderer/settings/sources.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
+#include "renderer/settings/param.h"
+#include "renderer/view/kernel_reach.h"
+#include "tests/support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+struct SourceCase {
+    std::string source;
+    LightType light;
+    Place place;
+};
+
+std::vector<SourceCase> source_cases() {
+    std::vector<SourceCase> out;
+    for (const Source& row : sources())
+        for (const LightType light : kLightTypes)
+            for (const Place& place : kPlaces) out.push_back({std::string(row.key), light, place});
+    return out;
+}
+
+std::string source_name(const testing::TestParamInfo<SourceCase>& info) {
+    const char* lights[] = {"directional", "spot", "point"};
+    std::string name =
+        info.param.source + "_" + lights[int(info.param.light)] + "_" + std::to_string(info.index % std::size(kPlaces));
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+constexpr double kCoverY = 1.5, kCoverHalf = 1.5;
+
+class EachSource : public testing::TestWithParam<SourceCase> {
+protected:
+    const SourceCase& c = GetParam();
+    const Source& row = *std::ranges::find(sources(), c.source, &Source::key);
+
+    Settings settings() const {
+        Settings s = texel_settings("hw2x2", 512, 4);
+        LightSettings& light = s.lights[0];
+        set_setting(s, "light.source", c.source);
+        light.type = int(c.light);
+        light.azimuth = c.place.azimuth, light.elevation = c.place.elevation;
+        light.distance = c.light == LightType::Directional ? 0 : 9;
+        light.cone = 80;
+        s.camera.elevation = 22, s.camera.distance = 11;  // sees below the cover
+        move_camera(s, c.place.at);
+        return s;
+    }
+    /// A floor of 12 m, and a cover of 3 x 3 m in the half where x is below 0.
+    Scene scene(bool covered) const {
+        Scene scene;
+        const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
+        const Mesh cover = make_plane(2 * kCoverHalf, 2 * kCoverHalf);
+        if (covered)
+            add_object(scene, "cover", -1, add_mesh(scene, "cover", cover, grey), moved(-kCoverHalf, kCoverY, 0));
+        move_scene(scene, c.place.at);
+        return scene;
+    }
+    /// How far the light ray of a point on the floor passes within the cover's edges, in metres; below 0: beside it.
+    double within_cover_m(const FittedLight& light, const glm::dvec3& point_ws) const {
+        const glm::dvec3 ray = light.type == LightType::Directional ? light.to_light : light.position - point_ws;
+        const glm::dvec3 at = point_ws + ray * (kCoverY / ray.y) - c.place.at;
+        return std::min({-at.x, at.x + 2 * kCoverHalf, kCoverHalf - std::abs(at.z)});
+    }
+    template <class Visit>
+    void each_floor_pixel(const Shot& shot, const Scene& scene, Visit visit) const {
+        const RayTruth rays(scene);
+        for (int y = 0; y < shot.height; ++y)
+            for (int x = 0; x < shot.width; ++x) {
+                glm::dvec3 origin, dir;
+                shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
+                const auto hit = rays.first_hit(origin, dir);
+                if (!hit || std::abs(hit->position.y - c.place.at.y) > 1e-3) continue;
+                visit(hit->position, double(shot.visibility.at(x, y)));
+            }
+    }
+};
+
+TEST_P(EachSource, LightsAPlaneAndDarkensWhatIsCovered) {
+    const Scene half = scene(true);
+    const Shot shot = shoot(half, settings());
+    // A texel of the map by which a source that is one may miss an edge; else what single precision leaves of a place.
+    double slack_m = 2e-3;
+    if (row.needs.map) {
+        const FittedLight& light = shot.light();
+        const double kernel = reach_under(settings(), light, shot.frame.map_resolution).edge + 1;
+        for (const LightView& view : light.views)
+            slack_m = std::max(slack_m, kernel * view.texel_size(view.curve.perspective ? view.curve.far : 1, 512));
+    }
+    int lit = 0, dark = 0, wrong = 0;
+    each_floor_pixel(shot, half, [&](const glm::dvec3& at, double v) {
+        const double within_m = within_cover_m(shot.light(), at);
+        if (std::abs(within_m) < slack_m) return;
+        const bool shadow = within_m > 0 && c.source != "none";
+        (shadow ? dark : lit) += 1;
+        wrong += shadow ? v != 0 : std::abs(v - 1) > 1e-6;
+    });
+    EXPECT_EQ(wrong, 0) << "of " << lit << " lit and " << dark << " dark pixels, " << slack_m << " m from the edge";
+    EXPECT_GT(lit, 3000);
+    EXPECT_EQ(dark > 200, c.source != "none") << dark;
+}
+
+TEST_P(EachSource, LightsALonePlane) {
+    const Scene floor = scene(false);
+    each_floor_pixel(shoot(floor, settings(), 80, 60), floor,
+                     [&](const glm::dvec3&, double v) { ASSERT_NEAR(v, 1, 1e-6); });
+}
+
+// What a map alone has does nothing to sources that are none.
+TEST_P(EachSource, KnowsNoKernelBiasOrFitUnlessItIsAMap) {
+    if (row.needs.map) GTEST_SKIP() << "it has all of them";
+    const Scene half = scene(true);
+    const FloatImage plain = shoot(half, settings(), 80, 60).visibility;
+    const auto expect_same = [&](std::string_view key, std::string_view value) {
+        Settings s = settings();
+        set_setting(s, key, value);
+        EXPECT_EQ(shoot(half, s, 80, 60).visibility.data, plain.data) << key << " " << value;
+    };
+    for (const Filter& other : filters()) expect_same("filter.kernel", other.key);
+    for (const Choice& other : bias_choices()) expect_same("bias.kind", other.key);
+    for (const FitRow& other : fits()) expect_same("light.fit", other.key);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EachSource, testing::ValuesIn(source_cases()), source_name);
+
+}  // namespace
+}  // namespace si::test
