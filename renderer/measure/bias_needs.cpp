@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "renderer/bias/account.h"
+#include "renderer/inspect/dossier.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 
@@ -59,7 +61,47 @@ BiasSettings cheapest_slope(const std::vector<Need>& needs, double largest) {
     return best;
 }
 
+constexpr double kCleared = 0.999;  // of the pixels: a few that are all but edge-on would ask for anything
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Calls `use` with the number and receiver of each pixel that counts, is lit in truth and lies in the map.
+template <class Use>
+void each_lit_receiver(const MeasuredError& measured, Use use) {
+    const Truth& truth = *measured.traced.truth;
+    const FloatImage& hard = truth.hard();
+    for (std::size_t i = 0; i < truth.state.size(); ++i)
+        if (truth.state[i] == PixelState::Counted && hard.data[i] >= 0.5f &&
+            !measured.judged[i].has(JudgedPixel::kOutside))
+            use(i, measured.traced.receivers->pixels[i]);
+}
+
+BiasAccount account_of(const MeasuredError& measured, const Settings& settings, const Receiver& r,
+                       const RasterTraits& driver) {
+    return bias_account(measured.lights[std::size_t(measured.light)], settings, measured.map_resolution,
+                        {r.position_ws, r.normal_ws, r.normal_ws, measured.camera.origin()}, driver);
+}
+
+/// The settings by which a row may give more: its own numbers, and bias.constant of those that compare.
+std::vector<SettingRef> amounts_of(const Bias& row) {
+    std::vector<SettingRef> refs;
+    for (const std::string_view key : row.settings) refs.push_back(*find_setting(key));
+    if (row.stage == BiasStage::Compare) refs.push_back(*find_setting("bias.constant"));
+    return refs;
+}
+
 }  // namespace
+
+const Bias& row_of(BiasFamily family) {
+    switch (family) {
+        case BiasFamily::Constant:
+            return *std::ranges::find(biases(), "constant", &Bias::key);
+        case BiasFamily::Slope:
+            break;
+        case BiasFamily::Normal:
+            return bias_at(BiasStage::LookUp);
+    }
+    return biases()[std::size_t(default_bias())];
+}
 
 std::string_view family_word(BiasFamily family) {
     switch (family) {
@@ -88,38 +130,28 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
     BiasNeeds out;
     const FittedLight& light = measured.lights[std::size_t(measured.light)];
     if (!light.casts) return out;
-    const Truth& truth = *measured.traced.truth;
-    const FloatImage& hard = truth.hard();
     Settings searched = settings;  // the families' kind, whatever the present one is
     searched.bias.kind = default_bias();
     std::vector<Need> needs;
     std::vector<double> gaps, shifts;
-    for (std::size_t i = 0; i < truth.state.size(); ++i) {
-        if (truth.state[i] != PixelState::Counted || hard.data[i] < 0.5f ||
-            measured.judged[i].has(JudgedPixel::kOutside))
-            continue;
-        const Receiver& r = measured.traced.receivers->pixels[i];
-        const auto under = [&](const Settings& s) {
-            return bias_account(light, s, measured.map_resolution,
-                                {r.position_ws, r.normal_ws, r.normal_ws, measured.camera.origin()}, driver);
-        };
-        const BiasAccount a = under(settings);
-        const LeastBias least = a.per_texel ? under(searched).least : a.least;
+    each_lit_receiver(measured, [&](std::size_t i, const Receiver& r) {
+        const BiasAccount a = account_of(measured, settings, r, driver);
+        const LeastBias least = a.per_texel ? account_of(measured, searched, r, driver).least : a.least;
         const double b = least.total();
         const double step = a.amount(least.quantum + least.rounding).texels, total = a.amount(b).texels;
         const LightView& view = light.views[a.receiver.view];
         const double offset_m = least_normal_offset(view, r.position_ws, r.normal_ws, b);
-        if (!std::isfinite(total) || !(offset_m > 0)) continue;  // edge-on
+        if (!std::isfinite(total) || !(offset_m > 0)) return;  // edge-on
         needs.push_back({total, step, std::clamp(a.receiver.n_dot_l, 0.0, 1.0), total * a.receiver.texel_m / offset_m,
                          contact_gap(a.receiver.texel_m / a.receiver.axis_per_ray, a.theta_rad)});
         gaps.push_back(a.contact_gap_m());
         shifts.push_back(a.receiver.normal_offset_m * std::tan(std::min(a.theta_rad, 1.57)));
-        if (!measured.judged[i].has(JudgedPixel::kAnyAcne)) continue;
+        if (!measured.judged[i].has(JudgedPixel::kAnyAcne)) return;
         if (a.clears() >= a.least.total())
             out.folds += measured.judged[i].visibility >= 0.5f;
         else
             out.faint_acne += measured.judged[i].visibility >= 0.5f;
-    }
+    });
     out.pixels = needs.size();
     if (needs.empty()) return out;
     out.gap_median_m = share_of(gaps, 0.5), out.gap_p95_m = share_of(std::move(gaps), 0.95);
@@ -131,6 +163,52 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
     out.least[std::size_t(BiasFamily::Normal)] =
         in_texels(step, 0, worst(needs, [&](const Need& n) { return std::max(n.total - step, 0.0) / n.per_normal; }));
     return out;
+}
+
+std::optional<BiasSettings> least_bias_by(const Bias& row, const MeasuredError& measured, const Settings& settings,
+                                          const RasterTraits& driver) {
+    if (!measured.lights[std::size_t(measured.light)].casts) return std::nullopt;
+    Settings least = settings;
+    least.bias = in_texels(0, 0, 0);
+    if (row.stage == BiasStage::Compare) set_setting(least, "bias.kind", row.key);
+    // It brings what planes need by itself; only where it is clamped, all but edge-on, would more be asked for.
+    if (row.per_texel) return least.bias;
+    const std::vector<SettingRef> amounts = amounts_of(row);
+    // Amounts add up. Each takes the share that grows with the slope, and the last one worth anything all that is left.
+    std::vector<double> worth_it(amounts.size());
+    std::vector<Settings> one(amounts.size(), least);
+    for (std::size_t k = 0; k < amounts.size(); ++k) set_value(one[k], amounts[k], 1.0);
+    struct At {
+        double need, kernel;
+        std::vector<double> worth;
+    };
+    std::vector<At> pixels;
+    each_lit_receiver(measured, [&](std::size_t, const Receiver& r) {
+        const BiasAccount none = account_of(measured, least, r, driver);
+        At at{none.least.total() - none.clears(), none.least.kernel, {}};
+        if (!std::isfinite(at.need) || none.plane.edge_on()) return;
+        for (std::size_t k = 0; k < amounts.size(); ++k) {
+            at.worth.push_back(account_of(measured, one[k], r, driver).clears() - none.clears());
+            worth_it[k] = std::max(worth_it[k], at.worth.back());
+        }
+        pixels.push_back(std::move(at));
+    });
+    const auto last = std::ranges::find_if(worth_it.rbegin(), worth_it.rend(), [](double w) { return w > 0; });
+    for (std::size_t k = 0; k < amounts.size(); ++k) {
+        if (!(worth_it[k] > 0)) continue;
+        const bool is_last = &worth_it[k] == &*last;
+        std::vector<double> values;
+        for (const At& at : pixels) {
+            const double share = is_last ? at.need : std::min(at.kernel, at.need);
+            values.push_back(!(share > 0) ? 0 : at.worth[k] > 0 ? share / at.worth[k] : kNever);
+        }
+        double value = share_of(std::move(values), kCleared);
+        value = rounded_up(value * 1.001);
+        if (value > amounts[k].param->max) return std::nullopt;
+        set_value(least, amounts[k], value);
+        for (At& at : pixels) at.need -= value * at.worth[k];
+    }
+    return least.bias;
 }
 
 }  // namespace si

@@ -1,8 +1,11 @@
 // How much bias a whole frame needs, by theory: the start of every search for the least bias.
 #pragma once
 
+#include <optional>
+
 #include "renderer/measure/frontier.h"
 #include "renderer/reference/error_task.h"
+#include "renderer/settings/biases.h"
 
 namespace si {
 
@@ -33,6 +36,15 @@ struct BiasNeeds {
 /// Over the pixels that count, are lit in truth and lie in the map: only these can show acne.
 /// @param settings that were measured
 BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
+
+/// The row that a family spends.
+const Bias& row_of(BiasFamily family);
+
+/// The least settings under which a row clears 999 of 1000 of the pixels of bias_needs() by its own account, in texels
+/// where it counts in bias.unit: those settings of the row that are worth anything, the last of them for what grows
+/// with no slope. A row that needs no numbers gets none; nothing where the settings' limits do not let it.
+std::optional<BiasSettings> least_bias_by(const Bias& row, const MeasuredError& measured, const Settings& settings,
+                                          const RasterTraits& driver);
 
 /// Every amount times `factor`, within what the settings allow.
 BiasSettings scaled(const BiasSettings& bias, double factor);

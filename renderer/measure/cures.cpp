@@ -3,16 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "renderer/bias/account.h"
 #include "renderer/measure/axes.h"
 #include "renderer/measure/time_sampler.h"
+#include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
 #include "renderer/view/kernel_reach.h"
-#include "renderer/view/manual_light.h"
 
 namespace si {
 namespace {
@@ -65,6 +67,17 @@ BiasSettings least_bias_of(const CureFacts& facts, BiasFamily family) {
     return scaled(b, 1);  // within what the settings allow
 }
 
+constexpr std::pair<BiasFamily, const char*> kFamilies[] = {{BiasFamily::Normal, "least bias, normal offset"},
+                                                            {BiasFamily::Slope, "least bias, slope over constant"},
+                                                            {BiasFamily::Constant, "least bias, constant alone"}};
+
+/// "Receiver plane" as "receiver plane".
+std::string in_a_sentence(std::string_view label) {
+    std::string out(label);
+    if (!out.empty()) out[0] = char(std::tolower(static_cast<unsigned char>(out[0])));
+    return out;
+}
+
 void cast_from_both_sides(Settings& s) {
     s.caster.cull = int(Cull::None);
     for (auto& [path, object] : s.objects) object.cull = int(ObjectCull::Inherit);
@@ -84,6 +97,34 @@ std::pair<int, int> neighbours(const Settings& settings) {
         if (edge(k) > reach && (up < 0 || edge(k) < edge(up))) up = k;
     }
     return {down, up};
+}
+
+/// What a light's map covers, and how many maps it is divided among: the rows of the fit table, and cascades.
+template <class Idea>
+void add_fits(const Settings& base, const CureFacts& f, Idea idea) {
+    const auto light = std::size_t(f.light);
+    const FittedLight& fitted = f.lights[light];
+    const bool sun = fitted.type == LightType::Directional;
+    const bool by_hand = base.lights[light].fit == int(LightFit::Manual);
+    // Fits are asked for maps whose rays are the light's own.
+    const bool narrows = fitted.views.size() == 1 && sun != fitted.is_perspective();
+    for (std::size_t i = 0; i < fits().size(); ++i) {
+        const FitRow& row = fits()[i];
+        if (int(i) == int(LightFit::Manual) || int(i) == base.lights[light].fit) continue;
+        if (row.narrows ? !narrows : !narrows && !by_hand) continue;
+        idea(fmt::format("fit: {}", row.label), [&](Settings& s) { s.lights[light].fit = int(i); });
+    }
+    if (!narrows && fitted.views.size() == 1)
+        idea(
+            "tighter fit", [](Settings&) {}, "only a map whose rays are the light's own can be fitted tighter");
+    if (fitted.chooser.choice == ViewChoice::Face)
+        idea(
+            "tighter fit", [](Settings&) {}, "six faces hold all directions");
+    idea("the light's own projection",
+         [&](Settings& s) { s.lights[light].projection = int(LightProjection::Automatic); });
+    if (!sun || by_hand || fitted.is_perspective()) return;
+    for (int n = 2; n <= kMaxCascades; ++n)
+        idea(fmt::format("{} cascades", n), [&](Settings& s) { s.lights[light].cascades = n; });
 }
 
 /// Differences of the times of passes, of frames drawn to and fro.
@@ -148,18 +189,11 @@ CureFacts cure_facts(const MeasuredError& measured, const Settings& settings, co
     f.lights = measured.lights, f.light = measured.light;
     f.map_resolution = measured.map_resolution, f.max_resolution = driver.max_texture_size;
     f.sampling_resolution = sampling_resolution(measured, settings, driver);
-    const FittedLight& light = measured.lights[std::size_t(measured.light)];
-    if (light.views.size() != 1) return f;
-    const LightView& view = light.views[0];
-    glm::dvec2 lo(std::numeric_limits<double>::infinity()), hi(-lo);
-    for (std::size_t i = 0; i < measured.judged.size(); ++i) {
-        if (measured.traced.truth->state[i] != PixelState::Counted) continue;
-        const glm::dvec3 p = glm::transpose(view.axes) * (measured.traced.receivers->pixels[i].position_ws - view.eye);
-        lo = glm::min(lo, glm::dvec2(p)), hi = glm::max(hi, glm::dvec2(p));
+    for (const Bias& row : biases()) {
+        if (std::ranges::any_of(kFamilies, [&](const auto& family) { return &row_of(family.first) == &row; })) continue;
+        if (const auto least = least_bias_by(row, measured, settings, driver))
+            f.least_of_rows.emplace_back(&row, *least);
     }
-    if (!(lo.x <= hi.x)) return f;
-    f.receivers_half_m = 0.5 * std::max(hi.x - lo.x, hi.y - lo.y);
-    f.receivers_middle_ws = view.eye + view.axes * glm::dvec3(0.5 * (lo + hi), 0);
     return f;
 }
 
@@ -177,11 +211,10 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
     }
     const bool any = f.needs.pixels > 0;
     const auto bias = [&](BiasFamily family) { return least_bias_of(f, family); };
-    constexpr std::pair<BiasFamily, const char*> kFamilies[] = {{BiasFamily::Normal, "least bias, normal offset"},
-                                                                {BiasFamily::Slope, "least bias, slope over constant"},
-                                                                {BiasFamily::Constant, "least bias, constant alone"}};
     for (const auto& [family, name] : kFamilies)
         if (any) idea(name, [&, fam = family](Settings& s) { s.bias = bias(fam); });
+    for (const auto& [row, least] : f.least_of_rows)
+        if (any) idea(fmt::format("least bias, {}", in_a_sentence(row->label)), [&](Settings& s) { s.bias = least; });
     idea("no normal offset", [](Settings& s) { s.bias.normal = 0; });
 
     idea("both sides cast", cast_from_both_sides);
@@ -227,35 +260,7 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
     finer(2.0 * f.map_resolution, "twice the resolution");
     if (f.sampling_resolution > 2.0 * f.map_resolution) finer(f.sampling_resolution, "the resolution that is needed");
 
-    const LightSettings& light = base.lights[std::size_t(f.light)];
-    if (light.fit == int(LightFit::Manual))
-        idea("map fitted to the scene",
-             [&](Settings& s) { s.lights[std::size_t(f.light)].fit = int(LightFit::Scene); });
-    idea("the light's own projection",
-         [&](Settings& s) { s.lights[std::size_t(f.light)].projection = int(LightProjection::Automatic); });
-    const FittedLight& fitted = f.lights[std::size_t(f.light)];
-    const bool parallel =
-        fitted.views.size() == 1 && !fitted.views[0].curve.perspective && fitted.type == LightType::Directional;
-    if (!parallel) {
-        idea(
-            "tighter fit", [](Settings&) {},
-            "only the parallel map of a directional light can be fitted tighter to what is seen");
-    } else if (f.receivers_half_m > 0) {
-        // Parallel rays: what shadows the surfaces seen lies within their own outline in the map.
-        constexpr double kMarginTexels = 8;
-        const double half = f.receivers_half_m * (1 + 2 * kMarginTexels / f.map_resolution);
-        if (half < 0.97 * fitted.views[0].half_width)
-            idea("tighter fit, to the surfaces seen", [&](Settings& s) {
-                LightSettings& l = s.lights[std::size_t(f.light)];
-                l = manual_light(l, fitted);
-                const glm::dvec3 aside =
-                    fitted.views[0].axes * glm::dvec3(glm::dvec2(glm::transpose(fitted.views[0].axes) *
-                                                                 (f.receivers_middle_ws - fitted.views[0].eye)),
-                                                      0);
-                l.target_x += aside.x, l.target_y += aside.y, l.target_z += aside.z;
-                l.extent = half;
-            });
-    }
+    add_fits(base, f, idea);
     return out;
 }
 

@@ -30,10 +30,8 @@ struct CureFacts {
     /// Texels of map.resolution at which nineteen of twenty undersampled pixels have texels no wider than what they
     /// show; 0: none is.
     double sampling_resolution = 0;
-    /// Half the side of the square of the map about `receivers_middle_ws` that all compared surfaces in the picture lie
-    /// in.
-    double receivers_half_m = 0;
-    glm::dvec3 receivers_middle_ws{0};
+    /// The least bias of each row of the bias table that no family of `needs` spends.
+    std::vector<std::pair<const Bias*, BiasSettings>> least_of_rows;
 };
 CureFacts cure_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver);
 

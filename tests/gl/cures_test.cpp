@@ -1,7 +1,11 @@
 // The cure table: what it offers is what one gets, and its first row cures what the scene suffers from.
 #include "renderer/measure/cures.h"
 
+#include <algorithm>
+
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/fits.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 
@@ -21,8 +25,8 @@ protected:
         return s;
     }
 
-    /// Finds cures, demands of every row that it keeps what it says, and of the first that it cures nine of ten pixels
-    /// with one of the causes.
+    /// Finds cures, demands of every row that it keeps what it says, of one that it cures nine of ten pixels with one
+    /// of the causes, and of the first, which cures most of all causes together, that it cures eight.
     CureTable cured(const Scene& scene, const Settings& s, std::vector<Artefact> causes, std::size_t least) {
         const CureTable table = find_cures(renderer, scene, s, width, height, {}, cache);
         const MeasuredError before = measure(scene, s);
@@ -44,11 +48,17 @@ protected:
         }
         for (std::size_t i = 1; i < table.rows.size(); ++i)
             if (table.rows[i].untried.empty()) EXPECT_GE(table.rows[i - 1].gain(), table.rows[i].gain());
-        std::size_t wrong = 0, right = 0;
-        for (const Artefact a : causes)
-            wrong += table.wrong_of[std::size_t(a)], right += table.rows.at(0).cured_of[std::size_t(a)];
+        std::size_t wrong = 0, most = 0;
+        for (const Artefact a : causes) wrong += table.wrong_of[std::size_t(a)];
+        const auto cured_by = [&](const Cure& row) {
+            std::size_t right = 0;
+            for (const Artefact a : causes) right += row.cured_of[std::size_t(a)];
+            return right;
+        };
+        for (const Cure& row : table.rows) most = std::max(most, cured_by(row));
         EXPECT_GE(wrong, least);
-        EXPECT_GE(double(right), 0.9 * double(wrong)) << table.rows[0].name;
+        EXPECT_GE(double(most), 0.9 * double(wrong));
+        EXPECT_GE(double(cured_by(table.rows.at(0))), 0.8 * double(wrong)) << table.rows[0].name;
         return table;
     }
     static const Cure* row(const CureTable& table, std::string_view name) {
@@ -119,20 +129,122 @@ TEST_F(CuresTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
             stays |= !*r.pixel_right;
         }
     EXPECT_TRUE(stays) << "not everything helps";
-    s.lights[0].type = int(LightType::Spot);
-    const CureTable spot = find_cures(renderer, scene, s, width, height, {}, cache);
-    const Cure* fit = row(spot, "tighter fit");
+    s.lights[0].type = int(LightType::Point);
+    const CureTable point = find_cures(renderer, scene, s, width, height, {}, cache);
+    const Cure* fit = row(point, "tighter fit");
     ASSERT_TRUE(fit);
     EXPECT_FALSE(fit->untried.empty());
-    EXPECT_EQ(&spot.rows.back(), fit) << "what was not tried stands last";
+    EXPECT_EQ(&point.rows.back(), fit) << "what was not tried stands last";
+}
+
+// All rows of the tables of fits and biases that suit the light, and cascades.
+TEST_F(CuresTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
+    width = 160, height = 120;
+    const Scene scene = test::floor_and_box(12, {1.5, 1, 2}, 0.4);
+    struct Kind {
+        LightType type;
+        LightFit fit;
+        LightProjection projection;
+        bool narrows, cascades;
+    };
+    const Kind kinds[] = {{LightType::Directional, LightFit::Scene, LightProjection::Automatic, true, true},
+                          {LightType::Directional, LightFit::View, LightProjection::Automatic, true, true},
+                          {LightType::Directional, LightFit::Manual, LightProjection::Automatic, true, false},
+                          {LightType::Directional, LightFit::Scene, LightProjection::Perspective, false, false},
+                          {LightType::Spot, LightFit::Casters, LightProjection::Automatic, true, false},
+                          {LightType::Point, LightFit::Scene, LightProjection::Automatic, false, false}};
+    for (const Kind& kind : kinds) {
+        SCOPED_TRACE(testing::Message() << int(kind.type) << " " << int(kind.fit) << " " << int(kind.projection));
+        Settings s = test::texel_settings("pcf3", 256, 0);
+        s.lights[0].type = int(kind.type), s.lights[0].fit = int(kind.fit);
+        s.lights[0].projection = int(kind.projection);
+        const MeasuredError m = measure(scene, s);
+        const std::vector<CureIdea> ideas = cure_ideas(s, cure_facts(m, s, renderer.driver()));
+        const auto tried = [&](auto&& like) {
+            return std::ranges::count_if(ideas,
+                                         [&](const CureIdea& i) { return i.untried.empty() && like(i.settings); });
+        };
+        for (std::size_t i = 0; i < fits().size(); ++i) {
+            const bool other = int(i) != int(kind.fit) && int(i) != int(LightFit::Manual);
+            const bool suits = kind.narrows || (kind.fit == LightFit::Manual && !fits()[i].narrows);
+            const auto count = tried(
+                [&](const Settings& t) { return t.lights[0].fit == int(i) && t.lights[0].fit != s.lights[0].fit; });
+            EXPECT_EQ(count, other && suits ? 1 : 0) << fits()[i].key;
+        }
+        for (int n = 2; n <= kMaxCascades; ++n)
+            EXPECT_EQ(tried([&](const Settings& t) { return t.lights[0].cascades == n; }), kind.cascades ? 1 : 0);
+        for (const Choice& bias : bias_choices())
+            if (bias.key != "constant")  // the slope's row spends the same by its constant
+                EXPECT_GT(tried([&](const Settings& t) { return bias_of(t).key == bias.key && !(t.bias == s.bias); }),
+                          0)
+                    << bias.key;
+        EXPECT_GT(tried([&](const Settings& t) { return t.bias.normal > 0; }), 0);
+        EXPECT_GT(tried([&](const Settings& t) { return t.bias.raster_slope > 0; }), 0);
+    }
+    Settings s = test::texel_settings("pcf3", 256, 0);
+    s.lights[0].cascades = 3;
+    const std::vector<CureIdea> ideas = cure_ideas(s, cure_facts(measure(scene, s), s, renderer.driver()));
+    const auto of = [&](int n) {
+        return std::ranges::count_if(ideas, [&](const CureIdea& i) { return i.settings.lights[0].cascades == n; });
+    };
+    EXPECT_EQ(of(2) + of(4), 2);
+    EXPECT_EQ(std::ranges::count_if(ideas, [](const CureIdea& i) { return i.name.starts_with("fit: "); }), 0)
+        << "cascades are fitted by what they are";
+}
+
+// The least bias of each row of the table, families or not, clears flat ground wholly.
+TEST_F(CuresTest, TheLeastBiasOfEachRowLeavesNoAcne) {
+    width = 240, height = 180;
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.6);
+    int numbers = 0;
+    for (const char* kernel : {"pcf3", "pcf7"})
+        for (const LightType type : {LightType::Directional, LightType::Spot}) {
+            Settings s = test::texel_settings(kernel, 512, 0);
+            s.lights[0].type = int(type), s.lights[0].elevation = 35;
+            const MeasuredError before = measure(scene, s);
+            ASSERT_GT(before.metrics.artefacts[std::size_t(Artefact::Acne)], 1000u);
+            const CureFacts facts = cure_facts(before, s, renderer.driver());
+            ASSERT_EQ(facts.least_of_rows.size() + kBiasFamilies, biases().size());
+            for (const auto& [bias, least] : facts.least_of_rows) {
+                SCOPED_TRACE(std::string(bias->key) + " " + kernel);
+                Settings with = s;
+                with.bias = least;
+                const ErrorMetrics after = measure(scene, with).metrics;
+                EXPECT_EQ(after.artefacts[std::size_t(Artefact::Acne)], 0u);
+                EXPECT_LT(after.any_acne, 1e-3) << "but where the kernel reaches over the box's edges";
+                if (bias->per_texel) EXPECT_EQ(least.constant + least.slope + least.normal, 0) << "it needs no numbers";
+                Settings less = with;
+                for (const std::string_view key : bias->settings)
+                    if (key == "bias.raster_slope") less.bias.raster_slope *= 0.5, ++numbers;
+                if (!(less == with)) EXPECT_GT(measure(scene, less).metrics.any_acne, 0.01) << "twice too much";
+            }
+        }
+    EXPECT_EQ(numbers, 4);
+}
+
+TEST_F(CuresTest, CascadesCureWhatOneMapDoesNotResolve) {
+    width = 320, height = 180;
+    const Scene scene = load_scene("landscape");
+    const Settings s = settings_for(scene, {{"map.resolution", "512"}, {"light.fit", "scene"}});
+    const CureTable table = find_cures(renderer, scene, s, width, height, {}, cache);
+    const Cure* four = row(table, "4 cascades");
+    ASSERT_TRUE(four);
+    EXPECT_GT(four->gain(), 0.3 * double(table.wrong));
+    EXPECT_EQ(four->map_bytes, 3 * 512 * 512 * 4);
+    const MeasuredError after = measure(scene, with(s, *four));
+    EXPECT_EQ(after.lights[0].views.size(), 4u);
+    std::size_t left = 0;
+    for (std::size_t a = 1; a < kArtefacts; ++a) left += after.metrics.artefacts[a];
+    EXPECT_EQ(left, table.wrong - four->cured + four->broken);
 }
 
 TEST_F(CuresTest, ATighterFitKeepsWhatIsSeenAndSaysItsTexels) {
     const Scene scene = test::floor_and_box(40, {1.5, 1, 2}, 0);
     Settings s = test::texel_settings("hard", 256, 3);
     s.camera.distance = 4;
+    s.lights[0].fit = int(LightFit::Scene);
     const CureTable table = find_cures(renderer, scene, s, width, height, {}, cache);
-    const Cure* fit = row(table, "tighter fit, to the surfaces seen");
+    const Cure* fit = row(table, "fit: what is seen");
     ASSERT_TRUE(fit);
     EXPECT_GT(fit->gain(), 0);
     EXPECT_EQ(fit->map_bytes, 0);
