@@ -54,6 +54,7 @@ bool FrameLoop::draw(const Scene& scene, const EditorActions& actions) {
     wanted.outputs.shadow_map = actions.want_map;
     wanted.outputs.overlay = true;
     wanted.outputs.map_coordinates = actions.want_links;
+    wanted.outputs.texels_read = actions.want_exact_texels;
     wanted.outputs.error = actions.want_error;
     wanted.outputs.true_colour = state_.against.view != AgainstView::Off && state_.against.truth;
     wanted.timing = actions.want_timing;

@@ -31,9 +31,9 @@ Settings texel_settings(const Settings& settings) {
 
 void EditorReadings::clear() {
     map_values_ = map_coordinates_ = overlay_values_ = {};
-    facts_.reset(), usage_.reset(), probe_.reset(), probed_pixel_.reset();
+    facts_.reset(), usage_.reset(), exact_utilisation_.reset(), probe_.reset(), probed_pixel_.reset();
     lost_casters_.clear();
-    probe_of_ = map_of_ = facts_of_ = links_of_ = overlay_of_ = 0;
+    probe_of_ = map_of_ = facts_of_ = links_of_ = exact_of_ = overlay_of_ = 0;
 }
 
 bool EditorReadings::finish_tracing() const {
@@ -49,6 +49,7 @@ void EditorReadings::fill(EditorFrame& frame) const {
     frame.map_facts = facts_ ? &*facts_ : nullptr;
     frame.map_coordinates = map_coordinates_.data.empty() ? nullptr : &map_coordinates_;
     frame.texel_usage = usage_ ? &*usage_ : nullptr;
+    frame.exact_utilisation = exact_utilisation_;
     frame.frozen_usage = frozen_usage_ ? &*frozen_usage_ : nullptr;
     frame.overlay_values = overlay_values_.data.empty() ? nullptr : &overlay_values_;
     frame.lost_casters = lost_casters_;
@@ -65,6 +66,7 @@ bool EditorReadings::update(Renderer& renderer, const Scene& scene, const Editor
     }
     bool changed = update_map(renderer, state, actions, result);
     changed |= update_links(renderer, state, actions, result);
+    changed |= update_exact(renderer, actions, result);
     changed |= update_overlay(renderer, state, actions, result);
     const bool probed = update_probe(renderer, scene, state, request);
     changed |= dossier_.update(probe_ ? &*probe_ : nullptr, probed, scene, state.settings, renderer.driver());
@@ -122,6 +124,18 @@ bool EditorReadings::update_links(Renderer& renderer, const EditorState& state, 
     links_of_ = frame_;
     map_coordinates_ = renderer.read_float(result.map_coordinates, 4);
     usage_ = texel_usage(map_coordinates_, state.settings, result.map_resolution, shown_face(state.settings, result));
+    return true;
+}
+
+bool EditorReadings::update_exact(Renderer& renderer, const EditorActions& actions, const FrameResult& result) {
+    if (!actions.want_exact_texels || result.texels_read.texture == 0) {
+        if (exact_of_ == frame_ || !exact_utilisation_) return false;
+        exact_utilisation_.reset();
+        return true;
+    }
+    if (exact_of_ == frame_) return false;
+    exact_of_ = frame_;
+    exact_utilisation_ = exact_utilisation(renderer.read_float(result.texels_read, 1));
     return true;
 }
 

@@ -40,11 +40,13 @@ private:
                     const FrameResult& result);
     bool update_overlay(Renderer& renderer, const EditorState& state, const EditorActions& actions,
                         const FrameResult& result);
+    bool update_exact(Renderer& renderer, const EditorActions& actions, const FrameResult& result);
     bool update_links(Renderer& renderer, const EditorState& state, const EditorActions& actions,
                       const FrameResult& result);
 
     std::uint64_t frame_ = 0;  ///< number of the drawn frame
-    std::uint64_t probe_of_ = 0, map_of_ = 0, facts_of_ = 0, links_of_ = 0, overlay_of_ = 0;  ///< frames they belong to
+    std::uint64_t probe_of_ = 0, map_of_ = 0, facts_of_ = 0, links_of_ = 0, exact_of_ = 0,
+                  overlay_of_ = 0;  ///< frames they belong to
     int overlay_pane_ = 0;
     std::optional<Probe> probe_;
     EditorDossier dossier_;
@@ -52,6 +54,7 @@ private:
     FloatImage map_values_, map_coordinates_, overlay_values_;
     std::optional<MapFacts> facts_;
     std::optional<TexelUsage> usage_, frozen_usage_;
+    std::optional<double> exact_utilisation_;
     Settings frozen_settings_;        ///< that frozen_usage_ was found under, as far as it depends on them
     std::uint64_t frozen_scene_ = 0;  ///< Scene::id
     std::vector<LostCaster> lost_casters_;

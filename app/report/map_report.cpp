@@ -23,9 +23,8 @@ std::optional<MapReport> map_report(Renderer& renderer, const Scene& scene, Sett
     if (!frame.map_view.texture) return std::nullopt;
     const FloatImage coordinates = renderer.read_float(frame.map_coordinates, 4);
     const FloatImage depth = renderer.read_map_view_depth(frame);
-    const FloatImage read = renderer.read_float(frame.texels_read, 1);
     MapReport facts;
-    facts.exact_utilisation = double(std::count(read.data.begin(), read.data.end(), 1.f)) / double(read.data.size());
+    facts.exact_utilisation = exact_utilisation(renderer.read_float(frame.texels_read, 1));
     facts.light = settings.view.light;
     const auto& views = frame.lights[std::size_t(facts.light)].views;
     facts.face = std::clamp(settings.view.face, 0, int(views.size()) - 1);

@@ -85,6 +85,18 @@ void fit(FrameState& f) {
     }
 }
 
+/// A number of a map past those of the light shown means the last; of a light with one map it means nothing.
+void note_shown_view(FrameState& f) {
+    const auto shown = std::size_t(std::max(f.settings.view.light, 0));
+    if (shown >= f.gl.fitted.size()) return;
+    const FittedLight& light = f.gl.fitted[shown];
+    const std::size_t count = light.views.size();
+    if (count > 1 && f.settings.view.face >= int(count))
+        f.notes.push_back(fmt::format("view.face {}: light {} has maps 0 to {}; the last is shown, {}",
+                                      f.settings.view.face, shown, count - 1,
+                                      view_name(light.chooser.choice, count - 1, count)));
+}
+
 /// Makes camera and lights at the asked resolution, then halves it until all maps fit into memory.
 void fit_within_limits(FrameState& f) {
     int& n = f.settings.map.resolution;
@@ -103,6 +115,7 @@ void fit_within_limits(FrameState& f) {
     }
     f.map_resolution = n;
     for (const FittedLight& light : f.gl.fitted) f.notes.insert(f.notes.end(), light.notes.begin(), light.notes.end());
+    note_shown_view(f);
 }
 
 /// Facts about the lights as GLSL constants; at least one element, since GLSL knows no empty arrays.

@@ -132,6 +132,12 @@ std::vector<glm::ivec2> TexelUsage::readers(glm::ivec2 texel) const {
     return out;
 }
 
+double exact_utilisation(const FloatImage& texels_read) {
+    if (texels_read.data.empty()) return 0;
+    const auto read = std::count(texels_read.data.begin(), texels_read.data.end(), 1.f);
+    return double(read) / double(texels_read.data.size());
+}
+
 TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, int resolution, int layer) {
     return TexelUsage(map_coordinates, resolution, reach_of(settings).read, MapWrap(settings.map.wrap), layer);
 }

@@ -54,4 +54,7 @@ private:
 /// The usage under the settings' kernel and map.wrap. @param resolution FrameResult::map_resolution
 TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, int resolution, int layer = 0);
 
+/// Share of the texels that some kernel fetches. @param texels_read FrameResult::texels_read
+double exact_utilisation(const FloatImage& texels_read);
+
 }  // namespace si

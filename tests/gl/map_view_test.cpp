@@ -123,6 +123,23 @@ TEST_F(MapViewTest, GreysByHandAreGivenBack) {
     EXPECT_EQ(f.map_view_size, glm::ivec2(f.map_resolution));
 }
 
+TEST_F(MapViewTest, ANumberPastTheLastMapShowsTheLastAndSaysSo) {
+    const Scene scene = load_scene("boxes");
+    const auto noted = [&](const char* type, const char* cascades, const char* face) {
+        const FrameResult f = frame(
+            scene, settings_for(scene, {{"light.type", type}, {"light.cascades", cascades}, {"view.face", face}}));
+        std::string text;
+        for (const std::string& note : f.notes)
+            if (note.starts_with("view.face")) text += note;
+        return text;
+    };
+    EXPECT_EQ(noted("directional", "3", "5"),
+              "view.face 5: light 0 has maps 0 to 2; the last is shown, cascade 3 of 3");
+    EXPECT_EQ(noted("directional", "3", "2"), "");
+    EXPECT_EQ(noted("point", "1", "5"), "");
+    EXPECT_EQ(noted("directional", "1", "5"), "") << "without effect there";
+}
+
 TEST_F(MapViewTest, ReadingBackGivesTheShownMap) {
     const Scene scene = load_scene("boxes");
     const Settings s =

@@ -91,6 +91,39 @@ TEST(MapViewer, LinksAreReadOnlyWhileAPictureIsHovered) {
     EXPECT_FALSE(editor.frame().want_links);
 }
 
+// Exactly read are all texels of the squares about kernels where a kernel reads all of its square, and fewer else.
+TEST(MapViewer, TheTexelsThatAreReadAreMarkedExactlyWhenAskedFor) {
+    const auto shares = [](const std::string& kernel, const char* picture) {
+        EditorOptions o = options();
+        o.session.sets = {"filter.kernel=" + kernel, "filter.radius=8", "filter.taps=4", "map.resolution=256",
+                          "light.fit=scene"};
+        HeadlessEditor editor(o);
+        editor.settle();
+        EXPECT_FALSE(editor.model().facts().exact_utilisation) << "nobody asked";
+        EXPECT_EQ(editor.model().facts().result->texels_read.texture, 0u);
+        const ByteImage before = editor.picture();
+        editor.model().state.exact_texels ^= true;
+        editor.settle();
+        const EditorFrame exact = editor.model().facts();
+        EXPECT_TRUE(exact.exact_utilisation && exact.result->texels_read.texture != 0);
+        const double share = exact.exact_utilisation.value_or(0);
+        EXPECT_GT(differing_pixels(before, editor.picture(), before.width), 5000u) << "the map shows no marks";
+        write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / picture, editor.picture());
+        EXPECT_TRUE(hover(editor, {560, 120}, {860, 400}, [&] { return editor.model().facts().texel_usage; }));
+        const double squares = editor.model().facts().texel_usage->utilisation();
+        editor.model().state.exact_texels ^= true;
+        editor.settle();
+        EXPECT_FALSE(editor.model().facts().exact_utilisation);
+        return std::pair(share, squares);
+    };
+    const auto [hard, hard_squares] = shares("hard", "texels_read_hard.png");
+    EXPECT_GT(hard, 0.01);
+    EXPECT_NEAR(hard, hard_squares, 1e-3);
+    const auto [poisson, poisson_squares] = shares("poisson", "texels_read_poisson.png");
+    EXPECT_GT(poisson, hard);
+    EXPECT_LT(poisson, 0.98 * poisson_squares);
+}
+
 TEST(MapViewer, TheHistogramCountsEveryTexel) {
     HeadlessEditor editor(options());
     editor.settle();

@@ -95,6 +95,35 @@ TEST(MapWindow, PlotsAndLinksAreReadOnlyWhereTheyAreShown) {
     EXPECT_FALSE(m.ui.frames(2).want_frozen_usage) << "the map is not shown";
 }
 
+TEST(MapWindow, ExactTexelsAreAskedForByABoxWhileTheirMapIsShown) {
+    MapViewer m;
+    EXPECT_FALSE(m.ui.frames(2).want_exact_texels);
+    const auto box = m.ui.find("editor/map", "", "Texels read");
+    ASSERT_TRUE(box);
+    m.ui.click(*box);
+    EXPECT_TRUE(m.ui.state.exact_texels);
+    EXPECT_TRUE(m.ui.frames(2).want_exact_texels);
+    m.ui.move({200, 300});
+    m.ui.press(true);
+    m.ui.frame();
+    m.ui.move({230, 315});
+    EXPECT_FALSE(m.ui.frames(2).want_exact_texels) << "read back in every frame of a drag";
+    m.ui.press(false);
+    EXPECT_TRUE(m.ui.frames(2).want_exact_texels);
+    m.ui.state.frozen = FrozenCamera{};
+    EXPECT_FALSE(m.ui.frames(2).want_exact_texels) << "they are those of the camera that draws";
+    m.ui.click(*box);
+    EXPECT_TRUE(m.ui.state.exact_texels) << "it waits meanwhile";
+    m.ui.state.frozen.reset();
+    m.ui.state.settings.view.map_source = int(MapSource::Camera);
+    EXPECT_FALSE(m.ui.frames(2).want_exact_texels);
+    EXPECT_FALSE(m.ui.find("editor/map", "", "Texels read"));
+    m.ui.state.settings.view.map_source = int(MapSource::Light);
+    m.ui.frames(2);
+    m.ui.click(*m.ui.find("editor/map", "", "Texels read"));
+    EXPECT_FALSE(m.ui.frames(2).want_exact_texels);
+}
+
 TEST(MapReadout, SaysMetresStoredAndLinear) {
     DepthCurve curve;
     curve.perspective = true;

@@ -29,6 +29,7 @@ struct MapShown {
     const FloatImage* map_coordinates = nullptr;  ///< FrameResult::map_coordinates read back
     const TexelUsage* texel_usage = nullptr;      ///< of the shown light and face
     const TexelUsage* frozen_usage = nullptr;     ///< the same by the pixels of state.frozen
+    std::optional<double> exact_utilisation;      ///< share of the texels that kernels fetch: FrameResult::texels_read
 };
 
 struct MapActions {
@@ -37,6 +38,7 @@ struct MapActions {
     bool want_map_values = false;    ///< the cursor is over the map
     bool want_map_facts = false;     ///< the plots are shown
     bool want_links = false;         ///< which pixel reads which texel: a picture is hovered and nothing is dragged
+    bool want_exact_texels = false;  ///< which texels kernels fetch: asked for, the map is shown, nothing is dragged
     bool want_frozen_usage = false;  ///< what the frozen camera reads: the map is shown and nothing is dragged
 };
 

@@ -15,6 +15,7 @@
 #include "ui/map_view/map_readout.h"
 #include "ui/scene_view/camera_outline.h"
 #include "ui/scene_view/kernel_marks.h"
+#include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -23,6 +24,7 @@ namespace si {
 namespace {
 
 constexpr float kZoomPerStep = 1.25f, kMaxTexelPixels = 160;
+constexpr int kMarksOpacity = 90;
 
 bool of_camera(const Settings& s) {
     return s.view.map_source == int(MapSource::Camera);
@@ -45,13 +47,19 @@ void save_menu(EditorState& state, EditorActions& actions) {
     ImGui::EndPopup();
 }
 
-/// Which of a light's several maps is shown, by name. A number past the last means the last.
-void view_chooser(Settings& s, const FittedLight& light, float width) {
-    NamedValues names;
-    for (std::size_t i = 0; i < light.views.size(); ++i)
-        names.emplace_back(int(i), view_name(light.chooser.choice, i, light.views.size()));
-    if (s.view.face >= int(light.views.size())) names.emplace_back(s.view.face, names.back().second);
-    if (const auto face = find_setting("view.face")) setting_widget(s, *face, width, names);
+/// Whether the texels that are read are found exactly.
+void exact_choice(EditorState& state) {
+    flow(ImGui::CalcTextSize("Texels read").x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x);
+    ImGui::BeginDisabled(state.frozen.has_value());
+    ImGui::Checkbox("Texels read", &state.exact_texels);
+    ImGui::EndDisabled();
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", state.frozen
+                                    ? "Not of a frozen camera: of it only the squares about kernels are known"
+                                    : "Mark the texels that kernels fetch, exactly, where links show the squares "
+                                      "about them: red what some pixel\nof the picture fetches, darkened what "
+                                      "none does. Costs the kernel once more for every pixel and reading a\nfloat "
+                                      "of each texel back, in every frame that is drawn anew while nothing is dragged");
 }
 
 void header(EditorState& state, const FrameResult* result, EditorActions& actions) {
@@ -69,11 +77,9 @@ void header(EditorState& state, const FrameResult* result, EditorActions& action
     };
     if (!of_camera(s)) {
         if (s.light_count > 1) labelled("Light", "view.light", em * 4);
-        const int light = shown_light(s);
-        const bool known = result && light >= 0 && std::size_t(light) < result->lights.size();
-        if (known && result->lights[std::size_t(light)].views.size() > 1) {
+        if (const NamedValues names = view_choices(s, result, "view.face"); !names.empty()) {
             flow(em * 9);
-            view_chooser(s, result->lights[std::size_t(light)], em * 9);
+            setting_widget(s, *find_setting("view.face"), em * 9, names);
         }
     }
     const bool bands = s.view.map == int(MapView::Bands);
@@ -91,6 +97,7 @@ void header(EditorState& state, const FrameResult* result, EditorActions& action
     flow(ImGui::CalcTextSize("Plots").x + ImGui::GetFrameHeight() + gap);
     ImGui::Checkbox("Plots", &state.layout.map_plots);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Histogram of the depths, and depth over distance");
+    if (!of_camera(s)) exact_choice(state);
     flow(ImGui::CalcTextSize("Save").x + em);
     save_menu(state, actions);
 }
@@ -170,7 +177,15 @@ void mark_taps(const MapRect& rect, const Probe::PerLight& p) {
     outline_texels(rect, p.taps_first, p.taps_size, theme::kProbed);
 }
 
+/// The marks of the texels that the picture's kernels fetch, where they are asked for and this frame has them.
+const Image* exact_marks(const EditorState& state, const EditorFrame& frame) {
+    const Image& marks = frame.result->texels_read;
+    return state.exact_texels && !state.frozen && marks.texture != 0 ? &marks : nullptr;
+}
+
 std::string usage_text(const EditorState& state, const EditorFrame& frame) {
+    if (exact_marks(state, frame) && frame.exact_utilisation)
+        return fmt::format("{:.3g} % of texels fetched", 100 * *frame.exact_utilisation);
     const TexelUsage* usage = shown_usage(state, frame);
     if (!usage || usage->resolution() == 0) return {};
     return fmt::format("{:.3g} % of texels read{}", 100 * usage->utilisation(), state.frozen ? " (frozen)" : "");
@@ -242,6 +257,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     const FittedLight* fitted = camera ? nullptr : &result.lights[std::size_t(shown_light(state.settings))];
     const glm::ivec2 n = result.map_view_size;
     actions.want_map_facts = plots;
+    actions.want_exact_texels = !camera && state.exact_texels && !state.frozen && !state.dragging;
     actions.want_frozen_usage = !camera && state.frozen && !state.dragging;
 
     ImGui::InvisibleButton("map picture", size);
@@ -252,7 +268,10 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     const ImVec2 rect_end(rect.lo.x + rect.size.x, rect.lo.y + rect.size.y);
     list.PushClipRect(origin, end, true);
     list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(result.map_view.texture)), rect.lo, rect_end, {0, 1},
-                  {1, 0});  // stored bottom row first
+                  {1, 0});                                                  // stored bottom row first
+    if (const Image* marks = camera ? nullptr : exact_marks(state, frame))  // one channel: red or black
+        list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(marks->texture)), rect.lo, rect_end, {0, 1}, {1, 0},
+                      faded(IM_COL32_WHITE, kMarksOpacity));
     list.AddRect(rect.lo, rect_end, theme::kLine);
     if (shows_texel_numbers(rect)) {
         actions.want_map_values = true;

@@ -134,7 +134,9 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& act
             table = begin_rows(ref.param->scope == Scope::Light ? "of one light" : "rows");
             if (!table) break;
         }
-        setting_row(state.settings, ref, scene_choices(frame.scene, ref.param->key));
+        NamedValues names = view_choices(state.settings, frame.result, ref.param->key);
+        if (names.empty()) names = scene_choices(frame.scene, ref.param->key);
+        setting_row(state.settings, ref, names);
     }
     if (table) ImGui::EndTable();
     if (group.prefix == "bias" && !filtered)

@@ -60,6 +60,7 @@ struct EditorState {
     std::optional<glm::ivec2> probe_pixel;  ///< of the scene picture, row 0 at the top
     EditorLayout layout;
     MapWindow map_window;
+    bool exact_texels = false;                ///< the map viewer marks the texels that kernels fetch
     std::string map_path = "shadow-map.pfm";  ///< that the map viewer's Save writes
     std::optional<glm::ivec2> hovered_pixel;  ///< under the mouse in the scene picture, row 0 at the top
     int active_pane = 0;                      ///< under the mouse, or where a press began

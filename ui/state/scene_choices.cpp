@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/scene/animation.h"
+#include "ui/state/panels.h"
 
 namespace si {
 namespace {
@@ -32,6 +33,18 @@ NamedValues scene_choices(const Scene* scene, std::string_view key) {
         for (std::size_t i = 0; i < scene->cameras.size(); ++i)
             out.emplace_back(int(i), numbered(i, scene->cameras[i].name));
     }
+    return out;
+}
+
+NamedValues view_choices(const Settings& settings, const FrameResult* result, std::string_view key) {
+    const int shown = shown_light(settings);
+    if (key != "view.face" || !result || shown < 0 || std::size_t(shown) >= result->lights.size()) return {};
+    const FittedLight& light = result->lights[std::size_t(shown)];
+    if (light.views.size() < 2) return {};
+    NamedValues out;
+    for (std::size_t i = 0; i < light.views.size(); ++i)
+        out.emplace_back(int(i), view_name(light.chooser.choice, i, light.views.size()));
+    if (settings.view.face >= int(light.views.size())) out.emplace_back(settings.view.face, out.back().second);
     return out;
 }
 
