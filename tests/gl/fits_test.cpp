@@ -2,6 +2,7 @@
 #include "renderer/settings/fits.h"
 
 #include <algorithm>
+#include <random>
 
 #include "app/report/map_report.h"
 #include "renderer/reference/error_task.h"
@@ -78,6 +79,45 @@ TEST_F(FitsTest, WhatLiesBeyondIsLitInTruthOverAllScenesAndDirections) {
             }
         }
     }
+}
+
+// Wherever the camera stands, within the scene too: of the pixels that it sees none beyond the map is in shadow.
+TEST_F(FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth) {
+    std::mt19937 random(17);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    std::size_t beyond = 0, shadowed = 0;
+    int closed = 0, open = 0;
+    for (const char* name : {"boxes", "stage", "figures"}) {
+        const Scene scene = load_scene(name);
+        const double r = scene.bounds.radius();
+        for (int i = 0; i < 16; ++i) {
+            SCOPED_TRACE(testing::Message() << name << " " << i);
+            Settings s = settings_for(scene, {{"map.resolution", "512"}, {"light.fit", "view"}});
+            LightSettings& light = s.lights[0];
+            light.azimuth = i % 3 == 0 ? 90 * (i % 4) : 180 * unit(random);
+            light.elevation = i % 5 == 0 ? 90 : 15 + 60 * std::abs(unit(random));
+            if (i % 4 == 3) {
+                light.type = int(LightType::Spot), light.cone = 70 + 30 * unit(random);
+                light.distance = i % 8 == 3 ? 0 : 0.3 * r;  // above all, or amid it
+            }
+            CameraSettings& camera = s.camera;
+            camera.source = int(CameraSource::Manual);
+            const glm::dvec3 at = scene.bounds.centre() + 0.4 * r * glm::dvec3(unit(random), 0, unit(random));
+            camera.target_x = at.x, camera.target_y = at.y, camera.target_z = at.z;
+            camera.azimuth = 180 * unit(random), camera.elevation = i == 7 ? -60 : 10 + 60 * std::abs(unit(random));
+            camera.distance = r * (i % 2 ? 0.15 : 1.2), camera.fov = i % 5 == 4 ? 15 : 55;
+            camera.orthographic = i % 6 == 1, camera.height = 0.6 * r;
+            const Judged j = judge(scene, s, 112, 63);
+            EXPECT_EQ(j.shadowed_beyond, 0u) << "of " << j.beyond;
+            EXPECT_EQ(j.unlit_beyond, 0u);
+            beyond += j.beyond, shadowed += j.shadowed;
+            (j.light.closed ? closed : open) += 1;
+        }
+    }
+    EXPECT_GT(beyond, 5000u);
+    EXPECT_GT(shadowed, 10000u);
+    EXPECT_GT(closed, 35);
+    RecordProperty("cases", std::to_string(closed) + " " + std::to_string(open));
 }
 
 TEST_F(FitsTest, BeyondItNeitherWrapNorOutsideDecides) {

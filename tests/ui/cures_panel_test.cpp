@@ -2,6 +2,9 @@
 // frames.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "app/base/output.h"
 #include "app/editor/headless_editor.h"
 #include "renderer/measure/cures.h"
 #include "renderer/settings/param.h"
@@ -126,6 +129,7 @@ TEST(EditorCuresTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     HeadlessEditor editor(o);
     EditorModel& model = editor.model();
     model.state.open_tab = BottomTab::Error;
+    model.state.layout.bottom_height = 27;
     editor.settle();
     ASSERT_TRUE(model.facts().error);
     const ErrorMetrics before = model.facts().error->metrics;
@@ -142,6 +146,8 @@ TEST(EditorCuresTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     EXPECT_FALSE(search.running);
     ASSERT_TRUE(search.table);
     EXPECT_TRUE(search.current);
+    for (int i = 0; i < 3; ++i) editor.frame();  // columns take the width of what they hold
+    write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "cures_table.png", editor.picture());
     EditorActions narrower;
     narrower.scene_width = wish.scene_width - 16, narrower.scene_height = wish.scene_height, narrower.want_error = true;
     model.fulfil(narrower);
