@@ -25,6 +25,19 @@ void add_sides_within(std::vector<glm::dvec3>& points, const Box& body, std::spa
     }
 }
 
+/// Where a body lies of planes: all of it beyond one of them, or all of it within all of them.
+enum class Lies { Beyond, Across, Within };
+
+Lies lies(const Box& body, std::span<const HalfSpace> planes) {
+    bool within = true;
+    for (const HalfSpace& plane : planes) {
+        const auto held = std::ranges::count_if(body, [&](const glm::dvec3& p) { return plane.distance(p) >= 0; });
+        if (held == 0) return Lies::Beyond;
+        within &= held == std::ssize(body);
+    }
+    return within ? Lies::Within : Lies::Across;
+}
+
 }  // namespace
 
 void clip(Polygon& polygon, const HalfSpace& plane) {
@@ -63,16 +76,6 @@ std::vector<HalfSpace> half_spaces_of(const Box& body) {
     return planes;
 }
 
-Lies lies(const Box& body, std::span<const HalfSpace> planes) {
-    bool within = true;
-    for (const HalfSpace& plane : planes) {
-        const auto held = std::ranges::count_if(body, [&](const glm::dvec3& p) { return plane.distance(p) >= 0; });
-        if (held == 0) return Lies::Beyond;
-        within &= held == std::ssize(body);
-    }
-    return within ? Lies::Within : Lies::Across;
-}
-
 std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace> planes) {
     std::vector<glm::dvec3> points;
     const Lies where = lies(body, planes);
@@ -82,9 +85,15 @@ std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace
 }
 
 std::vector<glm::dvec3> common_points(const Box& box, std::span<const ConvexBody> bodies) {
+    bool within = true;
+    for (const ConvexBody& body : bodies) {
+        const Lies where = lies(box, body.sides);
+        if (where == Lies::Beyond) return {};
+        within &= where == Lies::Within;
+    }
+    if (within) return {box.begin(), box.end()};
     std::vector<HalfSpace> planes;
     for (const ConvexBody& body : bodies) planes.insert(planes.end(), body.sides.begin(), body.sides.end());
-    if (lies(box, planes) != Lies::Across) return points_within(box, planes);
     std::vector<glm::dvec3> points;
     add_sides_within(points, box, planes);
     // A flat body holds no corner of another; its own sides say it all.
