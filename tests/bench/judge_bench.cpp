@@ -22,6 +22,7 @@ void judge_against_visibility(benchmark::State& state, const char* scene_name,
     const Scene scene = load_scene(scene_name);
     Settings s;
     for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
+    set_setting(s, "light.fit", "scene");  // a map in which enough is wrong
     for (const auto& [key, value] : sets) set_setting(s, key, value);
     FrameRequest request{.width = 1280, .height = 720, .outputs = {.colour = false, .error = true}};
     TruthCache cache;
