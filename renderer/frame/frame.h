@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/frame/results.h"
 #include "renderer/reference/causes.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
@@ -90,7 +91,7 @@ struct TruthNeed {
 /// What of a frame lies in the renderer's images, where a later frame may take its place: see Renderer::holds().
 struct FrameContents {
     struct Part {
-        std::string of;              ///< the result, as passes name it: "shadow maps"
+        Result of;
         const std::uint64_t* place;  ///< where the key of what is there stands; the renderer's
         std::uint64_t key, drawn;    ///< as the frame left it, and which drawing that was
     };

@@ -5,17 +5,67 @@
 
 namespace si {
 
-std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<std::string>& wanted, bool force,
+std::string_view result_name(Result result) {
+    switch (result) {
+        case Result::ShadowMaps:
+            return "shadow maps";
+        case Result::Moments:
+            return "moments";
+        case Result::CameraDepth:
+            return "camera depth";
+        case Result::SurfaceIds:
+            return "surface ids";
+        case Result::ShadowVolumes:
+            return "shadow volumes";
+        case Result::Visibility:
+            return "visibility";
+        case Result::UnfilteredMap:
+            return "unfiltered map";
+        case Result::SurfacesSeen:
+            return "surfaces seen";
+        case Result::Truth:
+            return "truth";
+        case Result::Compared:
+            return "compared pixels";
+        case Result::Judged:
+            return "judged pixels";
+        case Result::Error:
+            return "error";
+        case Result::Evidence:
+            return "evidence";
+        case Result::TruePicture:
+            return "true picture";
+        case Result::Shaded:
+            return "shaded picture";
+        case Result::Overlay:
+            return "overlay values";
+        case Result::Composed:
+            return "picture with overlay";
+        case Result::Slabs:
+            return "picture with texel slabs";
+        case Result::MapCoordinates:
+            return "map coordinates";
+        case Result::TexelsRead:
+            return "texels read";
+        case Result::DepthRange:
+            return "depth range";
+        case Result::MapView:
+            return "map view";
+    }
+    return {};
+}
+
+std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
                                   bool no_skip) {
     std::vector<PassInfo> out(passes.size());
-    std::set<std::string, std::less<>> needed(wanted.begin(), wanted.end());
+    std::set<ResultRef> needed(wanted.begin(), wanted.end());
     for (std::size_t i = passes.size(); i-- > 0;) {
         const Pass& pass = passes[i];
         PassInfo& info = out[i];
         info.name = pass.name;
         info.category = pass.category;
-        const bool live = std::any_of(pass.writes.begin(), pass.writes.end(),
-                                      [&](const std::string& w) { return needed.contains(w); });
+        const bool live =
+            std::any_of(pass.writes.begin(), pass.writes.end(), [&](const ResultRef& w) { return needed.contains(w); });
         if (!pass.unneeded.empty() && !(no_skip && pass.run && live)) {
             info.reason = pass.unneeded;
             continue;

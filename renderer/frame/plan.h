@@ -13,7 +13,7 @@ namespace si {
 struct Pass {
     std::string name;
     PassCategory category = PassCategory::Picture;
-    std::vector<std::string> reads, writes;
+    std::vector<ResultRef> reads, writes;
     std::string unneeded;             ///< why the scene does not call for it; empty: it does
     std::uint64_t key = 0;            ///< of everything the result depends on
     std::uint64_t* cached = nullptr;  ///< key of the contents that the target holds
@@ -24,7 +24,7 @@ struct Pass {
 /// Walks back from `wanted`: a pass lives when something wanted or read by a live pass is written by it. Dead passes
 /// and passes the scene does not call for are skipped, passes whose key is unchanged are reused, others are to run.
 /// `force` runs cached passes, `no_skip` those that the scene does not call for.
-std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<std::string>& wanted, bool force,
+std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
                                   bool no_skip);
 
 }  // namespace si

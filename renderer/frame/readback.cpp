@@ -23,7 +23,7 @@ bool is_there(const FrameContents::Part& part, const Resources& resources) {
 }
 
 /// @throws Error unless the frame drew that result and its images still hold it
-void require(const FrameResult& frame, std::uint64_t renderer, const Resources& resources, std::string_view result) {
+void require(const FrameResult& frame, std::uint64_t renderer, const Resources& resources, Result result) {
     bool any = false;
     for (const FrameContents::Part& part : frame.contents.parts) {
         if (frame.contents.renderer != renderer || part.of != result) continue;
@@ -32,10 +32,11 @@ void require(const FrameResult& frame, std::uint64_t renderer, const Resources& 
             throw Error(
                 fmt::format("the {} of this frame are gone, as another frame was drawn over them; draw it again "
                             "before reading them",
-                            result));
+                            result_name(result)));
     }
     if (!any)
-        throw Error(fmt::format("the frame did not draw its {}; nothing that it was asked for reads them", result));
+        throw Error(fmt::format("the frame did not draw its {}; nothing that it was asked for reads them",
+                                result_name(result)));
 }
 
 }  // namespace
@@ -81,7 +82,7 @@ FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int fa
         layer += found ? face : views;
     }
     if (!found) throw Error(fmt::format("light {} has no shadow map image {}", light, face));
-    require(frame, impl_->number, r, "shadow maps");
+    require(frame, impl_->number, r, Result::ShadowMaps);
     const gl::Target& map = r.compared_map();
     const int n = map.width;
     FloatImage out{n, n, 1, std::vector<float>(std::size_t(n) * std::size_t(n))};
@@ -97,7 +98,7 @@ FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
     const ShownMap& shown = frame.shown_map;
     if (shown.light < 0) throw Error("the frame drew no map view to read from");
     if (shown.source == MapSource::Light) return read_shadow_map(frame, shown.light, shown.face);
-    require(frame, impl_->number, impl_->resources, "camera depth");
+    require(frame, impl_->number, impl_->resources, Result::CameraDepth);
     const gl::Target& t = impl_->resources.camera_depth;
     FloatImage out{t.width, t.height, 1, std::vector<float>(std::size_t(t.width) * std::size_t(t.height))};
     gl::begin_reading();
@@ -120,8 +121,8 @@ FrameContents contents_of(const std::vector<Pass>& plan, const std::vector<PassI
         if (infos[i].state == PassState::Skipped || !plan[i].cached) continue;
         const auto drawing = resources.drawings.find(plan[i].cached);
         const std::uint64_t drawn = drawing == resources.drawings.end() ? 0 : drawing->second;
-        for (const std::string& result : plan[i].writes)
-            out.parts.push_back({result, plan[i].cached, plan[i].key, drawn});
+        for (const ResultRef& result : plan[i].writes)
+            out.parts.push_back({result.what, plan[i].cached, plan[i].key, drawn});
     }
     return out;
 }

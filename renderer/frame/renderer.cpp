@@ -36,23 +36,23 @@ void run_passes(const std::vector<Pass>& plan, std::vector<PassInfo>& infos, Res
     for (const auto& [pass, slot] : timed) infos[pass].gpu_ms = clock->milliseconds(slot);
 }
 
-std::vector<std::string> wanted_results(const FrameState& f) {
-    std::vector<std::string> wanted;
+std::vector<ResultRef> wanted_results(const FrameState& f) {
+    std::vector<ResultRef> wanted;
     const Outputs& o = f.request.outputs;
     for (const FrameState::ShownPane& pane : f.panes) {
         if (o.colour) wanted.push_back(f.picture_of(pane));
         if (o.overlay) wanted.push_back(f.values_of(pane));
     }
-    if (o.surface_ids) wanted.push_back("surface ids");
-    if (o.visibility) wanted.push_back("visibility");
-    if (o.error) wanted.push_back("error");
-    if (o.judged) wanted.push_back("judged");
-    if (o.unfiltered_map) wanted.push_back("unfiltered map");
-    if (o.evidence) wanted.push_back("evidence");
-    if (o.true_colour) wanted.push_back("true picture");
-    if (o.map_coordinates) wanted.push_back("map coordinates");
-    if (o.texels_read) wanted.push_back("texels read");
-    if (o.shadow_map) wanted.insert(wanted.end(), {"map view", "shadow maps"});
+    if (o.surface_ids) wanted.push_back(Result::SurfaceIds);
+    if (o.visibility) wanted.push_back(Result::Visibility);
+    if (o.error) wanted.push_back(Result::Error);
+    if (o.judged) wanted.push_back(Result::Judged);
+    if (o.unfiltered_map) wanted.push_back(Result::UnfilteredMap);
+    if (o.evidence) wanted.push_back(Result::Evidence);
+    if (o.true_colour) wanted.push_back(Result::TruePicture);
+    if (o.map_coordinates) wanted.push_back(Result::MapCoordinates);
+    if (o.texels_read) wanted.push_back(Result::TexelsRead);
+    if (o.shadow_map) wanted.insert(wanted.end(), {Result::MapView, Result::ShadowMaps});
     return wanted;
 }
 

@@ -148,9 +148,9 @@ struct FrameState {
     bool fits_greys() const;
     glm::vec2 grey_range() const;
     Key camera_depth_key() const;
-    /// The names of the results that are a pane's finished picture and its overlay's values; the picture's target.
-    std::string picture_of(const ShownPane& pane) const;
-    std::string values_of(const ShownPane& pane) const;
+    /// The results that are a pane's finished picture and its overlay's values; the picture's target.
+    ResultRef picture_of(const ShownPane& pane) const;
+    ResultRef values_of(const ShownPane& pane) const;
     const gl::Target& target_of(const ShownPane& pane) const;
     /// The colour scale of a pane. A fitted one reads back the pane's values, once for each change of them.
     ValueRange range_of(const ShownPane& pane) const;
@@ -196,7 +196,7 @@ void set_map_wrap(GLuint sampler, const MapSettings& map, float border);
 void add_moments_pass(FrameState& f, std::vector<Pass>& plan);
 void bind_moments(const FrameState& f);
 /// What a pass reads that evaluates the kernel.
-std::vector<std::string> lookup_reads(const FrameState& f);
+std::vector<ResultRef> lookup_reads(const FrameState& f);
 void add_camera_depth_pass(FrameState& f, std::vector<Pass>& plan);
 void add_surface_ids_pass(FrameState& f, std::vector<Pass>& plan);
 void add_visibility_pass(FrameState& f, std::vector<Pass>& plan);

@@ -6,7 +6,7 @@ namespace si {
 void add_camera_depth_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "camera depth";
-    pass.writes = {"camera depth"};
+    pass.writes = {Result::CameraDepth};
     pass.idle_reason = "nothing reads it: each pass from the camera brings its own depth test";
     pass.key = f.camera_depth_key().value();
     pass.cached = &f.gl.depth_key;

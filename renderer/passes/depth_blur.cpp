@@ -41,7 +41,7 @@ void add_depth_blur_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "depth blur";
     pass.category = PassCategory::Maps;
-    pass.reads = pass.writes = {"shadow maps"};
+    pass.reads = pass.writes = {Result::ShadowMaps};
     pass.idle_reason = "nothing samples a shadow map";
     const int radius = f.settings.map.blur_texels;
     if (radius == 0 || f.view_count == 0) {

@@ -121,7 +121,7 @@ void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan) {
         Pass pass;
         pass.name = fmt::format("shadow map {} ({})", i, type_name(light.type));
         pass.category = PassCategory::Maps;
-        pass.writes = {"shadow maps"};
+        pass.writes = {Result::ShadowMaps};
         pass.idle_reason = "nothing samples a shadow map";
         if (!light.casts) {
             pass.unneeded = light.reason;
@@ -154,7 +154,7 @@ void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan) {
     if (f.gl.fitted.empty())
         plan.push_back({.name = "shadow maps",
                         .category = PassCategory::Maps,
-                        .writes = {"shadow maps"},
+                        .writes = {Result::ShadowMaps},
                         .unneeded = "there are no lights"});
 }
 
@@ -162,8 +162,8 @@ void add_unfiltered_map_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "unfiltered map";
     pass.category = PassCategory::Tool;
-    pass.reads = {"shadow maps"};
-    pass.writes = {"unfiltered map"};
+    pass.reads = {Result::ShadowMaps};
+    pass.writes = {Result::UnfilteredMap};
     pass.idle_reason = "nothing asks what is wrong";
     if (f.view_count == 0) {
         pass.unneeded = "no light has a shadow map";

@@ -9,7 +9,7 @@ void add_map_coordinates_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "map coordinates";
     pass.category = PassCategory::Tool;
-    pass.writes = {"map coordinates"};
+    pass.writes = {Result::MapCoordinates};
     pass.idle_reason = "nobody asks which texels are read";
     if (!f.shown_view()) {
         pass.unneeded = "the light shown has no map";

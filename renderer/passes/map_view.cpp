@@ -34,7 +34,7 @@ Pass range_pass(FrameState& f, const Key& shown, int layer) {
     Pass pass;
     pass.name = "drawn depth range";
     pass.category = PassCategory::Tool;
-    pass.writes = {"depth range"};
+    pass.writes = {Result::DepthRange};
     if (!f.fits_greys()) pass.unneeded = "view.map_fit does not ask for it";
     pass.key = shown.value();
     pass.cached = &f.gl.depth_range.key;
@@ -87,8 +87,8 @@ void add_map_view_passes(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "map viewer";
     pass.category = PassCategory::Tool;
-    pass.reads = {camera ? "camera depth" : "shadow maps"};
-    pass.writes = {"map view"};
+    pass.reads = {camera ? Result::CameraDepth : Result::ShadowMaps};
+    pass.writes = {Result::MapView};
     pass.idle_reason = "the map viewer is closed";
     if (!camera && !view) {
         const bool exists = std::size_t(v.light) < f.gl.fitted.size();
@@ -105,7 +105,7 @@ void add_map_view_passes(FrameState& f, std::vector<Pass>& plan) {
     Pass range = range_pass(f, shown, layer);
     range.reads = pass.reads;
     range.idle_reason = pass.idle_reason;
-    if (f.fits_greys()) pass.reads.push_back("depth range");
+    if (f.fits_greys()) pass.reads.push_back(Result::DepthRange);
     plan.push_back(std::move(range));
     Key key = shown;
     key.add(v.map).add(v.map_black).add(v.map_white).add(v.band_low).add(v.band_high).add(v.map_fit);

@@ -48,9 +48,9 @@ bool samples_moments(const FrameState& f) {
     return f.view_count > 0 && filter_of(f.settings).samples == Samples::Moments;
 }
 
-std::vector<std::string> lookup_reads(const FrameState& f) {
-    if (samples_moments(f)) return {"shadow maps", "moments"};
-    return {"shadow maps"};
+std::vector<ResultRef> lookup_reads(const FrameState& f) {
+    if (samples_moments(f)) return {Result::ShadowMaps, Result::Moments};
+    return {Result::ShadowMaps};
 }
 
 void bind_moments(const FrameState& f) {
@@ -65,8 +65,8 @@ void bind_moments(const FrameState& f) {
 void add_moments_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "moments";
-    pass.reads = {"shadow maps"};
-    pass.writes = {"moments"};
+    pass.reads = {Result::ShadowMaps};
+    pass.writes = {Result::Moments};
     pass.category = PassCategory::Maps;
     pass.idle_reason = "nothing samples a shadow map";
     if (!samples_moments(f)) {

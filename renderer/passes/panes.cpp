@@ -61,16 +61,16 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
     Pass pass;
     pass.name = slot_name("overlay values", pane);
     pass.reads = lookup_reads(f);
-    if (f.separate_visibility) pass.reads.push_back("visibility");
-    if (pane.row() && pane.row()->reads_truth) pass.reads.insert(pass.reads.end(), {"truth", "judged"});
-    pass.writes = {slot_name("overlay", pane)};
+    if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
+    if (pane.row() && pane.row()->reads_truth) pass.reads.insert(pass.reads.end(), {Result::Truth, Result::Judged});
+    pass.writes = {ResultRef{Result::Overlay, pane.slot}};
     pass.idle_reason = "the overlay was not asked for";
     if (!pane.row()) {
         pass.unneeded = pane.lacks_truth ? "the truth about this frame is not traced" : "no overlay is chosen";
         return pass;
     }
     // Where nothing writes depth, it has to be there.
-    if (pane.row()->draw != OverlayDraw::Fragments) pass.reads.push_back("camera depth");
+    if (pane.row()->draw != OverlayDraw::Fragments) pass.reads.push_back(Result::CameraDepth);
     PaneTargets& t = f.gl.panes[std::size_t(pane.slot)];
     Key key = f.camera_key;
     key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(pane.overlay).add(f.settings.view.light);
@@ -96,8 +96,8 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
 Pass compose_pass(FrameState& f, const ShownPane& pane, std::uint64_t values_key, std::uint64_t shaded_key) {
     Pass pass;
     pass.name = slot_name("overlay over picture", pane);
-    pass.reads = {"shaded", slot_name("overlay", pane)};
-    pass.writes = {slot_name("composed", pane)};
+    pass.reads = {Result::Shaded, ResultRef{Result::Overlay, pane.slot}};
+    pass.writes = {ResultRef{Result::Composed, pane.slot}};
     pass.idle_reason = "the picture was not asked for";
     if (!pane.row()) {
         pass.unneeded = "no overlay is chosen";
@@ -132,21 +132,22 @@ Pass compose_pass(FrameState& f, const ShownPane& pane, std::uint64_t values_key
 Pass slabs_over(FrameState& f, const ShownPane& pane, std::uint64_t composed_key, std::uint64_t shaded_key) {
     Pass pass = slabs_pass(f, pane, pane.row() ? composed_key : shaded_key);
     pass.name = slot_name("texel slabs", pane);
-    pass.reads = {pane.row() ? slot_name("composed", pane) : "shaded", "camera depth", "shadow maps"};
-    pass.writes = {slot_name("slabs", pane)};
+    pass.reads = {pane.row() ? ResultRef{Result::Composed, pane.slot} : ResultRef{Result::Shaded}, Result::CameraDepth,
+                  Result::ShadowMaps};
+    pass.writes = {ResultRef{Result::Slabs, pane.slot}};
     pass.idle_reason = "the picture was not asked for";
     return pass;
 }
 
 }  // namespace
 
-std::string FrameState::picture_of(const ShownPane& pane) const {
-    if (slabs_shown) return slot_name("slabs", pane);
-    return pane.row() ? slot_name("composed", pane) : "shaded";
+ResultRef FrameState::picture_of(const ShownPane& pane) const {
+    if (slabs_shown) return ResultRef{Result::Slabs, pane.slot};
+    return pane.row() ? ResultRef{Result::Composed, pane.slot} : ResultRef{Result::Shaded};
 }
 
-std::string FrameState::values_of(const ShownPane& pane) const {
-    return slot_name("overlay", pane);
+ResultRef FrameState::values_of(const ShownPane& pane) const {
+    return ResultRef{Result::Overlay, pane.slot};
 }
 
 const gl::Target& FrameState::target_of(const ShownPane& pane) const {

@@ -7,7 +7,7 @@ void add_seen_surfaces_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "surfaces seen";
     pass.category = PassCategory::Tool;
-    pass.writes = {"surfaces seen"};
+    pass.writes = {Result::SurfacesSeen};
     pass.idle_reason = "nothing evaluates pixels again";
     Key key = f.camera_depth_key();
     pass.key = key.add(f.settings.bias.normal_source).value();

@@ -56,9 +56,9 @@ void add_true_shade_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "shading by the truth";
     pass.reads = lookup_reads(f);
-    pass.reads.push_back("visibility");
+    pass.reads.push_back(Result::Visibility);
     pass.category = PassCategory::Tool;
-    pass.writes = {"true picture"};
+    pass.writes = {Result::TruePicture};
     pass.idle_reason = "nobody asks for the true picture";
     if (!f.truth.met) {
         pass.unneeded = "the truth about this frame is not traced";
@@ -86,8 +86,8 @@ void add_shade_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = f.separate_visibility ? "shading (reads visibility)" : "shading (with visibility)";
     pass.reads = lookup_reads(f);
-    if (f.separate_visibility) pass.reads.push_back("visibility");
-    pass.writes = {"shaded"};
+    if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
+    pass.writes = {Result::Shaded};
     pass.idle_reason = "the picture was not asked for";
     Key key = f.camera_key;
     key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(f.separate_visibility);

@@ -272,8 +272,8 @@ Pass ShadowVolumes::pass(FrameState& f, std::size_t number) {
     Light& light = lights_[number];
     Pass pass;
     pass.name = fmt::format("shadow volumes {}", number);
-    pass.reads = {"camera depth"};
-    pass.writes = {"shadow volumes"};
+    pass.reads = {Result::CameraDepth};
+    pass.writes = {Result::ShadowVolumes};
     pass.category = PassCategory::Maps;
     pass.idle_reason = "nothing reads visibility";
     pass.unneeded = light.refusal;

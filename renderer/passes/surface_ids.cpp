@@ -7,7 +7,7 @@ void add_surface_ids_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "surface ids";
     pass.category = PassCategory::Tool;
-    pass.writes = {"surface ids"};
+    pass.writes = {Result::SurfaceIds};
     pass.idle_reason = "nobody asks which triangle a pixel shows";
     Key key = f.camera_key;
     key.add(f.geometry_key).add(f.gl.programs.source().generation());

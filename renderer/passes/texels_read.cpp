@@ -23,8 +23,8 @@ void add_texels_read_pass(FrameState& f, std::vector<Pass>& plan) {
     pass.name = "texels read";
     pass.category = PassCategory::Tool;
     pass.reads = lookup_reads(f);
-    pass.reads.push_back("surfaces seen");
-    pass.writes = {"texels read"};
+    pass.reads.push_back(Result::SurfacesSeen);
+    pass.writes = {Result::TexelsRead};
     pass.idle_reason = "nobody asks which texels are read";
     int layer = 0;
     if (!f.shown_view(&layer)) {

@@ -52,7 +52,7 @@ Pass upload_pass(FrameState& f) {
     Pass pass;
     pass.name = "truth uploaded";
     pass.category = PassCategory::Tool;
-    pass.writes = {"truth"};
+    pass.writes = {Result::Truth};
     pass.idle_reason = "nothing asks for the truth";
     pass.key = f.truth_content;
     pass.cached = &f.gl.truth.key;
@@ -113,8 +113,8 @@ Pass compare_pass(FrameState& f) {
     Pass pass;
     pass.name = "pixels compared";
     pass.category = PassCategory::Tool;
-    pass.reads = {"visibility", "surfaces seen", "truth"};
-    pass.writes = {"compared"};
+    pass.reads = {Result::Visibility, Result::SurfacesSeen, Result::Truth};
+    pass.writes = {Result::Compared};
     pass.idle_reason = "nothing asks what is wrong";
     pass.key = judged_key(f);
     pass.cached = &f.gl.judged.key;
@@ -147,8 +147,9 @@ Pass causes_pass(FrameState& f) {
     pass.name = "causes found";
     pass.category = PassCategory::Tool;
     pass.reads = lookup_reads(f);
-    pass.reads.insert(pass.reads.end(), {"compared", "visibility", "surfaces seen", "unfiltered map", "truth"});
-    pass.writes = {"judged"};
+    pass.reads.insert(pass.reads.end(), {Result::Compared, Result::Visibility, Result::SurfacesSeen,
+                                         Result::UnfilteredMap, Result::Truth});
+    pass.writes = {Result::Judged};
     pass.idle_reason = "nothing asks why it is wrong";
     Key key;
     pass.key = key.add(judged_key(f)).add("causes").value();
@@ -190,9 +191,9 @@ Pass evidence_pass(FrameState& f) {
     pass.name = "trials of every pixel";
     pass.category = PassCategory::Tool;
     pass.reads = lookup_reads(f);
-    pass.reads.push_back("unfiltered map");
-    if (f.truth.met) pass.reads.push_back("truth");
-    pass.writes = {"evidence"};
+    pass.reads.push_back(Result::UnfilteredMap);
+    if (f.truth.met) pass.reads.push_back(Result::Truth);
+    pass.writes = {Result::Evidence};
     pass.idle_reason = "nothing asks for trials";
     Key key;
     pass.key = key.add(judged_key(f)).add(f.truth.met).add("evidence").value();
@@ -238,8 +239,8 @@ Pass sums_pass(FrameState& f) {
     Pass pass;
     pass.name = "errors summed up";
     pass.category = PassCategory::Tool;
-    pass.reads = {"judged", "truth"};
-    pass.writes = {"error"};
+    pass.reads = {Result::Judged, Result::Truth};
+    pass.writes = {Result::Error};
     pass.idle_reason = "nobody asks for numbers";
     Key key;
     pass.key = key.add(judged_key(f)).add("sums").value();

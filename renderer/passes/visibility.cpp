@@ -40,8 +40,8 @@ void add_visibility_pass(FrameState& f, std::vector<Pass>& plan) {
     Pass pass;
     pass.name = "visibility";
     pass.reads = lookup_reads(f);
-    pass.reads.push_back("shadow volumes");
-    pass.writes = {"visibility"};
+    pass.reads.push_back(Result::ShadowVolumes);
+    pass.writes = {Result::Visibility};
     pass.idle_reason = "nothing reads it: the shading pass evaluates it itself";
     Key key = f.camera_key;
     key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(f.gl.programs.source().generation());

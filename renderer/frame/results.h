@@ -1,0 +1,45 @@
+// What the passes of a frame make and read.
+#pragma once
+
+#include <compare>
+#include <string_view>
+
+namespace si {
+
+enum class Result {
+    ShadowMaps,      ///< that are compared, shown and read back
+    Moments,         ///< mean and mean square of their depths
+    CameraDepth,     ///< of the surfaces that the camera sees
+    SurfaceIds,      ///< which triangle each pixel shows
+    ShadowVolumes,   ///< where no shadow volume of a light is
+    Visibility,      ///< a layer a light: 1 lit, 0 in shadow
+    UnfilteredMap,   ///< the maps without polygon offset and with masks at their finest level
+    SurfacesSeen,    ///< position and normals of every pixel
+    Truth,           ///< what rays found
+    Compared,        ///< which pixels differ from it
+    Judged,          ///< and why
+    Error,           ///< how far off the picture is, in numbers
+    Evidence,        ///< all trials of every pixel
+    TruePicture,     ///< lit as the truth says
+    Shaded,          ///< the picture
+    Overlay,         ///< a pane's values
+    Composed,        ///< those over the picture
+    Slabs,           ///< a pane's picture with texels as slabs in it
+    MapCoordinates,  ///< where in the map each pixel's kernel is centred
+    TexelsRead,      ///< which texels of the map some kernel fetches
+    DepthRange,      ///< smallest and largest depth of what the map viewer shows
+    MapView,         ///< the map viewer's picture
+};
+
+/// A result in words: "shadow maps".
+std::string_view result_name(Result result);
+
+/// A result; of those that each pane has, one pane's.
+struct ResultRef {
+    Result what;
+    int slot = 0;
+    ResultRef(Result result, int pane_slot = 0) : what(result), slot(pane_slot) {}  // NOLINT: a Result is one
+    auto operator<=>(const ResultRef&) const = default;
+};
+
+}  // namespace si
