@@ -19,6 +19,9 @@ namespace si {
 
 struct TruthPicture;  // renderer/reference/truth_picture.h
 struct LiveError;     // renderer/reference/live_error.h
+namespace gl {
+struct Target;
+}
 
 /// Outputs a frame can be asked for. Passes nobody's output depends on do not run.
 struct Outputs {
@@ -92,6 +95,7 @@ struct TruthNeed {
 struct FrameContents {
     struct Part {
         Result of;
+        const gl::Target* image;     ///< the first of it; the renderer's
         const std::uint64_t* place;  ///< where the key of what is there stands; the renderer's
         std::uint64_t key, drawn;    ///< as the frame left it, and which drawing that was
     };

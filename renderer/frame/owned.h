@@ -7,7 +7,8 @@
 
 namespace si {
 
-/// One object of each type that is asked for. A pass keeps its targets in a struct that only its file knows.
+/// One object of each type that is asked for, which stays where it is. A pass keeps its targets in a struct that only
+/// its file knows.
 class Owned {
 public:
     template <typename T>
@@ -16,9 +17,11 @@ public:
         if (!slot) slot = std::make_shared<T>();
         return *static_cast<T*>(slot.get());
     }
+    /// Makes it as if it had never been used.
     template <typename T>
     void drop() {
-        all_.erase(std::type_index(typeid(T)));
+        if (const auto found = all_.find(std::type_index(typeid(T))); found != all_.end())
+            *static_cast<T*>(found->second.get()) = T();
     }
 
 private:

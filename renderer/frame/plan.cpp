@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <set>
 
+#include "renderer/base/key.h"
+
 namespace si {
 
 std::string_view result_name(Result result) {
     switch (result) {
+        case Result::DrawnMaps:
+            return "shadow maps as drawn";
         case Result::ShadowMaps:
             return "shadow maps";
         case Result::Moments:
@@ -84,6 +88,39 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         }
     }
     return out;
+}
+
+void Plan::add(Pass pass) {
+    if (!pass.reads.empty()) {
+        Key key;
+        key.add(pass.key);
+        for (const ResultRef& read : pass.reads) key.add(key_of(read));
+        pass.key = key.value();
+    }
+    passes_.push_back(std::move(pass));
+}
+
+void Plan::place(const ResultRef& result, PlacedImage image) {
+    images_[result].push_back(image);
+}
+
+const std::vector<PlacedImage>& Plan::images(const ResultRef& result) const {
+    static const std::vector<PlacedImage> none;
+    const auto found = images_.find(result);
+    return found == images_.end() ? none : found->second;
+}
+
+const gl::Target& Plan::target(const ResultRef& result, std::size_t image) const {
+    static const gl::Target none;
+    const auto& all = images(result);
+    return image < all.size() ? *all[image].target : none;
+}
+
+std::uint64_t Plan::key_of(const ResultRef& result) const {
+    Key key;
+    for (const Pass& pass : passes_)
+        if (std::find(pass.writes.begin(), pass.writes.end(), result) != pass.writes.end()) key.add(pass.key);
+    return key.value();
 }
 
 const PassInfo* FrameResult::pass(std::string_view name) const {

@@ -253,6 +253,17 @@ void arrange_panes(FrameState& f) {
     f.slabs_shown = v.slabs != int(Slabs::None) && f.shown_view();
 }
 
+/// What a sampler finds beyond a map's sides, by map.wrap; with a border, that in each channel.
+void set_map_wrap(GLuint sampler, const MapSettings& map, float border) {
+    const GLint wrap = map.wrap == int(MapWrap::Border)   ? GL_CLAMP_TO_BORDER
+                       : map.wrap == int(MapWrap::Repeat) ? GL_REPEAT
+                                                          : GL_CLAMP_TO_EDGE;
+    const glm::vec4 colour(border);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, wrap);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, wrap);
+    glSamplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, &colour.x);
+}
+
 void set_samplers(const FrameState& f) {
     const MapSettings& m = f.settings.map;
     const bool bilinear = filter_of(f.settings).bilinear;
@@ -265,6 +276,10 @@ void set_samplers(const FrameState& f) {
         glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);
     }
     const bool less = m.compare == int(Compare::Less);
+    // Moments count distances from the light on, whichever way depth does.
+    set_map_wrap(f.gl.map_blended.id(), m, m.outside == int(Outside::Lit) ? 1.f : 0.f);
+    glSamplerParameteri(f.gl.map_blended.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glSamplerParameteri(f.gl.map_blended.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     const GLint function = m.reversed_z ? (less ? GL_GREATER : GL_GEQUAL) : (less ? GL_LESS : GL_LEQUAL);
     glSamplerParameteri(f.gl.map_compare.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glSamplerParameteri(f.gl.map_compare.id(), GL_TEXTURE_COMPARE_FUNC, function);
@@ -304,7 +319,7 @@ Renderer::Impl::Impl() : driver(query_driver()), number(next_number()) {
     resources.empty_vao = gl::VertexArray::create("no vertices");
     resources.map_nearest = gl::Sampler::create("shadow map, nearest");
     resources.map_compare = gl::Sampler::create("shadow map, comparison");
-    resources.map_keys.assign(kMaxLights, 0);
+    resources.map_blended = gl::Sampler::create("shadow map, blended");
 }
 
 gl::PassClock& Renderer::Impl::pass_clock() {

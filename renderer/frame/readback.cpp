@@ -22,21 +22,22 @@ bool is_there(const FrameContents::Part& part, const Resources& resources) {
     return *part.place == part.key && (drawing == resources.drawings.end() ? 0 : drawing->second) == part.drawn;
 }
 
-/// @throws Error unless the frame drew that result and its images still hold it
-void require(const FrameResult& frame, std::uint64_t renderer, const Resources& resources, Result result) {
-    bool any = false;
+/// The first image of a result. @throws Error unless the frame drew it and its images still hold it
+const gl::Target& require(const FrameResult& frame, std::uint64_t renderer, const Resources& resources, Result result) {
+    const gl::Target* image = nullptr;
     for (const FrameContents::Part& part : frame.contents.parts) {
         if (frame.contents.renderer != renderer || part.of != result) continue;
-        any = true;
+        image = part.image;
         if (!is_there(part, resources))
             throw Error(
                 fmt::format("the {} of this frame are gone, as another frame was drawn over them; draw it again "
                             "before reading them",
                             result_name(result)));
     }
-    if (!any)
+    if (!image)
         throw Error(fmt::format("the frame did not draw its {}; nothing that it was asked for reads them",
                                 result_name(result)));
+    return *image;
 }
 
 }  // namespace
@@ -72,7 +73,6 @@ SurfaceIds Renderer::read_surface_ids(const Image& image) {
 }
 
 FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int face) {
-    const Resources& r = impl_->resources;
     int layer = 0;
     bool found = false;
     for (std::size_t i = 0; i < frame.lights.size() && !found; ++i) {
@@ -82,8 +82,7 @@ FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int fa
         layer += found ? face : views;
     }
     if (!found) throw Error(fmt::format("light {} has no shadow map image {}", light, face));
-    require(frame, impl_->number, r, Result::ShadowMaps);
-    const gl::Target& map = r.compared_map();
+    const gl::Target& map = require(frame, impl_->number, impl_->resources, Result::ShadowMaps);
     const int n = map.width;
     FloatImage out{n, n, 1, std::vector<float>(std::size_t(n) * std::size_t(n))};
     gl::begin_reading();
@@ -98,8 +97,7 @@ FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
     const ShownMap& shown = frame.shown_map;
     if (shown.light < 0) throw Error("the frame drew no map view to read from");
     if (shown.source == MapSource::Light) return read_shadow_map(frame, shown.light, shown.face);
-    require(frame, impl_->number, impl_->resources, Result::CameraDepth);
-    const gl::Target& t = impl_->resources.camera_depth;
+    const gl::Target& t = require(frame, impl_->number, impl_->resources, Result::CameraDepth);
     FloatImage out{t.width, t.height, 1, std::vector<float>(std::size_t(t.width) * std::size_t(t.height))};
     gl::begin_reading();
     glGetTextureImage(t.texture.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)),
@@ -114,15 +112,15 @@ bool Renderer::holds(const FrameResult& frame) const {
     return frame.contents.renderer == impl_->number && std::all_of(parts.begin(), parts.end(), there);
 }
 
-FrameContents contents_of(const std::vector<Pass>& plan, const std::vector<PassInfo>& infos,
-                          const Resources& resources) {
+FrameContents contents_of(const FrameState& f, const std::vector<PassInfo>& infos) {
     FrameContents out;
+    const std::vector<Pass>& plan = f.plan.passes();
     for (std::size_t i = 0; i < plan.size(); ++i) {
         if (infos[i].state == PassState::Skipped || !plan[i].cached) continue;
-        const auto drawing = resources.drawings.find(plan[i].cached);
-        const std::uint64_t drawn = drawing == resources.drawings.end() ? 0 : drawing->second;
+        const auto drawing = f.gl.drawings.find(plan[i].cached);
+        const std::uint64_t drawn = drawing == f.gl.drawings.end() ? 0 : drawing->second;
         for (const ResultRef& result : plan[i].writes)
-            out.parts.push_back({result.what, plan[i].cached, plan[i].key, drawn});
+            out.parts.push_back({result.what, &f.result(result), plan[i].cached, plan[i].key, drawn});
     }
     return out;
 }

@@ -8,14 +8,13 @@
 #include "renderer/base/error.h"
 #include "renderer/frame/driver.h"
 #include "renderer/frame/renderer_impl.h"
-#include "renderer/passes/shadow_volumes.h"
 #include "renderer/settings/param.h"
 
 namespace si {
 namespace {
 
-void run_passes(const std::vector<Pass>& plan, std::vector<PassInfo>& infos, Resources& resources,
-                gl::PassClock* clock) {
+void run_passes(FrameState& f, std::vector<PassInfo>& infos, gl::PassClock* clock) {
+    const std::vector<Pass>& plan = f.plan.passes();
     std::vector<std::pair<std::size_t, std::size_t>> timed;
     if (clock) clock->reset();
     for (std::size_t i = 0; i < plan.size(); ++i) {
@@ -23,11 +22,12 @@ void run_passes(const std::vector<Pass>& plan, std::vector<PassInfo>& infos, Res
         const gl::DebugGroup group(plan[i].name);
         if (clock) clock->begin();
         const auto start = std::chrono::steady_clock::now();
-        if (plan[i].cached) *plan[i].cached = 0;  // an exception below leaves undefined contents
+        if (plan[i].cached) *plan[i].cached = 0;
+        f.bind(plan[i].reads);
         plan[i].run(infos[i]);
         if (plan[i].cached) {
             *plan[i].cached = plan[i].key;
-            resources.drawings[plan[i].cached] = ++resources.last_drawing;
+            f.gl.drawings[plan[i].cached] = ++f.gl.last_drawing;
         }
         infos[i].cpu_ms =
             clock ? std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() : 0;
@@ -70,40 +70,48 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
         throw Error(fmt::format("a picture of {} x {} pixels cannot be drawn; each side is 1 to {}", request.width,
                                 request.height, impl_->driver.max_texture_size));
     FrameState f = impl_->prepare(scene, settings, request);
-    std::vector<Pass> plan;
-    add_light_depth_passes(f, plan);
-    add_depth_blur_pass(f, plan);
-    add_moments_pass(f, plan);
-    add_camera_depth_pass(f, plan);
-    add_surface_ids_pass(f, plan);
-    add_shadow_volume_passes(f, plan);
-    add_visibility_pass(f, plan);
-    add_unfiltered_map_pass(f, plan);
-    add_seen_surfaces_pass(f, plan);
-    add_truth_passes(f, plan);
-    add_true_shade_pass(f, plan);
-    add_shade_pass(f, plan);
-    add_pane_passes(f, plan);
-    add_map_coordinates_pass(f, plan);
-    add_texels_read_pass(f, plan);
-    add_map_view_passes(f, plan);
+    plan_frame(f);
+    return impl_->draw(f);
+}
 
+void plan_frame(FrameState& f) {
+    add_light_depth_passes(f);
+    add_depth_blur_pass(f);
+    add_moments_pass(f);
+    add_camera_depth_pass(f);
+    add_surface_ids_pass(f);
+    add_shadow_volume_passes(f);
+    add_visibility_pass(f);
+    add_unfiltered_map_pass(f);
+    add_seen_surfaces_pass(f);
+    add_truth_passes(f);
+    add_true_shade_pass(f);
+    add_shade_pass(f);
+    add_pane_passes(f);
+    add_map_coordinates_pass(f);
+    add_texels_read_pass(f);
+    add_map_view_passes(f);
+}
+
+FrameResult Renderer::Impl::draw(FrameState& f) {
     FrameResult result;
-    result.passes = plan_passes(plan, wanted_results(f), request.force, request.no_skip);
+    result.passes = plan_passes(f.plan.passes(), wanted_results(f), f.request.force, f.request.no_skip);
+    f.plan.give_up_what_is_unused();
     const bool draws = std::any_of(result.passes.begin(), result.passes.end(),
                                    [](const PassInfo& p) { return p.state == PassState::Ran; });
-    if (draws) {
-        impl_->upload_blocks(f);
-        if (impl_->resources.camera_depth.ensure("camera depth", GL_DEPTH_COMPONENT32F, request.width, request.height))
-            impl_->resources.depth_key = 0;
-        if (request.force) impl_->resources.depth_key = 0;
+    if (draws) upload_blocks(f);
+    try {
+        run_passes(f, result.passes, f.request.timing ? &pass_clock() : nullptr);
+    } catch (...) {
+        // Images may be gone that passes share.
+        for (const Pass& pass : f.plan.passes())
+            if (pass.cached) *pass.cached = 0;
+        throw;
     }
-    run_passes(plan, result.passes, impl_->resources, request.timing ? &impl_->pass_clock() : nullptr);
-
     describe_frame(f, result);
-    result.contents = contents_of(plan, result.passes, impl_->resources);
-    result.contents.renderer = impl_->number;
-    if (request.timing) result.clock = impl_->pass_clock().name();
+    result.contents = contents_of(f, result.passes);
+    result.contents.renderer = number;
+    if (f.request.timing) result.clock = pass_clock().name();
     return result;
 }
 

@@ -18,14 +18,18 @@ struct Renderer::Impl {
     /// Derives everything of a frame that needs no drawing.
     FrameState prepare(const Scene& scene, const Settings& settings, const FrameRequest& request);
     void upload_blocks(const FrameState& f);
+    /// Carries out the plan of a frame.
+    FrameResult draw(FrameState& f);
     gl::PassClock& pass_clock();
     /// Measures the polygon offset of a map format (MapFormat), once.
     void calibrate_offset(int map_format);
 };
 
+/// Adds the passes of a frame to its plan.
+void plan_frame(FrameState& f);
+
 /// What the passes of a frame left in its images.
-FrameContents contents_of(const std::vector<Pass>& plan, const std::vector<PassInfo>& infos,
-                          const Resources& resources);
+FrameContents contents_of(const FrameState& f, const std::vector<PassInfo>& infos);
 
 /// Fills in what the frame drew and found out; `result` has the passes already.
 void describe_frame(FrameState& f, FrameResult& result);

@@ -7,7 +7,8 @@
 namespace si {
 
 enum class Result {
-    ShadowMaps,      ///< that are compared, shown and read back
+    DrawnMaps,       ///< the shadow maps as drawn
+    ShadowMaps,      ///< those that are compared, shown and read back: as drawn, or their depths blurred
     Moments,         ///< mean and mean square of their depths
     CameraDepth,     ///< of the surfaces that the camera sees
     SurfaceIds,      ///< which triangle each pixel shows

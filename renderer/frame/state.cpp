@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/frame/driver.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
@@ -29,26 +30,13 @@ GLuint FrameState::program(std::string_view vertex, std::string_view fragment, s
     return gl.programs.get(wanted);
 }
 
-void set_map_wrap(GLuint sampler, const MapSettings& map, float border) {
-    const GLint wrap = map.wrap == int(MapWrap::Border)   ? GL_CLAMP_TO_BORDER
-                       : map.wrap == int(MapWrap::Repeat) ? GL_REPEAT
-                                                          : GL_CLAMP_TO_EDGE;
-    const glm::vec4 colour(border);
-    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, wrap);
-    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, wrap);
-    glSamplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, &colour.x);
-}
-
-void FrameState::bind_maps() const {
-    const gl::Target& map = gl.compared_map();
-    if (!map.texture) return;
-    glBindTextureUnit(kShadowMap, map.texture.id());
-    glBindSampler(kShadowMap, gl.map_nearest.id());
-    if (settings.map.format != int(MapFormat::Colour)) {
-        glBindTextureUnit(kShadowMapCompare, map.texture.id());
-        glBindSampler(kShadowMapCompare, gl.map_compare.id());
-    }
-    bind_moments(*this);
+void FrameState::bind(std::span<const ResultRef> results) const {
+    for (const ResultRef& r : results)
+        for (const PlacedImage& image : plan.images(r)) {
+            if (image.unit < 0 || !image.target->texture) continue;
+            glBindTextureUnit(GLuint(image.unit), image.target->texture.id());
+            glBindSampler(GLuint(image.unit), image.sampler ? image.sampler->id() : 0);
+        }
 }
 
 void FrameState::begin_camera_pass(GLuint framebuffer) const {
@@ -61,22 +49,25 @@ void FrameState::begin_camera_pass(GLuint framebuffer) const {
     glDepthMask(GL_TRUE);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_BLEND);
-    const std::uint64_t depth = camera_depth_key().value();
-    if (gl.depth_key != depth) {
-        const float far_depth = float(camera.curve.convention.far_depth());
-        glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far_depth);
-        gl.depth_key = depth;
-    }
-    bind_maps();
+}
+
+GLenum FrameState::map_format() const {
+    return map_internal_format(MapFormat(settings.map.format));
 }
 
 bool FrameState::draws_unfiltered() const {
     return settings.bias.raster_slope != 0 || settings.bias.raster_units != 0 || mask_levels;
 }
 
-Key FrameState::camera_depth_key() const {
+Key FrameState::surfaces_key() const {
     Key key = geometry_key;
     key.add(camera_key).add(gl.programs.source().generation());
+    return key;
+}
+
+Key FrameState::lighting_key() const {
+    Key key = surfaces_key();
+    key.add(lights_key);
     return key;
 }
 

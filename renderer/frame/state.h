@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <span>
@@ -13,7 +14,6 @@
 #include "renderer/frame/plan.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/frame/scene_gpu.h"
-#include "renderer/frame/texel_slabs.h"
 #include "renderer/frame/value_range.h"
 #include "renderer/gl/debug.h"
 #include "renderer/gl/program_cache.h"
@@ -39,68 +39,26 @@ enum Unit : GLuint {
     kUnfilteredMap,
     kSeenSurfaces,
     kMoments = kSeenSurfaces + 3,
-    kVolumes
+    kVolumes,
+    kCameraDepth
 };
 
 inline constexpr int kMaxPanes = 4;
 inline constexpr int kSeenImages = 3;  ///< see lib/seen_surface.glsl
 
-/// What one pane draws into, and the range fitted to its values.
-struct PaneTargets {
-    gl::Target values, composed, slabs;
-    gl::Framebuffer values_framebuffer, composed_framebuffer, slabs_framebuffer;
-    ValueRange fitted;
-    std::uint64_t fitted_key = 0;  ///< of the values that `fitted` was found in
-};
-
-struct SlabResources {
-    gl::VertexArray vao;
-    gl::Buffer instances;
-    int count = 0;
-    std::vector<float> depths;  ///< stored depths of the region, bottom row first
-    std::uint64_t depths_key = 0, instances_key = 0;
-};
-
-/// What outlives a frame: targets with the keys of their contents, programs, buffers.
+/// What outlives a frame and is nobody's own: programs, blocks, samplers, the scene, fitted lights.
 struct Resources {
     gl::ProgramCache programs;
     gl::Buffer frame_block, settings_block;
     gl::VertexArray empty_vao;
-    gl::Sampler map_nearest, map_compare;
+    gl::Sampler map_nearest, map_compare, map_blended;
     std::unique_ptr<SceneGpu> scene;
-    Owned owned;                       ///< what single passes keep
-    gl::Target map, map_depth;         ///< shadow maps, one layer per view; depth beside a colour map
-    gl::Target map_blurred, map_rows;  ///< of map.blur_texels: the maps' depths blurred, and one layer along x only
-    /// The shadow maps that are compared, shown and read back.
-    const gl::Target& compared_map() const { return map_blurred.texture ? map_blurred : map; }
-    std::vector<std::uint64_t> map_keys;  ///< per light: key of its layers' contents
-    gl::Target camera_depth, visibility, shaded, map_coordinates, depth_range, map_view;
-    gl::Target surface_ids;  ///< RG32UI
-    std::array<PaneTargets, kMaxPanes> panes;
-    gl::Texture visibility_view;  ///< one layer of visibility as a 2-D texture
-    int visibility_view_layer = -1;
-    gl::Framebuffer map_framebuffer, camera_depth_framebuffer, visibility_framebuffer, shaded_framebuffer,
-        map_coordinates_framebuffer, depth_range_framebuffer, map_view_framebuffer, surface_ids_framebuffer;
-    SlabResources slabs;
-    gl::Target truth, more_truth;              ///< of the truth picture; the key of `truth` is its version
-    std::array<gl::Target, kSeenImages> seen;  ///< RGBA32F; the key of all is the first one's
-    gl::Target judged;                         ///< RG32F, see judgement() in lib/truth.glsl
-    gl::Target error_tiles;                    ///< RGBA32F, see error_tiles.frag.glsl
-    std::uint64_t causes_key = 0;              ///< of `judged` with the causes in it
-    gl::Target marks;                          ///< depths MARK_* of shared/judged.h
-    gl::Target map_unfiltered;                 ///< the maps without polygon offset, masks at their finest level
-    std::array<gl::Target, kEvidenceImages> evidence;
-    gl::Target true_visibility, true_shaded;
-    gl::Framebuffer seen_framebuffer, judged_framebuffer, evidence_framebuffer, error_tiles_framebuffer,
-        true_shaded_framebuffer;
-    std::shared_ptr<const LiveError> error;  ///< of the error tiles
-    std::uint64_t depth_key = 0;             ///< of the camera depth: what of the scene is in it
+    Owned owned;  ///< what single passes keep
     PlacedLights placed;
     std::vector<FittedLight> as_placed;  ///< fitted without a camera
     std::uint64_t as_placed_key = 0;
     std::vector<FittedLight> fitted;  ///< for the frame's camera where a fit reads it
     std::uint64_t fit_key = 0;
-    glm::vec2 drawn_range{0, 1};  ///< smallest and largest drawn depth, as in depth_range
     /// Which drawing each key of contents is from; drawings are counted.
     std::map<const std::uint64_t*, std::uint64_t> drawings;
     std::uint64_t last_drawing = 0;
@@ -118,11 +76,15 @@ struct FrameState {
     std::vector<int> first_view;  ///< per light: its first layer
     int view_count = 0;
     int map_resolution = 0;
+    /// As gl::Target counts layers: 0 for a single view.
+    int map_layers() const { return view_count > 1 ? view_count : 0; }
+    GLenum map_format() const;  ///< as OpenGL names it
+    bool blurs_depths() const;  ///< map.blur_texels has maps to blur
     bool separate_visibility = false;
-    glm::ivec2 pixel_origin{0};                          ///< of the picture's pixel that is (0, 0) in what is drawn
-    bool filter_sampler = false;                         ///< the kernel compares in a shadow sampler
-    std::vector<gl::Define> defines;                     ///< from settings and kernel
-    Key geometry_key, camera_key, lights_key, maps_key;  ///< what results depend on
+    glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn
+    bool filter_sampler = false;               ///< the kernel compares in a shadow sampler
+    std::vector<gl::Define> defines;           ///< from settings and kernel
+    Key geometry_key, camera_key, lights_key;  ///< what results depend on
     std::vector<std::string> notes;
 
     /// Panes that show the same share one slot, which is the first such pane's number.
@@ -138,7 +100,15 @@ struct FrameState {
     std::vector<TruthNeed> traced;  ///< as FrameResult::traced
     /// What rays found for a light whose source is ray traced; null: its source is another, or they are not traced yet.
     std::vector<const TruthPicture*> traced_pictures;
-    std::uint64_t truth_content = 0;  ///< key of what of it is used
+    std::uint64_t truth_content = 0;    ///< key of what of it is used
+    Plan plan;                          ///< see plan_frame()
+    bool camera_depth_renewed = false;  ///< where the request forces it: once a frame
+
+    /// An image of a result; one without a texture where nothing of the frame makes it.
+    const gl::Target& result(const ResultRef& of, std::size_t image = 0) const { return plan.target(of, image); }
+    /// Binds results to the texture units that they were placed at. Done before each pass for what it reads.
+    void bind(std::span<const ResultRef> results) const;
+    void bind(std::initializer_list<ResultRef> results) const { bind(std::span(results.begin(), results.size())); }
 
     /// The view of a light whose map is shown (view.light, view.face), or null. `layer` is its layer of the maps.
     const LightView* shown_view(int* layer = nullptr) const;
@@ -147,19 +117,19 @@ struct FrameState {
     /// Whether the map viewer's greys follow what is drawn (view.map_fit), and which greys it uses.
     bool fits_greys() const;
     glm::vec2 grey_range() const;
-    Key camera_depth_key() const;
-    /// The results that are a pane's finished picture and its overlay's values; the picture's target.
+    /// Of the surfaces that the camera sees, in the size of the picture.
+    Key surfaces_key() const;
+    /// Of what shaders find out about their light and shadow, but for what they sample.
+    Key lighting_key() const;
+    /// The results that are a pane's finished picture and its overlay's values.
     ResultRef picture_of(const ShownPane& pane) const;
     ResultRef values_of(const ShownPane& pane) const;
-    const gl::Target& target_of(const ShownPane& pane) const;
     /// The colour scale of a pane. A fitted one reads back the pane's values, once for each change of them.
     ValueRange range_of(const ShownPane& pane) const;
     std::string preamble;      ///< GLSL before every shader: settings block, facts about the lights
     bool mask_levels = false;  ///< some caster's mask may be read from a coarser mip level
     /// Whether the unfiltered map is not the map as drawn, but one of its own.
     bool draws_unfiltered() const;
-    /// The map that the nearest texel's trials read.
-    const gl::Target& unfiltered_map() const { return draws_unfiltered() ? gl.map_unfiltered : gl.map; }
     bool surface_flags = false;  ///< some object or material needs the per-object flags
 
     /// The program of a scene or full-screen pass under the frame's settings. Of the extra defines those whose name
@@ -172,9 +142,8 @@ struct FrameState {
                          const Batch& batch, bool alpha_only) const;
     /// Binds what the batch's fragments sample.
     void bind_textures(const Batch& batch) const;
-    /// Prepares depth test and write for a camera pass into a framebuffer that holds the camera depth.
+    /// Prepares depth test and write as passes from the camera have them; see CameraPass for those of the picture.
     void begin_camera_pass(GLuint framebuffer) const;
-    void bind_maps() const;
     /// Prepares a pass that computes every pixel of a framebuffer by one triangle; draw it with draw_fullscreen().
     void begin_fullscreen_pass(GLuint framebuffer, int width, int height) const;
     static void draw_fullscreen(PassInfo& info);
@@ -182,42 +151,44 @@ struct FrameState {
 
 /// Writes what rays found into a light's layer of a visibility texture of the frame's size.
 void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibility, int light);
-
-/// Defines and texture for shaders that read the truth (lib/truth.glsl).
+/// Defines for shaders that read the truth (lib/truth.glsl).
 std::vector<gl::Define> truth_defines(const FrameState& f);
-void bind_truth(const FrameState& f);
-
-// One function per pass; each appends itself to the plan. (renderer/passes/)
-void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan);
-void add_depth_blur_pass(FrameState& f, std::vector<Pass>& plan);
-/// What a sampler finds beyond a map's sides, by map.wrap; with a border, that in each channel.
-void set_map_wrap(GLuint sampler, const MapSettings& map, float border);
-/// Mean and mean square of the maps' depths, for kernels that read those.
-void add_moments_pass(FrameState& f, std::vector<Pass>& plan);
-void bind_moments(const FrameState& f);
 /// What a pass reads that evaluates the kernel.
 std::vector<ResultRef> lookup_reads(const FrameState& f);
-void add_camera_depth_pass(FrameState& f, std::vector<Pass>& plan);
-void add_surface_ids_pass(FrameState& f, std::vector<Pass>& plan);
-void add_visibility_pass(FrameState& f, std::vector<Pass>& plan);
-/// Draws the maps again where what is compared is not what a caster's surface is: see FrameState::unfiltered_map().
-void add_unfiltered_map_pass(FrameState& f, std::vector<Pass>& plan);
+
+/// Says that shaders compare the depths of these.
+void place_compared_maps(FrameState& f, const gl::Target& maps);
+
+// One function per pass; each appends itself to the plan and says where its results will lie. (renderer/passes/)
+void add_light_depth_passes(FrameState& f);
+void add_depth_blur_pass(FrameState& f);
+/// Mean and mean square of the maps' depths, for kernels that read those.
+void add_moments_pass(FrameState& f);
+void add_camera_depth_pass(FrameState& f);
+void add_surface_ids_pass(FrameState& f);
+void add_shadow_volume_passes(FrameState& f);
+void add_visibility_pass(FrameState& f);
+/// One light's layer of the visibility as a plain texture.
+Image visibility_image(const FrameState& f, int light);
+/// Draws the maps again where what is compared is not what a caster's surface is.
+void add_unfiltered_map_pass(FrameState& f);
 /// The surface of every pixel, kept while the camera rests.
-void add_seen_surfaces_pass(FrameState& f, std::vector<Pass>& plan);
+void add_seen_surfaces_pass(FrameState& f);
+/// Binds what draws those of other pixels.
 void bind_seen_surfaces(std::span<const gl::Target, kSeenImages> seen);
 /// Uploads the truth, compares each pixel with it, finds why some are wrong, and sums up.
-void add_truth_passes(FrameState& f, std::vector<Pass>& plan);
+void add_truth_passes(FrameState& f);
+std::shared_ptr<const LiveError> live_error(const FrameState& f);
 /// All trials of every pixel of a light into eight colour attachments, see CauseEvidence.
 void draw_evidence(const FrameState& f, int light, bool truth_known, PassInfo& info);
-void add_true_shade_pass(FrameState& f, std::vector<Pass>& plan);
-void add_shade_pass(FrameState& f, std::vector<Pass>& plan);
-void add_pane_passes(FrameState& f, std::vector<Pass>& plan);
-void add_map_coordinates_pass(FrameState& f, std::vector<Pass>& plan);
+void add_true_shade_pass(FrameState& f);
+void add_shade_pass(FrameState& f);
+void add_pane_passes(FrameState& f);
+void add_map_coordinates_pass(FrameState& f);
 /// Which texels of the shown map the kernels of all pixels fetch, exactly.
-void add_texels_read_pass(FrameState& f, std::vector<Pass>& plan);
-Image texels_read_image(const FrameState& f);
-void add_map_view_passes(FrameState& f, std::vector<Pass>& plan);
-/// Of one pane, over its picture so far, whose key is `under_key`. The caller names it and what it reads and writes.
-Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane, std::uint64_t under_key);
+void add_texels_read_pass(FrameState& f);
+void add_map_view_passes(FrameState& f);
+/// Of one pane, over its picture so far. The caller names it and what it reads and writes.
+Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane);
 
 }  // namespace si

@@ -5,7 +5,6 @@
 #include <array>
 #include <bit>
 #include <optional>
-#include <utility>
 
 #include "renderer/base/error.h"
 #include "renderer/frame/renderer_impl.h"
@@ -36,9 +35,10 @@ public:
         for (gl::Target& t : targets_) t.ensure("probe", GL_RGBA32F, 2, 2);
         depth_.ensure("probe depth", GL_DEPTH_COMPONENT32F, 2, 2);
         framebuffer_ = gl::make_framebuffer("probe", targets_, depth_);
-        const std::uint64_t pictures = std::exchange(f.gl.depth_key, 0);  // this depth is fresh, and not the picture's
         f.begin_camera_pass(framebuffer_.id());
-        f.gl.depth_key = pictures;
+        f.bind(lookup_reads(f));
+        const float far_depth = float(f.camera.curve.convention.far_depth());
+        glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_depth);
         glViewport(-(x & ~1), -(y_bottom & ~1), f.request.width, f.request.height);
         const glm::vec4 nothing(0);
         for (GLint i = 0; i < GLint(Count); ++i) glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, i, &nothing.x);
@@ -87,7 +87,7 @@ std::vector<glm::vec4> run_kernel(FrameState& f, const SeenPixel& seen, int ligh
     taps.ensure("taps", GL_RGBA32F, width, 1);
     const gl::Framebuffer framebuffer = gl::make_framebuffer("taps", &taps, nullptr);
     f.begin_fullscreen_pass(framebuffer.id(), width, 1);
-    f.bind_maps();
+    f.bind(lookup_reads(f));
     bind_seen_surfaces(seen.block.targets());
     defines.push_back({"LIGHT_INDEX", std::to_string(light)});
     const GLuint program = f.program("passes/fullscreen.vert.glsl", "passes/taps.frag.glsl", std::move(defines));
@@ -117,6 +117,7 @@ KernelFacts draw_kernel_facts(FrameState& f, const SeenPixel& seen, int light) {
 
 CauseEvidence draw_trials(FrameState& f, int x, int y_bottom, int light) {
     const Block<kEvidenceImages> block(f, x, y_bottom);
+    f.bind({Result::UnfilteredMap});
     PassInfo info;
     draw_evidence(f, light, false, info);
     std::array<glm::vec4, kEvidenceImages> values;
@@ -151,6 +152,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     const SurfaceIds ids = read_surface_ids(frame.surface_ids);
     FrameState f = impl_->prepare(scene, settings, maps);
     f.pixel_origin = {x & ~1, (request.height - 1 - y) & ~1};  // the block of pixels that is drawn
+    plan_frame(f);
     impl_->upload_blocks(f);
     Probe out;
     out.x = x, out.y = y;
@@ -180,8 +182,8 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
         if (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused) {
             float drawn = 1;
             gl::begin_reading();
-            glGetTextureSubImage(f.gl.visibility.texture.id(), 0, x, y_bottom, GLint(i), 1, 1, 1, GL_RED, GL_FLOAT,
-                                 sizeof drawn, &drawn);
+            glGetTextureSubImage(f.result(Result::Visibility).texture.id(), 0, x, y_bottom, GLint(i), 1, 1, 1, GL_RED,
+                                 GL_FLOAT, sizeof drawn, &drawn);
             pixel.visibility = drawn;
         }
         const int source = f.settings.bias.normal_source;

@@ -1,22 +1,70 @@
-// The camera's depth by itself, for what reads it: the map viewer and the texel slabs.
-#include "renderer/frame/state.h"
+// The camera's depth: brought by the first pass from the camera, or by itself for what reads it, the map viewer and the
+// texel slabs.
+#include "renderer/passes/camera_pass.h"
 
 namespace si {
+namespace {
 
-void add_camera_depth_pass(FrameState& f, std::vector<Pass>& plan) {
+struct CameraDepth {
+    gl::Target depth;  ///< its key is of the surfaces that are in it
+};
+
+/// As large as the picture; of unknown contents where a frame is to be drawn anew.
+gl::Target& camera_depth(FrameState& f) {
+    gl::Target& depth = f.gl.owned.get<CameraDepth>().depth;
+    depth.ensure("camera depth", GL_DEPTH_COMPONENT32F, f.request.width, f.request.height);
+    if (f.request.force && !f.camera_depth_renewed) depth.key = 0;
+    f.camera_depth_renewed = true;
+    return depth;
+}
+
+}  // namespace
+
+CameraPass::CameraPass(FrameState& f, std::string_view label, GLenum format, std::span<gl::Target> images)
+    : f_(f), images_(GLint(images.size())) {
+    for (gl::Target& image : images) image.ensure(label, format, f.request.width, f.request.height);
+    const gl::Target& depth = camera_depth(f);
+    framebuffer_ =
+        images.empty() ? gl::make_framebuffer(label, nullptr, &depth) : gl::make_framebuffer(label, images, depth);
+    begin();
+}
+
+CameraPass::CameraPass(FrameState& f, std::string_view label, const gl::Target& image, int layer)
+    : f_(f), framebuffer_(gl::make_framebuffer(label, &image, &camera_depth(f), layer)) {
+    begin();
+}
+
+void CameraPass::begin() {
+    f_.begin_camera_pass(framebuffer_.id());
+    gl::Target& depth = camera_depth(f_);
+    if (const std::uint64_t key = f_.surfaces_key().value(); depth.key != key) {
+        const float far_depth = float(f_.camera.curve.convention.far_depth());
+        glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_depth);
+        depth.key = key;
+    }
+}
+
+CameraPass& CameraPass::clear(const glm::vec4& value) {
+    for (GLint i = 0; i < images_; ++i) glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, i, &value.x);
+    return *this;
+}
+
+CameraPass& CameraPass::clear(const glm::uvec4& value) {
+    for (GLint i = 0; i < images_; ++i) glClearNamedFramebufferuiv(framebuffer_.id(), GL_COLOR, i, &value.x);
+    return *this;
+}
+
+void add_camera_depth_pass(FrameState& f) {
+    gl::Target& depth = f.gl.owned.get<CameraDepth>().depth;
+    f.plan.place(Result::CameraDepth, {&depth, kCameraDepth});
     Pass pass;
     pass.name = "camera depth";
     pass.writes = {Result::CameraDepth};
     pass.idle_reason = "nothing reads it: each pass from the camera brings its own depth test";
-    pass.key = f.camera_depth_key().value();
-    pass.cached = &f.gl.depth_key;
-    pass.run = [&f](PassInfo& info) {
-        f.gl.camera_depth_framebuffer = gl::make_framebuffer("camera depth", nullptr, &f.gl.camera_depth);
-        f.gl.depth_key = 0;
-        f.begin_camera_pass(f.gl.camera_depth_framebuffer.id());
-        f.draw_from_camera("passes/camera_depth.frag.glsl", {}, info);
-    };
-    plan.push_back(std::move(pass));
+    pass.key = f.surfaces_key().value();
+    pass.cached = &depth.key;
+    pass.run = [&f](PassInfo& info) { CameraPass(f).draw("passes/camera_depth.frag.glsl", {}, info); };
+    f.plan.add(std::move(pass));
 }
 
 }  // namespace si

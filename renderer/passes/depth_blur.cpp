@@ -7,12 +7,17 @@
 namespace si {
 namespace {
 
+struct BlurredMaps {
+    gl::Target maps, rows;  ///< as the maps are laid out, and one layer along x only
+};
+
 /// Both axes of one layer: rows of the map into `rows`, columns of that into the blurred map.
-void blur_layer(FrameState& f, const gl::Framebuffer& rows, int layer, PassInfo& info) {
+void blur_layer(FrameState& f, const BlurredMaps& t, const gl::Framebuffer& rows, int layer, PassInfo& info) {
     const int n = f.map_resolution;
+    const bool colour = t.maps.format == GL_R32F;
     const auto draw = [&](GLuint framebuffer, const char* columns) {
         f.begin_fullscreen_pass(framebuffer, n, n);
-        if (columns[0] == '1' && f.gl.map.format != GL_R32F) {
+        if (columns[0] == '1' && !colour) {
             glEnable(GL_DEPTH_TEST);  // without the test nothing is written
             glDepthFunc(GL_ALWAYS);
             glDepthMask(GL_TRUE);
@@ -24,44 +29,43 @@ void blur_layer(FrameState& f, const gl::Framebuffer& rows, int layer, PassInfo&
         glUniform1i(glGetUniformLocation(id, "radius"), f.settings.map.blur_texels);
         FrameState::draw_fullscreen(info);
     };
-    glBindTextureUnit(kShadowMap, f.gl.map.texture.id());
     draw(rows.id(), "0");
-    const int target_layer = f.gl.map.layers == 0 ? -1 : layer;
-    const bool colour = f.gl.map.format == GL_R32F;
-    const auto blurred = colour
-                             ? gl::make_framebuffer("blurred shadow map", &f.gl.map_blurred, nullptr, target_layer)
-                             : gl::make_framebuffer("blurred shadow map", nullptr, &f.gl.map_blurred, -1, target_layer);
-    glBindTextureUnit(kShaded, f.gl.map_rows.texture.id());
+    const int target_layer = t.maps.layers == 0 ? -1 : layer;
+    const auto blurred = colour ? gl::make_framebuffer("blurred shadow map", &t.maps, nullptr, target_layer)
+                                : gl::make_framebuffer("blurred shadow map", nullptr, &t.maps, -1, target_layer);
+    glBindTextureUnit(kShaded, t.rows.texture.id());
     draw(blurred.id(), "1");
 }
 
 }  // namespace
 
-void add_depth_blur_pass(FrameState& f, std::vector<Pass>& plan) {
+void add_depth_blur_pass(FrameState& f) {
     Pass pass;
     pass.name = "depth blur";
     pass.category = PassCategory::Maps;
-    pass.reads = pass.writes = {Result::ShadowMaps};
+    pass.reads = {Result::DrawnMaps};
+    pass.writes = {Result::ShadowMaps};
     pass.idle_reason = "nothing samples a shadow map";
     const int radius = f.settings.map.blur_texels;
-    if (radius == 0 || f.view_count == 0) {
+    if (!f.blurs_depths()) {
         pass.unneeded = radius == 0 ? "map.blur_texels is 0: depths stay as drawn" : "no light has a shadow map";
-        f.gl.map_blurred = {}, f.gl.map_rows = {};
-        plan.push_back(std::move(pass));
+        f.plan.release([&f] { f.gl.owned.drop<BlurredMaps>(); });
+        f.plan.add(std::move(pass));
         return;
     }
-    f.gl.map_blurred.ensure("blurred shadow maps", f.gl.map.format, f.map_resolution, f.map_resolution,
-                            f.gl.map.layers);
-    f.maps_key.add(radius);
-    pass.key = f.maps_key.value();
-    pass.cached = &f.gl.map_blurred.key;
-    pass.run = [&f, radius](PassInfo& info) {
-        f.gl.map_rows.ensure("shadow map blurred along x", GL_R32F, f.map_resolution, f.map_resolution);
-        const auto rows = gl::make_framebuffer("shadow map blurred along x", &f.gl.map_rows, nullptr);
-        for (int layer = 0; layer < f.view_count; ++layer) blur_layer(f, rows, layer, info);
+    BlurredMaps& t = f.gl.owned.get<BlurredMaps>();
+    place_compared_maps(f, t.maps);
+    pass.key = Key().add(radius).value();
+    pass.cached = &t.maps.key;
+    pass.run = [&f, &t, radius](PassInfo& info) {
+        const int n = f.map_resolution;
+        t.maps.ensure("blurred shadow maps", f.map_format(), n, n, f.map_layers());
+        t.rows.ensure("shadow map blurred along x", GL_R32F, n, n);
+        const auto rows = gl::make_framebuffer("shadow map blurred along x", &t.rows, nullptr);
+        for (int layer = 0; layer < f.view_count; ++layer) blur_layer(f, t, rows, layer, info);
         info.reason += fmt::format("; mean of {0} x {0} texels' depths, wrong on purpose", 2 * radius + 1);
     };
-    plan.push_back(std::move(pass));
+    f.plan.add(std::move(pass));
 }
 
 }  // namespace si

@@ -15,16 +15,15 @@ std::string_view type_name(LightType type) {
     return type == LightType::Directional ? "directional" : type == LightType::Spot ? "spot" : "point";
 }
 
-void ensure_maps(FrameState& f) {
-    const int n = f.map_resolution;
-    const bool colour = f.settings.map.format == int(MapFormat::Colour);
-    const bool anew = f.gl.map.ensure("shadow maps", map_internal_format(MapFormat(f.settings.map.format)), n, n,
-                                      f.view_count > 1 ? f.view_count : 0);
-    if (colour)
-        f.gl.map_depth.ensure("depth beside the colour map", GL_DEPTH_COMPONENT32F, n, n);
-    else
-        f.gl.map_depth = {};
-    if (anew) f.gl.map_keys.assign(kMaxLights, 0);
+struct DrawnMaps {
+    gl::Target maps, unfiltered;                   ///< a layer a view
+    gl::Target depth;                              ///< beside a colour map, of one view
+    std::array<std::uint64_t, kMaxLights> keys{};  ///< by light, of its layers' contents
+};
+
+/// @returns whether what they held is lost
+bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) {
+    return maps.ensure(label, f.map_format(), f.map_resolution, f.map_resolution, f.map_layers());
 }
 
 /// Culling of casters: the object's own choice before the scene's.
@@ -56,13 +55,19 @@ void set_raster_bias(const FrameState& f, bool reversed) {
 }
 
 /// @param unfiltered without polygon offset, masks at their finest level
-void draw_view(FrameState& f, const gl::Target& map, bool unfiltered, const FittedLight& light, const LightView& view,
-               int layer, PassInfo& info) {
+void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const LightView& view, int layer,
+               PassInfo& info) {
+    DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
+    const gl::Target& map = unfiltered ? t.unfiltered : t.maps;
     if (map.layers == 0) layer = -1;  // a plain texture
     const bool colour = f.settings.map.format == int(MapFormat::Colour);
-    f.gl.map_framebuffer = colour ? gl::make_framebuffer("shadow map", &map, &f.gl.map_depth, layer)
-                                  : gl::make_framebuffer("shadow map", nullptr, &map, -1, layer);
-    const GLuint framebuffer = f.gl.map_framebuffer.id();
+    if (colour)
+        t.depth.ensure("depth beside the colour map", GL_DEPTH_COMPONENT32F, f.map_resolution, f.map_resolution);
+    else
+        t.depth = {};
+    const gl::Framebuffer into = colour ? gl::make_framebuffer("shadow map", &map, &t.depth, layer)
+                                        : gl::make_framebuffer("shadow map", nullptr, &map, -1, layer);
+    const GLuint framebuffer = into.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);
     const DepthConvention& convention = view.curve.convention;
@@ -111,80 +116,94 @@ void draw_view(FrameState& f, const gl::Target& map, bool unfiltered, const Fitt
 
 }  // namespace
 
-void add_light_depth_passes(FrameState& f, std::vector<Pass>& plan) {
-    bool any = false;
-    for (const FittedLight& light : f.gl.fitted) any |= light.casts;
-    if (any) ensure_maps(f);
-    f.maps_key = Key();
+bool FrameState::blurs_depths() const {
+    return settings.map.blur_texels > 0 && view_count > 0;
+}
+
+void place_compared_maps(FrameState& f, const gl::Target& maps) {
+    f.plan.place(Result::ShadowMaps, {&maps, kShadowMap, &f.gl.map_nearest});
+    if (f.settings.map.format != int(MapFormat::Colour))
+        f.plan.place(Result::ShadowMaps, {&maps, kShadowMapCompare, &f.gl.map_compare});
+}
+
+void add_light_depth_passes(FrameState& f) {
+    DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
+    f.plan.place(Result::DrawnMaps, {&t.maps, kShadowMap, &f.gl.map_nearest});
+    std::vector<ResultRef> writes = {Result::DrawnMaps};
+    if (!f.blurs_depths()) {
+        writes.push_back(Result::ShadowMaps);
+        place_compared_maps(f, t.maps);
+    }
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         const FittedLight& light = f.gl.fitted[i];
         Pass pass;
         pass.name = fmt::format("shadow map {} ({})", i, type_name(light.type));
         pass.category = PassCategory::Maps;
-        pass.writes = {Result::ShadowMaps};
+        pass.writes = writes;
         pass.idle_reason = "nothing samples a shadow map";
         if (!light.casts) {
             pass.unneeded = light.reason;
-            plan.push_back(std::move(pass));
+            f.plan.add(std::move(pass));
             continue;
         }
         Key key = f.geometry_key;
-        key.add(f.map_resolution).add(f.settings.map.format).add(f.settings.caster.cull);
+        key.add(f.map_resolution).add(f.map_layers()).add(f.settings.map.format).add(f.settings.caster.cull);
         key.add(f.settings.bias.raster_slope).add(f.settings.bias.raster_units).add(f.settings.bias.raster_clamp);
         for (const LightView& v : light.views)
             key.add(v.clip_from_relative(light.map_origin))
                 .add(v.curve.convention.zero_to_one)
                 .add(v.curve.convention.reversed);
         key.add(light.map_origin).add(f.first_view[i]).add(f.gl.programs.source().generation());
-        f.maps_key.add(key);
         pass.key = key.value();
-        pass.cached = &f.gl.map_keys[i];
-        pass.run = [&f, i](PassInfo& info) {
+        pass.cached = &t.keys[i];
+        pass.run = [&f, &t, i](PassInfo& info) {
+            // A light that is not in this frame would take its layers for kept.
+            if (ensure_maps(f, t.maps, "shadow maps")) t.keys = {};
             const FittedLight& l = f.gl.fitted[i];
             for (std::size_t v = 0; v < l.views.size(); ++v)
-                draw_view(f, f.gl.map, false, l, l.views[v], f.first_view[i] + int(v), info);
+                draw_view(f, false, l, l.views[v], f.first_view[i] + int(v), info);
             const auto& batches = f.gl.scene->batches();
             const bool masks = std::any_of(batches.begin(), batches.end(),
                                            [](const Batch& b) { return b.cast && b.masked && !b.blend; });
             info.reason +=
                 masks ? "; masked materials bring their alpha test" : "; no masked material, so no alpha variant";
         };
-        plan.push_back(std::move(pass));
+        f.plan.add(std::move(pass));
     }
     if (f.gl.fitted.empty())
-        plan.push_back({.name = "shadow maps",
-                        .category = PassCategory::Maps,
-                        .writes = {Result::ShadowMaps},
-                        .unneeded = "there are no lights"});
+        f.plan.add({.name = "shadow maps",
+                    .category = PassCategory::Maps,
+                    .writes = std::move(writes),
+                    .unneeded = "there are no lights"});
 }
 
-void add_unfiltered_map_pass(FrameState& f, std::vector<Pass>& plan) {
+void add_unfiltered_map_pass(FrameState& f) {
+    DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
     Pass pass;
     pass.name = "unfiltered map";
     pass.category = PassCategory::Tool;
-    pass.reads = {Result::ShadowMaps};
+    pass.reads = {Result::DrawnMaps};
     pass.writes = {Result::UnfilteredMap};
     pass.idle_reason = "nothing asks what is wrong";
-    if (f.view_count == 0) {
-        pass.unneeded = "no light has a shadow map";
-    } else if (!f.draws_unfiltered()) {
-        pass.unneeded = "the map as drawn is it: no polygon offset, no mask with mip levels";
-        f.gl.map_unfiltered = {};
+    const bool own = f.view_count > 0 && f.draws_unfiltered();
+    f.plan.place(Result::UnfilteredMap, {own ? &t.unfiltered : &t.maps, kUnfilteredMap, &f.gl.map_nearest});
+    if (!own) {
+        pass.unneeded = f.view_count == 0 ? "no light has a shadow map"
+                                          : "the map as drawn is it: no polygon offset, no mask with mip levels";
+        if (f.view_count > 0) f.plan.release([&t] { t.unfiltered = {}; });
     } else {
-        Key key = f.maps_key;
-        pass.key = key.add("unfiltered").value();
-        pass.cached = &f.gl.map_unfiltered.key;
-        pass.run = [&f](PassInfo& info) {
-            f.gl.map_unfiltered.ensure("unfiltered shadow maps", f.gl.map.format, f.map_resolution, f.map_resolution,
-                                       f.gl.map.layers);
+        pass.key = Key().add("unfiltered").value();
+        pass.cached = &t.unfiltered.key;
+        pass.run = [&f, &t](PassInfo& info) {
+            ensure_maps(f, t.unfiltered, "unfiltered shadow maps");
             for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
                 const FittedLight& l = f.gl.fitted[i];
                 for (std::size_t v = 0; l.casts && v < l.views.size(); ++v)
-                    draw_view(f, f.gl.map_unfiltered, true, l, l.views[v], f.first_view[i] + int(v), info);
+                    draw_view(f, true, l, l.views[v], f.first_view[i] + int(v), info);
             }
         };
     }
-    plan.push_back(std::move(pass));
+    f.plan.add(std::move(pass));
 }
 
 }  // namespace si

@@ -1,11 +1,20 @@
 // Where in the shown light's map each pixel's kernel is centred.
 #include <algorithm>
 
-#include "renderer/frame/state.h"
+#include "renderer/passes/camera_pass.h"
 
 namespace si {
+namespace {
 
-void add_map_coordinates_pass(FrameState& f, std::vector<Pass>& plan) {
+struct CoordinateTargets {
+    gl::Target coordinates;
+};
+
+}  // namespace
+
+void add_map_coordinates_pass(FrameState& f) {
+    gl::Target& coordinates = f.gl.owned.get<CoordinateTargets>().coordinates;
+    f.plan.place(Result::MapCoordinates, {&coordinates});
     Pass pass;
     pass.name = "map coordinates";
     pass.category = PassCategory::Tool;
@@ -13,26 +22,19 @@ void add_map_coordinates_pass(FrameState& f, std::vector<Pass>& plan) {
     pass.idle_reason = "nobody asks which texels are read";
     if (!f.shown_view()) {
         pass.unneeded = "the light shown has no map";
-        plan.push_back(std::move(pass));
+        f.plan.add(std::move(pass));
         return;
     }
-    Key key = f.camera_key;
-    key.add(f.geometry_key).add(f.lights_key).add(f.settings.view.light).add(f.gl.programs.source().generation());
-    pass.key = key.value();
-    pass.cached = &f.gl.map_coordinates.key;
-    pass.run = [&f](PassInfo& info) {
-        f.gl.map_coordinates.ensure("map coordinates", GL_RGBA32F, f.request.width, f.request.height);
-        f.gl.map_coordinates_framebuffer =
-            gl::make_framebuffer("map coordinates", &f.gl.map_coordinates, &f.gl.camera_depth);
-        const GLuint framebuffer = f.gl.map_coordinates_framebuffer.id();
-        f.begin_camera_pass(framebuffer);
-        const glm::vec4 nothing(0);
-        glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &nothing.x);
+    pass.key = f.lighting_key().add(f.settings.view.light).value();
+    pass.cached = &coordinates.key;
+    pass.run = [&f, &coordinates](PassInfo& info) {
         const int last = std::max(int(f.gl.fitted.size()) - 1, 0);
         const int light = std::clamp(f.settings.view.light, 0, last);
-        f.draw_from_camera("passes/map_coordinates.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);
+        CameraPass(f, "map coordinates", GL_RGBA32F, coordinates)
+            .clear(glm::vec4(0))
+            .draw("passes/map_coordinates.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);
     };
-    plan.push_back(std::move(pass));
+    f.plan.add(std::move(pass));
 }
 
 }  // namespace si

@@ -7,51 +7,50 @@
 namespace si {
 namespace {
 
+struct MapViewTargets {
+    gl::Target picture, range;
+    glm::vec2 drawn{0, 1};  ///< smallest and largest drawn depth, as `range` has them
+};
+
 constexpr int kLargestPicture = 4096;
 constexpr int kBlocks = 64;  ///< per axis, of which the GPU finds the range
 
-/// Binds what shaders/lib/shown_depth.glsl reads.
+/// Sets what shaders/lib/shown_depth.glsl reads.
 GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
     const bool camera = f.settings.view.map_source == int(MapSource::Camera);
     std::vector<gl::Define> extra;
     if (camera) extra.push_back({"FROM_CAMERA", "1"});
     const GLuint id = f.program("passes/fullscreen.vert.glsl", fragment, std::move(extra));
     glUseProgram(id);
-    if (camera) {
-        glBindTextureUnit(kShadowMap, f.gl.camera_depth.texture.id());
-        glBindSampler(kShadowMap, 0);
-    } else {
-        f.bind_maps();
-        glUniform1i(glGetUniformLocation(id, "layer"), layer);
-    }
+    if (!camera) glUniform1i(glGetUniformLocation(id, "layer"), layer);
     const DepthCurve& curve = *f.shown_curve();
     glUniform4f(glGetUniformLocation(id, "curve"), float(curve.near), float(curve.far), curve.perspective ? 1.f : 0.f,
                 curve.convention.reversed ? 1.f : 0.f);
     return id;
 }
 
-Pass range_pass(FrameState& f, const Key& shown, int layer) {
+Pass range_pass(FrameState& f, MapViewTargets& t, const Key& shown, int layer) {
+    f.plan.place(Result::DepthRange, {&t.range});
     Pass pass;
     pass.name = "drawn depth range";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::DepthRange};
     if (!f.fits_greys()) pass.unneeded = "view.map_fit does not ask for it";
     pass.key = shown.value();
-    pass.cached = &f.gl.depth_range.key;
-    pass.run = [&f, layer](PassInfo& info) {
-        f.gl.depth_range.ensure("drawn depth range", GL_RG32F, kBlocks, kBlocks);
-        f.gl.depth_range_framebuffer = gl::make_framebuffer("drawn depth range", &f.gl.depth_range, nullptr);
-        f.begin_fullscreen_pass(f.gl.depth_range_framebuffer.id(), kBlocks, kBlocks);
+    pass.cached = &t.range.key;
+    pass.run = [&f, &t, layer](PassInfo& info) {
+        t.range.ensure("drawn depth range", GL_RG32F, kBlocks, kBlocks);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("drawn depth range", &t.range, nullptr);
+        f.begin_fullscreen_pass(framebuffer.id(), kBlocks, kBlocks);
         const GLuint id = use_program(f, "passes/depth_range.frag.glsl", layer);
         glUniform2i(glGetUniformLocation(id, "blocks"), kBlocks, kBlocks);
         FrameState::draw_fullscreen(info);
-        glBindTextureUnit(kShadowMap, 0);
         std::vector<glm::vec2> blocks(std::size_t(kBlocks) * kBlocks);
-        glGetTextureImage(f.gl.depth_range.texture.id(), 0, GL_RG, GL_FLOAT, GLsizei(blocks.size() * sizeof(glm::vec2)),
+        glGetTextureImage(t.range.texture.id(), 0, GL_RG, GL_FLOAT, GLsizei(blocks.size() * sizeof(glm::vec2)),
                           blocks.data());
         glm::vec2 range = blocks[0];
         for (const glm::vec2& b : blocks) range = {std::min(range.x, b.x), std::max(range.y, b.y)};
-        f.gl.drawn_range = range;
+        t.drawn = range;
     };
     return pass;
 }
@@ -69,7 +68,7 @@ bool FrameState::fits_greys() const {
 }
 
 glm::vec2 FrameState::grey_range() const {
-    const glm::vec2 drawn = gl.drawn_range;
+    const glm::vec2 drawn = gl.owned.get<MapViewTargets>().drawn;
     if (!fits_greys() || drawn.x > drawn.y) return {settings.view.map_black, settings.view.map_white};
     const auto view = MapView(settings.view.map);
     double lo = shown_depth(drawn.x, *shown_curve(), view), hi = shown_depth(drawn.y, *shown_curve(), view);
@@ -79,7 +78,9 @@ glm::vec2 FrameState::grey_range() const {
     return {lo, hi};
 }
 
-void add_map_view_passes(FrameState& f, std::vector<Pass>& plan) {
+void add_map_view_passes(FrameState& f) {
+    MapViewTargets& t = f.gl.owned.get<MapViewTargets>();
+    f.plan.place(Result::MapView, {&t.picture});
     const ViewSettings& v = f.settings.view;
     const bool camera = v.map_source == int(MapSource::Camera);
     int layer = 0;
@@ -93,40 +94,36 @@ void add_map_view_passes(FrameState& f, std::vector<Pass>& plan) {
     if (!camera && !view) {
         const bool exists = std::size_t(v.light) < f.gl.fitted.size();
         pass.unneeded = exists ? f.gl.fitted[std::size_t(v.light)].reason : "there is no such light";
-        plan.push_back(std::move(pass));
+        f.plan.add(std::move(pass));
         return;
     }
     Key shown;
-    shown.add(v.map_source);
-    if (camera)
-        shown.add(f.camera_depth_key());
-    else
-        shown.add(f.maps_key).add(layer).add(f.gl.programs.source().generation());
-    Pass range = range_pass(f, shown, layer);
+    shown.add(v.map_source).add(f.gl.programs.source().generation());
+    if (!camera) shown.add(layer);
+    Pass range = range_pass(f, t, shown, layer);
     range.reads = pass.reads;
     range.idle_reason = pass.idle_reason;
     if (f.fits_greys()) pass.reads.push_back(Result::DepthRange);
-    plan.push_back(std::move(range));
+    f.plan.add(std::move(range));
     Key key = shown;
     key.add(v.map).add(v.map_black).add(v.map_white).add(v.band_low).add(v.band_high).add(v.map_fit);
     pass.key = key.value();
-    pass.cached = &f.gl.map_view.key;
-    pass.run = [&f, camera, layer](PassInfo& info) {
+    pass.cached = &t.picture.key;
+    pass.run = [&f, &t, camera, layer](PassInfo& info) {
         glm::ivec2 size = camera ? glm::ivec2(f.request.width, f.request.height) : glm::ivec2(f.map_resolution);
         if (const int most = std::max(size.x, size.y); most > kLargestPicture)
             size = glm::max(size * kLargestPicture / most, glm::ivec2(1));
-        f.gl.map_view.ensure("map viewer", GL_RGBA8, size.x, size.y);
-        f.gl.map_view_framebuffer = gl::make_framebuffer("map viewer", &f.gl.map_view, nullptr);
-        f.begin_fullscreen_pass(f.gl.map_view_framebuffer.id(), size.x, size.y);
+        t.picture.ensure("map viewer", GL_RGBA8, size.x, size.y);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("map viewer", &t.picture, nullptr);
+        f.begin_fullscreen_pass(framebuffer.id(), size.x, size.y);
         const GLuint id = use_program(f, "passes/map_view.frag.glsl", layer);
         const ViewSettings& s = f.settings.view;
         const glm::vec2 greys = f.grey_range();
         glUniform1i(glGetUniformLocation(id, "mode"), s.map);
         glUniform4f(glGetUniformLocation(id, "range"), greys.x, greys.y, float(s.band_low), float(s.band_high));
         FrameState::draw_fullscreen(info);
-        glBindTextureUnit(kShadowMap, 0);
     };
-    plan.push_back(std::move(pass));
+    f.plan.add(std::move(pass));
 }
 
 }  // namespace si

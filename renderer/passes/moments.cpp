@@ -9,7 +9,6 @@ namespace {
 
 struct MomentTargets {
     gl::Target moments, rows;  ///< RG32F: a layer a view, and one layer along x only
-    gl::Sampler sampler;
 };
 
 /// Stored depths along x into `rows`, then those along y into the layer.
@@ -33,36 +32,18 @@ void sum_moments(FrameState& f, MomentTargets& t, const gl::Framebuffer& rows, c
     draw(whole.id(), "1");
 }
 
-/// Beyond the map's sides as the maps' own sampler has it, a bilinear blend within.
-void set_moments_sampler(const FrameState& f, gl::Sampler& sampler) {
-    if (!sampler) sampler = gl::Sampler::create("moments");
-    const MapSettings& m = f.settings.map;
-    set_map_wrap(sampler.id(), m, m.outside == int(Outside::Lit) ? 1.f : 0.f);
-    glSamplerParameteri(sampler.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glSamplerParameteri(sampler.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-}
-
-}  // namespace
-
 bool samples_moments(const FrameState& f) {
     return f.view_count > 0 && filter_of(f.settings).samples == Samples::Moments;
 }
+
+}  // namespace
 
 std::vector<ResultRef> lookup_reads(const FrameState& f) {
     if (samples_moments(f)) return {Result::ShadowMaps, Result::Moments};
     return {Result::ShadowMaps};
 }
 
-void bind_moments(const FrameState& f) {
-    if (!samples_moments(f)) return;
-    MomentTargets& t = f.gl.owned.get<MomentTargets>();
-    if (!t.moments.texture) return;
-    set_moments_sampler(f, t.sampler);
-    glBindTextureUnit(kMoments, t.moments.texture.id());
-    glBindSampler(kMoments, t.sampler.id());
-}
-
-void add_moments_pass(FrameState& f, std::vector<Pass>& plan) {
+void add_moments_pass(FrameState& f) {
     Pass pass;
     pass.name = "moments";
     pass.reads = {Result::ShadowMaps};
@@ -72,20 +53,20 @@ void add_moments_pass(FrameState& f, std::vector<Pass>& plan) {
     if (!samples_moments(f)) {
         pass.unneeded =
             f.view_count == 0 ? "no light has a shadow map" : "filter.kernel reads depths, not their mean and variance";
-        f.gl.owned.drop<MomentTargets>();
-        plan.push_back(std::move(pass));
+        f.plan.release([&f] { f.gl.owned.drop<MomentTargets>(); });
+        f.plan.add(std::move(pass));
         return;
     }
     MomentTargets& t = f.gl.owned.get<MomentTargets>();
+    f.plan.place(Result::Moments, {&t.moments, kMoments, &f.gl.map_blended});
     const int radius = f.settings.filter.blur;
-    Key key = f.maps_key;
-    pass.key = key.add(radius).value();
-    if (t.moments.ensure("moments", GL_RG32F, f.map_resolution, f.map_resolution, f.gl.map.layers)) t.moments.key = 0;
+    pass.key = Key().add(radius).value();
     pass.cached = &t.moments.key;
     pass.run = [&f, &t, radius](PassInfo& info) {
-        t.rows.ensure("moments along x", GL_RG32F, f.map_resolution, f.map_resolution);
+        const int n = f.map_resolution;
+        t.moments.ensure("moments", GL_RG32F, n, n, f.map_layers());
+        t.rows.ensure("moments along x", GL_RG32F, n, n);
         const auto rows = gl::make_framebuffer("moments along x", &t.rows, nullptr);
-        f.bind_maps();
         for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
             const FittedLight& light = f.gl.fitted[i];
             for (std::size_t v = 0; light.casts && v < light.views.size(); ++v)
@@ -93,7 +74,7 @@ void add_moments_pass(FrameState& f, std::vector<Pass>& plan) {
         }
         info.reason += fmt::format("; mean and mean square of {0} x {0} texels' depths", 2 * radius + 1);
     };
-    plan.push_back(std::move(pass));
+    f.plan.add(std::move(pass));
 }
 
 }  // namespace si

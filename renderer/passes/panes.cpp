@@ -3,12 +3,28 @@
 
 #include <algorithm>
 
-#include "renderer/frame/state.h"
+#include "renderer/frame/value_range.h"
+#include "renderer/passes/camera_pass.h"
 
 namespace si {
 namespace {
 
 using ShownPane = FrameState::ShownPane;
+
+/// What one pane draws into, and the range fitted to its values.
+struct PaneTargets {
+    gl::Target values, composed;
+    ValueRange fitted;
+    std::uint64_t fitted_key = 0;  ///< of the values that `fitted` was found in
+};
+
+struct AllPanes {
+    std::array<PaneTargets, kMaxPanes> slots;
+};
+
+PaneTargets& targets_of(const FrameState& f, const ShownPane& pane) {
+    return f.gl.owned.get<AllPanes>().slots[std::size_t(pane.slot)];
+}
 
 /// The name of a slot's pass or result: plain for the first.
 std::string slot_name(std::string_view name, const ShownPane& pane) {
@@ -63,7 +79,7 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
     pass.reads = lookup_reads(f);
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
     if (pane.row() && pane.row()->reads_truth) pass.reads.insert(pass.reads.end(), {Result::Truth, Result::Judged});
-    pass.writes = {ResultRef{Result::Overlay, pane.slot}};
+    pass.writes = {{Result::Overlay, pane.slot}};
     pass.idle_reason = "the overlay was not asked for";
     if (!pane.row()) {
         pass.unneeded = pane.lacks_truth ? "the truth about this frame is not traced" : "no overlay is chosen";
@@ -71,55 +87,47 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
     }
     // Where nothing writes depth, it has to be there.
     if (pane.row()->draw != OverlayDraw::Fragments) pass.reads.push_back(Result::CameraDepth);
-    PaneTargets& t = f.gl.panes[std::size_t(pane.slot)];
-    Key key = f.camera_key;
-    key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(pane.overlay).add(f.settings.view.light);
-    key.add(f.settings.view.face).add(f.separate_visibility).add(f.gl.programs.source().generation());
-    if (pane.row()->reads_truth) key.add(f.truth_content);
+    PaneTargets& t = targets_of(f, pane);
+    f.plan.place({Result::Overlay, pane.slot}, {&t.values, kOverlayValues});
+    Key key = f.lighting_key();
+    key.add(pane.overlay).add(f.settings.view.light).add(f.settings.view.face).add(f.separate_visibility);
     pass.key = key.value();
     pass.cached = &t.values.key;
     pass.run = [&f, &t, pane](PassInfo& info) {
-        t.values.ensure("overlay values", GL_RGBA32F, f.request.width, f.request.height);
-        t.values_framebuffer = gl::make_framebuffer("overlay values", &t.values, &f.gl.camera_depth);
-        const GLuint framebuffer = t.values_framebuffer.id();
-        f.begin_camera_pass(framebuffer);
-        const glm::vec4 nothing(0);
-        glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &nothing.x);
-        if (f.separate_visibility) glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
-        if (pane.row()->reads_truth) bind_truth(f);
+        CameraPass draw(f, "overlay values", GL_RGBA32F, t.values);
+        draw.clear(glm::vec4(0));
         const DrawState state(pane.row()->draw, f.camera.curve.convention.reversed);
-        f.draw_from_camera("passes/overlay.frag.glsl", overlay_defines(f, *pane.row()), info);
+        draw.draw("passes/overlay.frag.glsl", overlay_defines(f, *pane.row()), info);
     };
     return pass;
 }
 
-Pass compose_pass(FrameState& f, const ShownPane& pane, std::uint64_t values_key, std::uint64_t shaded_key) {
+Pass compose_pass(FrameState& f, const ShownPane& pane) {
     Pass pass;
     pass.name = slot_name("overlay over picture", pane);
-    pass.reads = {Result::Shaded, ResultRef{Result::Overlay, pane.slot}};
-    pass.writes = {ResultRef{Result::Composed, pane.slot}};
+    pass.reads = {Result::Shaded, {Result::Overlay, pane.slot}};
+    pass.writes = {{Result::Composed, pane.slot}};
     pass.idle_reason = "the picture was not asked for";
     if (!pane.row()) {
         pass.unneeded = "no overlay is chosen";
         return pass;
     }
-    PaneTargets& t = f.gl.panes[std::size_t(pane.slot)];
+    PaneTargets& t = targets_of(f, pane);
+    f.plan.place({Result::Composed, pane.slot}, {&t.composed});
     const ViewSettings& v = f.settings.view;
     Key key;
-    key.add(values_key).add(shaded_key).add(v.overlay_opacity).add(v.overlay_range);
+    key.add(v.overlay_opacity).add(v.overlay_range);
     // A fitted range follows from the values.
     if (v.overlay_range == int(OverlayRange::Manual)) key.add(v.overlay_min).add(v.overlay_max).add(v.overlay);
     pass.key = key.value();
     pass.cached = &t.composed.key;
     pass.run = [&f, &t, pane](PassInfo& info) {
         t.composed.ensure("picture with overlay", GL_RGBA8, f.request.width, f.request.height);
-        t.composed_framebuffer = gl::make_framebuffer("picture with overlay", &t.composed, nullptr);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("picture with overlay", &t.composed, nullptr);
         const ValueRange range = f.range_of(pane);
-        f.begin_fullscreen_pass(t.composed_framebuffer.id(), f.request.width, f.request.height);
+        f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
         const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/compose.frag.glsl");
         glUseProgram(id);
-        glBindTextureUnit(kShaded, f.gl.shaded.texture.id());
-        glBindTextureUnit(kOverlayValues, t.values.texture.id());
         glUniform4f(glGetUniformLocation(id, "scale"), range.min, range.max, float(f.settings.view.overlay_opacity),
                     pane.row()->diverging ? 1.f : 0.f);
         glUniform1i(glGetUniformLocation(id, "scalar"), pane.row()->scalar);
@@ -129,12 +137,12 @@ Pass compose_pass(FrameState& f, const ShownPane& pane, std::uint64_t values_key
     return pass;
 }
 
-Pass slabs_over(FrameState& f, const ShownPane& pane, std::uint64_t composed_key, std::uint64_t shaded_key) {
-    Pass pass = slabs_pass(f, pane, pane.row() ? composed_key : shaded_key);
+Pass slabs_over(FrameState& f, const ShownPane& pane) {
+    Pass pass = slabs_pass(f, pane);
     pass.name = slot_name("texel slabs", pane);
-    pass.reads = {pane.row() ? ResultRef{Result::Composed, pane.slot} : ResultRef{Result::Shaded}, Result::CameraDepth,
+    pass.reads = {pane.row() ? ResultRef(Result::Composed, pane.slot) : Result::Shaded, Result::CameraDepth,
                   Result::ShadowMaps};
-    pass.writes = {ResultRef{Result::Slabs, pane.slot}};
+    pass.writes = {{Result::Slabs, pane.slot}};
     pass.idle_reason = "the picture was not asked for";
     return pass;
 }
@@ -150,17 +158,11 @@ ResultRef FrameState::values_of(const ShownPane& pane) const {
     return ResultRef{Result::Overlay, pane.slot};
 }
 
-const gl::Target& FrameState::target_of(const ShownPane& pane) const {
-    const PaneTargets& t = gl.panes[std::size_t(pane.slot)];
-    if (slabs_shown) return t.slabs;
-    return pane.row() ? t.composed : gl.shaded;
-}
-
 ValueRange FrameState::range_of(const ShownPane& pane) const {
     const ViewSettings& v = settings.view;
     if (!pane.row()) return {};
     const Overlay& row = *pane.row();
-    PaneTargets& t = gl.panes[std::size_t(pane.slot)];
+    PaneTargets& t = targets_of(*this, pane);
     if (v.overlay_range == int(OverlayRange::Manual) && pane.overlay == v.overlay)
         return {float(v.overlay_min), float(v.overlay_max)};
     const ValueRange declared{float(row.min), float(row.max)};
@@ -176,19 +178,15 @@ ValueRange FrameState::range_of(const ShownPane& pane) const {
     return t.fitted;
 }
 
-void add_pane_passes(FrameState& f, std::vector<Pass>& plan) {
-    const std::uint64_t shaded_key = plan.back().key;  // the shading pass stands just before
+void add_pane_passes(FrameState& f) {
     for (std::size_t i = 0; i < f.panes.size(); ++i) {
         const ShownPane& pane = f.panes[i];
         if (pane.slot != int(i)) continue;  // an earlier pane shows the same
-        Pass values = values_pass(f, pane);
-        Pass compose = compose_pass(f, pane, values.key, shaded_key);
-        Pass slabs = slabs_over(f, pane, compose.key, shaded_key);
         if (pane.row() || i == 0) {
-            plan.push_back(std::move(values));
-            plan.push_back(std::move(compose));
+            f.plan.add(values_pass(f, pane));
+            f.plan.add(compose_pass(f, pane));
         }
-        plan.push_back(std::move(slabs));
+        f.plan.add(slabs_over(f, pane));
     }
 }
 

@@ -1,28 +1,34 @@
 // The surfaces that the camera sees, pixel by pixel, for passes that evaluate some of them again.
-#include "renderer/frame/state.h"
+#include "renderer/passes/camera_pass.h"
 
 namespace si {
+namespace {
 
-void add_seen_surfaces_pass(FrameState& f, std::vector<Pass>& plan) {
+struct SeenSurfaces {
+    std::array<gl::Target, kSeenImages> images;  ///< RGBA32F; the key of all is the first one's
+};
+
+}  // namespace
+
+void add_seen_surfaces_pass(FrameState& f) {
+    std::array<gl::Target, kSeenImages>& images = f.gl.owned.get<SeenSurfaces>().images;
+    for (int i = 0; i < kSeenImages; ++i)
+        f.plan.place(Result::SurfacesSeen, {&images[std::size_t(i)], int(kSeenSurfaces) + i});
     Pass pass;
     pass.name = "surfaces seen";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::SurfacesSeen};
     pass.idle_reason = "nothing evaluates pixels again";
-    Key key = f.camera_depth_key();
-    pass.key = key.add(f.settings.bias.normal_source).value();
-    pass.cached = &f.gl.seen[0].key;
-    pass.run = [&f](PassInfo& info) {
+    pass.key = f.surfaces_key().add(f.settings.bias.normal_source).value();
+    pass.cached = &images[0].key;
+    pass.run = [&f, &images](PassInfo& info) {
         const bool own_normal = f.settings.bias.normal_source != int(NormalSource::Geometric);
-        const std::span<gl::Target> images = std::span(f.gl.seen).first(own_normal ? 3 : 2);
-        if (!own_normal) f.gl.seen[2] = {};
-        for (gl::Target& t : images) t.ensure("surfaces seen", GL_RGBA32F, f.request.width, f.request.height);
-        f.gl.seen_framebuffer = gl::make_framebuffer("surfaces seen", images, f.gl.camera_depth);
-        f.begin_camera_pass(f.gl.seen_framebuffer.id());
+        if (!own_normal) images[2] = {};
         // Where there is nothing, nobody reads.
-        f.draw_from_camera("passes/seen_surfaces.frag.glsl", {}, info);
+        CameraPass(f, "surfaces seen", GL_RGBA32F, std::span(images).first(own_normal ? 3 : 2))
+            .draw("passes/seen_surfaces.frag.glsl", {}, info);
     };
-    plan.push_back(std::move(pass));
+    f.plan.add(std::move(pass));
 }
 
 void bind_seen_surfaces(std::span<const gl::Target, kSeenImages> seen) {

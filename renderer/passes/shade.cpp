@@ -1,10 +1,15 @@
 // The lit picture. Evaluates visibility itself unless the visibility texture exists anyway.
 #include <algorithm>
 
-#include "renderer/frame/state.h"
+#include "renderer/passes/camera_pass.h"
 
 namespace si {
 namespace {
+
+struct ShadedTargets {
+    gl::Target picture, true_picture;
+    gl::Target true_visibility;  ///< as Result::Visibility
+};
 
 constexpr glm::vec4 kBackground(0.155f, 0.165f, 0.185f, 1.f);  // sRGB; calm, darker than any lit surface
 
@@ -34,25 +39,20 @@ void draw_blended(const FrameState& f, PassInfo& info) {
     glDepthMask(GL_TRUE);
 }
 
-/// @param visibility a layer a light; null: evaluated by the shader
-void draw_picture(FrameState& f, gl::Target& target, gl::Framebuffer& framebuffer, const gl::Target* visibility,
-                  PassInfo& info) {
-    target.ensure("shaded picture", GL_RGBA8, f.request.width, f.request.height);
-    framebuffer = gl::make_framebuffer("shaded picture", &target, &f.gl.camera_depth);
-    f.begin_camera_pass(framebuffer.id());
-    glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, 0, &kBackground.x);
+/// @param separate visibility is bound, and not evaluated by the shader
+void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& info) {
     std::vector<gl::Define> extra;
-    if (visibility) {
-        extra.push_back({"SEPARATE_VISIBILITY", "1"});
-        glBindTextureUnit(kVisibility, visibility->texture.id());
-    }
-    f.draw_from_camera("passes/shade.frag.glsl", extra, info);
+    if (separate) extra.push_back({"SEPARATE_VISIBILITY", "1"});
+    CameraPass pass(f, "shaded picture", GL_RGBA8, target);
+    pass.clear(kBackground).draw("passes/shade.frag.glsl", extra, info);
     draw_blended(f, info);
 }
 
 }  // namespace
 
-void add_true_shade_pass(FrameState& f, std::vector<Pass>& plan) {
+void add_true_shade_pass(FrameState& f) {
+    ShadedTargets& t = f.gl.owned.get<ShadedTargets>();
+    f.plan.place(Result::TruePicture, {&t.true_picture});
     Pass pass;
     pass.name = "shading by the truth";
     pass.reads = lookup_reads(f);
@@ -62,42 +62,37 @@ void add_true_shade_pass(FrameState& f, std::vector<Pass>& plan) {
     pass.idle_reason = "nobody asks for the true picture";
     if (!f.truth.met) {
         pass.unneeded = "the truth about this frame is not traced";
-        plan.push_back(std::move(pass));
+        f.plan.add(std::move(pass));
         return;
     }
-    Key key = f.camera_key;
-    key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(f.truth.key);
-    key.add(f.settings.view.light).add(f.gl.programs.source().generation());
-    pass.key = key.value();
-    pass.cached = &f.gl.true_shaded.key;
-    pass.run = [&f](PassInfo& info) {
-        const gl::Target& drawn = f.gl.visibility;
-        gl::Target& visibility = f.gl.true_visibility;
+    pass.key = f.lighting_key().add(f.truth.key).add(f.settings.view.light).value();
+    pass.cached = &t.true_picture.key;
+    pass.run = [&f, &t](PassInfo& info) {
+        const gl::Target& drawn = f.result(Result::Visibility);
+        gl::Target& visibility = t.true_visibility;
         visibility.ensure("visibility by the truth", drawn.format, drawn.width, drawn.height, drawn.layers);
         glCopyImageSubData(drawn.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, visibility.texture.id(),
                            GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, drawn.width, drawn.height, drawn.layers);
         put_traced_visibility(*f.request.truth, visibility, f.settings.view.light);
-        draw_picture(f, f.gl.true_shaded, f.gl.true_shaded_framebuffer, &visibility, info);
+        glBindTextureUnit(kVisibility, visibility.texture.id());
+        draw_picture(f, t.true_picture, true, info);
     };
-    plan.push_back(std::move(pass));
+    f.plan.add(std::move(pass));
 }
 
-void add_shade_pass(FrameState& f, std::vector<Pass>& plan) {
+void add_shade_pass(FrameState& f) {
+    gl::Target& picture = f.gl.owned.get<ShadedTargets>().picture;
+    f.plan.place(Result::Shaded, {&picture, kShaded});
     Pass pass;
     pass.name = f.separate_visibility ? "shading (reads visibility)" : "shading (with visibility)";
     pass.reads = lookup_reads(f);
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
     pass.writes = {Result::Shaded};
     pass.idle_reason = "the picture was not asked for";
-    Key key = f.camera_key;
-    key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(f.separate_visibility);
-    key.add(f.gl.programs.source().generation());
-    pass.key = key.value();
-    pass.cached = &f.gl.shaded.key;
-    pass.run = [&f](PassInfo& info) {
-        draw_picture(f, f.gl.shaded, f.gl.shaded_framebuffer, f.separate_visibility ? &f.gl.visibility : nullptr, info);
-    };
-    plan.push_back(std::move(pass));
+    pass.key = f.lighting_key().add(f.separate_visibility).value();
+    pass.cached = &picture.key;
+    pass.run = [&f, &picture](PassInfo& info) { draw_picture(f, picture, f.separate_visibility, info); };
+    f.plan.add(std::move(pass));
 }
 
 }  // namespace si

@@ -58,7 +58,7 @@ void ShadowVolumes::learn_meshes(const FrameState& f) {
     corners_uploaded_ = false;
     meshes_.clear();
     meshes_.resize(f.scene.meshes.size());
-    for (Light& light : lights_) light.shape = light.drawn = 0;
+    for (Light& light : lights_) light.shape = 0;
 }
 
 void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, const VolumeLight& source) {
@@ -88,7 +88,6 @@ void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, cons
         if (part.first[list] > part.first[0]) light.parts.push_back(part);
     }
     light.index_count = light.indices.size();
-    light.buffer.reset();
 }
 
 std::string ShadowVolumes::estimate(const FrameState& f, const Light& light, const VolumeLight& source) const {
@@ -120,15 +119,11 @@ std::string ShadowVolumes::estimate(const FrameState& f, const Light& light, con
 void ShadowVolumes::arrange(const FrameState& f) {
     const std::vector<FittedLight>& fitted = f.gl.fitted;
     learn_meshes(f);
-    lights_.resize(fitted.size());
-    for (std::size_t i = 0; i < fitted.size(); ++i) {
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
         Light& light = lights_[i];
-        light.used = fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
+        light.used = i < fitted.size() && fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
         light.refusal.clear();
-        if (!light.used) {
-            light = {};
-            continue;
-        }
+        if (!light.used) continue;
         const VolumeLight source = volume_light(fitted[i]);
         Key shape = f.geometry_key;
         shape.add(ends_are_finite(f)).add(source.parallel).add(source.parallel ? source.to_light : source.position_ws);
@@ -142,6 +137,11 @@ void ShadowVolumes::arrange(const FrameState& f) {
                 "of closed surfaces: {}; volumes.allow_large draws them",
                 i, light.open_triangles, kMostOpen, estimate(f, light, source));
     }
+}
+
+void ShadowVolumes::forget_unused() {
+    for (Light& light : lights_)
+        if (!light.used) light = {};
 }
 
 void ShadowVolumes::upload_corners() {
@@ -172,15 +172,14 @@ void ShadowVolumes::copy_depth(const FrameState& f, PassInfo& info) {
         glNamedFramebufferTexture(counting_.id(), GL_STENCIL_ATTACHMENT, depth_stencil_.texture.id(), 0);
         depth_copied_ = 0;
     }
-    if (depth_copied_ == f.camera_depth_key().value() && !f.request.force) return;
+    if (depth_copied_ == f.surfaces_key().value() && !f.request.force) return;
     f.begin_fullscreen_pass(counting_.id(), width, height);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     glDepthMask(GL_TRUE);
     glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/volume_depth.frag.glsl"));
-    glBindTextureUnit(kVolumes, f.gl.camera_depth.texture.id());
     FrameState::draw_fullscreen(info);
-    depth_copied_ = f.camera_depth_key().value();
+    depth_copied_ = f.surfaces_key().value();
 }
 
 /// @param first, last of a part's lists: 0 caps, 1 turned caps, 2 the rest
@@ -199,10 +198,11 @@ void ShadowVolumes::draw_faces(const Light& light, int first, int last, PassInfo
 void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& info) {
     Light& light = lights_[number];
     upload_corners();
-    if (!light.buffer) {
+    if (light.uploaded != light.shape) {
         light.buffer = gl::Buffer::create("triangles of shadow volumes");
         glNamedBufferData(light.buffer.id(), GLsizeiptr(light.indices.size() * sizeof(std::uint32_t)),
                           light.indices.data(), GL_STATIC_DRAW);
+        light.uploaded = light.shape;
     }
     f.gl.scene->bind(f.scene, f.settings, f.origin, 0);
     f.gl.scene->lend_transforms(vao_.id(), kTransformBinding, 0);
@@ -279,12 +279,11 @@ Pass ShadowVolumes::pass(FrameState& f, std::size_t number) {
     pass.unneeded = light.refusal;
     if (!light.refusal.empty()) return pass;
     const int layers = int(f.gl.fitted.size());
-    if (lit_.ensure("lit outside of shadow volumes", GL_R8, f.request.width, f.request.height, layers))
-        for (Light& l : lights_) l.drawn = 0;
-    Key key = f.camera_depth_key();
-    pass.key = key.add(light.shape).value();
+    pass.key = f.surfaces_key().add(layers).add(light.shape).value();
     pass.cached = &light.drawn;
-    pass.run = [this, &f, number](PassInfo& info) {
+    pass.run = [this, &f, number, layers](PassInfo& info) {
+        if (lit_.ensure("lit outside of shadow volumes", GL_R8, f.request.width, f.request.height, layers))
+            for (Light& l : lights_) l.drawn = 0;
         copy_depth(f, info);
         count(f, number, info);
         const Light& l = lights_[number];
@@ -294,19 +293,21 @@ Pass ShadowVolumes::pass(FrameState& f, std::size_t number) {
     return pass;
 }
 
-void add_shadow_volume_passes(FrameState& f, std::vector<Pass>& plan) {
+void add_shadow_volume_passes(FrameState& f) {
     bool any = false;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         any |= f.gl.fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
     if (!any) {
-        f.gl.owned.drop<ShadowVolumes>();
+        f.plan.release([&f] { f.gl.owned.drop<ShadowVolumes>(); });
         return;
     }
     ShadowVolumes& volumes = f.gl.owned.get<ShadowVolumes>();
     volumes.arrange(f);
+    f.plan.place(Result::ShadowVolumes, {&volumes.lit(), kVolumes});
+    f.plan.release([&volumes] { volumes.forget_unused(); });
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.stencil) continue;
-        plan.push_back(volumes.pass(f, i));
+        f.plan.add(volumes.pass(f, i));
         if (!volumes.refusal(i).empty()) f.notes.push_back(volumes.refusal(i));
     }
 }

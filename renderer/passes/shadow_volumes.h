@@ -30,15 +30,15 @@ public:
     /// Finds the volumes of the frame's lights, unless they are known, and which are too large to be drawn unasked.
     void arrange(const FrameState& f);
     /// Whether the light's volumes are drawn.
-    bool draws(std::size_t light) const {
-        return light < lights_.size() && lights_[light].used && lights_[light].refusal.empty();
-    }
+    bool draws(std::size_t light) const { return lights_[light].used && lights_[light].refusal.empty(); }
     /// Why not; empty: they are, or the light's source is another.
     const std::string& refusal(std::size_t light) const { return lights_[light].refusal; }
     /// Volumes of a light into its layer of lit().
     Pass pass(FrameState& f, std::size_t light);
     /// R8, a layer a light: 1 where the surface that the camera sees lies in no volume.
     const gl::Target& lit() const { return lit_; }
+    /// Gives up the geometry of lights that have no volumes now.
+    void forget_unused();
 
 private:
     struct Part {
@@ -51,10 +51,11 @@ private:
         std::string refusal;
         std::uint64_t shape = 0;  ///< key of the triangles
         std::vector<Part> parts;
-        std::vector<std::uint32_t> indices;  ///< until they are uploaded
+        std::vector<std::uint32_t> indices;
         std::size_t index_count = 0, open_triangles = 0;
         gl::Buffer buffer;
-        std::uint64_t drawn = 0;  ///< key of the layer
+        std::uint64_t uploaded = 0;  ///< key of the triangles in `buffer`
+        std::uint64_t drawn = 0;     ///< key of the layer
     };
 
     void learn_meshes(const FrameState& f);
@@ -69,14 +70,11 @@ private:
     bool corners_uploaded_ = false;
     std::vector<std::unique_ptr<VolumeMesh>> meshes_;  ///< by mesh of the scene; null: nothing casts it
     std::vector<std::uint32_t> first_corner_;          ///< by mesh
-    std::vector<Light> lights_;
+    std::array<Light, kMaxLights> lights_;             ///< frames remember where the keys of their layers stand
     gl::VertexArray vao_;
     gl::Buffer corners_;
     gl::Target depth_stencil_, lit_;
     gl::Framebuffer counting_, marking_;
 };
-
-/// A pass for each light whose source are shadow volumes.
-void add_shadow_volume_passes(FrameState& f, std::vector<Pass>& plan);
 
 }  // namespace si

@@ -1,10 +1,20 @@
 // Texels of the shown light's map as quads in the scene, over a pane's picture.
 #include <algorithm>
 
-#include "renderer/frame/state.h"
+#include "renderer/frame/texel_slabs.h"
+#include "renderer/passes/camera_pass.h"
 
 namespace si {
 namespace {
+
+struct SlabTargets {
+    std::array<gl::Target, kMaxPanes> pictures;
+    gl::VertexArray vao;
+    gl::Buffer instances;
+    int count = 0;
+    std::vector<float> depths;  ///< stored depths of the region, bottom row first
+    std::uint64_t depths_key = 0, instances_key = 0;
+};
 
 struct Instance {
     glm::vec3 corners[4];  // relative to the frame's origin
@@ -14,14 +24,13 @@ static_assert(sizeof(Instance) == 52);
 
 constexpr float kHiddenStrength = 0.16f;  ///< of slabs behind surfaces: there, but not in the way
 
-void read_depths(FrameState& f, int layer, const TexelRegion& region) {
-    Key key = f.maps_key;
-    key.add(layer).add(region);
-    SlabResources& s = f.gl.slabs;
+void read_depths(const FrameState& f, SlabTargets& s, int layer, const TexelRegion& region) {
+    Key key;
+    key.add(f.plan.key_of(Result::ShadowMaps)).add(layer).add(region);
     if (s.depths_key == key.value()) return;
     s.depths.resize(std::size_t(region.size.x) * std::size_t(region.size.y));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    const gl::Target& map = f.gl.compared_map();
+    const gl::Target& map = f.result(Result::ShadowMaps);
     const GLenum format = map.format == GL_R32F ? GL_RED : GL_DEPTH_COMPONENT;
     if (!s.depths.empty())
         glGetTextureSubImage(map.texture.id(), 0, region.first.x, region.first.y, layer, region.size.x, region.size.y,
@@ -30,9 +39,9 @@ void read_depths(FrameState& f, int layer, const TexelRegion& region) {
 }
 
 /// Farthest from the camera first, so that they blend as they lie.
-void upload_instances(FrameState& f, const LightView& view, const TexelRegion& region) {
+void upload_instances(const FrameState& f, SlabTargets& s, const LightView& view, const TexelRegion& region) {
     std::vector<TexelSlab> slabs =
-        texel_slabs(view, f.settings.bias, f.map_resolution, region, f.gl.slabs.depths, Slabs(f.settings.view.slabs));
+        texel_slabs(view, f.settings.bias, f.map_resolution, region, s.depths, Slabs(f.settings.view.slabs));
     std::vector<std::pair<double, std::size_t>> order(slabs.size());
     for (std::size_t i = 0; i < slabs.size(); ++i) {
         const auto& c = slabs[i].corners;
@@ -45,7 +54,6 @@ void upload_instances(FrameState& f, const LightView& view, const TexelRegion& r
         for (std::size_t c = 0; c < 4; ++c) instances[i].corners[c] = glm::vec3(slab.corners[c] - f.origin);
         instances[i].biased = slab.biased ? 1.f : 0.f;
     }
-    SlabResources& s = f.gl.slabs;
     s.count = int(instances.size());
     if (!s.vao) {
         s.vao = gl::VertexArray::create("texel slabs");
@@ -62,10 +70,10 @@ void upload_instances(FrameState& f, const LightView& view, const TexelRegion& r
     glVertexArrayVertexBuffer(s.vao.id(), 0, s.instances.id(), 0, sizeof(Instance));
 }
 
-void draw_slabs(FrameState& f, PassInfo& info) {
+void draw_slabs(const FrameState& f, const SlabTargets& s, PassInfo& info) {
     const GLuint id = f.program("passes/slabs.vert.glsl", "passes/slabs.frag.glsl");
     glUseProgram(id);
-    glBindVertexArray(f.gl.slabs.vao.id());
+    glBindVertexArray(s.vao.id());
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -80,9 +88,9 @@ void draw_slabs(FrameState& f, PassInfo& info) {
         else
             glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
         glUniform1f(glGetUniformLocation(id, "strength"), hidden ? kHiddenStrength : 1.f);
-        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, f.gl.slabs.count);
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, s.count);
         ++info.draws;
-        info.triangles += 2 * std::uint64_t(f.gl.slabs.count);
+        info.triangles += 2 * std::uint64_t(s.count);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDepthMask(GL_TRUE);
@@ -91,7 +99,7 @@ void draw_slabs(FrameState& f, PassInfo& info) {
 
 }  // namespace
 
-Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane, std::uint64_t under_key) {
+Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane) {
     Pass pass;
     int layer = 0;
     const LightView* view = f.shown_view(&layer);
@@ -99,29 +107,27 @@ Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane, std::uint64_t 
         pass.unneeded = f.settings.view.slabs == int(Slabs::None) ? "view.slabs is none" : "the light shown has no map";
         return pass;
     }
+    SlabTargets& s = f.gl.owned.get<SlabTargets>();
+    gl::Target& picture = s.pictures[std::size_t(pane.slot)];
+    f.plan.place({Result::Slabs, pane.slot}, {&picture});
     const TexelRegion region = slab_region(f.settings.view, f.map_resolution);
-    Key slabs = f.maps_key;
-    slabs.add(layer).add(region).add(f.camera_key).add(f.settings.view.slabs);
+    Key slabs = f.camera_key;
+    slabs.add(f.plan.key_of(Result::ShadowMaps)).add(layer).add(region).add(f.settings.view.slabs);
     slabs.add(f.settings.bias.constant).add(f.settings.bias.unit);
-    Key key = slabs;
-    key.add(f.camera_depth_key()).add(under_key);
-    PaneTargets& t = f.gl.panes[std::size_t(pane.slot)];
-    const gl::Target& under = pane.row() ? t.composed : f.gl.shaded;
-    pass.key = key.value();
-    pass.cached = &t.slabs.key;
-    pass.run = [&f, &t, &under, view, layer, region, slabs_key = slabs.value()](PassInfo& info) {
-        if (f.gl.slabs.instances_key != slabs_key) {
-            read_depths(f, layer, region);
-            upload_instances(f, *view, region);
-            f.gl.slabs.instances_key = slabs_key;
+    pass.key = slabs.value();
+    pass.cached = &picture.key;
+    const ResultRef under = pane.row() ? ResultRef(Result::Composed, pane.slot) : Result::Shaded;
+    pass.run = [&f, &s, &picture, under, view, layer, region, slabs_key = slabs.value()](PassInfo& info) {
+        if (s.instances_key != slabs_key) {
+            read_depths(f, s, layer, region);
+            upload_instances(f, s, *view, region);
+            s.instances_key = slabs_key;
         }
         const int w = f.request.width, h = f.request.height;
-        t.slabs.ensure("picture with texel slabs", GL_RGBA8, w, h);
-        glCopyImageSubData(under.texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, t.slabs.texture.id(), GL_TEXTURE_2D, 0, 0, 0,
-                           0, w, h, 1);
-        t.slabs_framebuffer = gl::make_framebuffer("picture with texel slabs", &t.slabs, &f.gl.camera_depth);
-        f.begin_camera_pass(t.slabs_framebuffer.id());
-        draw_slabs(f, info);
+        const CameraPass pass_over(f, "picture with texel slabs", GL_RGBA8, picture);
+        glCopyImageSubData(f.result(under).texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, picture.texture.id(), GL_TEXTURE_2D,
+                           0, 0, 0, 0, w, h, 1);
+        draw_slabs(f, s, info);
     };
     return pass;
 }

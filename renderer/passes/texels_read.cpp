@@ -13,12 +13,7 @@ struct TexelMarks {
 
 }  // namespace
 
-Image texels_read_image(const FrameState& f) {
-    const gl::Target& t = f.gl.owned.get<TexelMarks>().marks;
-    return {t.texture.id(), t.width, t.height};
-}
-
-void add_texels_read_pass(FrameState& f, std::vector<Pass>& plan) {
+void add_texels_read_pass(FrameState& f) {
     Pass pass;
     pass.name = "texels read";
     pass.category = PassCategory::Tool;
@@ -29,20 +24,19 @@ void add_texels_read_pass(FrameState& f, std::vector<Pass>& plan) {
     int layer = 0;
     if (!f.shown_view(&layer)) {
         pass.unneeded = "the light shown has no map";
-        f.gl.owned.drop<TexelMarks>();
-        plan.push_back(std::move(pass));
+        f.plan.release([&f] { f.gl.owned.drop<TexelMarks>(); });
+        f.plan.add(std::move(pass));
         return;
     }
-    pass.run = [&f, layer](PassInfo& info) {
-        TexelMarks& t = f.gl.owned.get<TexelMarks>();
+    TexelMarks& t = f.gl.owned.get<TexelMarks>();
+    f.plan.place(Result::TexelsRead, {&t.marks});
+    pass.run = [&f, &t, layer](PassInfo& info) {
         t.marks.ensure("texels read", GL_R32F, f.map_resolution, f.map_resolution);
         t.nothing.ensure("nothing", GL_R8, f.request.width, f.request.height);
         const float none = 0;
         glClearTexImage(t.marks.texture.id(), 0, GL_RED, GL_FLOAT, &none);
         const gl::Framebuffer framebuffer = gl::make_framebuffer("texels read", &t.nothing, nullptr);
         f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
-        f.bind_maps();
-        bind_seen_surfaces(f.gl.seen);
         glBindImageTexture(0, t.marks.texture.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
         glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/texels_read.frag.glsl",
                                {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
@@ -52,7 +46,7 @@ void add_texels_read_pass(FrameState& f, std::vector<Pass>& plan) {
         FrameState::draw_fullscreen(info);
         glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     };
-    plan.push_back(std::move(pass));
+    f.plan.add(std::move(pass));
 }
 
 }  // namespace si

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/frame/state.h"
 #include "renderer/measure/artefact_picture.h"
+#include "renderer/passes/camera_pass.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/truth_picture.h"
@@ -23,8 +23,22 @@ static_assert(kArtefacts - 1 <= 4 * shared::ARTEFACT_LAYERS && int(Artefact::NoM
 
 constexpr const char* kUntraced = "the truth about this frame is not traced";
 
+struct TruthTargets {
+    gl::Target truth, more_truth;  ///< of the truth picture
+    gl::Target judged;             ///< RG32F, see judgement() in lib/truth.glsl
+    gl::Target marks;              ///< depths MARK_* of shared/judged.h
+    std::uint64_t causes_key = 0;  ///< of `judged` with the causes in it
+    gl::Target error_tiles;        ///< RGBA32F, see error_tiles.frag.glsl
+    std::array<gl::Target, kEvidenceImages> evidence;
+    std::shared_ptr<const LiveError> error;  ///< of the error tiles
+};
+
+TruthTargets& targets(const FrameState& f) {
+    return f.gl.owned.get<TruthTargets>();
+}
+
 /// What PixelState is for the shader; rows stay from the top.
-void upload(const TracedTruth& traced, Resources& gl) {
+void upload(const TracedTruth& traced, TruthTargets& to) {
     const Truth& truth = *traced.truth;
     const std::size_t n = truth.state.size();
     std::vector<glm::vec4> pixels(n), more(n);
@@ -44,8 +58,8 @@ void upload(const TracedTruth& traced, Resources& gl) {
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         glTextureSubImage2D(t.texture.id(), 0, 0, 0, truth.width, truth.height, GL_RGBA, GL_FLOAT, data.data());
     };
-    put(gl.truth, "truth", pixels);
-    put(gl.more_truth, "more of the truth", more);
+    put(to.truth, "truth", pixels);
+    put(to.more_truth, "more of the truth", more);
 }
 
 Pass upload_pass(FrameState& f) {
@@ -55,15 +69,14 @@ Pass upload_pass(FrameState& f) {
     pass.writes = {Result::Truth};
     pass.idle_reason = "nothing asks for the truth";
     pass.key = f.truth_content;
-    pass.cached = &f.gl.truth.key;
-    pass.run = [&f](PassInfo&) { upload(f.request.truth->traced, f.gl); };
+    pass.cached = &targets(f).truth.key;
+    pass.run = [&f](PassInfo&) { upload(f.request.truth->traced, targets(f)); };
     return pass;
 }
 
-std::uint64_t judged_key(const FrameState& f) {
-    Key key = f.camera_key;
-    key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(f.settings.view.light).add(f.truth_content);
-    return key.add(f.gl.programs.source().generation()).value();
+/// Of what shaders make of the shown light, but for what they sample.
+Key shown_light_key(const FrameState& f) {
+    return f.lighting_key().add(f.settings.view.light);
 }
 
 /// Whether nothing of the scene lies beyond the map of the shown light, or nothing that could be in shadow, or there is
@@ -103,12 +116,6 @@ std::vector<gl::Define> trial_defines(const FrameState& f) {
     return out;
 }
 
-void bind_unfiltered(const FrameState& f) {
-    if (!f.unfiltered_map().texture) return;
-    glBindTextureUnit(kUnfilteredMap, f.unfiltered_map().texture.id());
-    glBindSampler(kUnfilteredMap, f.gl.map_nearest.id());
-}
-
 Pass compare_pass(FrameState& f) {
     Pass pass;
     pass.name = "pixels compared";
@@ -116,21 +123,18 @@ Pass compare_pass(FrameState& f) {
     pass.reads = {Result::Visibility, Result::SurfacesSeen, Result::Truth};
     pass.writes = {Result::Compared};
     pass.idle_reason = "nothing asks what is wrong";
-    pass.key = judged_key(f);
-    pass.cached = &f.gl.judged.key;
-    pass.run = [&f](PassInfo& info) {
-        f.gl.causes_key = 0;
-        f.gl.judged.ensure("judged pixels", GL_RG32F, f.request.width, f.request.height);
-        f.gl.marks.ensure("marks of wrong pixels", GL_DEPTH_COMPONENT32F, f.request.width, f.request.height);
-        f.gl.judged_framebuffer = gl::make_framebuffer("judged pixels", &f.gl.judged, &f.gl.marks);
-        f.begin_fullscreen_pass(f.gl.judged_framebuffer.id(), f.request.width, f.request.height);
+    TruthTargets& t = targets(f);
+    pass.key = shown_light_key(f).value();
+    pass.cached = &t.judged.key;
+    pass.run = [&f, &t](PassInfo& info) {
+        t.causes_key = 0;
+        t.judged.ensure("judged pixels", GL_RG32F, f.request.width, f.request.height);
+        t.marks.ensure("marks of wrong pixels", GL_DEPTH_COMPONENT32F, f.request.width, f.request.height);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.judged, &t.marks);
+        f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
         glEnable(GL_DEPTH_TEST);  // without the test nothing is written
         glDepthFunc(GL_ALWAYS);
         glDepthMask(GL_TRUE);
-        f.bind_maps();
-        glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
-        bind_truth(f);
-        bind_seen_surfaces(f.gl.seen);
         std::vector<gl::Define> extra = truth_defines(f);
         extra.push_back({"LIGHT_INDEX", std::to_string(f.settings.view.light)});
         extra.push_back({"MAP_HOLDS_ALL", map_holds_all(f) ? "1" : "0"});
@@ -151,20 +155,15 @@ Pass causes_pass(FrameState& f) {
                                          Result::UnfilteredMap, Result::Truth});
     pass.writes = {Result::Judged};
     pass.idle_reason = "nothing asks why it is wrong";
-    Key key;
-    pass.key = key.add(judged_key(f)).add("causes").value();
-    pass.cached = &f.gl.causes_key;
-    pass.run = [&f](PassInfo& info) {
-        const GLuint framebuffer = f.gl.judged_framebuffer.id();
-        f.begin_fullscreen_pass(framebuffer, f.request.width, f.request.height);
+    TruthTargets& t = targets(f);
+    pass.key = shown_light_key(f).value();
+    pass.cached = &t.causes_key;
+    pass.run = [&f, &t](PassInfo& info) {
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.judged, &t.marks);
+        f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_EQUAL);
         glDepthMask(GL_FALSE);
-        f.bind_maps();
-        glBindTextureUnit(kVisibility, f.gl.visibility.texture.id());
-        bind_truth(f);
-        bind_seen_surfaces(f.gl.seen);
-        bind_unfiltered(f);
         const auto draw = [&](float mark, const char* fragment, std::vector<gl::Define> kind) {
             glDepthRangef(mark, mark);
             const std::vector<gl::Define> trials = trial_defines(f);
@@ -195,16 +194,11 @@ Pass evidence_pass(FrameState& f) {
     if (f.truth.met) pass.reads.push_back(Result::Truth);
     pass.writes = {Result::Evidence};
     pass.idle_reason = "nothing asks for trials";
-    Key key;
-    pass.key = key.add(judged_key(f)).add(f.truth.met).add("evidence").value();
-    pass.cached = &f.gl.evidence[0].key;
+    pass.key = shown_light_key(f).add(f.truth.met).value();
+    pass.cached = &targets(f).evidence[0].key;
     pass.run = [&f](PassInfo& info) {
-        for (gl::Target& t : f.gl.evidence) t.ensure("evidence", GL_RGBA32F, f.request.width, f.request.height);
-        f.gl.evidence_framebuffer = gl::make_framebuffer("evidence", f.gl.evidence, f.gl.camera_depth);
-        f.begin_camera_pass(f.gl.evidence_framebuffer.id());
-        const glm::vec4 nothing(0);
-        for (GLint i = 0; i < kEvidenceImages; ++i)
-            glClearNamedFramebufferfv(f.gl.evidence_framebuffer.id(), GL_COLOR, i, &nothing.x);
+        CameraPass pass_into(f, "evidence", GL_RGBA32F, targets(f).evidence);
+        pass_into.clear(glm::vec4(0));
         draw_evidence(f, f.settings.view.light, f.truth.met, info);
     };
     return pass;
@@ -242,23 +236,20 @@ Pass sums_pass(FrameState& f) {
     pass.reads = {Result::Judged, Result::Truth};
     pass.writes = {Result::Error};
     pass.idle_reason = "nobody asks for numbers";
-    Key key;
-    pass.key = key.add(judged_key(f)).add("sums").value();
-    pass.cached = &f.gl.error_tiles.key;
+    pass.key = Key().add(source_of(f.settings, f.settings.view.light).needs.map).value();
+    pass.cached = &targets(f).error_tiles.key;
     pass.run = [&f](PassInfo& info) {
         const Truth& truth = *f.request.truth->traced.truth;
         const int across = (truth.width + kTile - 1) / kTile, down = (truth.height + kTile - 1) / kTile;
-        gl::Target& tiles = f.gl.error_tiles;
-        if (tiles.ensure("errors of tiles", GL_RGBA32F, across, down, shared::TILE_LAYERS) ||
-            !f.gl.error_tiles_framebuffer)
-            f.gl.error_tiles_framebuffer = gl::make_layers_framebuffer("errors of tiles", tiles);
-        f.begin_fullscreen_pass(f.gl.error_tiles_framebuffer.id(), across, down);
+        gl::Target& tiles = targets(f).error_tiles;
+        tiles.ensure("errors of tiles", GL_RGBA32F, across, down, shared::TILE_LAYERS);
+        const gl::Framebuffer framebuffer = gl::make_layers_framebuffer("errors of tiles", tiles);
+        f.begin_fullscreen_pass(framebuffer.id(), across, down);
         std::vector<gl::Define> extra = truth_defines(f);
         extra.push_back({"TILE", std::to_string(kTile)});
         glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/error_tiles.frag.glsl", std::move(extra)));
-        bind_truth(f);
         FrameState::draw_fullscreen(info);
-        f.gl.error = std::make_shared<const LiveError>(
+        targets(f).error = std::make_shared<const LiveError>(
             metrics_of(read_tiles(tiles, source_of(f.settings, f.settings.view.light).needs.map), truth));
     };
     return pass;
@@ -286,13 +277,18 @@ std::vector<gl::Define> truth_defines(const FrameState& f) {
     return out;
 }
 
-void bind_truth(const FrameState& f) {
-    glBindTextureUnit(kTruth, f.gl.truth.texture.id());
-    glBindTextureUnit(kMoreTruth, f.gl.more_truth.texture.id());
-    glBindTextureUnit(kJudged, f.gl.judged.texture.id());
+std::shared_ptr<const LiveError> live_error(const FrameState& f) {
+    return targets(f).error;
 }
 
-void add_truth_passes(FrameState& f, std::vector<Pass>& plan) {
+void add_truth_passes(FrameState& f) {
+    TruthTargets& t = targets(f);
+    f.plan.place(Result::Truth, {&t.truth, kTruth});
+    f.plan.place(Result::Truth, {&t.more_truth, kMoreTruth});
+    f.plan.place(Result::Compared, {&t.judged});
+    f.plan.place(Result::Judged, {&t.judged, kJudged});
+    f.plan.place(Result::Error, {&t.error_tiles});
+    for (const gl::Target& image : t.evidence) f.plan.place(Result::Evidence, {&image});
     std::array<Pass, 4> passes{upload_pass(f), compare_pass(f), causes_pass(f), sums_pass(f)};
     for (Pass& pass : passes) {
         if (!f.truth.met) {
@@ -300,14 +296,12 @@ void add_truth_passes(FrameState& f, std::vector<Pass>& plan) {
             pass.run = nullptr;
             pass.cached = nullptr;
         }
-        plan.push_back(std::move(pass));
+        f.plan.add(std::move(pass));
     }
-    plan.push_back(evidence_pass(f));
+    f.plan.add(evidence_pass(f));
 }
 
 void draw_evidence(const FrameState& f, int light, bool truth_known, PassInfo& info) {
-    if (truth_known) bind_truth(f);
-    bind_unfiltered(f);
     std::vector<gl::Define> extra = trial_defines(f);
     extra.push_back({"LIGHT_INDEX", std::to_string(light)});
     extra.push_back({"TRUTH_KNOWN", truth_known ? "1" : "0"});

@@ -1,13 +1,21 @@
 // Visibility of each light as a texture of its own.
 #include <fmt/format.h>
 
-#include "renderer/frame/state.h"
+#include <algorithm>
+
+#include "renderer/passes/camera_pass.h"
 #include "renderer/passes/shadow_volumes.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
+
+struct VisibilityTargets {
+    gl::Target visibility;  ///< R32F, a layer a light
+    gl::Texture view;       ///< one layer of it as a 2-D texture
+    int view_layer = -1;
+};
 
 const TruthPicture* traced_picture(const FrameState& f, std::size_t light) {
     return light < f.traced_pictures.size() ? f.traced_pictures[light] : nullptr;
@@ -36,46 +44,53 @@ void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibili
     glTextureSubImage3D(visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, pixels.data());
 }
 
-void add_visibility_pass(FrameState& f, std::vector<Pass>& plan) {
+Image visibility_image(const FrameState& f, int light) {
+    VisibilityTargets& t = f.gl.owned.get<VisibilityTargets>();
+    const int layer = std::clamp(light, 0, t.visibility.layers - 1);
+    if (t.view_layer != layer) {
+        GLuint id = 0;
+        glGenTextures(1, &id);
+        glTextureView(id, GL_TEXTURE_2D, t.visibility.texture.id(), GL_R32F, 0, 1, GLuint(layer), 1);
+        t.view = gl::Texture::adopt("visibility of one light", id);
+        t.view_layer = layer;
+    }
+    return {t.view.id(), t.visibility.width, t.visibility.height};
+}
+
+void add_visibility_pass(FrameState& f) {
+    VisibilityTargets& t = f.gl.owned.get<VisibilityTargets>();
+    f.plan.place(Result::Visibility, {&t.visibility, kVisibility});
     Pass pass;
     pass.name = "visibility";
     pass.reads = lookup_reads(f);
     pass.reads.push_back(Result::ShadowVolumes);
     pass.writes = {Result::Visibility};
     pass.idle_reason = "nothing reads it: the shading pass evaluates it itself";
-    Key key = f.camera_key;
-    key.add(f.geometry_key).add(f.lights_key).add(f.maps_key).add(f.gl.programs.source().generation());
-    pass.key = key.value();
-    pass.cached = &f.gl.visibility.key;
-    pass.run = [&f](PassInfo& info) {
+    pass.key = f.lighting_key().value();
+    pass.cached = &t.visibility.key;
+    pass.run = [&f, &t](PassInfo& info) {
+        const int width = f.request.width, height = f.request.height;
         const int layers = int(std::max<std::size_t>(f.gl.fitted.size(), 1));
-        f.gl.visibility.ensure("visibility", GL_R32F, f.request.width, f.request.height, layers);
+        t.visibility.ensure("visibility", GL_R32F, width, height, layers);
+        t.view_layer = -1;
         for (int light = 0; light < layers; ++light) {
-            f.gl.visibility_framebuffer =
-                gl::make_framebuffer("visibility", &f.gl.visibility, &f.gl.camera_depth, light);
-            const GLuint framebuffer = f.gl.visibility_framebuffer.id();
-            const std::uint64_t depth = f.gl.depth_key;
-            f.begin_camera_pass(framebuffer);
-            const glm::vec4 lit(1);
-            glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &lit.x);
+            const float lit = 1;
             const std::string_view file = source_file(f, std::size_t(light));
-            if (file.empty()) {
-                if (f.gl.depth_key != depth) f.gl.depth_key = 0;  // cleared, and nothing drawn
-                if (const TruthPicture* truth = traced_picture(f, std::size_t(light))) {
-                    put_traced_visibility(*truth, f.gl.visibility, light);
-                    info.reason +=
-                        fmt::format("; light {} by {} rays, traced before the frame", light, truth->traced.truth->rays);
-                }
-                continue;
+            if (!file.empty()) {
+                CameraPass(f, "visibility", t.visibility, light)
+                    .clear(glm::vec4(lit))
+                    .draw("passes/visibility.frag.glsl",
+                          {{"LIGHT_INDEX", std::to_string(light)}, {"SOURCE_FILE", std::string(file)}}, info);
+            } else if (const TruthPicture* truth = traced_picture(f, std::size_t(light))) {
+                put_traced_visibility(*truth, t.visibility, light);
+                info.reason +=
+                    fmt::format("; light {} by {} rays, traced before the frame", light, truth->traced.truth->rays);
+            } else {
+                glClearTexSubImage(t.visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, &lit);
             }
-            if (source_of(f.settings, light).needs.stencil)
-                glBindTextureUnit(kVolumes, f.gl.owned.get<ShadowVolumes>().lit().texture.id());
-            f.draw_from_camera("passes/visibility.frag.glsl",
-                               {{"LIGHT_INDEX", std::to_string(light)}, {"SOURCE_FILE", std::string(file)}}, info);
         }
-        f.gl.visibility_view_layer = -1;
     };
-    plan.push_back(std::move(pass));
+    f.plan.add(std::move(pass));
 }
 
 }  // namespace si

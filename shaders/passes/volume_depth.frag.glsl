@@ -1,4 +1,4 @@
 // The camera's depth again, bit by bit, in a buffer that has a stencil beside it.
-layout(binding = 15) uniform sampler2D camera_depth_map;
+layout(binding = 16) uniform sampler2D camera_depth_map;
 
 void main() { gl_FragDepth = texelFetch(camera_depth_map, ivec2(gl_FragCoord.xy), 0).r; }

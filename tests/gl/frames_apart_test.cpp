@@ -128,5 +128,24 @@ TEST_F(FramesApart, ProbesInTurnEachAnswerForTheirOwn) {
     }
 }
 
+TEST_F(FramesApart, OneWhoseImagesAreGivenUpIsGone) {
+    std::vector<Shown> frames(4, shown()[0]);
+    set_setting(frames[0].settings, "filter.kernel", "vsm");
+    set_setting(frames[1].settings, "map.blur_texels", "2");
+    set_setting(frames[2].settings, "light.source", "volumes-zfail");
+    set_setting(frames[2].settings, "light.1.source", "volumes-zfail");
+    set_setting(frames[3].settings, "view.panes", "two");
+    set_setting(frames[3].settings, "view.overlay", "normals");
+    for (const Shown& drawn : frames) {
+        const FrameResult f = draw(drawn);
+        EXPECT_TRUE(renderer.holds(f));
+        Shown plain = shown()[0];
+        set_setting(plain.settings, "light.azimuth", "33");
+        draw(plain);
+        EXPECT_FALSE(renderer.holds(f));
+        EXPECT_NE(why_not([&] { renderer.read_shadow_map(f, 1, 0); }), "");
+    }
+}
+
 }  // namespace
 }  // namespace si

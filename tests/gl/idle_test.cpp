@@ -1,5 +1,8 @@
-// What is said to be without effect changes no pixel: pictures of many states, with each such setting at other values.
+// What is said to be without effect changes no pixel, and what has one shows at once: pictures of many states, with
+// each setting at other values.
 #include <fmt/format.h>
+
+#include <set>
 
 #include "tests/gl/frame_fixture.h"
 
@@ -84,8 +87,8 @@ std::string difference(const Bytes& a, const Bytes& b) {
 
 class IdleTest : public FrameTest {
 protected:
-    Bytes pictures(const Scene& scene, const Settings& s) {
-        FrameRequest request{.width = 64, .height = 48};
+    Bytes pictures(const Scene& scene, const Settings& s, bool force = false) {
+        FrameRequest request{.width = 64, .height = 48, .force = force};
         request.outputs.shadow_map = true;
         const FrameResult frame = renderer.render(scene, s, request);
         Bytes out;
@@ -123,6 +126,82 @@ TEST_F(IdleTest, WhatIsWithoutEffectChangesNoPixel) {
         }
     }
     EXPECT_GT(compared, 500u);
+}
+
+/// States in which each pass has something to do.
+const std::vector<Sets>& busy_states() {
+    static const std::vector<Sets> list = {
+        {{"light.count", "2"},
+         {"light.1.type", "spot"},
+         {"light.1.elevation", "60"},
+         {"filter.kernel", "vsm"},
+         {"map.blur_texels", "1"},
+         {"bias.raster_slope", "1"},
+         {"bias.slope", "2"},
+         {"view.panes", "four"},
+         {"view.overlay", "depth-difference"},
+         {"view.overlay_range", "manual"},
+         {"view.overlay_2", "visibility"},
+         {"view.overlay_3", "stored-depth"},
+         {"view.slabs", "both"},
+         {"object.Stage/Ground.receive", "true"}},
+        {{"light.cascades", "3"},
+         {"filter.kernel", "pcss"},
+         {"bias.kind", "receiver-plane"},
+         {"map.format", "colour"},
+         {"caster.cull", "front"},
+         {"view.face", "1"},
+         {"view.map", "bands"},
+         {"view.panes", "two"},
+         {"view.overlay_2", "least-bias"},
+         {"view.overlay_range", "fitted"}},
+        {{"light.type", "point"},
+         {"light.source", "volumes-zfail"},
+         {"camera.source", "manual"},
+         {"view.map_source", "camera"},
+         {"view.map_fit", "true"},
+         {"shading.separate_visibility", "true"}},
+    };
+    return list;
+}
+
+// What is kept from frame to frame is never of other settings: each picture is held against the same drawn anew, right
+// after one that shares nothing with it.
+TEST_F(IdleTest, NoChangeOfASettingLeavesAStalePicture) {
+    const Scene scene = load_scene("stage");
+    const Settings apart = settings_for(scene, {{"map.resolution", "32"},
+                                                {"light.azimuth", "200"},
+                                                {"camera.source", "light"},
+                                                {"view.slabs", "both"},
+                                                {"view.slabs_texels", "4"},
+                                                {"view.map_fit", "true"}});
+    const auto drawn_anew = [&](const Settings& s) {
+        pictures(scene, apart, true);
+        return pictures(scene, s, true);
+    };
+    std::set<std::string_view> seen;
+    for (const Sets& sets : busy_states()) {
+        Settings s = settings_for(scene, {{"map.resolution", "64"}});
+        for (const auto& [key, value] : sets) set_setting(s, key, value);
+        const Bytes before = drawn_anew(s);
+        for (const SettingRef& ref : all_settings(s)) {
+            if (ref.light >= s.light_count) continue;
+            std::vector<Value> values = others(ref, get_value(s, ref));
+            values.resize(std::min<std::size_t>(values.size(), 2));
+            for (const Value& value : values) {
+                Settings changed = s;
+                set_value(changed, ref, value);
+                const std::string what = setting_key(ref) + " = " + value_text(*ref.param, value);
+                const Bytes now = pictures(scene, changed);
+                const bool fresh = now == drawn_anew(changed);  // not EXPECT_EQ, which would print them
+                EXPECT_TRUE(fresh) << what;
+                if (now != before) seen.insert(ref.param->key);
+                const bool back = pictures(scene, s) == before;
+                EXPECT_TRUE(back) << "back from " << what;
+            }
+        }
+    }
+    EXPECT_GT(seen.size(), 70u) << "settings whose change shows";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 namespace si {
@@ -62,6 +63,48 @@ TEST(PlanTest, EachDecisionSaysWhy) {
                                       {PassState::Ran, "its inputs changed"},
                                       {PassState::Skipped, "idle"}}));
     EXPECT_EQ(holds, 7u) << "a plan changes nothing";
+}
+
+TEST(PlanTest, AKeyFollowsFromWhatIsRead) {
+    const auto keys = [](std::uint64_t maps, std::uint64_t own) {
+        Plan plan;
+        for (const std::uint64_t key : {std::uint64_t(1), maps}) {  // two lights' maps
+            Pass pass = pass_of("maps", {}, {Result::ShadowMaps});
+            pass.key = key;
+            plan.add(std::move(pass));
+        }
+        Pass shading = pass_of("shading", {Result::ShadowMaps, Result::Visibility}, {Result::Shaded});
+        shading.key = own;
+        plan.add(std::move(shading));
+        plan.add(pass_of("values", {}, {Result::Overlay}));
+        plan.add(pass_of("composed", {Result::Shaded, Result::Overlay}, {Result::Composed}));
+        return std::array{plan.key_of(Result::Shaded), plan.key_of(Result::Overlay), plan.key_of(Result::Composed)};
+    };
+    const auto base = keys(2, 3), other_map = keys(4, 3), other_own = keys(2, 4);
+    EXPECT_EQ(base, keys(2, 3));
+    for (const auto& changed : {other_map, other_own}) {
+        EXPECT_NE(changed[0], base[0]);
+        EXPECT_EQ(changed[1], base[1]) << "it reads none of it";
+        EXPECT_NE(changed[2], base[2]) << "through what it reads";
+    }
+}
+
+TEST(PlanTest, ResultsLieWhereTheirOwnerSays) {
+    Plan plan;
+    gl::Target maps, first, second;
+    plan.place(Result::ShadowMaps, {&maps, 3});
+    plan.place({Result::Overlay, 1}, {&first});
+    plan.place({Result::Overlay, 1}, {&second});
+    EXPECT_EQ(&plan.target(Result::ShadowMaps), &maps);
+    EXPECT_EQ(plan.images(Result::ShadowMaps).at(0).unit, 3);
+    EXPECT_EQ(&plan.target({Result::Overlay, 1}, 1), &second);
+    EXPECT_FALSE(plan.target(Result::Overlay).texture) << "of another pane";
+    EXPECT_FALSE(plan.target({Result::Overlay, 1}, 2).texture);
+    int given_up = 0;
+    plan.release([&] { ++given_up; });
+    EXPECT_EQ(given_up, 0);
+    plan.give_up_what_is_unused();
+    EXPECT_EQ(given_up, 1);
 }
 
 TEST(PlanTest, EveryResultHasWordsOfItsOwn) {

@@ -1,0 +1,122 @@
+// Planning a frame leaves the images of others as they are; only what is carried out takes their place.
+#include "app/context/headless_context.h"
+#include "renderer/frame/renderer_impl.h"
+#include "tests/gl/frame_fixture.h"
+
+namespace si {
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+class PlanningTest : public ::testing::Test {
+protected:
+    HeadlessContext context;
+    Renderer::Impl renderer;
+    Scene scene = load_scene("boxes");
+
+    void TearDown() override {
+        for (const std::string& message : renderer.messages.take()) ADD_FAILURE() << "driver: " << message;
+    }
+    Settings settings_for(const Sets& sets) const {
+        Settings s;
+        for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
+        for (const auto& [key, value] : sets) set_setting(s, key, value);
+        return s;
+    }
+    /// All that is kept from frame to frame without a truth.
+    static FrameRequest request(int width, int height) {
+        FrameRequest r{.width = width, .height = height};
+        r.outputs = {.shadow_map = true,
+                     .visibility = true,
+                     .overlay = true,
+                     .surface_ids = true,
+                     .map_coordinates = true,
+                     .evidence = true,
+                     .unfiltered_map = true};
+        return r;
+    }
+    FrameResult draw(const Settings& s, const FrameRequest& request) {
+        FrameState f = renderer.prepare(scene, s, request);
+        plan_frame(f);
+        return renderer.draw(f);
+    }
+    void plan(const Settings& s, const FrameRequest& request) {
+        FrameState f = renderer.prepare(scene, s, request);
+        plan_frame(f);
+    }
+    static std::vector<Image> images(const FrameResult& f) {
+        std::vector<Image> out = {f.visibility, f.map_coordinates, f.surface_ids, f.map_view, f.evidence[0]};
+        for (const Pane& pane : f.panes) out.insert(out.end(), {pane.picture, pane.values});
+        return out;
+    }
+    static std::vector<std::uint8_t> bytes(const Image& image) {
+        std::vector<std::uint8_t> out(std::size_t(image.width) * std::size_t(image.height) * 4);
+        gl::begin_reading();
+        GLint format = 0;
+        glGetTextureLevelParameteriv(image.texture, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+        if (format == GL_RG32UI) return out;  // its pixels cannot be had as colours
+        glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.size()), out.data());
+        return out;
+    }
+};
+
+TEST_F(PlanningTest, WhatIsOnlyPlannedLeavesTheLastFrameReusable) {
+    const std::vector<Sets> frames = {
+        {{"light.count", "2"},
+         {"light.1.type", "spot"},
+         {"light.1.elevation", "60"},
+         {"filter.kernel", "vsm"},
+         {"map.blur_texels", "1"},
+         {"bias.raster_slope", "1"},
+         {"view.panes", "two"},
+         {"view.overlay", "visibility"},
+         {"view.overlay_2", "n-dot-l"},
+         {"view.slabs", "both"},
+         {"view.map_fit", "true"}},
+        {{"light.count", "2"},
+         {"light.source", "volumes-zfail"},
+         {"light.1.source", "volumes-zfail"},
+         {"map.format", "colour"}},
+    };
+    const std::vector<Sets> others = {{},
+                                      {{"map.resolution", "96"}},
+                                      {{"map.format", "d16"}},
+                                      {{"filter.kernel", "hard"}},
+                                      {{"map.blur_texels", "0"}},
+                                      {{"map.blur_texels", "3"}},
+                                      {{"bias.raster_slope", "0"}},
+                                      {{"light.count", "1"}},
+                                      {{"light.count", "3"}},
+                                      {{"light.type", "point"}},
+                                      {{"light.cast", "false"}, {"light.1.cast", "false"}},
+                                      {{"light.source", "none"}},
+                                      {{"light.source", "none"}, {"light.1.source", "none"}},
+                                      {{"light.azimuth", "77"}},
+                                      {{"view.panes", "one"}, {"view.slabs", "none"}},
+                                      {{"view.map_source", "camera"}}};
+    for (const Sets& frame : frames) {
+        Settings s = settings_for({{"map.resolution", "64"}});
+        for (const auto& [key, value] : frame) set_setting(s, key, value);
+        const FrameResult first = draw(s, request(96, 72));
+        std::vector<std::vector<std::uint8_t>> before;
+        for (const Image& image : images(first))
+            if (image.texture) before.push_back(bytes(image));
+        ASSERT_GE(before.size(), 4u);
+        for (const Sets& other : others) {
+            Settings changed = s;
+            std::string what;
+            for (const auto& [key, value] : other) set_setting(changed, key, value), what += key + "=" + value + " ";
+            SCOPED_TRACE(what);
+            for (const int width : {96, 120}) plan(changed, request(width, 72));
+            const FrameResult again = draw(s, request(96, 72));
+            for (const PassInfo& pass : again.passes) EXPECT_NE(pass.state, PassState::Ran) << pass.name;
+            std::vector<std::vector<std::uint8_t>> after;
+            for (const Image& image : images(again))
+                if (image.texture) after.push_back(bytes(image));
+            EXPECT_EQ(before, after);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace si
