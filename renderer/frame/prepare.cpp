@@ -356,7 +356,6 @@ FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings,
     f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);
     f.lights_key.add(resources.fit_key).add(f.map_resolution).add(request.no_skip);
     add_shader_settings(f.lights_key, f.settings);
-    f.lights_key.add(f.settings.volumes.allow_large);
     find_traced(f);
     arrange_panes(f);
     choose_kernel(f);

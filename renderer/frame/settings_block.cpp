@@ -84,4 +84,10 @@ void add_shader_settings(Key& key, const Settings& s) {
     });
 }
 
+void add_settings(Key& key, const Settings& s, ReadBy pass) {
+    for (const Param& p : params())
+        if (is_read_by(p.read_by, pass) && idle_reason(s, {&p, 0, {}}).empty())
+            std::visit([&](auto v) { key.add(v); }, get_value(s, {&p, 0, {}}));
+}
+
 }  // namespace si

@@ -7,6 +7,7 @@
 
 #include "renderer/base/key.h"
 #include "renderer/gl/program_cache.h"
+#include "renderer/settings/param.h"
 #include "renderer/settings/settings.h"
 
 namespace si {
@@ -19,5 +20,8 @@ std::string settings_block_text();
 std::vector<std::byte> settings_block_bytes(const Settings& s);
 /// Adds the value of every setting that shaders see.
 void add_shader_settings(Key& key, const Settings& s);
+
+/// Adds what a kind of pass reads itself of the settings, but for those without effect.
+void add_settings(Key& key, const Settings& s, ReadBy pass);
 
 }  // namespace si

@@ -71,6 +71,11 @@ Key FrameState::lighting_key() const {
     return key;
 }
 
+Key FrameState::with_settings(Key from, ReadBy pass) const {
+    add_settings(from, settings, pass);
+    return from;
+}
+
 const LightView* FrameState::shown_view(int* layer) const {
     const auto light = std::size_t(settings.view.light);
     if (light >= gl.fitted.size() || !gl.fitted[light].casts) return nullptr;

@@ -20,6 +20,7 @@
 #include "renderer/gl/target.h"
 #include "renderer/gl/timer.h"
 #include "renderer/settings/overlays.h"
+#include "renderer/settings/param.h"
 #include "shaders/shared/frame.h"
 
 namespace si {
@@ -119,8 +120,12 @@ struct FrameState {
     glm::vec2 grey_range() const;
     /// Of the surfaces that the camera sees, in the size of the picture.
     Key surfaces_key() const;
+    /// Of the settings that a kind of pass reads itself (Param::read_by), on top of `from`.
+    Key with_settings(Key from, ReadBy pass) const;
     /// Of what shaders find out about their light and shadow, but for what they sample.
     Key lighting_key() const;
+    /// The same for the light shown.
+    Key shown_light_key() const { return with_settings(lighting_key(), ReadBy::OneLight); }
     /// The results that are a pane's finished picture and its overlay's values.
     ResultRef picture_of(const ShownPane& pane) const;
     ResultRef values_of(const ShownPane& pane) const;

@@ -55,7 +55,7 @@ void add_depth_blur_pass(FrameState& f) {
     }
     BlurredMaps& t = f.gl.owned.get<BlurredMaps>();
     place_compared_maps(f, t.maps);
-    pass.key = Key().add(radius).value();
+    pass.key = f.with_settings({}, ReadBy::DepthBlur).value();
     pass.cached = &t.maps.key;
     pass.run = [&f, &t, radius](PassInfo& info) {
         const int n = f.map_resolution;

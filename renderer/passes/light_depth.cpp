@@ -146,9 +146,8 @@ void add_light_depth_passes(FrameState& f) {
             f.plan.add(std::move(pass));
             continue;
         }
-        Key key = f.geometry_key;
-        key.add(f.map_resolution).add(f.map_layers()).add(f.settings.map.format).add(f.settings.caster.cull);
-        key.add(f.settings.bias.raster_slope).add(f.settings.bias.raster_units).add(f.settings.bias.raster_clamp);
+        Key key = f.with_settings(f.geometry_key, ReadBy::Maps);
+        key.add(f.map_layers());
         for (const LightView& v : light.views)
             key.add(v.clip_from_relative(light.map_origin))
                 .add(v.curve.convention.zero_to_one)

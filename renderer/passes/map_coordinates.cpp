@@ -25,7 +25,7 @@ void add_map_coordinates_pass(FrameState& f) {
         f.plan.add(std::move(pass));
         return;
     }
-    pass.key = f.lighting_key().add(f.settings.view.light).value();
+    pass.key = f.shown_light_key().value();
     pass.cached = &coordinates.key;
     pass.run = [&f, &coordinates](PassInfo& info) {
         const int last = std::max(int(f.gl.fitted.size()) - 1, 0);

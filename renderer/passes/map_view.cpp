@@ -98,16 +98,13 @@ void add_map_view_passes(FrameState& f) {
         return;
     }
     Key shown;
-    shown.add(v.map_source).add(f.gl.programs.source().generation());
-    if (!camera) shown.add(layer);
-    Pass range = range_pass(f, t, shown, layer);
+    shown.add(camera ? -1 : layer).add(f.gl.programs.source().generation());
+    Pass range = range_pass(f, t, f.with_settings(shown, ReadBy::MapRange), layer);
     range.reads = pass.reads;
     range.idle_reason = pass.idle_reason;
     if (f.fits_greys()) pass.reads.push_back(Result::DepthRange);
     f.plan.add(std::move(range));
-    Key key = shown;
-    key.add(v.map).add(v.map_black).add(v.map_white).add(v.band_low).add(v.band_high).add(v.map_fit);
-    pass.key = key.value();
+    pass.key = f.with_settings(shown, ReadBy::MapView).value();
     pass.cached = &t.picture.key;
     pass.run = [&f, &t, camera, layer](PassInfo& info) {
         glm::ivec2 size = camera ? glm::ivec2(f.request.width, f.request.height) : glm::ivec2(f.map_resolution);

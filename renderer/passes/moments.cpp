@@ -60,7 +60,7 @@ void add_moments_pass(FrameState& f) {
     MomentTargets& t = f.gl.owned.get<MomentTargets>();
     f.plan.place(Result::Moments, {&t.moments, kMoments, &f.gl.map_blended});
     const int radius = f.settings.filter.blur;
-    pass.key = Key().add(radius).value();
+    pass.key = f.with_settings({}, ReadBy::Moments).value();
     pass.cached = &t.moments.key;
     pass.run = [&f, &t, radius](PassInfo& info) {
         const int n = f.map_resolution;

@@ -89,9 +89,7 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
     if (pane.row()->draw != OverlayDraw::Fragments) pass.reads.push_back(Result::CameraDepth);
     PaneTargets& t = targets_of(f, pane);
     f.plan.place({Result::Overlay, pane.slot}, {&t.values, kOverlayValues});
-    Key key = f.lighting_key();
-    key.add(pane.overlay).add(f.settings.view.light).add(f.settings.view.face).add(f.separate_visibility);
-    pass.key = key.value();
+    pass.key = f.shown_light_key().add(pane.overlay).add(f.separate_visibility).value();
     pass.cached = &t.values.key;
     pass.run = [&f, &t, pane](PassInfo& info) {
         CameraPass draw(f, "overlay values", GL_RGBA32F, t.values);
@@ -114,12 +112,7 @@ Pass compose_pass(FrameState& f, const ShownPane& pane) {
     }
     PaneTargets& t = targets_of(f, pane);
     f.plan.place({Result::Composed, pane.slot}, {&t.composed});
-    const ViewSettings& v = f.settings.view;
-    Key key;
-    key.add(v.overlay_opacity).add(v.overlay_range);
-    // A fitted range follows from the values.
-    if (v.overlay_range == int(OverlayRange::Manual)) key.add(v.overlay_min).add(v.overlay_max).add(v.overlay);
-    pass.key = key.value();
+    pass.key = f.with_settings({}, ReadBy::Compose).value();  // a fitted range follows from the values
     pass.cached = &t.composed.key;
     pass.run = [&f, &t, pane](PassInfo& info) {
         t.composed.ensure("picture with overlay", GL_RGBA8, f.request.width, f.request.height);

@@ -19,10 +19,11 @@ void add_seen_surfaces_pass(FrameState& f) {
     pass.category = PassCategory::Tool;
     pass.writes = {Result::SurfacesSeen};
     pass.idle_reason = "nothing evaluates pixels again";
-    pass.key = f.surfaces_key().add(f.settings.bias.normal_source).value();
+    // There is an image more also where its normal is without effect.
+    const bool own_normal = f.settings.bias.normal_source != int(NormalSource::Geometric);
+    pass.key = f.with_settings(f.surfaces_key(), ReadBy::SurfacesSeen).add(own_normal).value();
     pass.cached = &images[0].key;
-    pass.run = [&f, &images](PassInfo& info) {
-        const bool own_normal = f.settings.bias.normal_source != int(NormalSource::Geometric);
+    pass.run = [&f, &images, own_normal](PassInfo& info) {
         if (!own_normal) images[2] = {};
         // Where there is nothing, nobody reads.
         CameraPass(f, "surfaces seen", GL_RGBA32F, std::span(images).first(own_normal ? 3 : 2))

@@ -65,7 +65,7 @@ void add_true_shade_pass(FrameState& f) {
         f.plan.add(std::move(pass));
         return;
     }
-    pass.key = f.lighting_key().add(f.truth.key).add(f.settings.view.light).value();
+    pass.key = f.shown_light_key().add(f.truth.key).value();
     pass.cached = &t.true_picture.key;
     pass.run = [&f, &t](PassInfo& info) {
         const gl::Target& drawn = f.result(Result::Visibility);

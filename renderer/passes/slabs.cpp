@@ -111,9 +111,8 @@ Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane) {
     gl::Target& picture = s.pictures[std::size_t(pane.slot)];
     f.plan.place({Result::Slabs, pane.slot}, {&picture});
     const TexelRegion region = slab_region(f.settings.view, f.map_resolution);
-    Key slabs = f.camera_key;
-    slabs.add(f.plan.key_of(Result::ShadowMaps)).add(layer).add(region).add(f.settings.view.slabs);
-    slabs.add(f.settings.bias.constant).add(f.settings.bias.unit);
+    Key slabs = f.with_settings(f.camera_key, ReadBy::Slabs);
+    slabs.add(f.plan.key_of(Result::ShadowMaps)).add(layer);
     pass.key = slabs.value();
     pass.cached = &picture.key;
     const ResultRef under = pane.row() ? ResultRef(Result::Composed, pane.slot) : Result::Shaded;

@@ -74,11 +74,6 @@ Pass upload_pass(FrameState& f) {
     return pass;
 }
 
-/// Of what shaders make of the shown light, but for what they sample.
-Key shown_light_key(const FrameState& f) {
-    return f.lighting_key().add(f.settings.view.light);
-}
-
 /// Whether nothing of the scene lies beyond the map of the shown light, or nothing that could be in shadow, or there is
 /// no map.
 bool map_holds_all(const FrameState& f) {
@@ -124,7 +119,7 @@ Pass compare_pass(FrameState& f) {
     pass.writes = {Result::Compared};
     pass.idle_reason = "nothing asks what is wrong";
     TruthTargets& t = targets(f);
-    pass.key = shown_light_key(f).value();
+    pass.key = f.shown_light_key().value();
     pass.cached = &t.judged.key;
     pass.run = [&f, &t](PassInfo& info) {
         t.causes_key = 0;
@@ -156,7 +151,7 @@ Pass causes_pass(FrameState& f) {
     pass.writes = {Result::Judged};
     pass.idle_reason = "nothing asks why it is wrong";
     TruthTargets& t = targets(f);
-    pass.key = shown_light_key(f).value();
+    pass.key = f.shown_light_key().value();
     pass.cached = &t.causes_key;
     pass.run = [&f, &t](PassInfo& info) {
         const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.judged, &t.marks);
@@ -194,7 +189,7 @@ Pass evidence_pass(FrameState& f) {
     if (f.truth.met) pass.reads.push_back(Result::Truth);
     pass.writes = {Result::Evidence};
     pass.idle_reason = "nothing asks for trials";
-    pass.key = shown_light_key(f).add(f.truth.met).value();
+    pass.key = f.shown_light_key().add(f.truth.met).value();
     pass.cached = &targets(f).evidence[0].key;
     pass.run = [&f](PassInfo& info) {
         CameraPass pass_into(f, "evidence", GL_RGBA32F, targets(f).evidence);

@@ -27,6 +27,27 @@ enum class DriverFeature { None, PolygonOffsetClamp };
 
 enum class Scope { Scene, Light, Object };
 
+/// Passes that read a setting themselves: not by what shaders see of it (Param::shader), nor by what lights and camera
+/// are made of it. What they draw is kept while these stay as they are.
+enum class ReadBy : unsigned {
+    None = 0,
+    Maps = 1 << 0,          ///< that draw the shadow maps
+    DepthBlur = 1 << 1,     ///< map.blur_texels
+    Moments = 1 << 2,       ///< that make them of the maps
+    SurfacesSeen = 1 << 3,  ///< that keep the surfaces
+    OneLight = 1 << 4,      ///< that speak of one light alone
+    Compose = 1 << 5,       ///< that lay overlays over pictures
+    Slabs = 1 << 6,         ///< that draw texels into the scene
+    MapRange = 1 << 7,      ///< that find the map viewer's range
+    MapView = 1 << 8,       ///< that draw its picture
+};
+constexpr ReadBy operator|(ReadBy a, ReadBy b) {
+    return ReadBy(unsigned(a) | unsigned(b));
+}
+constexpr bool is_read_by(ReadBy set, ReadBy pass) {
+    return (unsigned(set) & unsigned(pass)) != 0;
+}
+
 struct Param {
     std::string_view key;  ///< dotted; per-light rows read "light.X", per-object rows "object.X"
     FieldRef (*field)(Settings&, int light, ObjectSettings*) = nullptr;
@@ -42,6 +63,7 @@ struct Param {
     DriverFeature needs = DriverFeature::None;
     bool of_map = false;  ///< without effect where no light's shadows come from a map (light.source)
     bool shader = false;  ///< the shaders see it, as a define (Cost::Program) or in the settings block
+    ReadBy read_by = ReadBy::None;
 };
 
 std::span<const Param> params();

@@ -57,10 +57,10 @@ constexpr auto kMap = of_map(std::to_array<Param>({
      .cost = Cost::Target,
      .help = "Width and height of each shadow map image. Twice the resolution halves the texel's size on the ground "
              "and takes four times the memory. Clamped to what the driver can allocate.",
-     .shader = true},
+     .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(map.format), .label = "Format", .unit = "", .cost = Cost::Target, SI_CHOICES(kFormats),
      .help = "How the map stores depth. Fewer bits make larger steps of depth, which call for more bias.",
-     .shader = true},
+     .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(map.wrap), .label = "Outside of the map", .unit = "", .cost = Cost::Program, SI_CHOICES(kWraps),
      .help = "What a look-up outside of the map's square finds.", .shader = true},
     {SI_FIELD(map.outside), .label = "Outside counts as", .unit = "", .cost = Cost::Program, SI_CHOICES(kOutside),
@@ -86,7 +86,8 @@ constexpr auto kMap = of_map(std::to_array<Param>({
          "Wrong on purpose: each stored depth becomes the mean of those up to this many texels away, along x and y. "
          "The comparison then meets slopes between occluder and receiver that are not there: shadows grow and lose "
          "their corners, thin ones vanish, and every edge stays hard. Filter the comparisons instead "
-         "(filter.kernel). 0 is off."},
+         "(filter.kernel). 0 is off.",
+     .read_by = ReadBy::DepthBlur},
 }));
 static_assert(kMap.size() == members<MapSettings>(), "a member of MapSettings has no row");
 
@@ -128,7 +129,8 @@ constexpr Choice kBlends[] = {
 
 constexpr auto kCaster = std::to_array<Param>({
     {SI_FIELD(caster.cull), .label = "Cull casters", .unit = "", SI_CHOICES(kCulls),
-     .help = "Which faces are left out of the shadow map. Objects may differ (object.PATH.cull).", .of_map = true},
+     .help = "Which faces are left out of the shadow map. Objects may differ (object.PATH.cull).", .of_map = true,
+     .read_by = ReadBy::Maps},
     {SI_FIELD(caster.blend), .label = "Blended casters", .unit = "", SI_CHOICES(kBlends),
      .help =
          "What materials whose alpha blends (glTF: BLEND) cast. A shadow map holds one depth a texel, so there is no "
@@ -146,11 +148,11 @@ constexpr auto kBias = of_map(std::to_array<Param>({
              "beside it.",
      .shader = true},
     {SI_FIELD(bias.unit), .label = "Unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kUnits),
-     .help = "The unit of bias.constant and bias.slope.", .shader = true},
+     .help = "The unit of bias.constant and bias.slope.", .shader = true, .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.constant), .label = "Constant", .unit = "bias.unit", .min = 0, .max = 1000, .logarithmic = true,
      .help = "Least bias. Bias = max(slope * (1 - n.l), constant), subtracted from the fragment's depth before the "
              "comparison. Too little: acne. Too much: shadows come off their objects (peter-panning).",
-     .shader = true},
+     .shader = true, .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.slope), .label = "Slope", .unit = "bias.unit", .min = 0, .max = 1000, .logarithmic = true,
      SI_IDLE(s.bias.slope <= s.bias.constant,
              "without effect: bias = max(slope * (1 - n.l), constant) and slope is not above constant"),
@@ -170,22 +172,22 @@ constexpr auto kBias = of_map(std::to_array<Param>({
      .shader = true},
     {SI_FIELD(bias.normal_source), .label = "Normal", .unit = "", .cost = Cost::Program, SI_CHOICES(kNormals),
      SI_IDLE(!slope_acts(s) && s.bias.normal == 0, "without effect: neither slope nor normal offset acts"),
-     .help = "The normal that slope bias and normal offset use.", .shader = true},
+     .help = "The normal that slope bias and normal offset use.", .shader = true, .read_by = ReadBy::SurfacesSeen},
     {SI_FIELD(bias.raster_slope), .label = "Raster slope", .unit = "x depth slope", .min = -100, .max = 100,
      .help = "glPolygonOffset factor while the map is drawn: depth per texel of the triangle's own slope, times this. "
              "Towards the far plane when positive, under reversed depth too.",
-     .shader = true},
+     .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(bias.raster_units), .label = "Raster units", .unit = "depth steps", .min = -1e7, .max = 1e7,
      .logarithmic = true,
      .help = "glPolygonOffset units while the map is drawn: smallest steps of the depth format, as the driver defines "
              "them. Towards the far plane when positive, under reversed depth too.",
-     .shader = true},
+     .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(bias.raster_clamp), .label = "Raster clamp", .unit = "depth", .min = 0, .max = 1,
      SI_IDLE(s.bias.raster_slope == 0 && s.bias.raster_units == 0,
              "without effect: bias.raster_slope and bias.raster_units are 0"),
      .help = "Largest offset that raster slope and units may add, in depth [0,1]; 0 is no limit. Needs "
              "glPolygonOffsetClamp.",
-     .needs = DriverFeature::PolygonOffsetClamp, .shader = true},
+     .needs = DriverFeature::PolygonOffsetClamp, .shader = true, .read_by = ReadBy::Maps},
 }));
 static_assert(kBias.size() == members<BiasSettings>(), "a member of BiasSettings has no row");
 
@@ -219,7 +221,7 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.blur), .label = "Blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
      .help = "The moments of each texel become the mean of those up to this many texels away, along x and y: once for "
              "the map, however many pixels read it. 0 leaves the 2x2 that bilinear sampling blends.",
-     .shader = true},
+     .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.bleed), .label = "Light-bleed reduction", .unit = "", .min = 0, .max = 0.99,
      .help = "Visibility below this share counts as shadow, and the rest is stretched to fill 0 to 1. Takes away light "
              "that leaks in where shadows overlap, and hardens every edge.",
