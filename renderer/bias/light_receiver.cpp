@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/settings/biases.h"
+#include "renderer/view/projection.h"
 
 namespace si {
 
@@ -17,10 +18,7 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     const ChosenView chosen = light.chooser.choose(light.views, position_ws);
     r.view = chosen.view, r.other_view = chosen.other, r.blend = chosen.share;
     const LightView& view = light.views[r.view];
-    const auto to_unit = [&](const glm::dvec3& ndc) {
-        const double z = view.curve.convention.zero_to_one ? ndc.z : ndc.z * 0.5 + 0.5;
-        return glm::dvec3(ndc.x * 0.5 + 0.5, ndc.y * 0.5 + 0.5, z);
-    };
+    const auto to_unit = [&](const glm::dvec3& ndc) { return uvd_from_ndc(view.curve.convention, ndc); };
     r.clip = view.clip_from_relative(position_ws) * glm::dvec4(0, 0, 0, 1);
     const double w = r.clip.w;
     r.ndc = glm::dvec3(r.clip) / w;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/view/projection.h"
 #include "shaders/shared/facing.h"
 
 namespace si {
@@ -11,19 +12,11 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// (u, v, d, w), all in [0,w], from positions relative to `origin`.
-glm::dmat4 uvd_from_relative(const LightView& view, const glm::dvec3& origin) {
-    glm::dmat4 half(1.0);
-    half[0][0] = half[1][1] = half[3][0] = half[3][1] = 0.5;
-    if (!view.curve.convention.zero_to_one) half[2][2] = half[3][2] = 0.5;
-    return half * view.clip_from_relative(origin);
-}
-
 }  // namespace
 
 ReceiverPlane receiver_plane(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws) {
     // Relative to the point, the plane is (n, 0) and nothing cancels.
-    const glm::dmat4 t = uvd_from_relative(view, point_ws);
+    const glm::dmat4 t = uvd_from_clip(view.curve.convention) * view.clip_from_relative(point_ws);
     const glm::dvec4 plane = glm::transpose(glm::inverse(t)) * glm::dvec4(normal_ws, 0.0);
     ReceiverPlane r;
     r.w = t[3][3];

@@ -14,20 +14,12 @@
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
 #include "renderer/view/kernel_reach.h"
+#include "renderer/view/projection.h"
 
 namespace si {
 namespace {
 
 constexpr double kMapBudgetBytes = 2.0 * 1024 * 1024 * 1024;
-
-/// Homogeneous map coordinates from clip space: xy from [-w,w] to [0,w], z likewise where the convention needs it.
-glm::dmat4 uvd_from_clip(const DepthConvention& convention) {
-    glm::dmat4 m(1.0);
-    m[0][0] = m[1][1] = 0.5;
-    m[3][0] = m[3][1] = 0.5;
-    if (!convention.zero_to_one) m[2][2] = m[3][2] = 0.5;
-    return m;
-}
 
 /// Everything that place_lights() and fit_maps() read but the camera.
 Key lights_as_placed_key(const FrameState& f) {
@@ -381,8 +373,8 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
     glNamedBufferSubData(resources.frame_block.id(), 0, sizeof block, &block);
     const auto bytes = settings_block_bytes(f.settings);
     glNamedBufferData(resources.settings_block.id(), GLsizeiptr(bytes.size()), bytes.data(), GL_STREAM_DRAW);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, resources.frame_block.id());
-    glBindBufferBase(GL_UNIFORM_BUFFER, 1, resources.settings_block.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, shared::BLOCK_FRAME, resources.frame_block.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, shared::BLOCK_SETTINGS, resources.settings_block.id());
     set_samplers(f);
 }
 

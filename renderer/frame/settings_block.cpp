@@ -7,6 +7,7 @@
 
 #include "renderer/settings/owners.h"
 #include "renderer/settings/param.h"
+#include "shaders/shared/units.h"
 
 namespace si {
 namespace {
@@ -47,7 +48,8 @@ std::vector<gl::Define> settings_defines(const Settings& s) {
 
 std::string settings_block_text() {
     static const std::string text = [] {
-        std::string out = "layout(std140, binding = 1) uniform SettingsUniforms {\n";
+        std::string out =
+            fmt::format("layout(std140, binding = {}) uniform SettingsUniforms {{\n", shared::BLOCK_SETTINGS);
         for_shader_params([&](const Param& p) {
             if (p.cost == Cost::Program || p.choices) return;
             Settings probe;

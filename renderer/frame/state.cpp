@@ -114,8 +114,8 @@ GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragm
 }
 
 void FrameState::bind_textures(const Batch& batch) const {
-    if (batch.texture) glBindTextureUnit(kBaseColour, batch.texture);
-    if (batch.normal_texture) glBindTextureUnit(kNormalMap, batch.normal_texture);
+    if (batch.texture) glBindTextureUnit(shared::UNIT_BASE_COLOUR, batch.texture);
+    if (batch.normal_texture) glBindTextureUnit(shared::UNIT_NORMAL_MAP, batch.normal_texture);
 }
 
 void FrameState::draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra,

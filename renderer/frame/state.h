@@ -22,27 +22,9 @@
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
 #include "shaders/shared/frame.h"
+#include "shaders/shared/units.h"
 
 namespace si {
-
-/// Texture units, the same in every program (layout(binding) in shaders/).
-enum Unit : GLuint {
-    kShadowMap,
-    kShadowMapCompare,
-    kBaseColour,
-    kVisibility,
-    kShaded,
-    kOverlayValues,
-    kNormalMap,
-    kTruth,
-    kMoreTruth,
-    kJudged,
-    kUnfilteredMap,
-    kSeenSurfaces,
-    kMoments = kSeenSurfaces + 3,
-    kVolumes,
-    kCameraDepth
-};
 
 inline constexpr int kMaxPanes = 4;
 inline constexpr int kSeenImages = 3;  ///< see lib/seen_surface.glsl

@@ -56,7 +56,7 @@ CameraPass& CameraPass::clear(const glm::uvec4& value) {
 
 void add_camera_depth_pass(FrameState& f) {
     gl::Target& depth = f.gl.owned.get<CameraDepth>().depth;
-    f.plan.place(Result::CameraDepth, {&depth, kCameraDepth});
+    f.plan.place(Result::CameraDepth, {&depth, shared::UNIT_CAMERA_DEPTH});
     Pass pass;
     pass.name = "camera depth";
     pass.writes = {Result::CameraDepth};

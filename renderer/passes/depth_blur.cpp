@@ -33,7 +33,7 @@ void blur_layer(FrameState& f, const BlurredMaps& t, const gl::Framebuffer& rows
     const int target_layer = t.maps.layers == 0 ? -1 : layer;
     const auto blurred = colour ? gl::make_framebuffer("blurred shadow map", &t.maps, nullptr, target_layer)
                                 : gl::make_framebuffer("blurred shadow map", nullptr, &t.maps, -1, target_layer);
-    glBindTextureUnit(kShaded, t.rows.texture.id());
+    glBindTextureUnit(shared::UNIT_BLURRED_ROWS, t.rows.texture.id());
     draw(blurred.id(), "1");
 }
 

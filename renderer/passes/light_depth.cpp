@@ -104,7 +104,7 @@ void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const L
             glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
         }
         const GLuint mask = unfiltered ? batch.finest_texture : batch.texture;
-        if (batch.masked && mask && mask != texture) glBindTextureUnit(kBaseColour, texture = mask);
+        if (batch.masked && mask && mask != texture) glBindTextureUnit(shared::UNIT_BASE_COLOUR, texture = mask);
         if (!previous || previous->cull != batch.cull || previous->mirrored != batch.mirrored) set_cull(f, batch);
         previous = batch;
         f.gl.scene->draw(batch);
@@ -121,14 +121,14 @@ bool FrameState::blurs_depths() const {
 }
 
 void place_compared_maps(FrameState& f, const gl::Target& maps) {
-    f.plan.place(Result::ShadowMaps, {&maps, kShadowMap, &f.gl.map_nearest});
+    f.plan.place(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
     if (f.settings.map.format != int(MapFormat::Colour))
-        f.plan.place(Result::ShadowMaps, {&maps, kShadowMapCompare, &f.gl.map_compare});
+        f.plan.place(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP_COMPARE, &f.gl.map_compare});
 }
 
 void add_light_depth_passes(FrameState& f) {
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
-    f.plan.place(Result::DrawnMaps, {&t.maps, kShadowMap, &f.gl.map_nearest});
+    f.plan.place(Result::DrawnMaps, {&t.maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
     std::vector<ResultRef> writes = {Result::DrawnMaps};
     if (!f.blurs_depths()) {
         writes.push_back(Result::ShadowMaps);
@@ -185,7 +185,8 @@ void add_unfiltered_map_pass(FrameState& f) {
     pass.writes = {Result::UnfilteredMap};
     pass.idle_reason = "nothing asks what is wrong";
     const bool own = f.view_count > 0 && f.draws_unfiltered();
-    f.plan.place(Result::UnfilteredMap, {own ? &t.unfiltered : &t.maps, kUnfilteredMap, &f.gl.map_nearest});
+    f.plan.place(Result::UnfilteredMap,
+                 {own ? &t.unfiltered : &t.maps, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {
         pass.unneeded = f.view_count == 0 ? "no light has a shadow map"
                                           : "the map as drawn is it: no polygon offset, no mask with mip levels";

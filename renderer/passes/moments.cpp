@@ -28,7 +28,7 @@ void sum_moments(FrameState& f, MomentTargets& t, const gl::Framebuffer& rows, c
     };
     draw(rows.id(), "0");
     const auto whole = gl::make_framebuffer("moments", &t.moments, nullptr, t.moments.layers == 0 ? -1 : layer);
-    glBindTextureUnit(kShaded, t.rows.texture.id());
+    glBindTextureUnit(shared::UNIT_BLURRED_ROWS, t.rows.texture.id());
     draw(whole.id(), "1");
 }
 
@@ -58,7 +58,7 @@ void add_moments_pass(FrameState& f) {
         return;
     }
     MomentTargets& t = f.gl.owned.get<MomentTargets>();
-    f.plan.place(Result::Moments, {&t.moments, kMoments, &f.gl.map_blended});
+    f.plan.place(Result::Moments, {&t.moments, shared::UNIT_MOMENTS, &f.gl.map_blended});
     const int radius = f.settings.filter.blur;
     pass.key = f.with_settings({}, ReadBy::Moments).value();
     pass.cached = &t.moments.key;

@@ -88,7 +88,7 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
     // Where nothing writes depth, it has to be there.
     if (pane.row()->draw != OverlayDraw::Fragments) pass.reads.push_back(Result::CameraDepth);
     PaneTargets& t = targets_of(f, pane);
-    f.plan.place({Result::Overlay, pane.slot}, {&t.values, kOverlayValues});
+    f.plan.place({Result::Overlay, pane.slot}, {&t.values, shared::UNIT_OVERLAY_VALUES});
     pass.key = f.shown_light_key().add(pane.overlay).add(f.separate_visibility).value();
     pass.cached = &t.values.key;
     pass.run = [&f, &t, pane](PassInfo& info) {

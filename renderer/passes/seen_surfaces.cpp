@@ -13,7 +13,7 @@ struct SeenSurfaces {
 void add_seen_surfaces_pass(FrameState& f) {
     std::array<gl::Target, kSeenImages>& images = f.gl.owned.get<SeenSurfaces>().images;
     for (int i = 0; i < kSeenImages; ++i)
-        f.plan.place(Result::SurfacesSeen, {&images[std::size_t(i)], int(kSeenSurfaces) + i});
+        f.plan.place(Result::SurfacesSeen, {&images[std::size_t(i)], shared::UNIT_SEEN_SURFACES + i});
     Pass pass;
     pass.name = "surfaces seen";
     pass.category = PassCategory::Tool;
@@ -33,7 +33,8 @@ void add_seen_surfaces_pass(FrameState& f) {
 }
 
 void bind_seen_surfaces(std::span<const gl::Target, kSeenImages> seen) {
-    for (std::size_t i = 0; i < seen.size(); ++i) glBindTextureUnit(GLuint(kSeenSurfaces + i), seen[i].texture.id());
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        glBindTextureUnit(GLuint(shared::UNIT_SEEN_SURFACES + i), seen[i].texture.id());
 }
 
 }  // namespace si

@@ -74,7 +74,7 @@ void add_true_shade_pass(FrameState& f) {
         glCopyImageSubData(drawn.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, visibility.texture.id(),
                            GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, drawn.width, drawn.height, drawn.layers);
         put_traced_visibility(*f.request.truth, visibility, f.settings.view.light);
-        glBindTextureUnit(kVisibility, visibility.texture.id());
+        glBindTextureUnit(shared::UNIT_VISIBILITY, visibility.texture.id());
         draw_picture(f, t.true_picture, true, info);
     };
     f.plan.add(std::move(pass));
@@ -82,7 +82,7 @@ void add_true_shade_pass(FrameState& f) {
 
 void add_shade_pass(FrameState& f) {
     gl::Target& picture = f.gl.owned.get<ShadedTargets>().picture;
-    f.plan.place(Result::Shaded, {&picture, kShaded});
+    f.plan.place(Result::Shaded, {&picture, shared::UNIT_SHADED});
     Pass pass;
     pass.name = f.separate_visibility ? "shading (reads visibility)" : "shading (with visibility)";
     pass.reads = lookup_reads(f);

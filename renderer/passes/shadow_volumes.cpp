@@ -303,7 +303,7 @@ void add_shadow_volume_passes(FrameState& f) {
     }
     ShadowVolumes& volumes = f.gl.owned.get<ShadowVolumes>();
     volumes.arrange(f);
-    f.plan.place(Result::ShadowVolumes, {&volumes.lit(), kVolumes});
+    f.plan.place(Result::ShadowVolumes, {&volumes.lit(), shared::UNIT_VOLUMES});
     f.plan.release([&volumes] { volumes.forget_unused(); });
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.stencil) continue;

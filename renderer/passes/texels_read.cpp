@@ -37,7 +37,7 @@ void add_texels_read_pass(FrameState& f) {
         glClearTexImage(t.marks.texture.id(), 0, GL_RED, GL_FLOAT, &none);
         const gl::Framebuffer framebuffer = gl::make_framebuffer("texels read", &t.nothing, nullptr);
         f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
-        glBindImageTexture(0, t.marks.texture.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
+        glBindImageTexture(shared::IMAGE_TEXELS_READ, t.marks.texture.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
         glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/texels_read.frag.glsl",
                                {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
                                 {"MARK_TEXELS", std::to_string(layer)},

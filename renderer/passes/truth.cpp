@@ -278,10 +278,10 @@ std::shared_ptr<const LiveError> live_error(const FrameState& f) {
 
 void add_truth_passes(FrameState& f) {
     TruthTargets& t = targets(f);
-    f.plan.place(Result::Truth, {&t.truth, kTruth});
-    f.plan.place(Result::Truth, {&t.more_truth, kMoreTruth});
+    f.plan.place(Result::Truth, {&t.truth, shared::UNIT_TRUTH});
+    f.plan.place(Result::Truth, {&t.more_truth, shared::UNIT_MORE_TRUTH});
     f.plan.place(Result::Compared, {&t.judged});
-    f.plan.place(Result::Judged, {&t.judged, kJudged});
+    f.plan.place(Result::Judged, {&t.judged, shared::UNIT_JUDGED});
     f.plan.place(Result::Error, {&t.error_tiles});
     for (const gl::Target& image : t.evidence) f.plan.place(Result::Evidence, {&image});
     std::array<Pass, 4> passes{upload_pass(f), compare_pass(f), causes_pass(f), sums_pass(f)};

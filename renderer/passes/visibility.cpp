@@ -59,7 +59,7 @@ Image visibility_image(const FrameState& f, int light) {
 
 void add_visibility_pass(FrameState& f) {
     VisibilityTargets& t = f.gl.owned.get<VisibilityTargets>();
-    f.plan.place(Result::Visibility, {&t.visibility, kVisibility});
+    f.plan.place(Result::Visibility, {&t.visibility, shared::UNIT_VISIBILITY});
     Pass pass;
     pass.name = "visibility";
     pass.reads = lookup_reads(f);

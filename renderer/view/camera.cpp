@@ -149,8 +149,8 @@ void Camera::pixel_ray(double x, double y, int width, int height_px, glm::dvec3&
 glm::dvec4 Camera::project(const glm::dvec3& world, int width, int height_px) const {
     const glm::dvec4 clip = projection() * glm::dvec4(glm::transpose(axes) * (world - eye), 1.0);
     const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
-    const double depth = curve.convention.zero_to_one ? ndc.z : 0.5 * ndc.z + 0.5;
-    return {(ndc.x + 1) / 2 * width - 0.5, (1 - ndc.y) / 2 * height_px - 0.5, depth, clip.w};
+    return {(ndc.x + 1) / 2 * width - 0.5, (1 - ndc.y) / 2 * height_px - 0.5, uvd_from_ndc(curve.convention, ndc).z,
+            clip.w};
 }
 
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect,

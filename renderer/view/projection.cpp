@@ -25,6 +25,24 @@ glm::dmat4 projection_matrix(const DepthCurve& curve, double half_x, double half
     return m;
 }
 
+glm::dvec3 uvd_from_ndc(const DepthConvention& convention, const glm::dvec3& ndc) {
+    const glm::dvec3 half = 0.5 * ndc + 0.5;
+    return {half.x, half.y, convention.zero_to_one ? ndc.z : half.z};
+}
+
+glm::dmat4 uvd_from_clip(const DepthConvention& convention) {
+    // What the map of three dimensions makes of the axes and of nothing.
+    const glm::dvec3 zero = uvd_from_ndc(convention, glm::dvec3(0));
+    glm::dmat4 m(1.0);
+    for (int i = 0; i < 3; ++i) {
+        glm::dvec3 axis(0);
+        axis[i] = 1;
+        m[i] = glm::dvec4(uvd_from_ndc(convention, axis) - zero, 0);
+    }
+    m[3] = glm::dvec4(zero, 1);
+    return m;
+}
+
 glm::dmat4 clip_from_relative(const glm::dmat4& projection, const glm::dmat3& axes, const glm::dvec3& eye,
                               const glm::dvec3& origin) {
     const glm::dmat3 rotation = glm::transpose(axes);

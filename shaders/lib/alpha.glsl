@@ -1,5 +1,6 @@
 // Base colour and alpha mask, the same in every pass.
-layout(binding = 2) uniform sampler2D base_colour_map;
+#include "shared/units.h"
+layout(binding = UNIT_BASE_COLOUR) uniform sampler2D base_colour_map;
 #ifdef TEXTURED
 in vec2 uv;
 #endif

@@ -1,5 +1,6 @@
 // The visibility of LIGHT_INDEX that was drawn at this pixel, which is what is judged.
-layout(binding = 3) uniform sampler2DArray visibility_map;
+#include "shared/units.h"
+layout(binding = UNIT_VISIBILITY) uniform sampler2DArray visibility_map;
 
 /// What is no number is dark.
 float drawn_visibility() {

@@ -1,7 +1,8 @@
 // The mean and mean square of depths about each texel of the shadow maps, as the moments pass leaves them. Depths are
 // shares of the map's range along its axis, 0 near to 1 far, whatever the map's format and direction.
+#include "shared/units.h"
 #include "lib/shadow_map.glsl"
-layout(binding = 14) uniform MAPS moments_map;
+layout(binding = UNIT_MOMENTS) uniform MAPS moments_map;
 
 /// The share of the range at a stored or compared depth; the depth itself where it is linear.
 float share_of_range(float depth, float near, float far, bool perspective) {

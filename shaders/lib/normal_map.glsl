@@ -1,5 +1,6 @@
 // Tangent-space normal maps as glTF 2.0 has them: x along growing u, y along falling v (up in the image).
-layout(binding = 6) uniform sampler2D normal_map;
+#include "shared/units.h"
+layout(binding = UNIT_NORMAL_MAP) uniform sampler2D normal_map;
 in vec3 uv_scale;  // of the normal texture; z: scale of its x and y
 #ifdef TANGENTS
 in vec3 tangent_ws;

@@ -1,9 +1,10 @@
 // The surface that the camera sees at a pixel, from what passes/seen_surfaces.frag.glsl kept: in every bit as drawn.
+#include "shared/units.h"
 #include "lib/receiver.glsl"
-layout(binding = 11) uniform sampler2D seen_position_map;   // relative to the frame's origin, metres; A: receives
-layout(binding = 12) uniform sampler2D seen_geometric_map;
+layout(binding = UNIT_SEEN_SURFACES) uniform sampler2D seen_position_map;   // relative to the frame's origin, metres; A: receives
+layout(binding = UNIT_SEEN_SURFACES + 1) uniform sampler2D seen_geometric_map;
 #if bias_normal_source != bias_normal_source_geometric
-layout(binding = 13) uniform sampler2D seen_bias_normal_map;
+layout(binding = UNIT_SEEN_SURFACES + 2) uniform sampler2D seen_bias_normal_map;
 #endif
 
 /// Of the interpolated normals only that which bias.normal_source chooses is known; the direction to the eye is not.

@@ -1,16 +1,17 @@
 // The shadow maps: one picture is a plain texture, several are the layers of an array.
+#include "shared/units.h"
 #if MAP_LAYERS > 1
 #define MAPS sampler2DArray
 #define IN_LAYER(at, layer) vec3(at, layer)
-layout(binding = 1) uniform sampler2DArrayShadow shadow_map_compare; // comparison as map_compare has it
+layout(binding = UNIT_SHADOW_MAP_COMPARE) uniform sampler2DArrayShadow shadow_map_compare; // comparison as map_compare has it
 float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec4(at, layer, own)); }
 #else
 #define MAPS sampler2D
 #define IN_LAYER(at, layer) at
-layout(binding = 1) uniform sampler2DShadow shadow_map_compare;
+layout(binding = UNIT_SHADOW_MAP_COMPARE) uniform sampler2DShadow shadow_map_compare;
 float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec3(at, own)); }
 #endif
-layout(binding = 0) uniform MAPS shadow_map;  // nearest, no comparison
+layout(binding = UNIT_SHADOW_MAP) uniform MAPS shadow_map;  // nearest, no comparison
 float stored_depth(vec2 at, int layer) { return texture(shadow_map, IN_LAYER(at, layer)).r; }
 vec4 stored_gather(vec2 at, int layer) { return textureGather(shadow_map, IN_LAYER(at, layer)); }
 float stored_texel(ivec2 texel, int layer) {
@@ -26,7 +27,7 @@ float depth_of(bool lit) { return lit == (map_reversed_z == 0) ? 3e38 : -3e38; }
 
 #ifdef MAP_TRIALS
 // The same kernels on another map, and with an answer in place of what lies beyond the map's sides.
-layout(binding = 10) uniform MAPS unfiltered_map;
+layout(binding = UNIT_UNFILTERED_MAP) uniform MAPS unfiltered_map;
 bool map_is_unfiltered = false;
 float beyond_answer = -1.0;  // visibility of taps beyond the sides; below 0: as map.wrap has it
 
@@ -77,7 +78,7 @@ vec4 map_gather(vec2 at, int layer) {
     return stored;
 }
 #elif defined(MARK_TEXELS)
-layout(binding = 0, r32f) uniform writeonly image2D texels_read;
+layout(binding = IMAGE_TEXELS_READ, r32f) uniform writeonly image2D texels_read;
 
 /// Marks the texel that a look-up finds under map.wrap, if it finds any.
 void mark_texel(vec2 texel, int layer) {

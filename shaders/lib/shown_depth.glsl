@@ -1,6 +1,7 @@
 // The depth image that the map viewer shows: a layer of the shadow maps, or the camera's own depth.
+#include "shared/units.h"
 #ifdef FROM_CAMERA
-layout(binding = 16) uniform sampler2D shown_map;
+layout(binding = UNIT_CAMERA_DEPTH) uniform sampler2D shown_map;
 float shown_depth(ivec2 texel) { return texelFetch(shown_map, texel, 0).r; }
 ivec2 shown_size() { return textureSize(shown_map, 0); }
 #else

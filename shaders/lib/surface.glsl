@@ -1,4 +1,5 @@
 // The surface under the fragment, from the scene vertex shader's outputs.
+#include "shared/units.h"
 #include "lib/receiver.glsl"
 #include "lib/alpha.glsl"
 

@@ -1,9 +1,10 @@
 // The ray-traced truth about the shown light (renderer/reference/truth_picture.h), and what was made of it.
+#include "shared/units.h"
 #include "shared/judged.h"
 
-layout(binding = 7) uniform sampler2D truth_map;   // rows from the top: R, metres to the drawn surface nearest the light, state, noise
-layout(binding = 8) uniform sampler2D more_map;    // rows from the top: metres to the nearest of all casters, hard R, edge_m, run_m
-layout(binding = 9) uniform sampler2D judged_map;  // rows from the bottom: see judgement()
+layout(binding = UNIT_TRUTH) uniform sampler2D truth_map;   // rows from the top: R, metres to the drawn surface nearest the light, state, noise
+layout(binding = UNIT_MORE_TRUTH) uniform sampler2D more_map;    // rows from the top: metres to the nearest of all casters, hard R, edge_m, run_m
+layout(binding = UNIT_JUDGED) uniform sampler2D judged_map;  // rows from the bottom: see judgement()
 
 const float COUNTED = 0.0;  // PixelState::Counted
 const float RIGHT_VISIBILITY = 1e-3;

@@ -1,7 +1,8 @@
 // The overlay through its colour scale over the shaded picture.
+#include "shared/units.h"
 #include "lib/colour_scale.glsl"
-layout(binding = 4) uniform sampler2D shaded;
-layout(binding = 5) uniform sampler2D overlay_values;
+layout(binding = UNIT_SHADED) uniform sampler2D shaded;
+layout(binding = UNIT_OVERLAY_VALUES) uniform sampler2D overlay_values;
 uniform vec4 scale;  // min, max, opacity, 1 diverging
 uniform int scalar;
 uniform int grey;  // the picture under the overlay loses its colours, so that those of the overlay stand out

@@ -1,6 +1,7 @@
 // One axis of a box blur of stored depth: the mean of the 2 radius + 1 texels about each that lie in the map.
+#include "shared/units.h"
 #if BLUR_COLUMNS
-layout(binding = 4) uniform sampler2D rows;  // blurred along x
+layout(binding = UNIT_BLURRED_ROWS) uniform sampler2D rows;  // blurred along x
 float stored(ivec2 at) { return texelFetch(rows, at, 0).r; }
 #else
 #include "lib/shadow_map.glsl"

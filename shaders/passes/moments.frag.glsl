@@ -1,5 +1,6 @@
 // Mean and mean square of depths over (2 radius + 1) texels along one axis: first of stored depths along x, then of what
 // that leaves along y. Those beyond the map's sides do not count.
+#include "shared/units.h"
 #include "lib/receiver.glsl"
 #include "lib/moments.glsl"
 #include "lib/blur_axis.glsl"
@@ -8,7 +9,7 @@ uniform int layer;
 uniform vec4 curve;  // near, far, 1 perspective
 
 #if BLUR_COLUMNS
-layout(binding = 4) uniform sampler2D rows;
+layout(binding = UNIT_BLURRED_ROWS) uniform sampler2D rows;
 vec2 moments_at(ivec2 at) { return texelFetch(rows, at, 0).rg; }
 #else
 vec2 moments_at(ivec2 at) {

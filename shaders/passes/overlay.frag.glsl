@@ -1,11 +1,12 @@
 // One overlay's raw value at each fragment; the colour scale comes later.
+#include "shared/units.h"
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
 
 #define NOTHING uintBitsToFloat(0x7fc00000u)  // drawn as no value; compilers differ on whether it is a constant
 
 #ifdef SEPARATE_VISIBILITY
-layout(binding = 3) uniform sampler2DArray visibility_map;
+layout(binding = UNIT_VISIBILITY) uniform sampler2DArray visibility_map;
 #endif
 
 /// The visibility of this pixel: from its texture where that was made.

@@ -1,10 +1,11 @@
 // Blinn-Phong: (ambient + visibility * (diffuse + specular)) * colour; the ambient part is never shadowed.
 // Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977.
+#include "shared/units.h"
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
 
 #ifdef SEPARATE_VISIBILITY
-layout(binding = 3) uniform sampler2DArray visibility_map;
+layout(binding = UNIT_VISIBILITY) uniform sampler2DArray visibility_map;
 #endif
 layout(location = 0) out vec4 colour_out;
 

@@ -1,5 +1,6 @@
 // Outside of all of the light's shadow volumes, as renderer/passes/shadow_volumes.cpp counted them at this pixel.
-layout(binding = 15) uniform sampler2DArray volumes_map;  // a layer a light: 1 where the surface lies in none
+#include "shared/units.h"
+layout(binding = UNIT_VOLUMES) uniform sampler2DArray volumes_map;  // a layer a light: 1 where the surface lies in none
 
 float source_visibility(Surface s, int light) {
     if (!s.receives) return 1.0;

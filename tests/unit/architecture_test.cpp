@@ -49,6 +49,24 @@ TEST(Architecture, PanelsCallNoGl) {
     for (const fs::path& path : sources("ui")) EXPECT_FALSE(std::regex_search(text_of(path), call)) << path;
 }
 
+// One header says where shaders find textures, for both languages.
+TEST(Architecture, BindingsAreNamed) {
+    const std::regex number("binding\\s*=\\s*[0-9]"), name("const int UNIT_\\w+ = (\\d+)");
+    std::size_t read = 0;
+    for (const char* folder : {"shaders", "renderer"})
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(SI_SOURCE_DIR) / folder)) {
+            if (!entry.is_regular_file()) continue;
+            EXPECT_FALSE(std::regex_search(text_of(entry.path()), number)) << entry.path();
+            ++read;
+        }
+    EXPECT_GT(read, 100u);
+    const std::string units = text_of(fs::path(SI_SOURCE_DIR) / "shaders/shared/units.h");
+    std::set<std::string> taken;
+    for (std::sregex_iterator it(units.begin(), units.end(), name), end; it != end; ++it)
+        EXPECT_TRUE(taken.insert((*it)[1]).second) << it->str() << ": another one has that unit";
+    EXPECT_GT(taken.size(), 10u);
+}
+
 // What people read is written here, tooltips that no test hovers too.
 TEST(Architecture, TextIsEncodedOnce) {
     std::size_t read = 0;

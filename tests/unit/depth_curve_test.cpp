@@ -123,5 +123,19 @@ TEST(DepthCurve, KnownSteps) {
     EXPECT_NEAR(1.0 / ((1 << 24) - 1) / c.slope(1000), 5.96, 0.01);
 }
 
+TEST(Projection, MapCoordinatesRunFrom0To1WhereClipSpaceDoes) {
+    for (const bool zero_to_one : {true, false}) {
+        const DepthConvention convention{.zero_to_one = zero_to_one};
+        const double first = zero_to_one ? 0 : -1;
+        for (const double w : {1.0, 3.0})
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::dvec3 uvd(corner & 1, corner >> 1 & 1, corner >> 2);
+                const glm::dvec3 ndc(uvd.x == 0 ? -1 : 1, uvd.y == 0 ? -1 : 1, uvd.z == 0 ? first : 1);
+                EXPECT_EQ(uvd_from_ndc(convention, ndc), uvd);
+                EXPECT_EQ(uvd_from_clip(convention) * glm::dvec4(ndc * w, w), glm::dvec4(uvd * w, w));
+            }
+    }
+}
+
 }  // namespace
 }  // namespace si

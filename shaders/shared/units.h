@@ -1,0 +1,34 @@
+// Where shaders find textures, images and uniform blocks, for C++ and GLSL alike. Each of the first has a unit of its own.
+#ifndef SI_SHARED_UNITS_H
+#define SI_SHARED_UNITS_H
+
+#ifdef __cplusplus
+namespace si::shared {
+#endif
+
+const int UNIT_SHADOW_MAP = 0;          // as stored
+const int UNIT_SHADOW_MAP_COMPARE = 1;  // by a sampler that compares
+const int UNIT_BASE_COLOUR = 2;
+const int UNIT_NORMAL_MAP = 3;
+const int UNIT_VISIBILITY = 4;
+const int UNIT_SHADED = 5;
+const int UNIT_OVERLAY_VALUES = 6;
+const int UNIT_TRUTH = 7;
+const int UNIT_MORE_TRUTH = 8;
+const int UNIT_JUDGED = 9;
+const int UNIT_UNFILTERED_MAP = 10;
+const int UNIT_SEEN_SURFACES = 11;  // and two after it
+const int UNIT_MOMENTS = 14;
+const int UNIT_VOLUMES = 15;
+const int UNIT_CAMERA_DEPTH = 16;
+const int UNIT_BLURRED_ROWS = 17;  // what a blur has summed along x
+
+const int IMAGE_TEXELS_READ = 0;
+
+const int BLOCK_FRAME = 0;
+const int BLOCK_SETTINGS = 1;
+
+#ifdef __cplusplus
+}  // namespace si::shared
+#endif
+#endif
