@@ -329,8 +329,12 @@ void Renderer::Impl::calibrate_offset(int map_format) {
 }
 
 FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings, const FrameRequest& request) {
-    FrameState f{.scene = scene, .settings = settings, .request = request, .gl = resources, .driver = driver};
-    f.notes = sanitise(f.settings);
+    if (!repaired || !(repaired->given == settings)) {
+        repaired = Repaired{settings, settings, {}};
+        repaired->notes = sanitise(repaired->settings);
+    }
+    FrameState f{.scene = scene, .settings = repaired->settings, .request = request, .gl = resources, .driver = driver};
+    f.notes = repaired->notes;
     fit_within_limits(f);
     if (f.settings.bias.raster_slope != 0 || f.settings.bias.raster_units != 0) calibrate_offset(f.settings.map.format);
     if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "renderer/frame/state.h"
 
@@ -13,6 +14,13 @@ struct Renderer::Impl {
     std::unique_ptr<gl::PassClock> clock;  ///< made when first needed: calibrating costs a few frames
     Resources resources;
     const std::uint64_t number;  ///< no other renderer has it
+
+    /// The settings of the last frame, as they were given and as they can be drawn.
+    struct Repaired {
+        Settings given, settings;
+        std::vector<std::string> notes;
+    };
+    std::optional<Repaired> repaired;
 
     Impl();
     /// Derives everything of a frame that needs no drawing.

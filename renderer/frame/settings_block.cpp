@@ -34,22 +34,22 @@ int as_int(const Value& v) {
 std::vector<gl::Define> settings_defines(const Settings& s) {
     std::vector<gl::Define> out;
     for_shader_params([&](const Param& p) {
-        const std::string name = identifier(p.key);
-        if (p.choices) {
-            const auto choices = p.choices();
-            for (std::size_t i = 0; i < choices.size(); ++i)
-                out.push_back({name + "_" + identifier(choices[i].key), std::to_string(i)});
-        }
         if (p.cost == Cost::Program || p.choices)
-            out.push_back({name, std::to_string(as_int(get_value(s, {&p, 0, {}})))});
+            out.push_back({identifier(p.key), std::to_string(as_int(get_value(s, {&p, 0, {}})))});
     });
     return out;
 }
 
-std::string settings_block_text() {
+const std::string& settings_block_text() {
     static const std::string text = [] {
-        std::string out =
-            fmt::format("layout(std140, binding = {}) uniform SettingsUniforms {{\n", shared::BLOCK_SETTINGS);
+        std::string out;
+        for_shader_params([&](const Param& p) {
+            if (!p.choices) return;
+            const auto choices = p.choices();
+            for (std::size_t i = 0; i < choices.size(); ++i)
+                out += fmt::format("#define {}_{} {}\n", identifier(p.key), identifier(choices[i].key), i);
+        });
+        out += fmt::format("layout(std140, binding = {}) uniform SettingsUniforms {{\n", shared::BLOCK_SETTINGS);
         for_shader_params([&](const Param& p) {
             if (p.cost == Cost::Program || p.choices) return;
             Settings probe;

@@ -12,10 +12,11 @@
 
 namespace si {
 
-/// One define per Cost::Program row that shaders see ("map_wrap" 3) and one per choice ("map_wrap_range" 3).
+/// One define per Cost::Program row that shaders see ("map_wrap" 3).
 std::vector<gl::Define> settings_defines(const Settings& s);
-/// GLSL text of the std140 block at binding 1 with every other row that shaders see.
-std::string settings_block_text();
+/// GLSL text that is the same under all settings: a define per choice ("map_wrap_range" 3), and the std140 block with
+/// every other row that shaders see.
+const std::string& settings_block_text();
 /// The bytes of that block.
 std::vector<std::byte> settings_block_bytes(const Settings& s);
 /// Adds the value of every setting that shaders see.

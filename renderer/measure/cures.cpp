@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <set>
+#include <span>
 
 #include "renderer/bias/account.h"
 #include "renderer/measure/axes.h"
@@ -140,8 +142,10 @@ public:
     CostChange difference(const Settings& before, const Settings& with, const Workers& workers) {
         const std::set<std::string> changed = changed_passes(before, with);
         std::vector<double> a, b;
+        const auto start = std::chrono::steady_clock::now();
         for (int i = -1; i < frames_; ++i) {
             if (workers.stop.stop_requested()) throw Cancelled();
+            if (i >= kFewestFrames && std::chrono::steady_clock::now() - start > kLongEnough) break;
             const double first = time(before, changed), second = time(with, changed);
             if (i < 0) continue;  // warms up
             a.push_back(first), b.push_back(second);
@@ -154,6 +158,10 @@ public:
 private:
     Renderer& renderer_;
     const Scene& scene_;
+    // Frames that take long differ by little of it.
+    static constexpr int kFewestFrames = 2;
+    static constexpr std::chrono::seconds kLongEnough{2};
+
     FrameRequest request_;
     int frames_;
 
@@ -233,7 +241,7 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
     idea("no depth blur", [](Settings& s) { s.map.blur_texels = 0; });
 
     const int limit = f.max_resolution;
-    const auto finer = [&](double n, const char* name) {
+    const auto finer = [&](double n, const char* name, auto families) {
         const std::string title = fmt::format("{} ({:.0f}²)", name, n);
         const auto change = [&](Settings& s) { s.map.resolution = int(n); };
         const double most = find_setting("map.resolution")->param->max;
@@ -243,7 +251,7 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
             return;
         }
         idea(title, change);
-        for (const auto& [family, least] : kFamilies) {
+        for (const auto& [family, least] : families) {
             if (!any) break;
             const auto with_bias = [&, fam = family](Settings& s) {
                 change(s);
@@ -257,8 +265,10 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
             });
         }
     };
-    finer(2.0 * f.map_resolution, "twice the resolution");
-    if (f.sampling_resolution > 2.0 * f.map_resolution) finer(f.sampling_resolution, "the resolution that is needed");
+    finer(2.0 * f.map_resolution, "twice the resolution", std::span(kFamilies));
+    // Large maps take seconds to try: with the family that shifts least alone.
+    if (f.sampling_resolution > 2.0 * f.map_resolution)
+        finer(f.sampling_resolution, "the resolution that is needed", std::span(kFamilies).first(1));
 
     add_fits(base, f, idea);
     return out;

@@ -74,7 +74,7 @@ struct CureTable {
 struct CureOptions {
     std::optional<glm::ivec2> pixel;  ///< of the picture, from the top left
     bool time = false;
-    int frames = 7;  ///< timed, of each side
+    int frames = 7;  ///< timed, of each side; fewer, but two at least, of frames that take long
     TruthOptions truth;
     std::vector<CureIdea> more;  ///< tried besides
 };

@@ -89,7 +89,6 @@ void pair(benchmark::State& state, A&& bare, B&& ours) {
     pair(state, bare, ours, [] {});
 }
 
-/// A kernel of the renderer, and what BareForward calls it.
 /// The bare program knows of no map that holds less than the scene.
 Settings around_the_scene() {
     Settings s;
@@ -97,6 +96,7 @@ Settings around_the_scene() {
     return s;
 }
 
+/// A kernel of the renderer, and what BareForward calls it.
 struct Row {
     const char* kernel;
     int size;
