@@ -86,5 +86,8 @@ const SHAPES = [
   "M0 -6.3L6.3 0L0 6.3L-6.3 0Z", "M0 6L5.6 -4.4H-5.6Z", "M-1.9 -5.6H1.9V-1.9H5.6V1.9H1.9V5.6H-1.9V1.9H-5.6V-1.9H-1.9Z",
   "M0 -6L5.7 -1.9L3.5 4.9H-3.5L-5.7 -1.9Z", "M-5.6 -2.4L-2.4 -5.6L0 -2.9L2.4 -5.6L5.6 -2.4L2.9 0L5.6 2.4L2.4 5.6L0 2.9L-2.4 5.6L-5.6 2.4L-2.9 0Z",
 ];
-const seriesColour = i => "var(--s" + (i % 8) + ")";
-const seriesShape = i => SHAPES[i % SHAPES.length];
+// From the ninth on the shapes have a hole, and other colours than the first time.
+const HOLE = "M0 -2.2A2.2 2.2 0 1 0 0 2.2A2.2 2.2 0 1 0 0 -2.2Z";
+const lap = i => Math.floor(i / SHAPES.length);
+const seriesColour = i => "var(--s" + ((i + 3 * lap(i)) % 8) + ")";
+const seriesShape = i => SHAPES[i % SHAPES.length] + (lap(i) % 2 ? HOLE : "");

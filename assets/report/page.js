@@ -51,7 +51,7 @@ function caption() {
     if (!ROWS.some(r => r.settings[axis.key] === value)) return;
     const mark = make("svg", { viewBox: "-8 -8 16 16", style: "width:14px;display:inline-block;vertical-align:-2px" },
       make("path", { d: seriesShape(i), class: "dot", style: "fill:" + seriesColour(i) }));
-    key.append(mark, " " + valueLabel(axis.key, value) + "\u2003");
+    key.append(make("span", { class: "plain-line" }, mark, " " + valueLabel(axis.key, value)), "\u2003");
   });
   box.append(key);
 }
@@ -180,6 +180,7 @@ function selftest() {
   const listed = selector => [...document.querySelectorAll(selector)].map(e => Number(e.dataset.case));
   const out = { dots: listed("#frontier-plot .dot").length, frontier: dots.filter(d => d.on).map(d => d.row.case),
     tied: dots.filter(d => d.tied).map(d => d.row.case), order: listed("#cases tbody tr"), errors: window.pageErrors };
+  out.marks = new Set([...Array(16).keys()].map(i => seriesShape(i))).size;
   const header = TABLE.findIndex(c => c.key === state.y);
   const click = () => document.querySelectorAll("#cases thead button")[header].click();
   click();

@@ -104,6 +104,7 @@ TEST(ReportPage, DrawsSortsAndFiltersInABrowser) {
     EXPECT_EQ(numbers(page.seen["descending"]), (std::vector<int>{0, 2, 1, 4, 3, 5, 6, 7}));
     EXPECT_EQ(numbers(page.seen["filtered"]).size(), 2u) << "of map.resolution=512";
     EXPECT_EQ(page.seen["filtered_dots"], 2);
+    EXPECT_EQ(page.seen["marks"], 16) << "series are told apart by their shapes alone";
     EXPECT_NE(page.seen["filter_note"].get<std::string>().find("nonsense"), std::string::npos);
     for (const char* axis : {"time.total_ms.median", "cost.bytes_touched", "setting:map.resolution"})
         EXPECT_EQ(page.seen["axes"][axis], 6) << axis;

@@ -55,13 +55,13 @@ protected:
         const FrameResult frame = render_with_truth(renderer, scene, s, all, cache, {}, options);
         EXPECT_TRUE(frame.truth.met);
         const std::vector<CauseEvidence> evidence = read_evidence(frame, options.step);
-        const CauseContext context =
+        const CauseContext known =
             cause_context(s, frame.lights[std::size_t(s.view.light)], frame.map_resolution, frame.mask_levels);
         const Truth& truth = *gpu.traced.truth;
         std::size_t differ = 0;
         for (std::size_t i = 0; i < truth.state.size(); ++i) {
             if (truth.state[i] != PixelState::Counted) continue;
-            const Cause cause = cause_of(evidence[i], true_pixel(truth, i), context);
+            const Cause cause = cause_of(evidence[i], true_pixel(truth, i), known);
             const JudgedPixel& p = gpu.judged[i];
             const bool acne = cause.faint || (cause.artefact == Artefact::Acne && truth.visibility.data[i] == 1);
             const bool same =

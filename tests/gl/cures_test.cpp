@@ -47,7 +47,9 @@ protected:
             EXPECT_EQ(row.cured, of);
         }
         for (std::size_t i = 1; i < table.rows.size(); ++i)
-            if (table.rows[i].untried.empty()) EXPECT_GE(table.rows[i - 1].gain(), table.rows[i].gain());
+            if (table.rows[i].untried.empty()) {
+                EXPECT_GE(table.rows[i - 1].gain(), table.rows[i].gain());
+            }
         std::size_t wrong = 0, most = 0;
         for (const Artefact a : causes) wrong += table.wrong_of[std::size_t(a)];
         const auto cured_by = [&](const Cure& row) {
@@ -174,10 +176,11 @@ TEST_F(CuresTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
         for (int n = 2; n <= kMaxCascades; ++n)
             EXPECT_EQ(tried([&](const Settings& t) { return t.lights[0].cascades == n; }), kind.cascades ? 1 : 0);
         for (const Choice& bias : bias_choices())
-            if (bias.key != "constant")  // the slope's row spends the same by its constant
+            if (bias.key != "constant") {  // the slope's row spends the same by its constant
                 EXPECT_GT(tried([&](const Settings& t) { return bias_of(t).key == bias.key && !(t.bias == s.bias); }),
                           0)
                     << bias.key;
+            }
         EXPECT_GT(tried([&](const Settings& t) { return t.bias.normal > 0; }), 0);
         EXPECT_GT(tried([&](const Settings& t) { return t.bias.raster_slope > 0; }), 0);
     }
@@ -212,11 +215,15 @@ TEST_F(CuresTest, TheLeastBiasOfEachRowLeavesNoAcne) {
                 const ErrorMetrics after = measure(scene, with).metrics;
                 EXPECT_EQ(after.artefacts[std::size_t(Artefact::Acne)], 0u);
                 EXPECT_LT(after.any_acne, 1e-3) << "but where the kernel reaches over the box's edges";
-                if (bias->per_texel) EXPECT_EQ(least.constant + least.slope + least.normal, 0) << "it needs no numbers";
+                if (bias->per_texel) {
+                    EXPECT_EQ(least.constant + least.slope + least.normal, 0) << "it needs no numbers";
+                }
                 Settings less = with;
                 for (const std::string_view key : bias->settings)
                     if (key == "bias.raster_slope") less.bias.raster_slope *= 0.5, ++numbers;
-                if (!(less == with)) EXPECT_GT(measure(scene, less).metrics.any_acne, 0.01) << "twice too much";
+                if (!(less == with)) {
+                    EXPECT_GT(measure(scene, less).metrics.any_acne, 0.01) << "twice too much";
+                }
             }
         }
     EXPECT_EQ(numbers, 4);

@@ -56,7 +56,9 @@ TEST_F(SourcesTest, OnlyAMapIsDrawnAsAMap) {
             EXPECT_EQ(f.lights[0].casts, source.needs.map);
             EXPECT_TRUE(f.lights[0].shadowed);
             EXPECT_EQ(f.passes[0].state == PassState::Skipped, !source.needs.map);
-            if (!source.needs.map) EXPECT_NE(f.passes[0].reason.find(source.key), std::string::npos);
+            if (!source.needs.map) {
+                EXPECT_NE(f.passes[0].reason.find(source.key), std::string::npos);
+            }
             EXPECT_EQ(f.pass("visibility")->state, PassState::Ran);
             const FloatImage v = renderer.read_float(f.visibility, 1);
             for (const float x : v.data) ASSERT_TRUE(x >= 0 && x <= 1) << x;

@@ -147,7 +147,9 @@ TEST_F(TapsTest, TexelsReadAreThoseOfAllPixelsTaps) {
             EXPECT_EQ(found, expected);
             const double share = double(found.size()) / (n * n), bound = texel_usage(at, s, n).utilisation();
             EXPECT_LE(share, bound + 1e-9) << "a rectangle a pixel holds all that it reads";
-            if (std::string_view(kernel) == "poisson") EXPECT_LT(share, 0.8 * bound);
+            if (std::string_view(kernel) == "poisson") {
+                EXPECT_LT(share, 0.8 * bound);
+            }
         }
 }
 

@@ -29,7 +29,6 @@ Settings plane_settings(MapFormat format, std::string_view filter) {
 /// The bias that the theory asks for at the worst point of the plane's map.
 LeastBias predicted(const Shot& shot, const Settings& s) {
     const LightView& view = shot.view();
-    const Filter& filter = filters()[std::size_t(s.filter.kernel)];
     LeastBias worst;
     for (double x : {-5.0, 0.0, 5.0})
         for (double z : {-5.0, 0.0, 5.0}) {

@@ -57,7 +57,9 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
                         continue;
                     ++parallel, lit += shot.visibility.at(x, y) > 0;
                 }
-            if (type == LightType::Directional) EXPECT_GT(parallel, 50);
+            if (type == LightType::Directional) {
+                EXPECT_GT(parallel, 50);
+            }
             EXPECT_LE(lit, parallel / 20) << "only where the ray and the rasteriser choose another face";
         }
     // What the truth counts: none of them, so that none is false.

@@ -105,7 +105,6 @@ TEST(HardCase29, OutsideOfTheMapIsLit) {
         // A map of 4 x 4 m amid 10 x 10 m of floor: the bar's shadow crosses its border.
         s.lights[0].fit = int(LightFit::Manual);
         s.lights[0].extent = 2;
-        const Filter& row = filters()[std::size_t(s.filter.kernel)];
         const auto wrong_outside = [&](const Shot& shot) {
             const RayTruth rays(scene);
             int wrong = 0, outside = 0;

@@ -45,7 +45,9 @@ TEST(PresetsOfVersionOne, DrawTheirOldBytes) {
         for (LightSettings& light : today.lights) light.fit = LightSettings().fit;
         others += preset.settings != today && draw(scene, today).texel_m != read.texel_m;
     }
-    if (defaults_of_version(1) != Settings()) EXPECT_GT(others, 10);
+    if (defaults_of_version(1) != Settings()) {
+        EXPECT_GT(others, 10);
+    }
 }
 
 }  // namespace

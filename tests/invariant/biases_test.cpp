@@ -189,7 +189,9 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
     EXPECT_EQ(leaks, 0u) << "of " << dark << " at " << value;
     EXPECT_GT(dark, 100u);
     // Where nothing else clears a plane that rises, it shadows itself without: else all this says little.
-    if (filter_of(s).samples == Samples::Depth && t.sloped > t.lit / 2) EXPECT_GT(without, 20u) << value;
+    if (filter_of(s).samples == Samples::Depth && t.sloped > t.lit / 2) {
+        EXPECT_GT(without, 20u) << value;
+    }
 }
 
 TEST_P(EachBias, ChangesNothingWhereNothingCasts) {

@@ -111,7 +111,9 @@ TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
         EXPECT_TRUE(shot.light().closed);
         EXPECT_LT(shot.view().half_width, 0.95 * whole.view().half_width) << "else there was nothing to narrow";
     }
-    if (row.narrows && c.light == LightType::Directional && !c.seen_in_part) EXPECT_GT(beyond, 100);
+    if (row.narrows && c.light == LightType::Directional && !c.seen_in_part) {
+        EXPECT_GT(beyond, 100);
+    }
 }
 
 // Where nothing is in shadow, there is nothing to narrow down to: all is lit, inside the map and outside.

@@ -223,7 +223,9 @@ TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
             partly += l.visibility > 0.01 && l.visibility < 0.99;
         }
     EXPECT_GT(told, 0);
-    if (row.key != "hard") EXPECT_GT(partly, 0) << "no pixel at an edge, so this says little";
+    if (row.key != "hard") {
+        EXPECT_GT(partly, 0) << "no pixel at an edge, so this says little";
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EachKernel, testing::ValuesIn(all_cases()), name_of);
@@ -306,7 +308,9 @@ TEST(FixedKernels, BlurAnEdgeAsTheirDefinitionsSay) {
             partly += expected > 0.01 && expected < 0.99;
         });
         EXPECT_EQ(wrong, 0) << row.key;
-        if (row.key != "hard") EXPECT_GT(partly, 100) << row.key;
+        if (row.key != "hard") {
+            EXPECT_GT(partly, 100) << row.key;
+        }
     }
 }
 

@@ -28,9 +28,15 @@ TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
         ui.frames(4);
         const std::u32string text = ui.printed();
         EXPECT_GT(text.size(), 300u) << int(tab);
-        if (tab == BottomTab::Probe) EXPECT_TRUE(holds(text, U"N\u00b7L0.60000"));
-        if (tab == BottomTab::Passes) EXPECT_TRUE(holds(text, U"shadowmap0ran"));
-        if (tab == BottomTab::Error) EXPECT_TRUE(holds(text, U"noise0.0031"));
+        if (tab == BottomTab::Probe) {
+            EXPECT_TRUE(holds(text, U"N\u00b7L0.60000"));
+        }
+        if (tab == BottomTab::Passes) {
+            EXPECT_TRUE(holds(text, U"shadowmap0ran"));
+        }
+        if (tab == BottomTab::Error) {
+            EXPECT_TRUE(holds(text, U"noise0.0031"));
+        }
     }
 }
 

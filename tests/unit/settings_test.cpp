@@ -284,8 +284,9 @@ TEST(SettingsIdle, EveryReasonEndsSomewhere) {
         return false;
     };
     for (const SettingRef& ref : all_settings(Settings{}))
-        if (ref.light == 0 && !idle_reason(Settings{}, ref).empty())
+        if (ref.light == 0 && !idle_reason(Settings{}, ref).empty()) {
             EXPECT_TRUE(ends(ref)) << setting_key(ref) << " is always " << idle_reason(Settings{}, ref);
+        }
 }
 
 TEST(SettingsOwned, ActUnderTheKernelsThatListThemAlone) {
@@ -299,7 +300,9 @@ TEST(SettingsOwned, ActUnderTheKernelsThatListThemAlone) {
             const auto own = filters()[row].settings;
             const bool lists = std::ranges::find(own, ref.param->key) != own.end();
             readers += lists;
-            if (lists) EXPECT_EQ(not_owned(s, ref), "") << ref.param->key << " under " << filters()[row].key;
+            if (lists) {
+                EXPECT_EQ(not_owned(s, ref), "") << ref.param->key << " under " << filters()[row].key;
+            }
         }
         if (readers == 0) {
             EXPECT_EQ(not_owned(Settings{}, ref), "") << ref.param->key << " belongs to no kernel";

@@ -140,7 +140,9 @@ TEST(ShadowVolume, EnclosesPointsAsOftenAsCastersStandBeforeThem) {
                         off += c.exact ? is != truth : (is > 0) != (truth > 0) || is < 0;
                     }
                     EXPECT_EQ(off, 0);
-                    if (c.mesh.indices.size() > 30) EXPECT_GT(shadowed, 20);
+                    if (c.mesh.indices.size() > 30) {
+                        EXPECT_GT(shadowed, 20);
+                    }
                 }
 }
 
