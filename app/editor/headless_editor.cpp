@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "renderer/base/error.h"
+#include "renderer/gl/target.h"
 #include "renderer/reference/live_error.h"
 
 namespace si {
@@ -102,7 +103,7 @@ void HeadlessEditor::settle() {
 ByteImage HeadlessEditor::picture() const {
     ByteImage image{width_, height_, {}};
     image.data.resize(std::size_t(width_) * std::size_t(height_) * 4);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl::begin_reading();
     glGetTextureImage(canvas_->texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(image.data.size()), image.data.data());
     const std::ptrdiff_t row = std::ptrdiff_t(width_) * 4;
     for (int y = 0; y < height_ / 2; ++y)

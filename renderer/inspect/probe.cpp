@@ -46,6 +46,7 @@ public:
     const std::array<gl::Target, Count>& targets() const { return targets_; }
     glm::vec4 value(std::size_t i) const {
         std::array<glm::vec4, 4> block;
+        gl::begin_reading();
         glGetTextureImage(targets_[i].texture.id(), 0, GL_RGBA, GL_FLOAT, sizeof block, block.data());
         return block[std::size_t((y_ & 1) * 2 + (x_ & 1))];
     }
@@ -95,6 +96,7 @@ std::vector<glm::vec4> run_kernel(FrameState& f, const SeenPixel& seen, int ligh
     glUniform2i(glGetUniformLocation(program, "pixel"), seen.at.x, seen.at.y);
     FrameState::draw_fullscreen(info);
     std::vector<glm::vec4> values(std::size_t(width), glm::vec4(0));
+    gl::begin_reading();
     glGetTextureImage(taps.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.size() * sizeof(glm::vec4)),
                       values.data());
     return values;

@@ -29,7 +29,7 @@ void read_depths(const FrameState& f, SlabTargets& s, int layer, const TexelRegi
     key.add(f.plan.key_of(Result::ShadowMaps)).add(layer).add(region);
     if (s.depths_key == key.value()) return;
     s.depths.resize(std::size_t(region.size.x) * std::size_t(region.size.y));
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl::begin_reading();
     const gl::Target& map = f.result(Result::ShadowMaps);
     const GLenum format = map.format == GL_R32F ? GL_RED : GL_DEPTH_COMPONENT;
     if (!s.depths.empty())
