@@ -1,6 +1,4 @@
 // Where in the shown light's map each pixel's kernel is centred.
-#include <algorithm>
-
 #include "renderer/passes/camera_pass.h"
 
 namespace si {
@@ -28,11 +26,9 @@ void add_map_coordinates_pass(FrameState& f) {
     pass.key = f.shown_light_key().value();
     pass.cached = &coordinates.key;
     pass.run = [&f, &coordinates](PassInfo& info) {
-        const int last = std::max(int(f.gl.fitted.size()) - 1, 0);
-        const int light = std::clamp(f.settings.view.light, 0, last);
         CameraPass(f, "map coordinates", GL_RGBA32F, coordinates)
             .clear(glm::vec4(0))
-            .draw("passes/map_coordinates.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);
+            .draw("passes/map_coordinates.frag.glsl", {{"LIGHT_INDEX", std::to_string(f.settings.view.light)}}, info);
     };
     f.plan.add(std::move(pass));
 }

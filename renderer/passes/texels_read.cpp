@@ -1,6 +1,4 @@
 // Which texels of the shown map the kernels of all pixels fetch: each marks those that it reads.
-#include <glm/gtc/type_ptr.hpp>
-
 #include "renderer/frame/state.h"
 
 namespace si {
@@ -30,6 +28,8 @@ void add_texels_read_pass(FrameState& f) {
     }
     TexelMarks& t = f.gl.owned.get<TexelMarks>();
     f.plan.place(Result::TexelsRead, {&t.marks});
+    pass.key = f.shown_light_key().add(layer).value();
+    pass.cached = &t.marks.key;
     pass.run = [&f, &t, layer](PassInfo& info) {
         t.marks.ensure("texels read", GL_R32F, f.map_resolution, f.map_resolution);
         t.nothing.ensure("nothing", GL_R8, f.request.width, f.request.height);
