@@ -18,11 +18,7 @@ Settings as_drawn(Renderer& renderer, const Scene& scene, const TuningJob& job) 
     const FrameResult frame = renderer.render(
         scene, s, {.width = job.width, .height = job.height, .outputs = {.colour = false, .visibility = true}});
     s.map.resolution = frame.map_resolution;
-    const auto light = std::size_t(std::max(s.view.light, 0));
-    if (light >= frame.lights.size()) throw Error(fmt::format("there is no light {}: there is no bias to find", light));
-    if (!frame.lights[light].casts)
-        throw Error(fmt::format("light {} draws no shadow map ({}): there is no bias to find", light,
-                                frame.lights[light].reason));
+    if (const std::string why = why_nothing_to_tune(frame.lights, s.view.light); !why.empty()) throw Error(why);
     return s;
 }
 

@@ -14,6 +14,13 @@ std::string length_text(double m) {
                     : fmt::format("{:.3g} m", m);
 }
 
+std::string why_nothing_to_tune(std::span<const FittedLight> lights, int light) {
+    const auto i = std::size_t(std::max(light, 0));
+    if (i >= lights.size()) return fmt::format("there is no light {}: there is no bias to find", i);
+    if (lights[i].casts) return {};
+    return fmt::format("light {} draws no shadow map ({}): there is no bias to find", i, lights[i].reason);
+}
+
 namespace {
 
 std::string cost_text(const BiasTrial& before, const BiasTrial& after) {

@@ -15,6 +15,9 @@ namespace si {
 /// "3.1 mm".
 std::string length_text(double metres);
 
+/// Why a light of a frame has no bias to search, in words; empty: it has.
+std::string why_nothing_to_tune(std::span<const FittedLight> lights, int light);
+
 struct TuneGoals {
     std::optional<double> most_error, most_ms;
     const Metric* error = &metrics().front();  ///< one that has a better

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/measure/tuner.h"
 #include "renderer/settings/owners.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/state/panels.h"
@@ -86,16 +87,6 @@ void light_tabs(Settings& s) {
     }
 }
 
-/// As the search itself would say, which is for the shown light.
-std::string_view why_nothing_to_tune(const EditorState& state, const EditorFrame& frame) {
-    if (!frame.result || !frame.scene) return "There is no picture yet.";
-    const auto light = std::size_t(state.settings.view.light);
-    const auto& lights = frame.result->lights;
-    return light < lights.size() && lights[light].casts
-               ? ""
-               : "The light shown draws no shadow map: there is no bias to find.";
-}
-
 void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Group& group) {
     const std::vector<SettingRef> rows = rows_of(state, group.prefix);
     if (rows.empty()) return;
@@ -139,8 +130,12 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& act
         setting_row(state.settings, ref, names);
     }
     if (table) ImGui::EndTable();
-    if (group.prefix == "bias" && !filtered)
-        draw_tune_controls(state.tune, state.settings, frame, why_nothing_to_tune(state, frame), actions);
+    if (group.prefix == "bias" && !filtered) {
+        const std::string why_not = frame.result && frame.scene
+                                        ? why_nothing_to_tune(frame.result->lights, state.settings.view.light)
+                                        : "there is no picture yet";
+        draw_tune_controls(state.tune, state.settings, frame, why_not, actions);
+    }
     ImGui::PopID();
 }
 

@@ -92,7 +92,7 @@ void families_table(std::span<const TunedFamily> families, bool current, Setting
 
 }  // namespace
 
-void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& shown, std::string_view why_not,
+void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& shown, const std::string& why_not,
                         TuneActions& actions) {
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
     const auto width_of = [](const char* text) {
@@ -122,7 +122,7 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& s
     ImGui::EndGroup();
     ImGui::EndDisabled();
     if (!why_not.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", std::string(why_not).c_str());
+        ImGui::SetTooltip("%s", why_not.c_str());
     limits_popup(panel, actions);
     families_table(shown.tuned, shown.tuned_current, settings);
 }
