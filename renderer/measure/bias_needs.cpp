@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/bias/account.h"
 #include "renderer/inspect/dossier.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
@@ -75,12 +74,6 @@ void each_lit_receiver(const MeasuredError& measured, Use use) {
             use(i, measured.traced.receivers->pixels[i]);
 }
 
-BiasAccount account_of(const MeasuredError& measured, const Settings& settings, const Receiver& r,
-                       const RasterTraits& driver) {
-    return bias_account(measured.lights[std::size_t(measured.light)], settings, measured.map_resolution,
-                        {r.position_ws, r.normal_ws, r.normal_ws, measured.camera.origin()}, driver);
-}
-
 /// The settings by which a row may give more: its own numbers, and bias.constant of those that compare.
 std::vector<SettingRef> amounts_of(const Bias& row) {
     std::vector<SettingRef> refs;
@@ -90,6 +83,12 @@ std::vector<SettingRef> amounts_of(const Bias& row) {
 }
 
 }  // namespace
+
+BiasAccount account_of(const MeasuredError& measured, const Settings& settings, const Receiver& r,
+                       const RasterTraits& driver) {
+    return bias_account(measured.lights[std::size_t(measured.light)], settings, measured.map_resolution,
+                        {r.position_ws, r.normal_ws, r.normal_ws, measured.camera.origin()}, driver);
+}
 
 const Bias& row_of(BiasFamily family) {
     switch (family) {

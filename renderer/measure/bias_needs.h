@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "renderer/bias/account.h"
 #include "renderer/measure/frontier.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/settings/biases.h"
@@ -36,6 +37,10 @@ struct BiasNeeds {
 /// Over the pixels that count, are lit in truth and lie in the map: only these can show acne.
 /// @param settings that were measured
 BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
+
+/// What of bias a receiver of the picture that was measured gets and needs under the settings.
+BiasAccount account_of(const MeasuredError& measured, const Settings& settings, const Receiver& receiver,
+                       const RasterTraits& driver);
 
 /// The row that a family spends.
 const Bias& row_of(BiasFamily family);

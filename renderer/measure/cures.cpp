@@ -8,7 +8,6 @@
 #include <set>
 #include <span>
 
-#include "renderer/bias/account.h"
 #include "renderer/measure/axes.h"
 #include "renderer/measure/time_sampler.h"
 #include "renderer/settings/biases.h"
@@ -32,8 +31,7 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
     for (std::size_t i = 0; i < m.judged.size(); ++i) {
         if (m.judged[i].artefact != Artefact::Undersampled) continue;
         const Receiver& r = m.traced.receivers->pixels[i];
-        const BiasAccount a = bias_account(light, settings, m.map_resolution,
-                                           {r.position_ws, r.normal_ws, r.normal_ws, m.camera.origin()}, driver);
+        const BiasAccount a = account_of(m, settings, r, driver);
         const float run_m = m.traced.runs->run_m.data[i];
         double n = run_m > 0 && a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
         // Where the window is closed for one nearest tap, finer texels open it.

@@ -36,7 +36,7 @@ CameraPass::CameraPass(FrameState& f, std::string_view label, const gl::Target& 
 
 void CameraPass::begin() {
     f_.begin_camera_pass(framebuffer_.id());
-    gl::Target& depth = camera_depth(f_);
+    gl::Target& depth = f_.gl.owned.get<CameraDepth>().depth;
     if (const std::uint64_t key = f_.surfaces_key().value(); depth.key != key) {
         const float far_depth = float(f_.camera.curve.convention.far_depth());
         glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_depth);

@@ -232,10 +232,7 @@ void fit_cascade(FittedLight& light, LightView view, const FitContext& c, const 
     const CameraSlice slice(camera, span.from_m, span.to_m);
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
         if (!c.shape.box_receives[i]) continue;
-        for (const glm::dvec3& p : slice.seen_of(c.shape.boxes[i])) {
-            const glm::dvec3 v = glm::transpose(view.axes) * (p - view.eye);
-            seen.add({v.x, v.y, -v.z});
-        }
+        seen.add(extent_of(slice.seen_of(c.shape.boxes[i]), view));
     }
     if (!(seen.lo.x <= seen.hi.x)) seen = extent_of(c.shape, view);  // nothing will be looked up in it
     const glm::dvec3 middle = 0.5 * (seen.lo + seen.hi);
