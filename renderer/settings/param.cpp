@@ -179,28 +179,20 @@ Value default_value(const SettingRef& ref) {
     return get_value(defaults, ref);
 }
 
-void for_each_setting(const Settings& s, const std::function<void(const SettingRef&)>& use) {
-    for_each_group([&](std::span<const Param> group) {
-        const auto each = [&](int light, const std::string& object) {
-            SettingRef ref{nullptr, light, object};
-            for (const Param& p : group) {
-                ref.param = &p;
-                use(ref);
-            }
-        };
-        if (group.front().scope == Scope::Light) {
-            for (int i = 0; i < kMaxLights; ++i) each(i, {});
-        } else if (group.front().scope == Scope::Object) {
-            for (const auto& [path, object] : s.objects) each(0, path);
-        } else {
-            each(0, {});
-        }
-    });
-}
-
 std::vector<SettingRef> all_settings(const Settings& s) {
     std::vector<SettingRef> all;
-    for_each_setting(s, [&](const SettingRef& ref) { all.push_back(ref); });
+    for_each_group([&](std::span<const Param> group) {
+        const auto add = [&](int light, const std::string& object) {
+            for (const Param& p : group) all.push_back({&p, light, object});
+        };
+        if (group.front().scope == Scope::Light) {
+            for (int i = 0; i < kMaxLights; ++i) add(i, {});
+        } else if (group.front().scope == Scope::Object) {
+            for (const auto& [path, object] : s.objects) add(0, path);
+        } else {
+            add(0, {});
+        }
+    });
     return all;
 }
 

@@ -2,7 +2,6 @@
 // sweeps, uniforms, defines and the documentation are loops over these rows.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -104,10 +103,7 @@ std::vector<std::pair<SettingRef, Value>> also_meant(const SettingRef& ref, std:
 /// nearest).
 void set_setting(Settings& s, std::string_view key, std::string_view text);
 
-/// Calls `use(const SettingRef&)` for every setting that `s` has (lights 0..15, objects with an override), in table
-/// order.
-void for_each_setting(const Settings& s, const std::function<void(const SettingRef&)>& use);
-/// The same in a list.
+/// Every setting that `s` has (lights 0..15, objects with an override), in table order.
 std::vector<SettingRef> all_settings(const Settings& s);
 /// The settings that differ from their defaults, in table order.
 std::vector<SettingRef> changed_settings(const Settings& s);

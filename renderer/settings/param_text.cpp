@@ -143,13 +143,13 @@ void set_setting(Settings& s, std::string_view key, std::string_view text) {
 
 std::vector<std::string> sanitise(Settings& s) {
     std::vector<std::string> repairs;
-    for_each_setting(s, [&](const SettingRef& ref) {
+    for (const SettingRef& ref : all_settings(s)) {
         const Param& p = *ref.param;
         const Value v = get_value(s, ref);
-        if (std::holds_alternative<bool>(v)) return;
+        if (std::holds_alternative<bool>(v)) continue;
         const auto* i = std::get_if<int>(&v);
         const double x = i ? *i : std::get<double>(v);
-        if (x >= p.min && x <= p.max) return;
+        if (x >= p.min && x <= p.max) continue;
         Value repaired = default_value(ref);
         // A choice has no order: a number that stands for none becomes the default.
         if (std::isfinite(x) && !p.choices) {
@@ -159,7 +159,7 @@ std::vector<std::string> sanitise(Settings& s) {
         set_value(s, ref, repaired);
         repairs.push_back(fmt::format("{} was {}, outside of {}: set to {}", setting_key(ref), value_text(p, v),
                                       range_text(p), value_text(p, repaired)));
-    });
+    }
     for (int i = 0; i < kMaxLights; ++i) {
         const auto& light = s.lights[std::size_t(i)];
         if (light.fit != static_cast<int>(LightFit::Manual)) continue;
