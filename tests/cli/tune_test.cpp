@@ -39,7 +39,9 @@ TEST(Tune, WritesTheLeastBiasWithoutAcne) {
         if (!family["no_acne"].get<bool>()) continue;
         // The one taken loses the fewest pixels.
         for (const Json& other : json["families"])
-            if (other["chosen"].get<bool>()) EXPECT_LE(other["lost_px"], family["lost_px"]);
+            if (other["chosen"].get<bool>()) {
+                EXPECT_LE(other["lost_px"], family["lost_px"]);
+            }
         chosen += family["chosen"].get<bool>();
     }
     EXPECT_EQ(chosen, 1);

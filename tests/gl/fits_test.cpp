@@ -13,8 +13,6 @@
 namespace si {
 namespace {
 
-using Sets = std::vector<std::pair<std::string, std::string>>;
-
 class FitsTest : public FrameTest {
 protected:
     TruthCache cache;

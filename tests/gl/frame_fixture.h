@@ -12,6 +12,16 @@
 
 namespace si {
 
+using Sets = std::vector<std::pair<std::string, std::string>>;  // keys and values
+
+/// What the scene suggests, and then `extra`.
+inline Settings settings_for(const Scene& scene, const Sets& extra = {}) {
+    Settings s;
+    for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
+    for (const auto& [key, value] : extra) set_setting(s, key, value);
+    return s;
+}
+
 class FrameTest : public ::testing::Test {
 protected:
     HeadlessContext context;
@@ -20,13 +30,6 @@ protected:
     void SetUp() override { test::expect_named_driver(); }
     void TearDown() override {
         for (const std::string& message : renderer.take_gl_messages()) ADD_FAILURE() << "driver: " << message;
-    }
-    static Settings settings_for(const Scene& scene,
-                                 const std::vector<std::pair<std::string, std::string>>& extra = {}) {
-        Settings s;
-        for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
-        for (const auto& [key, value] : extra) set_setting(s, key, value);
-        return s;
     }
     static FrameRequest small() { return {.width = 320, .height = 180}; }
     ByteImage picture(const Scene& scene, const Settings& s, FrameRequest request = small()) {

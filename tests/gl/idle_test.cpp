@@ -9,8 +9,6 @@
 namespace si {
 namespace {
 
-using Sets = std::vector<std::pair<std::string, std::string>>;
-
 const std::vector<Sets>& states() {
     static const std::vector<Sets> list = {
         {},

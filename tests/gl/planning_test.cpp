@@ -6,8 +6,6 @@
 namespace si {
 namespace {
 
-using Sets = std::vector<std::pair<std::string, std::string>>;
-
 class PlanningTest : public ::testing::Test {
 protected:
     HeadlessContext context;
@@ -16,12 +14,6 @@ protected:
 
     void TearDown() override {
         for (const std::string& message : renderer.messages.take()) ADD_FAILURE() << "driver: " << message;
-    }
-    Settings settings_for(const Sets& sets) const {
-        Settings s;
-        for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
-        for (const auto& [key, value] : sets) set_setting(s, key, value);
-        return s;
     }
     /// All that is kept from frame to frame without a truth.
     static FrameRequest request(int width, int height) {
@@ -95,7 +87,7 @@ TEST_F(PlanningTest, WhatIsOnlyPlannedLeavesTheLastFrameReusable) {
                                       {{"view.panes", "one"}, {"view.slabs", "none"}},
                                       {{"view.map_source", "camera"}}};
     for (const Sets& frame : frames) {
-        Settings s = settings_for({{"map.resolution", "64"}});
+        Settings s = settings_for(scene, {{"map.resolution", "64"}});
         for (const auto& [key, value] : frame) set_setting(s, key, value);
         const FrameResult first = draw(s, request(96, 72));
         std::vector<std::vector<std::uint8_t>> before;

@@ -147,13 +147,7 @@ double least_value(Share share_cleared) {
 }
 
 TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
-    // A sheet: the walls of a box would lie along the rays of a light at a right angle, where a driver may draw a
-    // sliver of no width with any depth.
-    add_object(scene, "cover", -1, add_mesh(scene, "cover", make_plane(4, 4), grey), moved(0, 2.25, 0));
-    move_scene(scene, c.place.at);
+    const Scene scene = floor_under_a_sheet(c.place);
     Settings s = settings(0);
     const Shot none = shoot(scene, s);
     const double reach = reach_under(s, none.light(), none.frame.map_resolution).edge + 1;

@@ -209,6 +209,15 @@ void move_camera(Settings& settings, const glm::dvec3& by) {
     settings.camera.target_x += by.x, settings.camera.target_y += by.y, settings.camera.target_z += by.z;
 }
 
+Scene floor_under_a_sheet(const Place& place) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
+    add_object(scene, "cover", -1, add_mesh(scene, "cover", make_plane(4, 4), grey), moved(0, 2.25, 0));
+    move_scene(scene, place.at);
+    return scene;
+}
+
 BiasSettings no_bias() {
     BiasSettings b;
     b.unit = int(BiasUnit::Depth);

@@ -77,6 +77,10 @@ struct Place {
 };
 inline constexpr Place kPlaces[] = {{}, {{4e3, -120, 9e3}, 90, 60}, {{-70, 5, 8}, 180, 90}};
 
+/// A floor of 10 m there, and a sheet of 4 m 2.25 m above its middle. No box: its walls would lie along the rays of a
+/// light at a right angle, where a driver may draw a sliver of no width with any depth.
+Scene floor_under_a_sheet(const Place& place);
+
 /// No bias of any kind, in units of depth.
 BiasSettings no_bias();
 
