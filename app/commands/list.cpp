@@ -71,8 +71,8 @@ Json filter_rows() {
         json["file"] = f.file;
         const Reach reach = f.reach(f, Settings{}, std::numeric_limits<double>::infinity());
         const FilterCost cost = f.cost(f, Settings{});
-        json["size"] = f.size;
-        json["bilinear"] = f.bilinear;
+        json["size"] = taps_across(f, Settings{});
+        json["bilinear"] = is_bilinear(f, Settings{});
         json["reach_texels"] = reach.bias;
         json["edge_reach_texels"] = reach.edge;
         json["read_reach_texels"] = reach.read;

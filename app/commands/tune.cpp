@@ -69,7 +69,7 @@ Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& afte
         json["families"].push_back(std::move(row));
     }
     for (const TuneCandidate& c : tuner.candidates()) {
-        Json row = {{"kernel", filters()[std::size_t(c.settings.filter.kernel)].key},
+        Json row = {{"kernel", c.kernel},
                     {"resolution", c.settings.map.resolution},
                     {"chosen", &c == tuner.best()},
                     {"within_limits", c.meets},
@@ -97,7 +97,7 @@ void print_tuned(const Tuner& tuner) {
     for (const TuneCandidate& c : tuner.candidates()) {
         const std::string error = c.trial ? fmt::format("{:.5f}", c.error) : "-";
         const std::string ms = c.ms ? fmt::format("{:.3g} ms", *c.ms) : "-";
-        fmt::print("  {:<14} {:>5}²  error {:>8}  {:>9}  {}\n", filters()[std::size_t(c.settings.filter.kernel)].key,
+        fmt::print("  {:<14} {:>5}²  error {:>8}  {:>9}  {}\n", c.kernel,
                    c.settings.map.resolution, error, ms,
                    &c == tuner.best()    ? "chosen"
                    : c.meets             ? "within the limits"

@@ -51,7 +51,7 @@ Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, c
 
 void apply_tuning(Settings& settings, const Settings& found) {
     settings.bias = found.bias;
-    settings.filter.kernel = found.filter.kernel;
+    settings.filter = found.filter;
     settings.map.resolution = found.map.resolution;
 }
 

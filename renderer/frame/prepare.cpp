@@ -150,11 +150,18 @@ void choose_kernel(FrameState& f) {
                 : fmt::format("filter.method sampler compares 2x2 texels with one depth, and bias.kind {} "
                               "has one for each; gather is used",
                               bias_of(f.settings).key));
+    for (const char* key : {"filter.taps", "filter.blocker_taps"}) {
+        const SettingRef ref = *find_setting(key);
+        const int taps = std::get<int>(get_value(f.settings, ref));
+        if (idle_reason(f.settings, ref).empty() && disk_places(filter, f.settings, taps) < taps)
+            f.notes.push_back(fmt::format("{} {}: the Poisson table has {} places; all of them are taken, and no more",
+                                          key, taps, kDiskTable));
+    }
     f.defines = settings_defines(f.settings);
-    f.defines.push_back({"KERNEL_SIZE", std::to_string(filter.size)});
+    f.defines.push_back({"KERNEL_SIZE", std::to_string(taps_across(filter, f.settings))});
     f.defines.push_back({"SUBPIXEL_BITS", std::to_string(f.driver.subpixel_bits)});
     f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
-    f.defines.push_back({"SAMPLER_BILINEAR", filter.bilinear ? "1" : "0"});
+    f.defines.push_back({"SAMPLER_BILINEAR", is_bilinear(filter, f.settings) ? "1" : "0"});
     f.defines.push_back({"COMPARE_BY_HAND", "0"});
     f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
     const bool blend = std::any_of(f.gl.fitted.begin(), f.gl.fitted.end(), [](const FittedLight& light) {
@@ -258,7 +265,7 @@ void set_map_wrap(GLuint sampler, const MapSettings& map, float border) {
 
 void set_samplers(const FrameState& f) {
     const MapSettings& m = f.settings.map;
-    const bool bilinear = filter_of(f.settings).bilinear;
+    const bool bilinear = is_bilinear(filter_of(f.settings), f.settings);
     const float far_depth = m.reversed_z ? 0.f : 1.f;
     const float border = m.outside == int(Outside::Lit) ? far_depth : 1.f - far_depth;
     for (const GLuint sampler : {f.gl.map_nearest.id(), f.gl.map_compare.id()}) {

@@ -97,7 +97,10 @@ SweepAxis parse_axis(std::string_view text) {
     const std::string_view values = text.substr(equals + 1);
     const bool is_number = !ref->param->choices && !std::holds_alternative<bool>(default_value(*ref));
     const auto parts = split(values, ':');
-    if (values == "*" && ref->param->choices) {
+    if (values == "*" && ref->param->swept) {
+        const auto swept = ref->param->swept();
+        axis.values.assign(swept.begin(), swept.end());
+    } else if (values == "*" && ref->param->choices) {
         for (const Choice& choice : ref->param->choices()) axis.values.emplace_back(choice.key);
     } else if (values == "*" && std::holds_alternative<bool>(default_value(*ref))) {
         axis.values = {"false", "true"};
@@ -148,6 +151,14 @@ SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes) {
             throw UsageError(fmt::format("the sweep has more than {} cases; vary fewer settings or take larger steps",
                                          kMaxSweepCases));
     }
+    for (const SweepAxis& axis : axes)
+        for (const std::string& value : axis.values)
+            for (const auto& [other, meant] : also_meant(*find_setting(axis.key), value))
+                if (keys.contains(setting_key(other)))
+                    throw UsageError(fmt::format(
+                        "--vary {0}: its value {1} stands for {2}={3} too, and {2} is varied by itself; name {0} by "
+                        "choices that leave it open",
+                        axis.key, value, setting_key(other), value_text(*other.param, meant)));
     const bool scene_varies =
         std::any_of(axes.begin(), axes.end(), [](const SweepAxis& a) { return a.key.starts_with("scene."); });
     std::set<std::string> seen;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <limits>
 #include <set>
 #include <span>
 
@@ -83,20 +84,25 @@ void cast_from_both_sides(Settings& s) {
     for (auto& [path, object] : s.objects) object.cull = int(ObjectCull::Inherit);
 }
 
-/// The square kernels next narrower and next wider by how far they displace edges.
-std::pair<int, int> neighbours(const Settings& settings) {
-    const auto edge = [&](int k) {
-        const Filter& row = filters()[std::size_t(k)];
-        return row.reach(row, settings, 0).edge;
+/// Of the square kernels at their own sizes the next narrower and the next wider by how far they displace edges; empty
+/// where there is none.
+std::pair<std::string_view, std::string_view> neighbours(const Settings& settings) {
+    const auto edge = [](const Settings& s) {
+        const Filter& row = filter_of(s);
+        return row.reach(row, s, 0).edge;
     };
-    const double reach = edge(settings.filter.kernel);
-    int down = -1, up = -1;
-    for (int k = 0; k < int(filters().size()); ++k) {
-        if (!filters()[std::size_t(k)].square) continue;
-        if (edge(k) < reach && (down < 0 || edge(k) > edge(down))) down = k;
-        if (edge(k) > reach && (up < 0 || edge(k) < edge(up))) up = k;
+    const double reach = edge(settings);
+    std::pair<std::string_view, std::string_view> out;
+    double narrower = 0, wider = std::numeric_limits<double>::infinity();
+    for (const std::string_view kernel : swept_kernels()) {
+        Settings s = settings;
+        set_setting(s, "filter.kernel", kernel);
+        if (!filter_of(s).square) continue;
+        const double other = edge(s);
+        if (other < reach && other > narrower) narrower = other, out.first = kernel;
+        if (other > reach && other < wider) wider = other, out.second = kernel;
     }
-    return {down, up};
+    return out;
 }
 
 /// What a light's map covers, and how many maps it is divided among: the rows of the fit table, and cascades.
@@ -234,8 +240,11 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
             });
 
     const auto [down, up] = neighbours(base);
-    if (down >= 0) idea("narrower kernel", [&](Settings& s) { s.filter.kernel = down; });
-    if (up >= 0) idea("wider kernel", [&](Settings& s) { s.filter.kernel = up; });
+    const auto kernel = [](std::string_view text) {
+        return [=](Settings& s) { set_setting(s, "filter.kernel", text); };
+    };
+    if (!down.empty()) idea("narrower kernel", kernel(down));
+    if (!up.empty()) idea("wider kernel", kernel(up));
     idea("no depth blur", [](Settings& s) { s.map.blur_texels = 0; });
 
     const int limit = f.max_resolution;

@@ -44,7 +44,7 @@ Settings Tuner::settings() const {
 }
 
 void Tuner::open_candidate() {
-    if (kernel_ == filters().size()) {
+    if (kernel_ == swept_kernels().size()) {
         search_.reset();
         ask_ = Ask::Nothing;
         return;
@@ -52,10 +52,10 @@ void Tuner::open_candidate() {
     Settings s = start_;
     // What the start needed, for this kernel's reach: where the search of its own begins.
     const BiasFound& known = *first_.best();
-    s.filter.kernel = int(kernel_);
+    set_setting(s, "filter.kernel", swept_kernels()[kernel_]);
     s.bias = scaled(known.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));
     s.map.resolution = resolution_;
-    candidates_.push_back({.settings = s});
+    candidates_.push_back({.kernel = swept_kernels()[kernel_], .settings = s});
     search_.emplace(s, BiasSearch::Options{.only = known.family, .quick = true});
     ask_ = goals_.most_ms ? Ask::Time : Ask::Judge;  // a look at the clock is cheaper than the truth
 }
@@ -125,12 +125,13 @@ double Tuner::progress() const {
     if (!search_) return first * first_.progress();
     const double steps = std::log2(double(goals_.most_resolution) / kLeastResolution) + 1;
     const double within = std::log2(double(resolution_) / kLeastResolution) / steps;
-    return first + (1 - first) * (double(kernel_) + within) / double(filters().size());
+    return first + (1 - first) * (double(kernel_) + within) / double(swept_kernels().size());
 }
 
 std::string Tuner::about() const {
     if (!search_) return first_.about();
-    return fmt::format("{} at {}²{}", filters()[kernel_].label, resolution_, ask_ == Ask::Time ? ", timing" : "");
+    return fmt::format("{} at {}²{}", kernel_label(candidates_.back().settings), resolution_,
+                       ask_ == Ask::Time ? ", timing" : "");
 }
 
 const TuneCandidate* Tuner::best() const {
@@ -167,17 +168,16 @@ std::string Tuner::summary() const {
         return fmt::format("least bias without acne: {} ({}); {}", bias_text(found->bias), theory_text(*found),
                            cost_text(first_.before(), found->trial));
     if (const TuneCandidate* c = best())
-        return fmt::format("{} at {}², {}: {} {:.4g}, {:.3g} ms a frame; {}",
-                           filters()[std::size_t(c->settings.filter.kernel)].label, c->settings.map.resolution,
-                           bias_text(c->settings.bias), goals_.error->key, c->error, *c->ms,
+        return fmt::format("{} at {}², {}: {} {:.4g}, {:.3g} ms a frame; {}", kernel_label(c->settings),
+                           c->settings.map.resolution, bias_text(c->settings.bias), goals_.error->key, c->error, *c->ms,
                            cost_text(first_.before(), *c->trial));
     const TuneCandidate* near = nullptr;
     for (const TuneCandidate& c : candidates_)
         if (c.trial && c.clear && (!near || c.error < near->error)) near = &c;
     if (!near) return "no kernel and resolution is within the limits: each takes longer than allowed or shows acne";
     return fmt::format("no kernel and resolution is within the limits: the least {} was {:.4g} with {} at {}²{}",
-                       goals_.error->key, near->error, filters()[std::size_t(near->settings.filter.kernel)].label,
-                       near->settings.map.resolution, near->ms ? fmt::format(" in {:.3g} ms", *near->ms) : "");
+                       goals_.error->key, near->error, kernel_label(near->settings), near->settings.map.resolution,
+                       near->ms ? fmt::format(" in {:.3g} ms", *near->ms) : "");
 }
 
 }  // namespace si

@@ -27,6 +27,7 @@ struct TuneGoals {
 
 /// A kernel and resolution with the bias that it needs.
 struct TuneCandidate {
+    std::string_view kernel;  ///< as --set filter.kernel takes it
     Settings settings;
     std::optional<BiasTrial> trial;
     double error = 0;          ///< shortfall() of TuneGoals::error

@@ -1,5 +1,5 @@
-// Names that settings and choices once had. Presets, --set, sweeps and files all read them; listings and error messages
-// have the names of today only.
+// Names that settings and choices once had, and short names for a choice with settings of its own. Presets, --set,
+// sweeps and files all read them; listings and error messages have the names of today only.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct ChoiceAlias {
     };
     std::string_view key;           ///< of the setting, as its row has it
     std::string_view was, choice;   ///< of its choices
-    std::array<Also, 2> also = {};  ///< what else the old choice said, where several settings say it now
+    std::array<Also, 2> also = {};  ///< what else the name says, where several settings say it
 };
 
 struct Aliases {

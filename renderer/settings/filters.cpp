@@ -1,5 +1,7 @@
 #include "renderer/settings/filters.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -9,14 +11,44 @@
 namespace si {
 namespace {
 
-constexpr std::string_view kPoissonSettings[] = {"filter.taps", "filter.radius", "filter.rotate"};
-constexpr std::string_view kPcssSettings[] = {"filter.taps", "filter.rotate", "filter.blocker_taps",
+constexpr std::string_view kPcfSettings[] = {"filter.size", "filter.point"};
+constexpr std::string_view kPcfSwept[] = {"pcf2", "pcf3", "pcf3_nearest", "pcf5", "pcf7", "pcf9"};
+constexpr std::string_view kSizedSettings[] = {"filter.size"};
+constexpr std::string_view kTentSwept[] = {"tent5", "tent7"};
+constexpr std::string_view kGaussSwept[] = {"gauss5", "gauss7"};
+constexpr std::string_view kDiskSettings[] = {"filter.taps", "filter.radius", "filter.radius_unit", "filter.max_radius",
+                                              "filter.rotate"};
+constexpr std::string_view kPcssSettings[] = {"filter.taps", "filter.rotate", "filter.disk", "filter.blocker_taps",
+                                              "filter.max_radius"};
+constexpr std::string_view kDpcfSettings[] = {"filter.taps", "filter.rotate", "filter.disk", "filter.max_radius"};
+constexpr std::string_view kSmrtSettings[] = {"filter.rays", "filter.steps", "filter.thickness", "filter.rotate",
                                               "filter.max_radius"};
 constexpr std::string_view kVsmSettings[] = {"filter.blur", "filter.bleed", "filter.min_variance"};
 
 /// Texels by which the plane is compared are those that are read, and move edges as far.
 constexpr Reach everywhere(double texels) {
     return {texels, texels, texels};
+}
+
+Reach disk_reach(const Filter&, const Settings& s, double widest_texels) {
+    const bool metres = s.filter.radius_unit == int(RadiusUnit::Metres);
+    return everywhere((metres ? std::min(widest_texels, s.filter.max_radius) : s.filter.radius) + 0.5);
+}
+
+Reach penumbra_reach(const Filter&, const Settings& s, double widest_texels) {
+    return everywhere(std::clamp(widest_texels, 0.5, std::max(s.filter.max_radius, 0.5)) + 0.5);
+}
+
+/// Of kernels whose every tap is a place of the disk.
+FilterCost disk_cost(const Filter& row, const Settings& s) {
+    const int taps = disk_places(row, s, s.filter.taps);
+    return {0, taps, taps};
+}
+
+/// Of kernels whose every comparison takes two texels of a row and two of a column.
+FilterCost paired_cost(const Filter& row, const Settings& s) {
+    const int per_axis = taps_across(row, s) / 2 + 1, taps = per_axis * per_axis;
+    return {taps, taps, 4 * taps};
 }
 
 constexpr Filter kFilters[] = {
@@ -33,65 +65,70 @@ constexpr Filter kFilters[] = {
      .file = "filters/pcf.glsl",
      .size = 1,
      .bilinear = true},
-    {.key = "pcf3_nearest",
-     .label = "PCF 3x3 by hand",
-     .help = "The mean of 3x3 nearest comparisons, as the lectures write it: ten grey levels.",
+    {.key = "pcf",
+     .label = "PCF",
+     .help = "The mean of filter.size^2 comparisons one texel apart, bilinear or of single texels. Wider is softer and "
+             "calls for more bias. Of an even size it is centred between texels.",
      .paper = "Reeves, Salesin, Cook: Rendering Antialiased Shadows with Depth Maps, SIGGRAPH 1987",
-     .file = "filters/pcf_nearest.glsl",
-     .size = 3},
+     .file = "filters/pcf.glsl",
+     .size = 0,
+     .bilinear = true,
+     .settings = kPcfSettings,
+     .swept = kPcfSwept},
     {.key = "tent3",
      .label = "Tent 3x3",
      .help = "3x3 nearest comparisons that weigh 1, 2 and 4 sixteenths: softer at its ends than the plain mean.",
      .paper = "Jaehne: Digital Image Processing, on binomial filters",
      .file = "filters/tent3.glsl",
      .size = 3},
-    {.key = "pcf3",
-     .label = "PCF 3x3",
-     .help = "The mean of 3x3 bilinear comparisons.",
-     .paper = "Reeves, Salesin, Cook: Rendering Antialiased Shadows with Depth Maps, SIGGRAPH 1987",
-     .file = "filters/pcf.glsl",
-     .size = 3,
-     .bilinear = true},
-    {.key = "pcf5_nearest",
-     .label = "PCF 5x5 by hand",
-     .help = "The mean of 5x5 nearest comparisons.",
-     .paper = "Reeves, Salesin, Cook: Rendering Antialiased Shadows with Depth Maps, SIGGRAPH 1987",
-     .file = "filters/pcf_nearest.glsl",
-     .size = 5},
-    {.key = "pcf5",
-     .label = "PCF 5x5",
-     .help = "The mean of 5x5 bilinear comparisons.",
-     .paper = "Reeves, Salesin, Cook: Rendering Antialiased Shadows with Depth Maps, SIGGRAPH 1987",
-     .file = "filters/pcf.glsl",
-     .size = 5,
-     .bilinear = true},
-    {.key = "pcf7",
-     .label = "PCF 7x7",
-     .help = "The mean of 7x7 bilinear comparisons.",
-     .paper = "Reeves, Salesin, Cook: Rendering Antialiased Shadows with Depth Maps, SIGGRAPH 1987",
-     .file = "filters/pcf.glsl",
-     .size = 7,
-     .bilinear = true},
-    {.key = "pcf9",
-     .label = "PCF 9x9",
-     .help = "The mean of 9x9 bilinear comparisons: wide, and its bias need is wide too.",
-     .paper = "Reeves, Salesin, Cook: Rendering Antialiased Shadows with Depth Maps, SIGGRAPH 1987",
-     .file = "filters/pcf.glsl",
-     .size = 9,
-     .bilinear = true},
+    {.key = "tent",
+     .label = "Tent",
+     .help =
+         "Weights that fall evenly from the middle to nothing, filter.size texels across: (size / 2 + 1)^2 bilinear "
+         "comparisons, each placed so that it weighs its 2x2 texels exactly so. Smoother than PCF of that size at "
+         "a quarter of its comparisons.",
+     .paper = "Castano: Shadow Mapping Summary, on the shadows of The Witness, 2013",
+     .file = "filters/tent.glsl",
+     .size = 0,
+     .bilinear = true,
+     .settings = kSizedSettings,
+     .cost = paired_cost,
+     .swept = kTentSwept},
+    {.key = "gauss",
+     .label = "Gauss",
+     .help = "Gaussian weights that end at nothing beyond filter.size texels across, by (size / 2 + 1)^2 bilinear "
+             "comparisons: rounder than the tent, with no corners in its edges.",
+     .paper = "Pettineo: A Sampling of Shadow Techniques, 2013",
+     .file = "filters/gauss.glsl",
+     .size = 0,
+     .bilinear = true,
+     .settings = kSizedSettings,
+     .cost = paired_cost,
+     .swept = kGaussSwept},
     {.key = "poisson",
      .label = "Poisson disk",
      .help = "Nearest comparisons at places spread over a disk, which each pixel turns by an angle of its own: noise "
-             "in place of steps.",
+             "in place of steps. Its table has 64 places.",
      .paper = "Uralsky: Efficient Soft-Edged Shadows Using Pixel Shader Branching, GPU Gems 2, 2005",
      .file = "filters/poisson.glsl",
      .square = false,
-     .settings = kPoissonSettings,
-     .reach = [](const Filter&, const Settings& s, double) { return everywhere(s.filter.radius + 0.5); },
-     .cost =
-         [](const Filter&, const Settings& s) {
-             return FilterCost{0, s.filter.taps, s.filter.taps};
-         }},
+     .takes_table = true,
+     .settings = kDiskSettings,
+     .reach = disk_reach,
+     .cost = disk_cost,
+     .noise = {.taps = "filter.taps", .slope = -0.6}},
+    {.key = "vogel",
+     .label = "Vogel disk",
+     .help = "Nearest comparisons along a spiral of golden angles, as even for any number of taps, up to 4096; each "
+             "pixel turns it by interleaved gradient noise.",
+     .paper = "Vogel: A Better Way to Construct the Sunflower Head, Mathematical Biosciences 44, 1979; noise: Jimenez: "
+              "Next Generation Post Processing in Call of Duty, SIGGRAPH 2014",
+     .file = "filters/vogel.glsl",
+     .square = false,
+     .settings = kDiskSettings,
+     .reach = disk_reach,
+     .cost = disk_cost,
+     .noise = {.taps = "filter.taps", .slope = -0.75}},
     {.key = "pcss",
      .label = "PCSS",
      .help = "Percentage-closer soft shadows: searches what stands before the surface, and makes the penumbra as wide "
@@ -101,16 +138,56 @@ constexpr Filter kFilters[] = {
      .square = false,
      .searches_blockers = true,
      .reads_light_size = true,
+     .takes_table = true,
      .settings = kPcssSettings,
+     .reach = penumbra_reach,
+     .cost =
+         [](const Filter& row, const Settings& s) {
+             const int taps = disk_places(row, s, s.filter.blocker_taps) + disk_places(row, s, s.filter.taps);
+             return FilterCost{0, taps, taps};
+         },
+     .noise = {.taps = "filter.taps", .slope = -0.5}},
+    {.key = "dpcf",
+     .label = "DPCF",
+     .help = "Contact-hardening shadows without a search: the same taps tell how much of the widest penumbra is "
+             "shadowed and how far off, and the contrast of that share is raised until the edge is as narrow as it "
+             "should be. Right for one straight edge; wrong where two occluders lie over each other.",
+     .paper =
+         "Guy, Agopian: Physically Based Rendering in Filament (DPCF); after Gruen: Contact Hardening Shadows Made "
+         "Fast, 2010",
+     .file = "filters/dpcf.glsl",
+     .square = false,
+     .linear = false,
+     .searches_blockers = true,
+     .reads_light_size = true,
+     .takes_table = true,
+     .settings = kDpcfSettings,
+     .reach = penumbra_reach,
+     .cost = disk_cost,
+     .noise = {.taps = "filter.taps", .slope = -0.75}},
+    {.key = "smrt",
+     .label = "Shadow-map rays",
+     .help = "Rays from the surface to places of the light, each followed through the map in steps: it is stopped by "
+             "what lies before it by less than filter.thickness. Penumbrae of occluders over each other come out "
+             "right; what the map does not hold behind its nearest surfaces is guessed.",
+     .paper = "Epic Games: Shadow Map Ray Tracing, in Virtual Shadow Maps, Unreal Engine 5, 2021",
+     .file = "filters/smrt.glsl",
+     .square = false,
+     .linear = false,
+     .reads_light_size = true,
+     .settings = kSmrtSettings,
+     // A ray rises faster than the plane that it starts from: half a texel for the nearest one's centre is left.
      .reach =
-         [](const Filter&, const Settings& s, double penumbra_texels) {
-             return everywhere(std::clamp(penumbra_texels, 0.5, std::max(s.filter.max_radius, 0.5)) + 0.5);
+         [](const Filter& row, const Settings& s, double widest_texels) {
+             const double reach = penumbra_reach(row, s, widest_texels).edge;
+             return Reach{0.5, reach, reach};
          },
      .cost =
          [](const Filter&, const Settings& s) {
-             const int taps = s.filter.blocker_taps + s.filter.taps;
+             const int taps = 1 + s.filter.rays * s.filter.steps;
              return FilterCost{0, taps, taps};
-         }},
+         },
+     .noise = {.taps = "filter.rays", .slope = -0.65}},
     {.key = "vsm",
      .label = "VSM",
      .help = "Variance shadow map: one look-up of the mean and variance of the depths about each texel, blurred "
@@ -144,16 +221,43 @@ std::vector<Filter>& filter_table() {
 
 }  // namespace
 
-Reach Filter::square_reach(const Filter& row, const Settings&, double) {
-    const double reach = 0.5 * (row.size + (row.bilinear ? 1 : 0));
-    return {reach, reach, reach};
+Reach Filter::square_reach(const Filter& row, const Settings& s, double) {
+    const int across = taps_across(row, s);
+    const bool bilinear = is_bilinear(row, s);
+    const double reach = 0.5 * (across + (bilinear ? 1 : 0));
+    // Gathers take texels by twos: of an odd number the last brings one that weighs nothing.
+    return {reach, reach, bilinear && across % 2 == 0 ? reach + 1 : reach};
 }
 
 FilterCost Filter::square_cost(const Filter& row, const Settings& settings) {
-    const int per_axis = (row.size + 1) / 2, taps = row.size * row.size;
-    const int gathers = row.bilinear ? per_axis * per_axis : 0;
+    const int across = taps_across(row, settings), per_axis = across / 2 + 1, taps = across * across;
+    const bool bilinear = is_bilinear(row, settings);
+    const int gathers = bilinear ? per_axis * per_axis : 0;
     const bool by_gathers = gathers > 0 && !uses_sampler(settings);
-    return {gathers, taps, by_gathers ? 4 * gathers : (row.bilinear ? 4 : 1) * taps};
+    return {gathers, taps, by_gathers ? 4 * gathers : (bilinear ? 4 : 1) * taps};
+}
+
+int disk_places(const Filter& row, const Settings& settings, int places) {
+    const bool may_choose = std::ranges::find(row.settings, "filter.disk") != row.settings.end();
+    const bool spiral = may_choose && settings.filter.disk == int(Disk::Spiral);
+    return row.takes_table && !spiral ? std::min(places, kDiskTable) : places;
+}
+
+int taps_across(const Filter& row, const Settings& settings) {
+    return row.size > 0 ? row.size : settings.filter.size;
+}
+
+bool is_bilinear(const Filter& row, const Settings& settings) {
+    const bool may_point = std::ranges::find(row.settings, "filter.point") != row.settings.end();
+    return row.bilinear && !(may_point && settings.filter.point);
+}
+
+std::string kernel_label(const Settings& settings) {
+    const Filter& row = filter_of(settings);
+    const int across = taps_across(row, settings);
+    if (row.size > 0) return std::string(row.label);
+    return fmt::format("{} {}x{}{}", row.label, across, across,
+                       row.bilinear && !is_bilinear(row, settings) ? " of points" : "");
 }
 
 bool compares_per_texel(const Settings& settings) {
@@ -163,11 +267,11 @@ bool compares_per_texel(const Settings& settings) {
 bool uses_sampler(const Settings& settings) {
     if (settings.filter.method != int(FilterMethod::Sampler) || settings.map.format == int(MapFormat::Colour))
         return false;
-    return !(compares_per_texel(settings) && filter_of(settings).bilinear);
+    return !(compares_per_texel(settings) && is_bilinear(filter_of(settings), settings));
 }
 
 int default_filter() {
-    static const int row = int(std::ranges::find(kFilters, "pcf3", &Filter::key) - std::begin(kFilters));
+    static const int row = int(std::ranges::find(kFilters, "pcf", &Filter::key) - std::begin(kFilters));
     return row;
 }
 
@@ -183,9 +287,9 @@ const Filter& filter_of(const Settings& settings) {
     return filters()[std::size_t(std::clamp(settings.filter.kernel, 0, int(filters().size()) - 1))];
 }
 
-Reach reach_of(const Settings& settings, double penumbra_texels) {
+Reach reach_of(const Settings& settings, double widest_texels) {
     const Filter& row = filter_of(settings);
-    return row.reach(row, settings, penumbra_texels);
+    return row.reach(row, settings, widest_texels);
 }
 
 FilterCost cost_of(const Settings& settings) {
@@ -200,6 +304,18 @@ int prefilter_bytes_per_texel(const Settings& settings) {
 std::span<const Choice> filter_choices() {
     static const std::vector<Choice> choices = choices_of(filters());
     return choices;
+}
+
+std::span<const std::string_view> swept_kernels() {
+    static const std::vector<std::string_view> swept = [] {
+        std::vector<std::string_view> all;
+        for (const Filter& row : filters()) {
+            if (row.swept.empty()) all.push_back(row.key);
+            all.insert(all.end(), row.swept.begin(), row.swept.end());
+        }
+        return all;
+    }();
+    return swept;
 }
 
 }  // namespace si

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "renderer/settings/param.h"
@@ -37,28 +38,52 @@ struct Tolerance {
     std::string_view why = "rounding of the weights";
 };
 
+/// How the noise of a kernel that samples falls towards its own limit, 4096 places: with the square root of their
+/// number where they lie at random, faster the more evenly they are spread.
+struct Noise {
+    std::string_view taps;  ///< key of the setting that says how many places are sampled; empty: nothing is
+    double slope = 0;       ///< of the logarithm of the RMSE over that of their number
+    double tolerance = 0.15;
+};
+
 /// A shadow filter kernel. Its file defines `float filter_visibility(Receiver r)`.
 struct Filter {
     std::string_view key, label, help;
     std::string_view paper;  ///< where it comes from
     std::string_view file;   ///< below shaders/
-    int size = 1;            ///< taps per axis of square kernels, the define KERNEL_SIZE
-    bool bilinear = false;   ///< each tap weighs 2x2 texels
-    bool square = true;      ///< size x size taps one texel apart
+    int size = 1;            ///< texels or bilinear taps per axis of square kernels; 0: filter.size says it
+    bool bilinear = false;   ///< each tap weighs 2x2 texels, but under filter.point where that is its own
+    bool square = true;      ///< size x size taps about the look-up, whatever lies there
     bool linear = true;      ///< a weighted sum of comparisons, so that each tap's weight can be told
     Samples samples = Samples::Depth;
     bool searches_blockers = false;  ///< and where it finds none, says lit and compares nothing
     bool reads_light_size = false;
+    bool takes_table = false;  ///< of kDiskTable places, unless filter.disk is its own and says otherwise
     std::span<const std::string_view> settings = {};  ///< keys that only it and other rows that list them read
-    /// @param penumbra_texels radius of the widest penumbra under the light, for rows that read its size
-    Reach (*reach)(const Filter&, const Settings&, double penumbra_texels) = square_reach;
+    /// @param widest_texels radius of the widest area that it spreads over under the light: of the penumbra for rows
+    /// that read its size, else of a filter.radius in metres; infinite where no light is known
+    Reach (*reach)(const Filter&, const Settings&, double widest_texels) = square_reach;
     FilterCost (*cost)(const Filter&, const Settings&) = square_cost;
 
     Tolerance tolerance = {};
+    Noise noise = {};
+    /// What sweeps over all kernels and searches take of it, as --set filter.kernel takes it; empty: the row as it is.
+    std::span<const std::string_view> swept = {};
 
-    static Reach square_reach(const Filter& row, const Settings&, double penumbra_texels);
+    static Reach square_reach(const Filter& row, const Settings&, double widest_texels);
     static FilterCost square_cost(const Filter& row, const Settings& settings);
 };
+
+/// Taps per axis of a square kernel, the define KERNEL_SIZE.
+int taps_across(const Filter& row, const Settings& settings);
+/// Whether each tap weighs 2x2 texels.
+bool is_bilinear(const Filter& row, const Settings& settings);
+/// The kernel's label, with its size where that is a setting: "PCF 5x5".
+std::string kernel_label(const Settings& settings);
+/// How many places the table of a disk has (shaders/lib/disk.glsl).
+inline constexpr int kDiskTable = 64;
+/// How many of so many places a kernel samples: its table may end before.
+int disk_places(const Filter& row, const Settings& settings, int places);
 
 /// Bytes that a kernel wants prepared for each texel of the maps, besides the depths.
 int prefilter_bytes_per_texel(const Settings& settings);
@@ -74,10 +99,12 @@ std::span<const Filter> filters();
 /// Its GLSL comes by gl::add_shader_text().
 void add_filter(const Filter& row);
 std::span<const Choice> filter_choices();
+/// Every row at its own short list of sizes, as --set filter.kernel takes them: pcf3, pcf5, ...
+std::span<const std::string_view> swept_kernels();
 
 /// The row that the settings choose, its reach and its cost under them. Under a given light: reach_under().
 const Filter& filter_of(const Settings& settings);
-Reach reach_of(const Settings& settings, double penumbra_texels = std::numeric_limits<double>::infinity());
+Reach reach_of(const Settings& settings, double widest_texels = std::numeric_limits<double>::infinity());
 FilterCost cost_of(const Settings& settings);
 
 }  // namespace si

@@ -56,6 +56,8 @@ struct Param {
     bool logarithmic = false;
     Cost cost = Cost::Uniform;
     std::span<const Choice> (*choices)() = nullptr;
+    /// What "*" stands for in a sweep, as --set takes it; without it each choice once.
+    std::span<const std::string_view> (*swept)() = nullptr;
     /// Why the setting is without effect under `s`; empty when it acts.
     std::string_view (*idle)(const Settings& s, int light) = nullptr;
     std::string_view help;

@@ -27,6 +27,15 @@ constexpr Choice kOutside[] = {
     {"lit", "lit", "Surfaces that the map does not reach count as lit."},
     {"unlit", "unlit", "Surfaces that the map does not reach get ambient light only."},
 };
+constexpr Choice kRadiusUnits[] = {
+    {"texels", "texels", "Widths of a texel of the shadow map at the receiver."},
+    {"metres", "metres", "Metres at the receiver, at most filter.max_radius texels of them."},
+};
+constexpr Choice kDisks[] = {
+    {"table", "Poisson table", "64 places at most, each as far as can be from those before it."},
+    {"spiral", "Vogel's spiral",
+     "Golden angles: as many places as are asked for, evenly spread whatever their number."},
+};
 constexpr Choice kCompares[] = {
     {"less", "less", "Lit when the fragment's depth is strictly nearer to the light than the stored depth."},
     {"lequal", "less or equal", "Lit when the fragment's depth is nearer than or equal to the stored depth."},
@@ -193,30 +202,60 @@ static_assert(kBias.size() == members<BiasSettings>(), "a member of BiasSettings
 
 constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.kernel), .label = "Kernel", .unit = "", .cost = Cost::Program, .choices = filter_choices,
+     .swept = swept_kernels,
      .help = "How the shadow test is filtered. Wider kernels blur the stair steps and call for more bias.",
      .shader = true},
     {SI_FIELD(filter.method), .label = "Method", .unit = "", .cost = Cost::Program, SI_CHOICES(kMethods),
      .idle = method_idle, .help = "How the kernel reads the map. Both give the same picture at different cost.",
      .shader = true},
-    {SI_FIELD(filter.taps), .label = "Taps", .unit = "taps", .min = 1, .max = 64, .logarithmic = true,
+    {SI_FIELD(filter.size), .label = "Size", .unit = "texels", .min = 2, .max = 15, .cost = Cost::Program,
+     .help = "Width of the kernel: comparisons, or texels that the weights span, along each axis. An even one is "
+             "centred between texels.",
+     .shader = true},
+    {SI_FIELD(filter.point), .label = "Points", .unit = "", .cost = Cost::Program,
+     .help = "Compares single texels, as the lectures write it by hand: size^2 + 1 grey levels. Off: each comparison "
+             "blends 2x2 texels, and edges are without steps.",
+     .shader = true},
+    {SI_FIELD(filter.taps), .label = "Taps", .unit = "taps", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
      .help = "How many places of the disk are compared. Few of them show as steps in each edge, or as noise where "
-             "each pixel turns the disk.",
+             "each pixel turns the disk. The Poisson table ends at 64.",
      .shader = true},
-    {SI_FIELD(filter.radius), .label = "Radius", .unit = "texels", .min = 0, .max = 32, .logarithmic = true,
+    {SI_FIELD(filter.radius), .label = "Radius", .unit = "filter.radius_unit", .min = 0, .max = 32, .logarithmic = true,
      .help = "Radius of the disk of taps. Wider is softer and calls for more bias.", .shader = true},
+    {SI_FIELD(filter.radius_unit), .label = "Radius unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kRadiusUnits),
+     .help = "What filter.radius counts in. In metres the shadow is as soft whatever the map's resolution, and at any "
+             "distance from a light with a place.",
+     .shader = true},
     {SI_FIELD(filter.rotate), .label = "Turn by pixel", .unit = "", .cost = Cost::Program,
      .help = "Turns the disk of taps by an angle of each pixel's own: noise in place of the steps that few taps leave. "
              "Off: the same taps everywhere.",
      .shader = true},
-    {SI_FIELD(filter.blocker_taps), .label = "Blocker taps", .unit = "taps", .min = 1, .max = 64, .logarithmic = true,
+    {SI_FIELD(filter.disk), .label = "Disk", .unit = "", .cost = Cost::Program, SI_CHOICES(kDisks),
+     .help = "Which places of the disk are searched and compared.", .shader = true},
+    {SI_FIELD(filter.blocker_taps), .label = "Blocker taps", .unit = "taps", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
      .help = "How many texels are searched for what stands between surface and light. Their mean distance gives the "
              "penumbra's width; where none is found, the surface is lit.",
      .shader = true},
     {SI_FIELD(filter.max_radius), .label = "Largest radius", .unit = "texels", .min = 1, .max = 64, .logarithmic = true,
-     .help = "Most that the search and the penumbra reach to each side. Wider penumbras than that come out too narrow; "
-             "the bias must do for so wide a kernel.",
+     SI_IDLE(!filter_of(s).reads_light_size && s.filter.radius_unit == at(RadiusUnit::Texels),
+             "without effect: filter.radius itself is in texels"),
+     .help = "Most that the kernel reaches to each side: search, penumbra, or a radius in metres. Wider ones than that "
+             "come out too narrow; the bias must do for so wide a kernel.",
+     .shader = true},
+    {SI_FIELD(filter.rays), .label = "Rays", .unit = "rays", .min = 1, .max = 4096, .logarithmic = true,
+     .cost = Cost::Program,
+     .help = "How many places of the light are looked at. Few of them show as noise, or without turns as steps.",
+     .shader = true},
+    {SI_FIELD(filter.steps), .label = "Steps", .unit = "steps", .min = 1, .max = 64, .logarithmic = true,
+     .cost = Cost::Program,
+     .help = "How many texels each ray is compared with on its way through the widest penumbra. Steps wider than an "
+             "occluder make its shadow too narrow or ragged.",
+     .shader = true},
+    {SI_FIELD(filter.thickness), .label = "Thickness", .unit = "m", .min = 0, .max = 100, .logarithmic = true,
+     .help = "How thick whatever the map holds is taken to be: a ray that passes farther than that behind it goes on. "
+             "Too little lets light leak through solid things; too much widens the shadows of thin ones.",
      .shader = true},
     {SI_FIELD(filter.blur), .label = "Blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
      .help = "The moments of each texel become the mean of those up to this many texels away, along x and y: once for "

@@ -27,6 +27,8 @@ enum class ObjectCull { Inherit, None, Back, Front };
 enum class BiasUnit { Depth, Texels, Metres };
 enum class NormalSource { Geometric, Shading, Mapped };
 enum class FilterMethod { Automatic, Gather, Sampler };
+enum class RadiusUnit { Texels, Metres };
+enum class Disk { Table, Spiral };
 enum class MapView { Raw, Linear, Bands };
 enum class MapSource { Light, Camera };
 enum class Panes { One, Two, Four };
@@ -96,11 +98,18 @@ struct FilterSettings {
     int kernel = default_filter();  ///< row of the filter table
     int method = 0;                 ///< FilterMethod
     // Of single kernels: see the rows' `settings` in the filter table.
+    int size = 3;
+    bool point = false;
     int taps = 16;
     double radius = 3;
+    int radius_unit = 0;  ///< RadiusUnit
     bool rotate = true;
+    int disk = 0;  ///< Disk
     int blocker_taps = 16;
     double max_radius = 16;
+    int rays = 16;
+    int steps = 8;
+    double thickness = 0.1;
     int blur = 2;
     double bleed = 0.2;
     double min_variance = 1e-6;

@@ -1,6 +1,7 @@
 #include "renderer/view/kernel_reach.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace si {
 
@@ -18,10 +19,19 @@ double widest_penumbra_texels(const FittedLight& light, int resolution) {
     return widest;
 }
 
+double finest_texel_m(const FittedLight& light, int resolution) {
+    double finest = std::numeric_limits<double>::infinity();
+    for (const LightView& view : light.views)
+        finest = std::min(
+            {finest, view.texel_size(view.curve.near, resolution), view.texel_size(view.curve.far, resolution)});
+    return finest;
+}
+
 Reach reach_under(const Settings& settings, const FittedLight& light, int resolution) {
     const Filter& row = filter_of(settings);
-    if (!row.reads_light_size || !light.casts) return reach_of(settings);
-    return reach_of(settings, widest_penumbra_texels(light, resolution));
+    if (!light.casts) return reach_of(settings);
+    if (row.reads_light_size) return reach_of(settings, widest_penumbra_texels(light, resolution));
+    return reach_of(settings, settings.filter.radius / finest_texel_m(light, resolution));
 }
 
 }  // namespace si

@@ -1,4 +1,5 @@
-// How far a kernel reaches under one light: by its settings, and where it follows the light's size, by its map too.
+// How far a kernel reaches under one light: by its settings, and where it follows metres or the light's size, by its
+// map.
 #pragma once
 
 #include "renderer/settings/filters.h"
@@ -8,6 +9,9 @@ namespace si {
 
 /// Radius in texels of the widest penumbra that the light can throw in its maps: from their near to their far planes.
 double widest_penumbra_texels(const FittedLight& light, int resolution);
+
+/// Least width of a texel in the light's maps, metres.
+double finest_texel_m(const FittedLight& light, int resolution);
 
 /// reach_of() under a light that casts.
 Reach reach_under(const Settings& settings, const FittedLight& light, int resolution);

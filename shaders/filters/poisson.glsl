@@ -3,10 +3,11 @@
 #include "lib/disk.glsl"
 
 float filter_visibility(Receiver r) {
-    float radius_uv = filter_radius / float(map_resolution);
+    const int taps = min(filter_taps, DISK_TABLE);
+    float radius_uv = disk_radius_texels(r) / float(map_resolution);
     vec2 turn = disk_turn(r);
     float sum = 0.0;
-    for (int i = 0; i < filter_taps; ++i)
+    for (int i = 0; i < taps; ++i)
         sum += compares_lit(r, r.uvd_offset.xy + turned(POISSON_DISK[i], turn) * radius_uv);
-    return sum / float(filter_taps);
+    return sum / float(taps);
 }

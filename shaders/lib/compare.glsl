@@ -37,6 +37,16 @@ float compared_depth(Receiver r, vec2 at) {
 #endif
 }
 
+/// By how much the receiver's plane is deeper at the centre of the texel that holds a place than at the place.
+float plane_within_texel(Receiver r, vec2 at) {
+#if BIAS_PER_TEXEL
+    vec2 centre = texel_centre(at);
+    return reference_at(r, centre.xxxx, centre.yyyy).x - reference_at(r, at.xxxx, at.yyyy).x;
+#else
+    return 0.0;
+#endif
+}
+
 /// One comparison at a place of the receiver's map, by filter.method.
 float compares_lit(Receiver r, vec2 at) {
     float own = compared_depth(r, at);

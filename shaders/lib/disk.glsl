@@ -2,7 +2,8 @@
 
 /// In the unit disk, each the farthest from all before it of thousands thrown at random (best candidates), so that the
 /// first few of them, too, lie well apart. Mitchell, Spectrally Optimal Sampling for Distribution Ray Tracing, 1991.
-const vec2 POISSON_DISK[64] = vec2[](
+const int DISK_TABLE = 64;
+const vec2 POISSON_DISK[DISK_TABLE] = vec2[](
     vec2(0.0176, 0.0156), vec2(-0.4099, -0.6259), vec2(-0.7253, 0.1984), vec2(0.3960, -0.6429),
     vec2(-0.1782, 0.7364), vec2(0.7500, 0.1089), vec2(0.4490, 0.6640), vec2(-0.7950, -0.2763),
     vec2(0.7650, -0.3640), vec2(-0.0042, -0.8534), vec2(0.0078, -0.4194), vec2(-0.3095, 0.2997),
@@ -19,6 +20,14 @@ const vec2 POISSON_DISK[64] = vec2[](
     vec2(0.6490, 0.6620), vec2(-0.1662, 0.4662), vec2(-0.9157, 0.1838), vec2(-0.5612, -0.7455),
     vec2(0.4435, -0.8260), vec2(0.9330, 0.0573), vec2(-0.2444, 0.9029), vec2(-0.0539, 0.5930),
     vec2(0.2851, 0.6963), vec2(-0.5514, -0.5146), vec2(-0.0038, 0.7579), vec2(-0.8287, -0.4366));
+
+/// Place i of n along a spiral over the unit disk, each a golden angle on: even whatever n is.
+/// Vogel, A Better Way to Construct the Sunflower Head, Mathematical Biosciences 44, 1979.
+vec2 spiral_place(int i, int n) {
+    // The golden angle in whole parts of a turn, of which whole turns fall away without rounding.
+    float angle = float(uint(i) * 2654435769u) * (6.28318531 / 4294967296.0);
+    return sqrt((float(i) + 0.5) / float(n)) * vec2(cos(angle), sin(angle));
+}
 
 /// An angle for each pixel, in radians: any 3x3 pixels' angles are spread over the turn.
 /// Jimenez, Next Generation Post Processing in Call of Duty: Advanced Warfare, SIGGRAPH 2014 (interleaved gradient noise).
@@ -37,3 +46,12 @@ vec2 disk_turn(Receiver r) {
 }
 
 vec2 turned(vec2 v, vec2 turn) { return vec2(v.x * turn.x - v.y * turn.y, v.x * turn.y + v.y * turn.x); }
+
+/// filter.radius in texels of the receiver's map.
+float disk_radius_texels(Receiver r) {
+#if filter_radius_unit == filter_radius_unit_metres
+    return min(filter_radius / r.texel_m, filter_max_radius);
+#else
+    return filter_radius;
+#endif
+}

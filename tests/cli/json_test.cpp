@@ -146,7 +146,7 @@ TEST(Report, TellsSceneSettingsFitAndPasses) {
     const Json bounds = report["scene"]["bounds"];
     EXPECT_LT(bounds["min"][0], bounds["max"][0]);
     EXPECT_EQ(report["settings"]["map.resolution"], 256);
-    EXPECT_EQ(report["settings"]["filter.kernel"], "pcf3");
+    EXPECT_EQ(report["settings"]["filter.kernel"], "pcf");
     EXPECT_EQ(report["picture"]["width"], 64);
     ASSERT_EQ(report["fit"].size(), 1u);
     const Json& fit = report["fit"][0];

@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"no_value", {"render", "boxes", "-o", "a.png", "--set", "bias.slope"}, 2, "KEY=VALUE"},
         Mistake{"nan", {"render", "boxes", "-o", "a.png", "--set", "bias.slope=nan"}, 2, "not finite"},
         Mistake{"range", {"render", "boxes", "-o", "a.png", "--set", "map.resolution=0"}, 2, "1 to 16384"},
-        Mistake{"choice", {"render", "boxes", "-o", "a.png", "--set", "filter.kernel=pcf33"}, 2, "did you mean pcf3?"},
+        Mistake{"choice", {"render", "boxes", "-o", "a.png", "--set", "filter.kernel=pcf33"}, 2, "did you mean pcf?"},
         Mistake{"node", {"render", "boxes", "-o", "a.png", "--set", "object.Nowhere.cast=off"}, 2, "no such node"},
         Mistake{"sweep_nothing", {"sweep", "boxes", "-o", "out"}, 2, "--vary"},
         Mistake{"sweep_key", {"sweep", "boxes", "--vary", "bias.slop=1,2", "-o", "out"}, 2, "did you mean bias.slope?"},

@@ -83,7 +83,7 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                 set_setting(s, "bias.kind", kind);
                 set_setting(s, "map.format", format);
                 s.map.reversed_z = reversed;
-                s.filter.kernel = test::kernel(reversed ? "pcf3" : "hard");
+                set_setting(s, "filter.kernel", reversed ? "pcf3" : "hard");
                 s.bias.raster_slope = reversed ? 1.5 : 0, s.bias.raster_units = reversed ? 2 : 0;
                 const auto compare = [&](const char* overlay, auto&& expected_texels) {
                     const Pixels p = draw(scene, s, overlay);

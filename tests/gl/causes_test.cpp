@@ -275,7 +275,7 @@ const std::vector<Fault>& faults() {
          {Artefact::LostCaster, Artefact::PeterPanning}},
         // At the bias of a narrow one it shadows itself, which more bias cures as well.
         {"wide kernel",
-         [](Settings& s) { s.filter.kernel = test::kernel("pcf9"); },
+         [](Settings& s) { set_setting(s, "filter.kernel", "pcf9"); },
          {Artefact::Filter, Artefact::Leak, Artefact::Acne}},
     };
     return all;

@@ -40,7 +40,7 @@ TEST_F(FaceNormalsOnGpu, OnePlaneNeedsOneBiasOnEveryPixel) {
                                                 << " m at " << view.elevation << " degrees");
                 const Scene scene = make_scene(make_plane(size, size), moved(place.x, place.y, place.z));
                 Settings s = test::hard_settings();
-                s.filter.kernel = test::kernel("pcf3");
+                set_setting(s, "filter.kernel", "pcf3");
                 s.lights[0].elevation = 1.64;
                 s.camera.target_x = place.x, s.camera.target_y = place.y, s.camera.target_z = place.z;
                 s.camera.distance = view.distance * size, s.camera.elevation = view.elevation;

@@ -63,7 +63,7 @@ protected:
 TEST_F(LiveErrorTest, AgreesWithTheCpuOnEveryArtefact) {
     EXPECT_GT(agree(hard(512, 0), "no bias").acne, 0.3);
     Settings s = hard(256, 8);
-    s.filter.kernel = test::kernel("pcf3");
+    set_setting(s, "filter.kernel", "pcf3");
     EXPECT_GT(agree(s, "well biased").artefacts[std::size_t(Artefact::EdgeAliasing)], 10u);
 
     s = hard(512, 3);
@@ -100,7 +100,7 @@ TEST_F(LiveErrorTest, AgreesOnLostCasters) {
 
 TEST_F(LiveErrorTest, AgreesUnderALightOfSizeAndOnPartOfThePixels) {
     Settings s = hard(512, 0.5);
-    s.filter.kernel = test::kernel("pcf5");
+    set_setting(s, "filter.kernel", "pcf5");
     s.lights[0].size = 3;
     s.truth.area = true;
     s.truth.samples = 64;
@@ -126,12 +126,12 @@ TEST_F(LiveErrorTest, FollowsTheBiasWithoutNewRays) {
         EXPECT_LT(m.acne, 0.7 * acne + 1e-9) << constant;
     }
     EXPECT_EQ(frame.error->metrics.acne, 0);
-    s.filter.kernel = test::kernel("pcf3");
+    set_setting(s, "filter.kernel", "pcf3");
     s.bias.constant = 0;
     frame = renderer.render(scene, s, request);
     ASSERT_TRUE(frame.error);
     EXPECT_GT(frame.error->metrics.any_acne, acne) << "another kernel is judged at once, too";
-    s.filter.kernel = test::kernel("hard");
+    set_setting(s, "filter.kernel", "hard");
     s.lights[0].azimuth += 1;
     frame = renderer.render(scene, s, request);
     EXPECT_FALSE(frame.truth.met) << "another light, another truth";
@@ -186,7 +186,7 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
     for (const LightType type : {LightType::Directional, LightType::Spot}) {
         Settings s = hard(128, 1);
         s.lights[0].type = int(type);
-        s.filter.kernel = test::kernel("pcf9");  // wide: it needs more bias than there is room for beside the box
+        set_setting(s, "filter.kernel", "pcf9");  // wide: it needs more bias than there is room for beside the box
         set_setting(s, "view.overlay", "bias-window");
         frame = render_with_truth(renderer, scene, s, request, cache);
         ASSERT_FALSE(frame.panes.front().lacks_truth);

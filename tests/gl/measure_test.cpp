@@ -42,7 +42,7 @@ TEST_F(MeasureTest, FindsNothingButEdgesInAWellBiasedFrame) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const char* kernel : {"hard", "pcf3"}) {
         Settings s = hard(512);
-        s.filter.kernel = test::kernel(kernel);
+        set_setting(s, "filter.kernel", kernel);
         s.bias.constant = 8;
         const ErrorMetrics& m = measure(scene, s);
         EXPECT_GT(m.counted, 20000u);
@@ -144,7 +144,7 @@ TEST_F(MeasureTest, TruthIsKeptWhereOnlyTheMapChanges) {
     const auto truth = measured.traced.truth;
     EXPECT_GT(measured.traced.trace_ms, 0);
     s.map.resolution = 1024;
-    s.filter.kernel = test::kernel("pcf5");
+    set_setting(s, "filter.kernel", "pcf5");
     s.bias.constant = 7;
     measure(scene, s);
     EXPECT_EQ(measured.traced.truth, truth) << "a sweep over maps traces once";

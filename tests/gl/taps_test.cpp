@@ -1,5 +1,6 @@
 // The taps that kernels make on the GPU: recorded while they run, held against the weights that each kernel's
 // definition gives in closed form, and against what the kernel found.
+#include <glm/common.hpp>
 #include <set>
 
 #include "renderer/bias/light_receiver.h"
@@ -12,25 +13,51 @@
 namespace si {
 namespace {
 
-/// Weight of the column (or row) `texel` for a kernel centred at `centre`, in texels from the map's corner.
-double closed_form(std::string_view kernel, int texel, double centre) {
-    const auto nearest = [&](std::initializer_list<double> weights) {
-        const int at = texel - (int(std::floor(centre)) - int(weights.size()) / 2);
-        return at < 0 || at >= int(weights.size()) ? 0 : *(weights.begin() + at);
+/// What of a distribution about 0 lies between two places, of its density by Simpson's rule.
+template <class Density>
+double area(Density density, double lo, double hi) {
+    if (hi <= lo) return 0;
+    double sum = 0;
+    const int n = 200;
+    for (int i = 0; i < n; ++i) {
+        const double a = lo + (hi - lo) * i / n, b = lo + (hi - lo) * (i + 1) / n;
+        sum += (b - a) / 6 * (density(a) + 4 * density(0.5 * (a + b)) + density(b));
+    }
+    return sum;
+}
+
+/// Weight of the column (or row) `texel` for a kernel centred at `centre`, in texels from the map's corner: by each
+/// kernel's definition, so by what of its shape stands above the texel.
+double closed_form(const Settings& s, int texel, double centre) {
+    const std::string_view kernel = filter_of(s).key;
+    const int n = taps_across(filter_of(s), s);
+    const double lo = texel - centre, hi = lo + 1, half = 0.5 * n;
+    const auto nearest = [&](int across, auto weight) {  // of texels that hold taps one texel apart
+        const int at = texel - int(std::floor(centre - 0.5 * (across - 1)));
+        return at < 0 || at >= across ? 0.0 : weight(at);
     };
-    const auto bilinear = [&](int n) {  // the box of n texels about the centre, by how much of each texel it covers
-        const double lo = std::max(centre - 0.5 * n, double(texel)), hi = std::min(centre + 0.5 * n, texel + 1.0);
-        return std::max(hi - lo, 0.0) / n;
+    const auto box = [&](double width) {
+        return std::max(std::min(hi, 0.5 * width) - std::max(lo, -0.5 * width), 0.0) / width;
     };
-    if (kernel == "hard") return nearest({1});
-    if (kernel == "pcf3_nearest") return nearest({1 / 3.0, 1 / 3.0, 1 / 3.0});
-    if (kernel == "pcf5_nearest") return nearest({0.2, 0.2, 0.2, 0.2, 0.2});
-    if (kernel == "tent3") return nearest({0.25, 0.5, 0.25});
-    if (kernel == "hw2x2") return bilinear(1);
-    if (kernel == "pcf3") return bilinear(3);
-    if (kernel == "pcf5") return bilinear(5);
-    if (kernel == "pcf7") return bilinear(7);
-    if (kernel == "pcf9") return bilinear(9);
+    if (kernel == "hard") return nearest(1, [](int) { return 1.0; });
+    if (kernel == "tent3") return nearest(3, [](int i) { return i == 1 ? 0.5 : 0.25; });
+    if (kernel == "hw2x2") return box(1);
+    if (kernel == "pcf" && s.filter.point) return nearest(n, [&](int) { return 1.0 / n; });
+    if (kernel == "pcf") return box(n);
+    if (kernel == "tent") {
+        const auto tent = [&](double x) { return (1 - std::abs(x) / half) / half; };
+        return area(tent, std::max(lo, -half), std::min(hi, 0.0)) + area(tent, std::max(lo, 0.0), std::min(hi, half));
+    }
+    if (kernel == "gauss") {
+        const double end = 0.5 * (n + 1), deviation = 0.4 * end;
+        const auto at = [&](double off) {
+            const auto bell = [&](double x) { return std::exp(-x * x / (2 * deviation * deviation)); };
+            return std::max(bell(off) - bell(end), 0.0);
+        };
+        double all = 0;
+        for (int i = -n - 2; i <= n + 2; ++i) all += at(lo + 0.5 + i);
+        return at(lo + 0.5) / all;
+    }
     ADD_FAILURE() << kernel << " has no closed form here";
     return 0;
 }
@@ -40,43 +67,94 @@ protected:
     const FrameRequest picture{.width = 160, .height = 120};
 };
 
+/// The square kernels, each at sizes odd and even.
+std::vector<Settings> square_kernels() {
+    std::vector<Settings> out;
+    for (const Filter& filter : filters()) {
+        if (!filter.square) continue;
+        Settings s = test::texel_settings(filter.key, 128, 0.7);
+        s.bias.normal = 0.5;
+        const auto owns = [&](std::string_view key) {
+            return std::ranges::find(filter.settings, key) != filter.settings.end();
+        };
+        for (const bool point : {false, true})
+            for (const int size : {2, 3, 8}) {
+                s.filter.size = size, s.filter.point = point;
+                if ((size == 3 || owns("filter.size")) && (!point || owns("filter.point"))) out.push_back(s);
+            }
+    }
+    return out;
+}
+
 TEST_F(TapsTest, WeighWhatEachKernelsDefinitionSays) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    for (const Filter& filter : filters())
+    const std::vector<Settings> kernels = square_kernels();
+    EXPECT_GE(kernels.size(), 3u + 4 * 3);
+    for (Settings s : kernels)
         for (const char* method : {"gather", "sampler"}) {
-            if (!filter.square) continue;
-            Settings s = test::texel_settings(filter.key, 128, 0.7);
-            s.bias.normal = 0.5;
+            const Filter& filter = filter_of(s);
+            const int across = taps_across(filter, s);
+            const bool bilinear = is_bilinear(filter, s);
+            SCOPED_TRACE(kernel_label(s) + " " + method);
             set_setting(s, "filter.method", method);
             int checked = 0;
-            for (int y = 20; y < 110; y += 29)
-                for (int x = 13; x < 150; x += 31) {
+            for (int y = 20; y < 110; y += 43)
+                for (int x = 13; x < 150; x += 47) {
                     const Probe p = renderer.probe(scene, s, picture, x, y);
                     if (!p.hit || p.lights[0].n_dot_l <= 0) continue;
-                    SCOPED_TRACE(std::string(filter.key) + " " + method);
                     const Probe::PerLight& l = p.lights[0];
                     const glm::dvec2 centre = glm::dvec2(l.tap) * double(p.map_resolution);
-                    // A nearest texel is chosen in single precision.
-                    if (const glm::dvec2 f = centre - glm::floor(centre); std::min({f.x, f.y, 1 - f.x, 1 - f.y}) < 1e-3)
-                        continue;
+                    // A nearest texel is chosen in single precision, half a texel off by kernels of an even size.
+                    const glm::dvec2 f = glm::fract(2.0 * centre);
+                    if (std::min({f.x, f.y, 1 - f.x, 1 - f.y}) < 2e-3) continue;
                     ++checked;
                     double sum = 0;
+                    std::size_t weighing = 0;
                     for (const KernelTap& t : l.taps) {
                         sum += t.weight;
-                        EXPECT_NEAR(
-                            t.weight,
-                            closed_form(filter.key, t.texel.x, centre.x) * closed_form(filter.key, t.texel.y, centre.y),
-                            2e-4)
+                        weighing += t.weight > 0;
+                        EXPECT_NEAR(t.weight, closed_form(s, t.texel.x, centre.x) * closed_form(s, t.texel.y, centre.y),
+                                    2e-4)
                             << t.texel.x << ", " << t.texel.y;
                         const glm::dvec2 off = glm::abs(glm::dvec2(t.texel) + 0.5 - centre);
-                        EXPECT_LE(std::max(off.x, off.y), reach_of(s).bias + 1e-3) << "kappa of its row";
+                        EXPECT_LE(std::max(off.x, off.y), reach_of(s).read + 1e-3);
+                        if (t.weight > 0) {
+                            EXPECT_LE(std::max(off.x, off.y), reach_of(s).bias + 1e-3) << "kappa of its row";
+                        }
                     }
                     EXPECT_NEAR(sum, 1, 1e-5);
-                    const int across = filter.bilinear ? filter.size + 1 : filter.size;
-                    EXPECT_EQ(l.taps.size(), std::size_t(across * across)) << "each texel once";
-                    EXPECT_EQ(l.taps_size, glm::ivec2(across));
+                    const int touched = bilinear ? across + 1 : across;
+                    EXPECT_EQ(weighing, std::size_t(touched * touched)) << "each texel once";
                 }
-            EXPECT_GT(checked, 8) << filter.key;
+            EXPECT_GT(checked, 3);
+        }
+}
+
+// A bilinear comparison weighs 2x2 texels by where it lies: as many as the row says make the picture, and no more.
+TEST_F(TapsTest, FewBilinearComparisonsMakeWhatManyTexelsWeigh) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const char* kernel : {"tent", "gauss"})
+        for (const int size : {5, 6, 7}) {
+            Settings s = test::texel_settings(kernel, 128, 0.7);
+            s.filter.size = size;
+            const int pairs = size / 2 + 1;
+            EXPECT_EQ(cost_of(s).sampler_taps, pairs * pairs) << kernel << " " << size;
+            FrameRequest request{.width = 96, .height = 72};
+            request.outputs = {.colour = false, .visibility = true};
+            std::vector<FloatImage> pictures;
+            for (const char* method : {"gather", "sampler"}) {
+                set_setting(s, "filter.method", method);
+                pictures.push_back(renderer.read_float(renderer.render(scene, s, request).visibility, 1));
+            }
+            double worst = 0;
+            int soft = 0;
+            for (std::size_t i = 0; i < pictures[0].data.size(); ++i) {
+                worst = std::max(worst, double(std::abs(pictures[0].data[i] - pictures[1].data[i])));
+                soft += pictures[0].data[i] > 0.05 && pictures[0].data[i] < 0.95;
+            }
+            // Samplers place a comparison to 1/256 of a texel.
+            EXPECT_LT(worst, 2.0 / 256) << kernel << " " << size;
+            EXPECT_GT(soft, 50);
         }
 }
 
@@ -117,7 +195,7 @@ TEST_F(TapsTest, TexelsReadAreThoseOfAllPixelsTaps) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     FrameRequest request{.width = 12, .height = 8};
     request.outputs = {.colour = false, .map_coordinates = true, .texels_read = true};
-    for (const char* kernel : {"hard", "tent3", "pcf3", "poisson"})
+    for (const char* kernel : {"hard", "tent3", "pcf3", "tent5", "poisson"})
         for (const char* wrap : {"border", "repeat"}) {
             SCOPED_TRACE(std::string(kernel) + " " + wrap);
             Settings s = test::texel_settings(kernel, 96, 0.7);

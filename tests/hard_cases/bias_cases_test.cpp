@@ -21,7 +21,7 @@ Settings plane_settings(MapFormat format, std::string_view filter) {
     s.camera.elevation = 70;
     s.camera.target_y = 0;
     s.map.format = int(format);
-    s.filter.kernel = kernel(filter);
+    set_setting(s, "filter.kernel", filter);
     s.bias = no_bias();
     return s;
 }

@@ -37,7 +37,7 @@ Settings plane_settings(const Case& c, const char* filter, double theta_deg) {
     s.camera.elevation = 70;
     s.camera.target_y = 0;
     s.map.format = int(c.format);
-    s.filter.kernel = kernel(filter);
+    set_setting(s, "filter.kernel", filter);
     s.bias = no_bias();
     s.bias.unit = int(BiasUnit::Texels);
     LightSettings& light = s.lights[0];
@@ -103,7 +103,7 @@ Row measured(const Scene& scene, const Case& c, const char* filter, double theta
         row.texels = texels;
         row.steps = a.least.kernel / (a.least.quantum + a.least.rounding);
     }
-    row.config = fmt::format("| {} | {} | {:.3g} |", filters()[std::size_t(s.filter.kernel)].label, theta, row.texels);
+    row.config = fmt::format("| {} | {} | {:.3g} |", kernel_label(s), theta, row.texels);
     for (std::size_t k = 0; k < std::size(kShares); ++k) {
         s.bias.constant = kShares[k] * row.texels;
         frame = hard_renderer().render(scene, s, request);

@@ -42,7 +42,7 @@ TEST_P(BoxShadow, EdgeWithinATexel) {
     s.lights[0].distance = 9;
     s.lights[0].cone = 80;
     s.map.resolution = c.resolution;
-    s.filter.kernel = kernel(c.filter);
+    set_setting(s, "filter.kernel", c.filter);
     // Along the light only, so that the outline does not move; what the kernel needs on the floor.
     s.bias = no_bias();
     s.bias.unit = int(BiasUnit::Texels);
@@ -109,7 +109,7 @@ TEST(PointLight, SeamsShowNoError) {
         s.lights[0].elevation = 90;
         s.lights[0].distance = 2.5;  // faces meet on the floor, in the shadow
         s.camera.elevation = 35;
-        s.filter.kernel = kernel(filter);
+        set_setting(s, "filter.kernel", filter);
         s.bias = no_bias();
         s.bias.unit = int(BiasUnit::Texels);
         // Near a face's rim the floor is tilted by 45 to 60 degrees against its axis.

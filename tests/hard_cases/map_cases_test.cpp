@@ -51,7 +51,7 @@ TEST(HardCase20, ErrorsFallWithResolution) {
     for (int n : {1, 4, 16, 64, 256, 1024}) {
         Settings s = hard_settings();
         s.map.resolution = n;
-        s.filter.kernel = kernel("hard");
+        set_setting(s, "filter.kernel", "hard");
         const Shot shot = shoot(scene, s);
         EXPECT_EQ(shot.frame.map_resolution, n);
         EXPECT_EQ(shot.maps.at(0).width, n);
@@ -101,7 +101,7 @@ TEST(HardCase29, OutsideOfTheMapIsLit) {
         s.camera.elevation = 70;
         s.camera.distance = 14;
         s.map.resolution = 128;
-        s.filter.kernel = kernel(filter);
+        set_setting(s, "filter.kernel", filter);
         // A map of 4 x 4 m amid 10 x 10 m of floor: the bar's shadow crosses its border.
         s.lights[0].fit = int(LightFit::Manual);
         s.lights[0].extent = 2;
@@ -147,7 +147,7 @@ TEST(HardCase29, NoErrorAlongTheBorder) {
         s.camera.elevation = 70;
         s.camera.distance = 14;
         s.map.resolution = 256;
-        s.filter.kernel = kernel(filter);
+        set_setting(s, "filter.kernel", filter);
         s.bias = no_bias();
         s.bias.unit = int(BiasUnit::Texels);
         s.bias.constant = 2.5 * reach_of(s).bias;

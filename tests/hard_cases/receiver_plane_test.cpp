@@ -75,7 +75,7 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                 Settings s = over(plane, c.type, theta);
                 s.map.format = int(c.format);
                 s.map.reversed_z = c.reversed;
-                s.filter.kernel = kernel(filter);
+                set_setting(s, "filter.kernel", filter);
                 choose(s, "receiver-plane");
                 const Shot shot = shoot(scene, s);
                 const auto pixels = seen(shot, plane);
@@ -223,7 +223,7 @@ TEST(ReceiverPlane, ClampBoundsWhatAPlaneMayClaim) {
     const Plane plane{"", {0, 0, 0}, 10, 30};
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = over(plane, LightType::Directional, 80);
-    s.filter.kernel = kernel("pcf3");
+    set_setting(s, "filter.kernel", "pcf3");
     choose(s, "receiver-plane");
     const auto acne = [&] {
         const Shot shot = shoot(scene, s);
@@ -270,7 +270,7 @@ TEST(ReceiverPlane, ComparesByHandWhatSamplersCannot) {
             const bool told = std::ranges::any_of(sampler.frame.notes, [](const std::string& note) {
                 return note.find("receiver-plane") != std::string::npos && note.find("gather") != std::string::npos;
             });
-            EXPECT_EQ(told, filters()[std::size_t(s.filter.kernel)].bilinear);
+            EXPECT_EQ(told, is_bilinear(filter_of(s), s));
         }
 }
 

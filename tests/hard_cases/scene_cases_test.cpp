@@ -134,7 +134,7 @@ TEST(HardCase18, ZeroThicknessBounds) {
     s.map.resolution = 4096;
     s.bias = no_bias();
     s.bias.constant = 1e-3;
-    s.filter.kernel = kernel("hard");
+    set_setting(s, "filter.kernel", "hard");
     const TruthErrors e = compare(shoot(two, s), two, 1);
     EXPECT_EQ(e.false_light, 0);
     EXPECT_EQ(e.false_shadow, 0);

@@ -95,7 +95,7 @@ protected:
     Settings settings(double value) const {
         Settings s = unbiased(row);
         s.map.resolution = 256, s.map.format = int(c.format), s.map.reversed_z = c.reversed;
-        s.filter.kernel = kernel(c.kernel);
+        set_setting(s, "filter.kernel", c.kernel);
         LightSettings& light = s.lights[0];
         light.type = int(c.light);
         light.azimuth = c.place.azimuth, light.elevation = c.place.elevation;

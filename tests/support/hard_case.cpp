@@ -175,7 +175,7 @@ Settings texel_settings(std::string_view filter, int resolution, double constant
     Settings s = hard_settings();
     s.lights[0].fit = int(LightFit::Scene);
     s.map.resolution = resolution;
-    s.filter.kernel = kernel(filter);
+    set_setting(s, "filter.kernel", filter);
     s.bias = no_bias();
     s.bias.unit = int(BiasUnit::Texels);
     s.bias.constant = constant_texels;

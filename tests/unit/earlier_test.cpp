@@ -1,6 +1,7 @@
 // Files of earlier versions mean what they meant, and names that were given up are read.
 #include "renderer/settings/earlier.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/base/output.h"
@@ -10,6 +11,7 @@
 #include "renderer/base/error.h"
 #include "renderer/measure/axes.h"
 #include "renderer/settings/aliases.h"
+#include "renderer/settings/filters.h"
 #include "tests/support/version_1.h"
 
 namespace si {
@@ -105,7 +107,7 @@ constexpr ChoiceAlias kOldChoices[] = {
     {.key = "filter.kernel", .was = "blocky", .choice = "hard"},
     {.key = "filter.kernel",
      .was = "wide_gathered",
-     .choice = "pcf9",
+     .choice = "poisson",
      .also = {{{"filter.method", "gather"}, {"bias.constant", "2"}}}},
     {.key = "light.type", .was = "sun", .choice = "directional"},
 };
@@ -130,14 +132,15 @@ TEST(Aliases, AreReadWhereverSettingsAre) {
         EXPECT_EQ(get_value(preset.settings, ref), get_value(expected, ref)) << setting_key(ref);
     const SweepAxis axis = parse_axis("light.1.heading=10,20");
     EXPECT_EQ(axis.key, "light.1.azimuth");
-    EXPECT_EQ(parse_axis("filter.kernel=blocky,hard,pcf3").values, (std::vector<std::string>{"hard", "pcf3"}));
+    EXPECT_EQ(parse_axis("filter.kernel=blocky,hard,pcf").values, (std::vector<std::string>{"hard", "pcf"}));
     EXPECT_EQ(parse_axis("light.1.type=sun,spot").values, (std::vector<std::string>{"directional", "spot"}));
 }
 
 TEST(Aliases, AnOldChoiceMaySayWhatSeveralSettingsSayNow) {
     const TrialAliases trial(kOldNames);
     Settings expected;
-    for (const char* set : {"filter.kernel=pcf9", "filter.method=gather", "bias.constant=2"}) apply_set(expected, set);
+    for (const char* set : {"filter.kernel=poisson", "filter.method=gather", "bias.constant=2"})
+        apply_set(expected, set);
     Settings s;
     apply_set(s, "filter.kernel=wide_gathered");
     EXPECT_EQ(s, expected);
@@ -154,6 +157,37 @@ TEST(Aliases, AnOldChoiceMaySayWhatSeveralSettingsSayNow) {
     } catch (const Error& e) {
         EXPECT_NE(std::string(e.what()).find("the same setting as \"filter.kernel\""), std::string::npos) << e.what();
     }
+}
+
+// The squares that were rows of their own: in commands, presets of every version and journals, for good.
+TEST(Aliases, OfSquareKernelsSayWhatTheyWere) {
+    struct Was {
+        const char* key;
+        int size;
+        bool point;
+    };
+    for (const Was& was : {Was{"pcf3", 3, false},
+                           {"pcf5", 5, false},
+                           {"pcf7", 7, false},
+                           {"pcf9", 9, false},
+                           {"pcf3_nearest", 3, true},
+                           {"pcf5_nearest", 5, true}}) {
+        SCOPED_TRACE(was.key);
+        const std::string text = fmt::format("\"filter.kernel\":\"{}\"", was.key);
+        Settings set;
+        set.filter.size = 12, set.filter.point = !was.point;  // which the old key said nothing of
+        apply_set(set, fmt::format("filter.kernel={}", was.key));
+        for (const Settings& s :
+             {set, parse_preset(preset_of(1, text), "a.json").settings,
+              parse_preset(preset_of(kSettingsVersion, text), "a.json").settings,
+              plan_sweep({}, {parse_axis(fmt::format("filter.kernel={}", was.key))}).cases.at(0).settings}) {
+            EXPECT_EQ(filter_of(s).key, "pcf");
+            EXPECT_EQ(s.filter.size, was.size);
+            EXPECT_EQ(s.filter.point, was.point);
+        }
+    }
+    EXPECT_EQ(filter_of(Settings{}).key, "pcf");
+    EXPECT_EQ(Settings{}.filter.size, 3);
 }
 
 TEST(Aliases, AreNeitherListedNorProposed) {

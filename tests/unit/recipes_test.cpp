@@ -153,7 +153,7 @@ std::vector<std::string> places_that_know(const std::string& name, const std::st
     for (std::string line; std::getline(in, line);) {
         ++number;
         for (const Table& t : all) {
-            if (name == t.rows + ".cpp") continue;
+            if (name == t.rows + ".cpp" || name == "renderer/settings/aliases.cpp") continue;  // what other names mean
             std::string define = t.setting;
             std::ranges::replace(define, '.', '_');
             for (const std::string& key : t.keys) {
@@ -189,7 +189,7 @@ TEST(Recipes, NothingElseKnowsATechniqueByItsKey) {
     EXPECT_GT(read, 200u);
     // The search finds what it is for.
     EXPECT_EQ(places_that_know("renderer/a.cpp", "if (filter.key == \"hard\") return;", all).size(), 1u);
-    EXPECT_EQ(places_that_know("app/a.cpp", "const char* kBest = \"pcf5\";", all).size(), 1u);
+    EXPECT_EQ(places_that_know("app/a.cpp", "const char* kBest = \"pcf\";", all).size(), 1u);
     EXPECT_EQ(places_that_know("shaders/lib/a.glsl", "#if bias_kind == bias_kind_receiver_plane", all).size(), 1u);
     EXPECT_EQ(places_that_know("app/a.cpp", "json[\"visibility\"] = p.visibility;", all).size(), 0u);
     // Words that are no keys any more need no exception.

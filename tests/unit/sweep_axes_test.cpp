@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "renderer/base/error.h"
 #include "renderer/measure/axes.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -64,6 +68,37 @@ TEST(SweepAxes, SettingsWithoutEffectCollapse) {
     Settings off;
     off.light_count = 1;
     EXPECT_EQ(plan_sweep(off, {parse_axis("light.3.azimuth=1,2,3")}).cases.size(), 1u) << "light 3 is off";
+}
+
+TEST(SweepAxes, EveryKernelIsEachRowAtItsOwnSizes) {
+    const SweepAxis axis = parse_axis("filter.kernel=*");
+    std::set<int> rows;
+    std::size_t sizes = 0;
+    for (const std::string& value : axis.values) {
+        Settings s;
+        set_setting(s, "filter.kernel", value);
+        rows.insert(s.filter.kernel);
+        const Filter& row = filter_of(s);
+        if (row.swept.empty()) {
+            EXPECT_EQ(value, row.key);
+            continue;
+        }
+        ++sizes;
+        EXPECT_NE(std::ranges::find(row.swept, value), row.swept.end()) << value << " is of another row";
+        EXPECT_EQ(value.starts_with(row.key) && value.find(std::to_string(taps_across(row, s))) != std::string::npos,
+                  true)
+            << value << " says its size";
+    }
+    EXPECT_EQ(rows.size(), filters().size()) << "none is left out";
+    EXPECT_GE(sizes, 10u);
+    EXPECT_EQ(plan_sweep({}, {axis}).cases.size(), axis.values.size()) << "each is a case of its own";
+    try {
+        plan_sweep({}, {parse_axis("filter.size=3,5"), parse_axis("filter.kernel=hard,pcf9")});
+        ADD_FAILURE() << "the size is said twice";
+    } catch (const UsageError& e) {
+        EXPECT_NE(std::string(e.what()).find("pcf9 stands for filter.size=9"), std::string::npos) << e.what();
+    }
+    EXPECT_EQ(plan_sweep({}, {parse_axis("filter.kernel=hard,pcf"), parse_axis("filter.size=2:5:1")}).cases.size(), 5u);
 }
 
 TEST(SweepAxes, TwiceTheSameKeyAndTooManyCasesAreRefused) {

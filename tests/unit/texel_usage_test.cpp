@@ -31,14 +31,15 @@ TEST(TexelUsage, FootprintsAreWhatTheKernelsFetch) {
         if (!filter.square) continue;
         Settings s;
         s.filter.kernel = int(row);
+        const int across = taps_across(filter, s);
         for (const float u : {0.1f, 0.25f, 0.4999f, 0.5f, 0.507f, 0.9f}) {
             const KernelFootprint f = kernel_footprint(u, 1 - u, n, reach_of(s).read);
             const auto first = [&](float at) {
                 const float x = at * float(n);
-                return int(std::floor(filter.bilinear ? x - 0.5f : x)) - filter.size / 2;
+                return int(std::floor(filter.bilinear ? x - 0.5f : x)) - across / 2;
             };
             EXPECT_EQ(f.first, glm::ivec2(first(u), first(1 - u))) << filter.key << " " << u;
-            EXPECT_EQ(f.count, filter.bilinear ? filter.size + 1 : filter.size) << filter.key;
+            EXPECT_EQ(f.count, filter.bilinear ? across + 1 : across) << filter.key;
         }
     }
 }

@@ -161,7 +161,9 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
         s.filter.kernel = int(i);
         const Filter& f2 = filters()[i];
         if (!f2.square) continue;
-        EXPECT_EQ(work_cost(s, f).taps_per_pixel, f2.size * f2.size * (f2.bilinear ? 4 : 1)) << f2.key;
+        const bool paired = f2.cost != Filter::square_cost;
+        const int across = paired ? taps_across(f2, s) / 2 + 1 : taps_across(f2, s);
+        EXPECT_EQ(work_cost(s, f).taps_per_pixel, across * across * (f2.bilinear ? 4 : 1)) << f2.key;
     }
     s.filter.kernel = Settings{}.filter.kernel;
     s.map.format = int(MapFormat::Colour);  // which no sampler can compare

@@ -115,17 +115,17 @@ struct MadeUpWorld {
         return 1 + 1e-6 * s.map.resolution * s.map.resolution + 0.5 * cost_of(s).sampler_taps / 9.0;
     }
     static double error(const Settings& s) {
-        return 2.0 / s.map.resolution / std::sqrt(double(filters()[std::size_t(s.filter.kernel)].size));
+        return 2.0 / s.map.resolution / std::sqrt(double(taps_across(filter_of(s), s)));
     }
     int judged = 0;
-    std::vector<std::pair<int, int>> timed;
+    std::vector<Settings> timed;
 
     Tuner run(const TuneGoals& goals) {
         Tuner tuner(Settings{}, goals);
         for (int i = 0; i < 1000 && tuner.ask() != Tuner::Ask::Nothing; ++i) {
             const Settings s = tuner.settings();
             if (tuner.ask() == Tuner::Ask::Time) {
-                timed.emplace_back(s.filter.kernel, s.map.resolution);
+                timed.push_back(s);
                 tuner.timed(ms(s));
                 continue;
             }
@@ -142,10 +142,11 @@ struct MadeUpWorld {
     /// By trying all.
     static std::optional<Settings> best(const TuneGoals& goals) {
         std::optional<Settings> best;
-        for (int k = 0; k < int(filters().size()); ++k)
+        for (const std::string_view kernel : swept_kernels())
             for (int n = 256; n <= goals.most_resolution; n *= 2) {
                 Settings s;
-                s.filter.kernel = k, s.map.resolution = n;
+                set_setting(s, "filter.kernel", kernel);
+                s.map.resolution = n;
                 if (goals.most_error && error(s) > *goals.most_error) continue;
                 if (goals.most_ms && ms(s) > *goals.most_ms) continue;
                 const auto cost = [&](const Settings& t) { return goals.most_error ? ms(t) : error(t); };
@@ -174,14 +175,14 @@ TEST(Tuner, FindsTheCheapestWithinTheErrorAndTheMostAccurateWithinTheTime) {
         const Tuner tuner = world.run(goals);
         ASSERT_TRUE(tuner.result());
         const Settings best = *MadeUpWorld::best(goals);
-        EXPECT_EQ(tuner.result()->filter.kernel, best.filter.kernel);
+        EXPECT_EQ(tuner.result()->filter, best.filter);
         EXPECT_EQ(tuner.result()->map.resolution, best.map.resolution);
         ASSERT_TRUE(tuner.best());
         EXPECT_EQ(tuner.best()->trial->acne(), 0u);
-        for (const auto& [kernel, resolution] : world.timed) {
-            if (!goals.most_ms || resolution == 256) continue;
+        for (const Settings& timed : world.timed) {
+            if (!goals.most_ms || timed.map.resolution == 256) continue;
             Settings coarser;
-            coarser.filter.kernel = kernel, coarser.map.resolution = resolution / 2;
+            coarser.filter = timed.filter, coarser.map.resolution = timed.map.resolution / 2;
             EXPECT_LE(MadeUpWorld::ms(coarser), *goals.most_ms) << "finer maps than one that is too slow are not tried";
         }
     }

@@ -1,0 +1,51 @@
+// Rays through the shadow map: each goes from the receiver to a place of the light, and is stopped where the map holds
+// something before it that is not farther off than filter.thickness. Without turns the same rays everywhere.
+// Epic Games, Shadow Map Ray Tracing, in the documentation of Virtual Shadow Maps, Unreal Engine 5, 2021.
+#include "lib/penumbra.glsl"
+
+float filter_visibility(Receiver r) {
+    float own_m = compared_metres(r), near = frame.views[r.layer].curve.x;
+    // Sideways a ray goes evenly with `t`, 1 where the penumbra gets widest. Towards the light it does so under parallel
+    // rays; under those from a place it is the quotient of what it went and what is left that grows evenly.
+    bool even = LIGHT_TYPE[r.light] == LIGHT_DIRECTIONAL || LIGHT_PERSPECTIVE[r.light] == 0;
+    float full = widest_penumbra_texels(r, own_m), widest = min(full, filter_max_radius);
+    float share = full > 0.0 ? widest / full : 1.0;
+    float end_m = even ? (own_m - near) * share : (own_m - near) / near * share;
+    vec2 turn = disk_turn(r);
+#if filter_rotate
+    float first = pixel_angle(r.surface.pixel.yx + 17.0) / 6.28318531;
+#else
+    float first = 0.5;
+#endif
+    float hits = 0.0, blocker_m = 0.0, taps = 1.0;
+    // What is stored at the receiver's own place is the same for every ray.
+    float here_m = own_m - metres_at(r, map_depth(r.uvd_offset.xy, r.layer) - plane_within_texel(r, r.uvd_offset.xy));
+    for (int ray = 0; ray < filter_rays; ++ray) {
+        vec2 aim = turned(spiral_place(ray, filter_rays), turn) * (widest / float(map_resolution));
+        float begun = fract(first + float(ray) * 0.754877666);  // of the first step, spread over the rays
+        float ray_m = 0.0, gap_m = here_m;
+        for (int i = 0; i <= filter_steps; ++i) {
+            if (i > 0) {
+                float t = (float(i) - 1.0 + begun) / float(filter_steps);
+                ray_m = even ? t * end_m : own_m * (t * end_m) / (1.0 + t * end_m);
+                vec2 at = r.uvd_offset.xy + t * aim;
+                gap_m = own_m - metres_at(r, map_depth(at, r.layer) - plane_within_texel(r, at));
+                taps += 1.0;
+            }
+            // Up to where the next step looks for itself; beyond the last nothing does.
+            float next = (float(i) + begun) / float(filter_steps);
+            float next_m = even ? next * end_m : own_m * (next * end_m) / (1.0 + next * end_m);
+            float reaches_m = i == filter_steps ? 3e38 : max(next_m, ray_m + filter_thickness);
+            if (gap_m > ray_m && gap_m <= reaches_m) {
+                hits += 1.0;
+                blocker_m += gap_m;
+                break;
+            }
+        }
+    }
+    found.taps = taps;
+    if (hits == 0.0) return 1.0;
+    found.blocker_m = blocker_m / hits;
+    found.penumbra_texels = 2.0 * min(penumbra_texels(r, own_m, found.blocker_m), filter_max_radius);
+    return 1.0 - hits / float(filter_rays);
+}

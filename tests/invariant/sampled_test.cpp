@@ -1,0 +1,149 @@
+// What kernels that sample come to: penumbrae as wide as the light makes them, and noise that falls towards each
+// kernel's own limit as its row says.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/param.h"
+#include "tests/support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+const glm::dvec3 kThere = {40, 3, -70};
+
+/// A floor and, 1 m above it, a cover over the half where x is below 0; far from both a brick as high as 3 m, so that
+/// more may stand before a receiver than does. All of it off the origin.
+Scene covered_floor_and_a_brick() {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(8, 8), grey));
+    add_object(scene, "cover", -1, add_mesh(scene, "cover", make_plane(4, 8), grey), moved(-2, 1, 0));
+    add_object(scene, "brick", -1, add_mesh(scene, "brick", make_box({0.2, 0.2, 0.2}), grey), moved(3.8, 3, 3.8));
+    move_scene(scene, kThere);
+    return scene;
+}
+
+/// Light from straight above.
+Settings soft_settings(std::string_view kernel, LightType type) {
+    Settings s = texel_settings(kernel, 1024, 1);
+    s.lights[0].type = int(type);
+    s.lights[0].size = type == LightType::Directional ? 4 : 0.3;
+    s.lights[0].distance = type == LightType::Directional ? 0 : 5;
+    s.lights[0].cone = 80;
+    s.lights[0].elevation = 90;
+    s.lights[0].azimuth = 0;
+    s.filter.max_radius = 64;
+    s.camera.elevation = 40;
+    s.camera.azimuth = 90;  // sees below the cover
+    s.camera.target_x = s.camera.target_y = s.camera.target_z = 0;
+    s.camera.distance = 1.2;
+    move_camera(s, kThere);
+    return s;
+}
+
+/// Visits the floor's pixels: (metres across the edge, visibility).
+template <class Visit>
+void across_the_edge(const Shot& shot, Visit visit) {
+    for (int y = 0; y < shot.height; ++y)
+        for (int x = 0; x < shot.width; ++x) {
+            glm::dvec3 origin, dir;
+            shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
+            const glm::dvec3 at = origin + dir * ((kThere.y - origin.y) / dir.y) - kThere;
+            if (dir.y < 0 && std::abs(at.x) < 1 && std::abs(at.z) < 1) visit(at.x, double(shot.visibility.at(x, y)));
+        }
+}
+
+/// Where mean visibility over so narrow stripes along the edge first is above a share.
+double crossing(const std::map<int, std::pair<double, int>>& stripes, double stripe_m, double share) {
+    double before = 0, place = 0;
+    for (const auto& [i, sum] : stripes) {
+        const double mean = sum.first / sum.second, at = (i + 0.5) * stripe_m;
+        if (mean > share) return mean > before ? place + (at - place) * (share - before) / (mean - before) : at;
+        before = mean, place = at;
+    }
+    ADD_FAILURE() << "visibility stays below " << share;
+    return 0;
+}
+
+TEST(SoftKernels, MakePenumbraeAsWideAsTheLightDoes) {
+    const Scene scene = covered_floor_and_a_brick();
+    using Changes = std::vector<std::pair<const char*, const char*>>;
+    const std::pair<const char*, Changes> kernels[] = {
+        {"pcss", {{"filter.taps", "64"}, {"filter.blocker_taps", "64"}}},
+        {"pcss", {{"filter.disk", "spiral"}, {"filter.taps", "200"}, {"filter.blocker_taps", "200"}}},
+        {"dpcf", {{"filter.disk", "spiral"}, {"filter.taps", "400"}}},
+        {"smrt", {{"filter.rays", "64"}, {"filter.steps", "32"}}}};
+    for (const auto& [kernel, changes] : kernels)
+        for (const LightType type : kLightTypes)
+            for (const bool reversed : {false, true}) {
+                if (reversed && type != LightType::Spot) continue;
+                Settings s = soft_settings(kernel, type);
+                s.map.reversed_z = reversed;
+                for (const auto& [key, value] : changes) set_setting(s, key, value);
+                SCOPED_TRACE(std::string(kernel) + " " + changes.front().second + " light " +
+                             std::to_string(int(type)));
+                const Shot shot = shoot(scene, s, 240, 120);
+                const FittedLight& light = shot.light();
+                const double above_m = light.position.y - kThere.y;
+                const double width_m = type == LightType::Directional ? 2 * std::tan(glm::radians(s.lights[0].size))
+                                                                      : 2 * s.lights[0].size / (above_m - 1);
+                const double stripe_m = 0.04 * width_m;
+                std::map<int, std::pair<double, int>> stripes;
+                across_the_edge(shot, [&](double x, double v) {
+                    auto& [sum, count] = stripes[int(std::floor(x / stripe_m))];
+                    sum += v, ++count;
+                });
+                ASSERT_GT(stripes.size(), 40u);
+                // An edge before a disk of light: a tenth of it shows at 0.687 of the way from the middle.
+                const double found_m = (crossing(stripes, stripe_m, 0.9) - crossing(stripes, stripe_m, 0.1)) / 0.687;
+                EXPECT_NEAR(found_m, width_m, 0.2 * width_m);
+                EXPECT_NEAR(crossing(stripes, stripe_m, 0.5), 0, 0.1 * width_m);
+            }
+}
+
+// Each kernel against its own limit, 4096 places.
+TEST(SampledKernels, NoiseFallsWithTheSlopeThatTheirRowsState) {
+    const Scene scene = covered_floor_and_a_brick();
+    int rows = 0;
+    for (const Filter& row : filters()) {
+        if (row.noise.taps.empty()) continue;
+        ++rows;
+        SCOPED_TRACE(row.key);
+        const auto picture = [&](std::string_view kernel, int places) {
+            Settings s = soft_settings(kernel, LightType::Directional);
+            s.map.resolution = 2048;
+            s.filter.radius = 16;
+            s.filter.disk = int(Disk::Spiral);
+            set_setting(s, row.noise.taps, std::to_string(places));
+            s.filter.blocker_taps = places;
+            s.camera.distance = 0.45;
+            return shoot(scene, s, 64, 36).visibility.data;
+        };
+        // A table that ends early tends to what the endless spiral over the same disk does.
+        const bool ends = row.takes_table && std::ranges::find(row.settings, "filter.disk") == row.settings.end();
+        const std::vector<float> limit = picture(ends ? "vogel" : row.key, 4096);
+        double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+        for (const int places : {4, 8, 16, 32, 64}) {
+            const std::vector<float> few = picture(row.key, places);
+            double sum = 0;
+            int soft = 0;
+            for (std::size_t i = 0; i < few.size(); ++i) {
+                sum += (few[i] - limit[i]) * (few[i] - limit[i]);
+                soft += limit[i] > 0.02 && limit[i] < 0.98;
+            }
+            ASSERT_GT(soft, 300);
+            const double x = std::log(places), y = 0.5 * std::log(sum / soft);
+            n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+        }
+        const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+        RecordProperty(std::string(row.key), std::to_string(slope));
+        EXPECT_NEAR(slope, row.noise.slope, row.noise.tolerance);
+    }
+    EXPECT_GE(rows, 5);
+}
+
+}  // namespace
+}  // namespace si::test
