@@ -3,18 +3,24 @@
 // Frames are drawn without drawing: what they hand to glShaderSource is kept, the driver gets an empty shader instead,
 // and draw calls do nothing. Texts differ by defines, so frames go through
 //   - every choice of every setting (and of light, overlay, ...) with every kind of material,
-//   - every choice with every other choice,
-//   - for each shader file, all combinations of the settings that it mentions.
-// Each text is checked once.
+//   - every two choices that programs of any technique can meet, and every three that one of the files mentions which
+//     all techniques share, as many of them in a frame as there are,
+//   - each technique with all combinations of the choices that its own files mention,
+//   - the rows of the tables of techniques with each other by turns.
+// A row more costs as many frames as its own files have ways. Each text is checked once.
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <future>
+#include <map>
+#include <regex>
 #include <set>
+#include <span>
 #include <sstream>
 #include <thread>
 #include <unordered_set>
@@ -23,6 +29,8 @@
 #include "renderer/gl/shader_source.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/sources.h"
 #include "tests/gl/frame_fixture.h"
@@ -158,6 +166,10 @@ using Change = std::vector<std::pair<std::string, std::string>>;
 struct Axis {
     std::set<std::string> names;  ///< that shaders know it by
     std::vector<Change> choices;
+    std::vector<std::string> files = {};  ///< of a table of techniques: each row's own; what a choice brings in
+    bool number = false;                  ///< of which no code asks more than how much it is
+    bool owned = false;                   ///< without effect but under the techniques whose files mention it
+    bool hides = false;                   ///< all but the first choice take the map away from the programs
 };
 
 std::string identifier(std::string_view key) {
@@ -174,13 +186,24 @@ std::vector<Axis> axes() {
         const std::string key(p.key);
         if (p.choices)
             for (const auto& choice : p.choices()) axis.choices.push_back({{key, std::string(choice.key)}});
-        else if (std::holds_alternative<int>(default_value({&p, 0, {}})))
-            axis.choices = {{{key, "1"}}, {{key, "16"}}};
+        else if (axis.number = std::holds_alternative<int>(default_value({&p, 0, {}})); axis.number)
+            for (const double v : {std::max(p.min, 1.0), std::min(p.max, 15.0)})
+                axis.choices.push_back({{key, std::to_string(int(v))}});
         else
             axis.choices = {{{key, "false"}}, {{key, "true"}}};
         if (p.key == "filter.method") axis.names.insert("FILTER_SAMPLER");
-        if (p.key == "filter.kernel") axis.names.insert({"KERNEL_SIZE", "FILTER_FILE", "BLUR_COLUMNS"});
-        if (p.key == "bias.kind") axis.names.insert({"BIAS_FILE", "BIAS_PER_TEXEL"});
+        if (p.key == "filter.size") axis.names.insert("KERNEL_SIZE");
+        if (p.key == "filter.point") axis.names.insert("SAMPLER_BILINEAR");
+        if (p.key == "filter.kernel") {
+            axis.names.insert({"KERNEL_SIZE", "SAMPLER_BILINEAR", "FILTER_FILE", "BLUR_COLUMNS"});
+            for (const Filter& row : filters()) axis.files.emplace_back(row.file);
+        }
+        if (p.key == "bias.kind") {
+            axis.names.insert({"BIAS_FILE", "BIAS_PER_TEXEL"});
+            for (const Bias& row : biases().first(axis.choices.size())) axis.files.emplace_back(row.file);
+        }
+        for (const Filter& row : filters()) axis.owned |= std::ranges::find(row.settings, p.key) != row.settings.end();
+        for (const Bias& row : biases()) axis.owned |= std::ranges::find(row.settings, p.key) != row.settings.end();
         out.push_back(std::move(axis));
     }
     EXPECT_GE(out.size(), 10u);
@@ -198,16 +221,22 @@ std::vector<Axis> axes() {
                     {{"light.type", "point"}},
                     {{"light.projection", "perspective"}},
                     {{"light.type", "spot"}, {"light.projection", "orthographic"}, {"light.range", "9"}},
-                    {{"light.cast", "false"}},
                     {{"light.cascades", "3"}},
                     {{"light.cascades", "2"}, {"light.cascade_choice", "map"}, {"light.cascade_blend", "0"}},
                     {{"light.fit", "casters"}},
                     {{"light.count", "2"}, {"light.1.type", "point"}, {"view.light", "1"}}}});
-    Axis source{{"SOURCE_FILE", "HAS_MAP"}, {}};
-    for (const Source& row : sources()) source.choices.push_back({{"light.source", std::string(row.key)}});
+    out.push_back({.names = {"LIGHT_CASTS"}, .choices = {{}, {{"light.cast", "false"}}}, .hides = true});
+    Axis source{.names = {"SOURCE_FILE", "HAS_MAP"}, .hides = true};
+    for (const Source& row : sources()) {
+        source.choices.push_back({{"light.source", std::string(row.key)}});
+        source.files.emplace_back(row.file);
+    }
     out.push_back(std::move(source));
-    Axis overlay{{"OVERLAY_FILE"}, {{}}};
-    for (const Overlay& row : overlays()) overlay.choices.push_back({{"view.overlay", std::string(row.key)}});
+    Axis overlay{.names = {"OVERLAY_FILE"}, .choices = {{}}, .files = {""}};
+    for (const Overlay& row : overlays()) {
+        overlay.choices.push_back({{"view.overlay", std::string(row.key)}});
+        overlay.files.emplace_back(row.file);
+    }
     out.push_back(std::move(overlay));
     return out;
 }
@@ -243,6 +272,71 @@ Scene scene_of(bool every_kind) {
     return scene;
 }
 
+std::vector<const Change*> pointers(const std::vector<Change>& choices) {
+    std::vector<const Change*> out;
+    for (const Change& c : choices) out.push_back(&c);
+    return out;
+}
+
+/// Of a table of techniques one row of each kind that shared code tells apart; an overlay is none of its business.
+std::vector<const Change*> kinds_of(const Axis& table) {
+    std::vector<const Change*> out;
+    std::set<std::string> seen;
+    for (const Change& choice : table.choices) {
+        Settings s;
+        for (const auto& [key, value] : choice) set_setting(s, key, value);
+        const Filter& filter = filter_of(s);
+        const SourceNeeds& needs = source_of(s, 0).needs;
+        const Bias& bias = bias_of(s);
+        const std::string kind =
+            fmt::format("{} {} {} | {} {} | {} {} {}", int(filter.samples), is_bilinear(filter, s), filter.linear,
+                        bias.per_texel, int(bias.stage), needs.map, source_of(s, 0).fused, needs.truth);
+        if (seen.insert(kind).second) out.push_back(&choice);
+    }
+    return out;
+}
+
+bool mentions_any(const std::string& text, const std::set<std::string>& names) {
+    return std::ranges::any_of(names, [&](const std::string& name) { return gl::mentions(text, name); });
+}
+
+/// The shader files as they include each other.
+class ShaderFiles {
+public:
+    ShaderFiles() {
+        const fs::path root = SI_SOURCE_DIR "/shaders";
+        for (const auto& entry : fs::recursive_directory_iterator(root))
+            if (entry.is_regular_file())
+                texts_[fs::relative(entry.path(), root).generic_string()] = file_bytes(entry.path());
+        for (const auto& [file, text] : texts_)
+            if (file.starts_with("passes/")) add_included(file, shared_);
+    }
+    const std::string& text(const std::string& file) const { return texts_.at(file); }
+    /// What the passes include, whichever techniques are chosen.
+    const std::set<std::string>& shared() const { return shared_; }
+    /// Of a technique's file and what only it and its like include.
+    std::string own_text(const std::string& file) const {
+        std::set<std::string> included;
+        if (!file.empty()) add_included(file, included);
+        std::string out;
+        for (const std::string& f : included)
+            if (!shared_.contains(f)) out += texts_.at(f);
+        return out;
+    }
+
+private:
+    void add_included(const std::string& file, std::set<std::string>& out) const {
+        if (!texts_.contains(file) || !out.insert(file).second) return;
+        static const std::regex include("#include \"([^\"]+)\"");
+        const std::string& text = texts_.at(file);
+        for (std::sregex_iterator at(text.begin(), text.end(), include), end; at != end; ++at)
+            add_included((*at)[1], out);
+    }
+
+    std::map<std::string, std::string> texts_;
+    std::set<std::string> shared_;
+};
+
 class Permutations : public testing::Test {
 protected:
     /// Makes the texts of everything that these choices draw.
@@ -277,6 +371,116 @@ protected:
         }
     }
 
+    /// Every two choices in one frame, and every three that one of the shared files mentions: each frame takes as many
+    /// of them that have not been as it can. Choices that hide the map from programs meet the others one at a time.
+    void draw_combined(const Scene& scene, const std::vector<Axis>& all, const ShaderFiles& files) {
+        struct Plain {
+            const Axis* axis;
+            std::vector<const Change*> choices;
+        };
+        std::vector<Plain> plain;
+        std::vector<const Change*> hiding;
+        for (const Axis& axis : all) {
+            if (axis.owned) continue;
+            std::vector<const Change*> choices = axis.files.empty() ? pointers(axis.choices) : kinds_of(axis);
+            if (axis.hides)
+                hiding.insert(hiding.end(), choices.begin() + 1, choices.end());
+            else
+                plain.push_back({&axis, std::move(choices)});
+        }
+        for (const Change* hides : hiding)
+            for (const Plain& p : plain)
+                for (const Change* other : p.choices) draw(scene, {hides, other});
+
+        using Together = std::set<const Change*>;
+        std::set<Together> left;
+        const auto leave = [&](const auto& self, std::span<const Plain* const> axes, Together chosen) -> void {
+            if (axes.empty()) {
+                left.insert(chosen);
+                return;
+            }
+            for (const Change* c : axes.front()->choices) {
+                Together more = chosen;
+                more.insert(c);
+                self(self, axes.subspan(1), more);
+            }
+        };
+        for (std::size_t i = 0; i < plain.size(); ++i)
+            for (std::size_t j = i + 1; j < plain.size(); ++j)
+                leave(leave, std::array<const Plain*, 2>{&plain[i], &plain[j]}, {});
+        for (const std::string& file : files.shared()) {
+            std::vector<const Plain*> mentioned;
+            for (const Plain& p : plain)
+                if (mentions_any(files.text(file), p.axis->names)) mentioned.push_back(&p);
+            for (std::size_t i = 0; i < mentioned.size(); ++i)
+                for (std::size_t j = i + 1; j < mentioned.size(); ++j)
+                    for (std::size_t k = j + 1; k < mentioned.size(); ++k)
+                        leave(leave, std::array<const Plain*, 3>{mentioned[i], mentioned[j], mentioned[k]}, {});
+        }
+        while (!left.empty()) {
+            Together chosen = *std::ranges::max_element(left, {}, &Together::size);
+            for (const Plain& p : plain) {
+                if (std::ranges::any_of(p.choices, [&](const Change* c) { return chosen.contains(c); })) continue;
+                const auto gain = [&](const Change* c) {
+                    int gained = 0;
+                    for (auto i = chosen.begin(); i != chosen.end(); ++i) {
+                        gained += left.contains({c, *i});
+                        for (auto j = std::next(i); j != chosen.end(); ++j) gained += left.contains({c, *i, *j});
+                    }
+                    return gained;
+                };
+                chosen.insert(*std::ranges::max_element(p.choices, {}, gain));
+            }
+            std::erase_if(left, [&](const Together& t) { return std::ranges::includes(chosen, t); });
+            draw(scene, {chosen.begin(), chosen.end()});
+        }
+    }
+
+    /// Each row of each table of techniques with all combinations of what its own files mention; then the rows by
+    /// turns.
+    void draw_techniques(const Scene& scene, const std::vector<Axis>& all, const ShaderFiles& files) {
+        std::size_t most = 0;
+        for (const Axis& table : all) {
+            most = std::max(most, table.files.size());
+            for (std::size_t row = 0; row < table.files.size(); ++row) {
+                const std::string text = files.own_text(table.files[row]);
+                std::vector<std::vector<const Change*>> mentioned = {{&table.choices[row]}}, numbers;
+                for (const Axis& axis : all) {
+                    const bool of_table = !axis.files.empty();
+                    const bool named = mentions_any(text, axis.names);
+                    if (&axis == &table || (!named && (!of_table || axis.hides))) continue;
+                    (axis.number || !named ? numbers : mentioned)
+                        .push_back(of_table ? kinds_of(axis) : pointers(axis.choices));
+                }
+                draw_product(scene, mentioned, numbers);
+            }
+        }
+        for (std::size_t turn = 0; turn < most; ++turn) {
+            std::vector<const Change*> chosen;
+            for (const Axis& table : all)
+                if (!table.files.empty() && !table.hides) chosen.push_back(&table.choices[turn % table.choices.size()]);
+            draw(scene, chosen);
+        }
+    }
+
+    /// All combinations of choices, one of each list; of `numbers` one each by turns.
+    void draw_product(const Scene& scene, const std::vector<std::vector<const Change*>>& lists,
+                      const std::vector<std::vector<const Change*>>& numbers) {
+        std::vector<std::size_t> at(lists.size(), 0);
+        std::size_t turn = 0;
+        for (bool more = true; more; ++turn) {
+            std::vector<const Change*> chosen;
+            for (std::size_t i = 0; i < at.size(); ++i) chosen.push_back(lists[i][at[i]]);
+            for (const auto& choices : numbers) chosen.push_back(choices[turn % choices.size()]);
+            draw(scene, chosen);
+            more = false;
+            for (std::size_t i = 0; i < at.size() && !more; ++i) {
+                more = ++at[i] < lists[i].size();
+                if (!more) at[i] = 0;
+            }
+        }
+    }
+
     const HeadlessContext context_;
     std::unique_ptr<Renderer> renderer_ = std::make_unique<Renderer>();
     TruthCache truths_;
@@ -307,34 +511,11 @@ TEST_F(Permutations, AreValidByTheReferenceCompiler) {
     const std::vector<Axis> all = axes();
     for (const Axis& axis : all)
         for (const Change& choice : axis.choices) draw(every_kind, {&choice});
-    for (std::size_t a = 0; a < all.size(); ++a)
-        for (std::size_t b = a + 1; b < all.size(); ++b)
-            for (const Change& i : all[a].choices)
-                for (const Change& j : all[b].choices) draw(few_kinds, {&i, &j});
-    // For each file all that it mentions at once.
-    int files = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(SI_SOURCE_DIR "/shaders")) {
-        if (!entry.is_regular_file()) continue;
-        ++files;
-        const std::string text = file_bytes(entry.path());
-        std::vector<const Axis*> mentioned;
-        for (const Axis& axis : all)
-            if (std::any_of(axis.names.begin(), axis.names.end(),
-                            [&](const auto& name) { return gl::mentions(text, name); }))
-                mentioned.push_back(&axis);
-        if (mentioned.size() < 3) continue;  // done above
-        std::vector<std::size_t> at(mentioned.size(), 0);
-        for (bool more = true; more;) {
-            std::vector<const Change*> chosen;
-            for (std::size_t i = 0; i < at.size(); ++i) chosen.push_back(&mentioned[i]->choices[at[i]]);
-            draw(few_kinds, chosen);
-            more = false;
-            for (std::size_t i = 0; i < at.size() && !more; ++i) {
-                more = ++at[i] < mentioned[i]->choices.size();
-                if (!more) at[i] = 0;
-            }
-        }
-    }
+    const int alone = frames_;
+    const ShaderFiles files;
+    draw_combined(few_kinds, all, files);
+    const int combined = frames_;
+    draw_techniques(few_kinds, all, files);
     const double drawn_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     EXPECT_EQ(recorder.finish(), "");
     for (const auto& entry : fs::recursive_directory_iterator(SI_SOURCE_DIR "/shaders")) {
@@ -346,8 +527,10 @@ TEST_F(Permutations, AreValidByTheReferenceCompiler) {
         EXPECT_TRUE(recorder.saw(last)) << entry.path() << " is in no program: " << last;
     }
     EXPECT_GT(recorder.texts(), 1000u);
-    std::printf("%zu texts of %d files from %d frames, drawn in %.0f s, checked in %.0f s\n", recorder.texts(), files,
-                frames_, drawn_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    std::printf(
+        "%zu texts from %d frames (choices %d, combined %d, techniques %d), drawn in %.0f s, checked in %.0f s\n",
+        recorder.texts(), frames_, alone, combined - alone, frames_ - combined, drawn_s,
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
 // What is wrong is found, and named.
