@@ -146,7 +146,7 @@ constexpr Filter kFilters[] = {
              const int taps = disk_places(row, s, s.filter.blocker_taps) + disk_places(row, s, s.filter.taps);
              return FilterCost{0, taps, taps};
          },
-     .noise = {.taps = "filter.taps", .slope = -0.5}},
+     .noise = {.taps = "filter.taps", .slope = -0.75}},
     {.key = "dpcf",
      .label = "DPCF",
      .help = "Contact-hardening shadows without a search: the same taps tell how much of the widest penumbra is "

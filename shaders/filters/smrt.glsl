@@ -23,7 +23,7 @@ float filter_visibility(Receiver r) {
     for (int ray = 0; ray < filter_rays; ++ray) {
         vec2 aim = turned(spiral_place(ray, filter_rays), turn) * (widest / float(map_resolution));
         float begun = fract(first + float(ray) * 0.754877666);  // of the first step, spread over the rays
-        float ray_m = 0.0, gap_m = here_m;
+        float ray_m = 0.0, gap_m = here_m, below_m = 3e38;  // where the ray was when last something stood before it
         for (int i = 0; i <= filter_steps; ++i) {
             if (i > 0) {
                 float t = (float(i) - 1.0 + begun) / float(filter_steps);
@@ -36,11 +36,14 @@ float filter_visibility(Receiver r) {
             float next = (float(i) + begun) / float(filter_steps);
             float next_m = even ? next * end_m : own_m * (next * end_m) / (1.0 + next * end_m);
             float reaches_m = i == filter_steps ? 3e38 : max(next_m, ray_m + filter_thickness);
-            if (gap_m > ray_m && gap_m <= reaches_m) {
+            bool before = gap_m > ray_m;
+            // A surface is never missed between two steps because its texels lie at steps of depth.
+            if (before ? gap_m <= reaches_m : gap_m > below_m) {
                 hits += 1.0;
                 blocker_m += gap_m;
                 break;
             }
+            below_m = before ? ray_m : 3e38;
         }
     }
     found.taps = taps;

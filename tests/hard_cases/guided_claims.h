@@ -17,6 +17,8 @@ inline double share(const ErrorMetrics& e, Artefact cause) {
 
 /// Bias, culling, resolution and filters.
 const Claims& guided_surface_claims();
+/// Kernels that sample, and penumbrae.
+const Claims& guided_soft_claims();
 /// The borders of the map, near and far, how depth is stored and shown.
 const Claims& guided_map_claims();
 
