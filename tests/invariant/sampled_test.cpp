@@ -7,6 +7,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/kernel_reach.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {
@@ -102,6 +103,56 @@ TEST(SoftKernels, MakePenumbraeAsWideAsTheLightDoes) {
                 EXPECT_NEAR(found_m, width_m, 0.2 * width_m);
                 EXPECT_NEAR(crossing(stripes, stripe_m, 0.5), 0, 0.1 * width_m);
             }
+}
+
+// A radius in metres is as wide on the ground whatever the map's resolution, and wherever a perspective map's texels
+// have what width; and the reach says so.
+TEST(SampledKernels, ARadiusInMetresIsThatWideUnderEveryLight) {
+    const Scene scene = covered_floor_and_a_brick();
+    for (const LightType type : kLightTypes)
+        for (const int resolution : {512, 1024}) {
+            SCOPED_TRACE(std::to_string(int(type)) + " " + std::to_string(resolution));
+            Settings s = soft_settings("vogel", type);
+            s.map.resolution = resolution;
+            s.filter.taps = 256;
+            set_setting(s, "filter.radius_unit", "metres");
+            s.filter.radius = 0.08;
+            const Shot shot = shoot(scene, s, 240, 120);
+            std::map<int, std::pair<double, int>> stripes;
+            const double stripe_m = 0.006;
+            across_the_edge(shot, [&](double x, double v) {
+                auto& [sum, count] = stripes[int(std::floor(x / stripe_m))];
+                sum += v, ++count;
+            });
+            // The disk lies about the receiver: its shadowed part is a tenth 0.687 radii from the edge.
+            const double found_m = (crossing(stripes, stripe_m, 0.9) - crossing(stripes, stripe_m, 0.1)) / 0.687;
+            EXPECT_NEAR(found_m, 0.16, 0.1 * 0.16);
+            const double texel_m = shot.view().texel_size(
+                type == LightType::Directional ? 1 : shot.light().position.y - kThere.y, shot.frame.map_resolution);
+            const Reach reach = reach_under(s, shot.light(), shot.frame.map_resolution);
+            EXPECT_GE(reach.read, 0.08 / texel_m + 0.5 - 1e-6);
+            EXPECT_LE(reach.read, s.filter.max_radius + 0.5);
+            s.filter.max_radius = 2;
+            EXPECT_NEAR(reach_under(s, shot.light(), shot.frame.map_resolution).read, 2.5, 1e-9) << "no more than that";
+        }
+}
+
+TEST(SampledKernels, SayWhereTheirTableEnds) {
+    const Scene scene = covered_floor_and_a_brick();
+    const auto notes = [&](std::string_view kernel, const char* disk) {
+        Settings s = soft_settings(kernel, LightType::Directional);
+        s.map.resolution = 64;
+        s.filter.taps = 100;
+        set_setting(s, "filter.disk", disk);
+        std::string all;
+        for (const std::string& note : hard_renderer().render(scene, s, {.width = 8, .height = 8}).notes) all += note;
+        return all;
+    };
+    EXPECT_NE(notes("poisson", "spiral").find("filter.taps 100: the Poisson table has 64"), std::string::npos);
+    EXPECT_NE(notes("pcss", "table").find("filter.taps 100"), std::string::npos);
+    EXPECT_EQ(notes("pcss", "spiral").find("Poisson"), std::string::npos);
+    EXPECT_EQ(notes("vogel", "table").find("Poisson"), std::string::npos);
+    EXPECT_EQ(notes("hard", "table").find("Poisson"), std::string::npos);
 }
 
 // Each kernel against its own limit, 4096 places.
