@@ -68,6 +68,7 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
                    p.kernel.blocker_m, p.kernel.penumbra_texels, p.kernel.penumbra_texels * p.texel_m);
     if (!std::isnan(p.kernel.variance))
         fmt::print("    variance of depths {:.4g} of the map's range squared\n", p.kernel.variance);
+    for (const std::string& line : p.kernel.lines) fmt::print("    {}\n", line);
     print_taps(p);
     fmt::print("  {}\n", p.verdict);
 }

@@ -98,6 +98,14 @@ Json per_light_json(const Probe::PerLight& p) {
     if (!std::isnan(p.kernel.blocker_m)) json["kernel"]["blocker_m"] = p.kernel.blocker_m;
     if (!std::isnan(p.kernel.penumbra_texels)) json["kernel"]["penumbra_texels"] = p.kernel.penumbra_texels;
     if (!std::isnan(p.kernel.variance)) json["kernel"]["variance"] = p.kernel.variance;
+    if (!std::isnan(p.kernel.bound)) {
+        for (const double moment : p.kernel.moments)
+            if (!std::isnan(moment)) json["kernel"]["moments"].push_back(moment);
+        json["kernel"]["mean"] = p.kernel.mean, json["kernel"]["own"] = p.kernel.own;
+        json["kernel"]["bound"] = p.kernel.bound;
+        json["kernel"]["lines"] = p.kernel.lines;
+        if (!std::isnan(p.kernel.margin)) json["kernel"]["margin"] = p.kernel.margin;
+    }
     return json;
 }
 

@@ -36,6 +36,17 @@ DriverInfo query_driver() {
     d.max_samples = integer(GL_MAX_SAMPLES);
     d.polygon_offset_clamp = epoxy_has_gl_extension("GL_EXT_polygon_offset_clamp");
     d.anisotropy = epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic");
+    if (d.anisotropy) {
+        float most = 1;
+        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &most);
+        d.max_anisotropy = most;
+    }
+    GLint counts = 0;
+    glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, GL_DEPTH_COMPONENT32F, GL_NUM_SAMPLE_COUNTS, 1, &counts);
+    d.map_samples.resize(std::size_t(counts));
+    if (counts > 0)
+        glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, GL_DEPTH_COMPONENT32F, GL_SAMPLES, counts,
+                              d.map_samples.data());
     for (const char* name : {"llvmpipe", "softpipe", "SwiftShader", "swr"})
         d.software |= d.renderer.find(name) != std::string::npos;
     return d;

@@ -98,7 +98,7 @@ void fit_within_limits(FrameState& f) {
         f.notes.push_back(fmt::format("map.resolution {} is beyond the driver's limit; {} is used", asked, n));
     fit(f);
     const int before = n;
-    const double bytes = (f.settings.map.blur_texels > 0 ? 8.0 : 4.0) + prefilter_bytes_per_texel(f.settings);
+    const double bytes = (f.settings.map.blur_texels > 0 ? 8.0 : 4.0) + prefilter_bytes(f.settings).kept;
     while (n > 1 && bytes * n * n * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
     if (n != before) {
         f.notes.push_back(
@@ -108,6 +108,38 @@ void fit_within_limits(FrameState& f) {
     f.map_resolution = n;
     for (const FittedLight& light : f.gl.fitted) f.notes.insert(f.notes.end(), light.notes.begin(), light.notes.end());
     note_shown_view(f);
+}
+
+/// What of a kernel's preparation the driver and the stored format allow; the rest is said.
+void limit_moments(FrameState& f) {
+    const Filter& filter = filter_of(f.settings);
+    if (filter.samples != Samples::Moments) return;
+    const auto reads = [&](std::string_view key) {
+        return std::ranges::find(filter.settings, key) != filter.settings.end();
+    };
+    FilterSettings& s = f.settings.filter;
+    const double most = safe_exponent(f.settings);
+    for (const auto& [key, value] :
+         {std::pair{"filter.exponent", &s.exponent}, {"filter.negative_exponent", &s.negative_exponent}}) {
+        if (!reads(key) || *value <= most) continue;
+        f.notes.push_back(fmt::format("{} {:g}: {} moments overflow beyond {:g}, which is used", key, *value,
+                                      s.moment_format == int(MomentFormat::Bits32) ? "32-bit" : "16-bit", most));
+        *value = most;
+    }
+    if (reads("filter.anisotropy") && s.mips && s.anisotropy > f.driver.max_anisotropy) {
+        f.notes.push_back(fmt::format("filter.anisotropy {} is beyond the driver's limit; {:g} is used", s.anisotropy,
+                                      f.driver.max_anisotropy));
+        s.anisotropy = int(f.driver.max_anisotropy);
+    }
+    int& samples = f.settings.map.samples;
+    if (samples < 2 || f.settings.map.blur_texels > 0) return;
+    int used = f.driver.map_samples.empty() ? 1 : f.driver.map_samples.front();
+    for (const int count : f.driver.map_samples)
+        if (count >= samples) used = count;
+    if (used != samples)
+        f.notes.push_back(fmt::format("map.samples {} is not what the driver can draw depths with; {} {} used", samples,
+                                      used, used == 1 ? "is" : "are"));
+    samples = used;
 }
 
 /// Facts about the lights as GLSL constants; at least one element, since GLSL knows no empty arrays.
@@ -163,6 +195,9 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
     f.defines.push_back({"SAMPLER_BILINEAR", is_bilinear(filter, f.settings) ? "1" : "0"});
     f.defines.push_back({"COMPARE_BY_HAND", "0"});
+    f.defines.push_back({"MOMENTS_SUMMED", filter.moments.summed ? "1" : "0"});
+    const bool integers = f.settings.filter.moment_format == int(MomentFormat::Bits16);
+    f.defines.push_back({"MOMENTS_QUANTISED", filter.moments.quantised && integers ? "1" : "0"});
     f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
     const bool blend = std::any_of(f.gl.fitted.begin(), f.gl.fitted.end(), [](const FittedLight& light) {
         const auto blends = [](const ViewSpan& s) { return s.blends_from < s.ends; };
@@ -275,10 +310,16 @@ void set_samplers(const FrameState& f) {
         glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);
     }
     const bool less = m.compare == int(Compare::Less);
-    // Moments count distances from the light on, whichever way depth does.
-    set_map_wrap(f.gl.map_blended.id(), m, m.outside == int(Outside::Lit) ? 1.f : 0.f);
-    glSamplerParameteri(f.gl.map_blended.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glSamplerParameteri(f.gl.map_blended.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    // The border's moments are the kernel's: lib/moments.glsl blends them in.
+    MapSettings held = m;
+    if (m.wrap == int(MapWrap::Border)) held.wrap = int(MapWrap::Clamp);
+    const GLuint blended = f.gl.map_blended.id();
+    set_map_wrap(blended, held, 0);
+    glSamplerParameteri(blended, GL_TEXTURE_MIN_FILTER, f.settings.filter.mips ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    glSamplerParameteri(blended, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    if (f.driver.anisotropy)
+        glSamplerParameterf(blended, GL_TEXTURE_MAX_ANISOTROPY,
+                            f.settings.filter.mips ? float(f.settings.filter.anisotropy) : 1.f);
     const GLint function = m.reversed_z ? (less ? GL_GREATER : GL_GEQUAL) : (less ? GL_LESS : GL_LEQUAL);
     glSamplerParameteri(f.gl.map_compare.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glSamplerParameteri(f.gl.map_compare.id(), GL_TEXTURE_COMPARE_FUNC, function);
@@ -342,6 +383,7 @@ FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings,
     }
     FrameState f{.scene = scene, .settings = repaired->settings, .request = request, .gl = resources, .driver = driver};
     f.notes = repaired->notes;
+    limit_moments(f);
     fit_within_limits(f);
     if (f.settings.bias.raster_slope != 0 || f.settings.bias.raster_units != 0) calibrate_offset(f.settings.map.format);
     if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)
@@ -371,6 +413,7 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
     block.eye = glm::vec4(glm::vec3(f.camera.eye - f.origin), f.camera.orthographic ? 1.f : 0.f);
     block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), 0.f);
     block.map_origin = glm::vec4(glm::vec3(f.scene.bounds.centre() - f.origin), 0.f);
+    block.picture = glm::vec4(f.request.width, f.request.height, 0, 0);
     const PolygonOffset& offset = driver.offset[std::size_t(f.settings.map.format)];
     block.pixel = glm::vec4(f.pixel_origin, cost_of(f.settings).texels, 0);
     block.offset = glm::vec4(offset.unit_depth, offset.unit_steps, offset.slope_gain, offset.slope_is_length ? 1 : 0);

@@ -47,7 +47,10 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
     if (o.visibility) wanted.push_back(Result::Visibility);
     if (o.error) wanted.push_back(Result::Error);
     if (o.judged) wanted.push_back(Result::Judged);
-    if (o.unfiltered_map) wanted.push_back(Result::UnfilteredMap);
+    if (o.unfiltered_map) {
+        wanted.push_back(Result::UnfilteredMap);
+        for (const ResultRef& read : lookup_reads(f)) wanted.push_back(read);
+    }
     if (o.evidence) wanted.push_back(Result::Evidence);
     if (o.true_colour) wanted.push_back(Result::TruePicture);
     if (o.map_coordinates) wanted.push_back(Result::MapCoordinates);

@@ -9,7 +9,7 @@ namespace si {
 enum class Result {
     DrawnMaps,       ///< the shadow maps as drawn
     ShadowMaps,      ///< those that are compared, shown and read back: as drawn, or their depths blurred
-    Moments,         ///< mean and mean square of their depths
+    Moments,         ///< functions of their depths, averaged
     CameraDepth,     ///< of the surfaces that the camera sees
     SurfaceIds,      ///< which triangle each pixel shows
     ShadowVolumes,   ///< where no shadow volume of a light is

@@ -136,6 +136,10 @@ struct FrameState {
     static void draw_fullscreen(PassInfo& info);
 };
 
+/// Clears a map's framebuffer, and draws the casters of a light's view into it.
+/// @param unfiltered without polygon offset, masks at their finest level
+void draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
+                  const LightView& view, PassInfo& info);
 /// Writes what rays found into a light's layer of a visibility texture of the frame's size.
 void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibility, int light);
 /// Defines for shaders that read the truth (lib/truth.glsl).
@@ -149,7 +153,7 @@ void place_compared_maps(FrameState& f, const gl::Target& maps);
 // One function per pass; each appends itself to the plan and says where its results will lie. (renderer/passes/)
 void add_light_depth_passes(FrameState& f);
 void add_depth_blur_pass(FrameState& f);
-/// Mean and mean square of the maps' depths, for kernels that read those.
+/// Functions of the maps' depths, averaged, for kernels that read those.
 void add_moments_pass(FrameState& f);
 void add_camera_depth_pass(FrameState& f);
 void add_surface_ids_pass(FrameState& f);

@@ -8,17 +8,23 @@
 
 namespace si::gl {
 
-bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h, int layer_count) {
-    if (texture && format == internal_format && width == w && height == h && layers == layer_count) return false;
+bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h, int layer_count,
+                    const TargetExtent& more) {
+    if (texture && format == internal_format && width == w && height == h && layers == layer_count && extent == more)
+        return false;
     texture.reset();
     key = 0;
     while (glGetError() != GL_NO_ERROR) {
     }
-    texture = Texture::create(label, GLenum(layer_count ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D));
-    if (layer_count)
-        glTextureStorage3D(texture.id(), 1, internal_format, w, h, layer_count);
+    texture = Texture::create(label, GLenum(more.samples  ? GL_TEXTURE_2D_MULTISAMPLE
+                                            : layer_count ? GL_TEXTURE_2D_ARRAY
+                                                          : GL_TEXTURE_2D));
+    if (more.samples)
+        glTextureStorage2DMultisample(texture.id(), more.samples, internal_format, w, h, GL_TRUE);
+    else if (layer_count)
+        glTextureStorage3D(texture.id(), more.levels, internal_format, w, h, layer_count);
     else
-        glTextureStorage2D(texture.id(), 1, internal_format, w, h);
+        glTextureStorage2D(texture.id(), more.levels, internal_format, w, h);
     if (glGetError() != GL_NO_ERROR) {
         texture.reset();
         width = height = layers = 0;
@@ -27,11 +33,12 @@ bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h
                         "fewer lights",
                         label, w, h, layer_count ? layer_count : 1));
     }
+    width = w, height = h, layers = layer_count, format = internal_format, extent = more;
+    if (more.samples) return true;  // such textures have no sampler's state
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    width = w, height = h, layers = layer_count, format = internal_format;
     return true;
 }
 

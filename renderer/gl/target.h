@@ -8,16 +8,25 @@
 
 namespace si::gl {
 
+/// What else a target's texture may have.
+struct TargetExtent {
+    int levels = 1;   ///< mip levels
+    int samples = 0;  ///< of a multisampled texture, which has one layer and level; 0: it is none
+    bool operator==(const TargetExtent&) const = default;
+};
+
 /// A 2-D (array) texture with immutable storage; allocated anew only when its shape changes.
 struct Target {
     Texture texture;
     int width = 0, height = 0, layers = 0;
+    TargetExtent extent;
     GLenum format = 0;
     std::uint64_t key = 0;  ///< of the contents; 0: undefined
 
     /// layers == 0 makes a plain 2-D texture. Returns true when it was allocated anew (contents undefined).
     /// @throws Error when the driver is out of memory, naming the size.
-    bool ensure(std::string_view label, GLenum internal_format, int w, int h, int layer_count = 0);
+    bool ensure(std::string_view label, GLenum internal_format, int w, int h, int layer_count = 0,
+                const TargetExtent& more = {});
 };
 
 /// A framebuffer of up to one colour and one depth attachment; layer -1 attaches whole textures.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <optional>
 
 #include "renderer/base/error.h"
@@ -112,9 +113,35 @@ std::vector<RecordedTap> draw_taps(FrameState& f, const SeenPixel& seen, int lig
     return out;
 }
 
+/// What a kernel that reads moments went by; empty of others.
+std::vector<std::string> moment_lines(const StoredMoments& stored, const FilterSettings& s, const KernelFacts& k) {
+    if (std::isnan(k.bound)) return {};
+    std::string moments;
+    for (std::size_t i = 0; i < stored.names.size(); ++i)
+        moments += fmt::format("{}{} {:.7g}", i ? "   " : "", stored.names[i], k.moments[i]);
+    std::string depths = fmt::format("depths about {:.6f} of the range, compared {:.6f}", k.mean, k.own);
+    if (!std::isnan(k.variance)) depths += fmt::format("   variance {:.4g}", k.variance);
+    if (k.margin < 0) depths += fmt::format("   of no distribution, by {:.2g}", -k.margin);
+    std::vector<std::string> lines = {moments, depths, fmt::format("lit at most {:.6g} = {}", k.bound, stored.bound)};
+    if (k.bound < 1 && stored.reduces_bleeding && s.bleed > 0)
+        lines.push_back(fmt::format("({0:.6g} - {1:g}) / (1 - {1:g}) after light-bleed reduction", k.bound, s.bleed));
+    return lines;
+}
+
 KernelFacts draw_kernel_facts(FrameState& f, const SeenPixel& seen, int light) {
-    const glm::vec4 v = run_kernel(f, seen, light, 1, {}).front();
-    return {v.x, v.y, v.z, v.w};
+    const std::vector<glm::vec4> v = run_kernel(f, seen, light, 3, {});
+    KernelFacts facts{.blocker_m = v[0].x,
+                      .penumbra_texels = v[0].y,
+                      .texels = v[0].z,
+                      .variance = v[0].w,
+                      .moments = {v[1].x, v[1].y, v[1].z, v[1].w},
+                      .mean = v[2].x,
+                      .own = v[2].y,
+                      .margin = v[2].z,
+                      .bound = v[2].w,
+                      .lines = {}};
+    facts.lines = moment_lines(filter_of(f.settings).moments, f.settings.filter, facts);
+    return facts;
 }
 
 CauseEvidence draw_trials(FrameState& f, int x, int y_bottom, int light) {

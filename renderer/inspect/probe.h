@@ -1,6 +1,7 @@
 // The lit/shadow test of one pixel written out: surface, look-up, every tap of the kernel, every term of the bias.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <limits>
 #include <string>
@@ -31,11 +32,19 @@ struct KernelTap {
 
 /// What a kernel learned besides visibility; not a number where it does not say.
 struct KernelFacts {
+    static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     double blocker_m = std::numeric_limits<double>::quiet_NaN();  ///< how far along the light's axis the occluder that
                                                                   ///< it found lies before the surface, on average
     double penumbra_texels = std::numeric_limits<double>::quiet_NaN();  ///< width of the penumbra that it made
     double texels = 0;                                                  ///< that it fetched
     double variance = std::numeric_limits<double>::quiet_NaN();  ///< of depths, in squares of the map's depth range
+    // Of kernels that read moments; NaN elsewhere.
+    std::array<double, 4> moments{kUnknown, kUnknown, kUnknown, kUnknown};  ///< that it read, as many as it stores
+    double mean = kUnknown;          ///< the depth that they say, as a share of the map's range
+    double own = kUnknown;           ///< the depth that it compared, as a share of the range
+    double margin = kUnknown;        ///< of the moments: below 0, no distribution of depths has them
+    double bound = kUnknown;         ///< the most that can be lit by them, before light-bleed reduction
+    std::vector<std::string> lines;  ///< the same in words, with the formula of the bound
 };
 
 struct Probe {

@@ -137,8 +137,10 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
                                                                                 : 4;
     const std::uint64_t fetched = settings.map.format == int(MapFormat::Colour) ? 4 : bytes;
     cost.map_bytes = cost.map_texels * bytes;
-    // Moments of each map, and of one along x alone.
-    if (casting > 0) cost.map_bytes += std::uint64_t(prefilter_bytes_per_texel(settings)) * (cost.map_texels + texels);
+    if (casting > 0) {
+        const PrefilterBytes prefilter = prefilter_bytes(settings);
+        cost.map_bytes += std::uint64_t(prefilter.kept * double(cost.map_texels) + prefilter.scratch * double(texels));
+    }
     // The blurred copy, which has no depth buffer beside it, and one map blurred along x alone as 32-bit floats.
     if (settings.map.blur_texels > 0 && casting > 0) cost.map_bytes += cost.map_texels * fetched + 4 * texels;
     const std::uint64_t pixels = std::uint64_t(frame.colour.width) * std::uint64_t(frame.colour.height);

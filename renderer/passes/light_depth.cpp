@@ -54,7 +54,6 @@ void set_raster_bias(const FrameState& f, bool reversed) {
         glPolygonOffset(sign * float(b.raster_slope), sign * float(b.raster_units));
 }
 
-/// @param unfiltered without polygon offset, masks at their finest level
 void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const LightView& view, int layer,
                PassInfo& info) {
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
@@ -67,6 +66,13 @@ void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const L
         t.depth = {};
     const gl::Framebuffer into = colour ? gl::make_framebuffer("shadow map", &map, &t.depth, layer)
                                         : gl::make_framebuffer("shadow map", nullptr, &map, -1, layer);
+    draw_casters(f, into, unfiltered, light, view, info);
+}
+
+}  // namespace
+
+void draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
+                  const LightView& view, PassInfo& info) {
     const GLuint framebuffer = into.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);
@@ -78,7 +84,7 @@ void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const L
     glDisable(GL_BLEND);
     const float far_depth = float(convention.far_depth());
     glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far_depth);
-    if (colour) {
+    if (f.settings.map.format == int(MapFormat::Colour)) {
         const glm::vec4 clear(far_depth);
         glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &clear.x);
     }
@@ -113,8 +119,6 @@ void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const L
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
-
-}  // namespace
 
 bool FrameState::blurs_depths() const {
     return settings.map.blur_texels > 0 && view_count > 0;

@@ -1,6 +1,11 @@
-// Mean and mean square of the maps' depths about each texel, for the kernels that read those in place of depths.
+// Functions of the maps' depths, averaged about each texel, for the kernels that read those in place of depths.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "renderer/frame/driver.h"
 #include "renderer/frame/state.h"
 #include "renderer/settings/filters.h"
 
@@ -8,32 +13,141 @@ namespace si {
 namespace {
 
 struct MomentTargets {
-    gl::Target moments, rows;  ///< RG32F: a layer a view, and one layer along x only
+    gl::Target moments;   ///< a layer a view
+    gl::Target steps[2];  ///< one layer between two draws
+    gl::Target samples;   ///< one view's map with several samples a texel
 };
 
-/// Stored depths along x into `rows`, then those along y into the layer.
-void sum_moments(FrameState& f, MomentTargets& t, const gl::Framebuffer& rows, const LightView& view, int layer,
-                 PassInfo& info) {
-    const int n = f.map_resolution;
-    const auto draw = [&](GLuint framebuffer, const char* columns) {
-        f.begin_fullscreen_pass(framebuffer, n, n);
-        const GLuint id =
-            f.program("passes/fullscreen.vert.glsl", "passes/moments.frag.glsl", {{"BLUR_COLUMNS", columns}});
-        glUseProgram(id);
-        glUniform1i(glGetUniformLocation(id, "layer"), layer);
-        glUniform1i(glGetUniformLocation(id, "radius"), f.settings.filter.blur);
-        glUniform4f(glGetUniformLocation(id, "curve"), float(view.curve.near), float(view.curve.far),
-                    view.curve.perspective ? 1.f : 0.f, 0.f);
-        FrameState::draw_fullscreen(info);
-    };
-    draw(rows.id(), "0");
-    const auto whole = gl::make_framebuffer("moments", &t.moments, nullptr, t.moments.layers == 0 ? -1 : layer);
-    glBindTextureUnit(shared::UNIT_BLURRED_ROWS, t.rows.texture.id());
-    draw(whole.id(), "1");
+/// Where a draw's moments come from, as passes/moments.frag.glsl names it.
+enum class From { Depths, Samples, Moments };
+
+GLenum stored_format(const FrameState& f) {
+    const StoredMoments& m = filter_of(f.settings).moments;
+    if (m.summed) return f.settings.filter.sums == int(TableSums::Integer) ? GL_RG32UI : GL_RG32F;
+    const bool wide = f.settings.filter.moment_format == int(MomentFormat::Bits32);
+    switch (m.names.size()) {
+        case 1:
+            return wide ? GL_R32F : GL_R16F;
+        case 2:
+            return wide ? GL_RG32F : GL_RG16F;
+        default:
+            return wide ? GL_RGBA32F : m.quantised ? GL_RGBA16 : GL_RGBA16F;
+    }
 }
+
+/// What is between two draws is never of fewer bits.
+GLenum step_format(const FrameState& f) {
+    const StoredMoments& m = filter_of(f.settings).moments;
+    if (m.summed) return stored_format(f);
+    return m.names.size() == 1 ? GL_R32F : m.names.size() == 2 ? GL_RG32F : GL_RGBA32F;
+}
+
+/// Makes one view's layer of the moments, step by step.
+class LayerMaker {
+public:
+    LayerMaker(FrameState& f, MomentTargets& t, PassInfo& info) : f_(f), t_(t), info_(info) {}
+
+    void make(const FittedLight& light, const LightView& view, int layer) {
+        const FilterSettings& s = f_.settings.filter;
+        view_ = &view, layer_ = layer;
+        From from = From::Depths;
+        if (sampled(f_)) {
+            draw_samples(light, view);
+            from = From::Samples;
+        }
+        if (filter_of(f_.settings).moments.summed) {
+            average(from, 0, 0, false);
+            sum(0), sum(1);
+            return;
+        }
+        if (s.blur == 0) return average(from, 0, 0, true);
+        if (from == From::Samples) {
+            average(from, 0, 0, false);
+            from = From::Moments;
+        }
+        average(from, s.blur, 0, false);
+        average(From::Moments, s.blur, 1, true);
+    }
+
+    static bool sampled(const FrameState& f) { return f.settings.map.samples > 1 && !f.blurs_depths(); }
+
+private:
+    FrameState& f_;
+    MomentTargets& t_;
+    PassInfo& info_;
+    const LightView* view_ = nullptr;
+    int layer_ = 0, filled_ = 0;  ///< which of the steps holds what was drawn last
+
+    /// Of what the next draw writes into: the layer itself, or the step that is not read.
+    gl::Framebuffer begin(bool last) {
+        gl::Target& step = t_.steps[1 - filled_];
+        if (!last) step.ensure("moments, a step", step_format(f_), f_.map_resolution, f_.map_resolution);
+        glBindTextureUnit(shared::UNIT_BLURRED_ROWS, t_.steps[filled_].texture.id());
+        filled_ = 1 - filled_;
+        gl::Framebuffer into = gl::make_framebuffer("moments", last ? &t_.moments : &step, nullptr,
+                                                    last && t_.moments.layers > 0 ? layer_ : -1);
+        f_.begin_fullscreen_pass(into.id(), f_.map_resolution, f_.map_resolution);
+        return into;
+    }
+
+    /// @param axis 0 along x, 1 along y
+    void average(From from, int radius, int axis, bool last) {
+        const bool summed = filter_of(f_.settings).moments.summed;
+        const gl::Framebuffer into = begin(last);
+        const GLuint id = f_.program("passes/fullscreen.vert.glsl", "passes/moments.frag.glsl",
+                                     {{"BLUR_COLUMNS", std::to_string(axis)},
+                                      {"MOMENTS_FROM_SAMPLES", std::to_string(int(From::Samples))},
+                                      {"MOMENTS_FROM_MOMENTS", std::to_string(int(From::Moments))},
+                                      {"MOMENTS_FROM", std::to_string(int(from))},
+                                      {"MOMENTS_AS_SUMS", summed ? "1" : "0"},
+                                      {"MOMENTS_LAST", last ? "1" : "0"}});
+        glUseProgram(id);
+        if (from == From::Samples) glBindTextureUnit(shared::UNIT_MAP_SAMPLES, t_.samples.texture.id());
+        const DepthCurve& curve = view_->curve;
+        glUniform1i(glGetUniformLocation(id, "layer"), layer_);
+        glUniform1i(glGetUniformLocation(id, "radius"), radius);
+        glUniform4f(glGetUniformLocation(id, "curve"), float(curve.near), float(curve.far),
+                    curve.perspective ? 1.f : 0.f, 0.f);
+        FrameState::draw_fullscreen(info_);
+    }
+
+    /// Sums along an axis, of what was drawn last; along the last axis into the layer.
+    void sum(int axis) {
+        const GLuint id = f_.program("passes/fullscreen.vert.glsl", "passes/sums.frag.glsl",
+                                     {{"BLUR_COLUMNS", std::to_string(axis)}});
+        for (int run = 1; run == 1 || run < f_.map_resolution; run *= 8) {
+            const gl::Framebuffer into = begin(axis == 1 && run * 8 >= f_.map_resolution);
+            glUseProgram(id);
+            glUniform1i(glGetUniformLocation(id, "run"), run);
+            FrameState::draw_fullscreen(info_);
+        }
+    }
+
+    void draw_samples(const FittedLight& light, const LightView& view) {
+        const bool colour = f_.settings.map.format == int(MapFormat::Colour);
+        t_.samples.ensure("samples of a map", colour ? GLenum(GL_DEPTH_COMPONENT32F) : f_.map_format(),
+                          f_.map_resolution, f_.map_resolution, 0, {.samples = f_.settings.map.samples});
+        const gl::Framebuffer into = gl::make_framebuffer("samples of a map", nullptr, &t_.samples);
+        draw_casters(f_, into, false, light, view, info_);
+    }
+};
 
 bool samples_moments(const FrameState& f) {
     return f.view_count > 0 && filter_of(f.settings).samples == Samples::Moments;
+}
+
+/// What was done, in words.
+std::string description(const FrameState& f) {
+    const Filter& row = filter_of(f.settings);
+    std::string names;
+    for (const std::string_view name : row.moments.names) names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+    const int width = 2 * f.settings.filter.blur + 1;
+    std::string out = row.moments.summed ? fmt::format("; sums of {}", names)
+                                         : fmt::format("; means of {} over {} x {} texels", names, width, width);
+    if (LayerMaker::sampled(f)) out += fmt::format(", {} samples each", f.settings.map.samples);
+    if (f.settings.filter.mips && !row.moments.summed) out += ", with mip levels";
+    const PrefilterBytes bytes = prefilter_bytes(f.settings);
+    return out + fmt::format("; {:.3g} bytes a texel", bytes.kept);
 }
 
 }  // namespace
@@ -52,27 +166,31 @@ void add_moments_pass(FrameState& f) {
     pass.idle_reason = "nothing samples a shadow map";
     if (!samples_moments(f)) {
         pass.unneeded =
-            f.view_count == 0 ? "no light has a shadow map" : "filter.kernel reads depths, not their mean and variance";
+            f.view_count == 0 ? "no light has a shadow map" : "filter.kernel reads depths, not averages of them";
         f.plan.release([&f] { f.gl.owned.drop<MomentTargets>(); });
         f.plan.add(std::move(pass));
         return;
     }
     MomentTargets& t = f.gl.owned.get<MomentTargets>();
-    f.plan.place(Result::Moments, {&t.moments, shared::UNIT_MOMENTS, &f.gl.map_blended});
-    const int radius = f.settings.filter.blur;
-    pass.key = f.with_settings({}, ReadBy::Moments).value();
+    const bool summed = filter_of(f.settings).moments.summed;
+    // Tables of sums are fetched texel by texel.
+    f.plan.place(Result::Moments, {&t.moments, shared::UNIT_MOMENTS, summed ? nullptr : &f.gl.map_blended});
+    pass.key = f.with_settings(Key().add(filter_of(f.settings).key), ReadBy::Moments).value();
     pass.cached = &t.moments.key;
-    pass.run = [&f, &t, radius](PassInfo& info) {
+    pass.run = [&f, &t, summed](PassInfo& info) {
         const int n = f.map_resolution;
-        t.moments.ensure("moments", GL_RG32F, n, n, f.map_layers());
-        t.rows.ensure("moments along x", GL_RG32F, n, n);
-        const auto rows = gl::make_framebuffer("moments along x", &t.rows, nullptr);
+        const bool mips = f.settings.filter.mips && !summed;
+        const int levels = mips ? int(std::bit_width(unsigned(n))) : 1;
+        t.moments.ensure("moments", stored_format(f), n, n, f.map_layers(), {.levels = levels});
+        if (!LayerMaker::sampled(f)) t.samples = {};
+        LayerMaker maker(f, t, info);
         for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
             const FittedLight& light = f.gl.fitted[i];
             for (std::size_t v = 0; light.casts && v < light.views.size(); ++v)
-                sum_moments(f, t, rows, light.views[v], f.first_view[i] + int(v), info);
+                maker.make(light, light.views[v], f.first_view[i] + int(v));
         }
-        info.reason += fmt::format("; mean and mean square of {0} x {0} texels' depths", 2 * radius + 1);
+        if (mips) glGenerateTextureMipmap(t.moments.texture.id());
+        info.reason += description(f);
     };
     f.plan.add(std::move(pass));
 }

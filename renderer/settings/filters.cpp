@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "renderer/settings/biases.h"
@@ -23,7 +24,24 @@ constexpr std::string_view kPcssSettings[] = {"filter.taps", "filter.rotate", "f
 constexpr std::string_view kDpcfSettings[] = {"filter.taps", "filter.rotate", "filter.disk", "filter.max_radius"};
 constexpr std::string_view kSmrtSettings[] = {"filter.rays", "filter.steps", "filter.thickness", "filter.rotate",
                                               "filter.max_radius"};
-constexpr std::string_view kVsmSettings[] = {"filter.blur", "filter.bleed", "filter.min_variance"};
+#define SI_PREFILTER \
+    "map.samples", "filter.blur", "filter.blur_shape", "filter.mips", "filter.anisotropy", "filter.moment_format"
+constexpr std::string_view kVsmSettings[] = {SI_PREFILTER, "filter.bleed", "filter.min_variance"};
+constexpr std::string_view kSavsmSettings[] = {"map.samples",      "filter.sums",  "filter.window",
+                                               "filter.footprint", "filter.bleed", "filter.min_variance"};
+constexpr std::string_view kEsmSettings[] = {SI_PREFILTER, "filter.exponent"};
+constexpr std::string_view kEvsm2Settings[] = {SI_PREFILTER, "filter.exponent", "filter.bleed", "filter.min_variance"};
+constexpr std::string_view kEvsm4Settings[] = {SI_PREFILTER, "filter.exponent", "filter.negative_exponent",
+                                               "filter.bleed", "filter.min_variance"};
+constexpr std::string_view kMsmSettings[] = {SI_PREFILTER, "filter.bleed", "filter.moment_bias"};
+#undef SI_PREFILTER
+
+constexpr std::string_view kDepthMoments[] = {"z", "z^2"};
+constexpr std::string_view kChebyshev = "v / (v + (z - m)^2) where z > m, else 1";
+constexpr std::string_view kFourMoments[] = {"z", "z^2", "z^3", "z^4"};
+constexpr std::string_view kWarpedMean[] = {"e^(c x)"};
+constexpr std::string_view kRisenMoments[] = {"e^(c x)", "e^(2 c x)"};
+constexpr std::string_view kTwiceWarpedMoments[] = {"e^(c x)", "e^(2 c x)", "-e^(-d x)", "e^(-2 d x)"};
 
 /// Texels by which the plane is compared are those that are read, and move edges as far.
 constexpr Reach everywhere(double texels) {
@@ -50,6 +68,24 @@ FilterCost paired_cost(const Filter& row, const Settings& s) {
     const int per_axis = taps_across(row, s) / 2 + 1, taps = per_axis * per_axis;
     return {taps, taps, 4 * taps};
 }
+
+/// Of bounds by mean and spread. A plane's own depths vary about their mean, which bounds it as lit, whatever its
+/// slope: half a texel for the blend's centre is left.
+Reach bounded_reach(const Filter&, const Settings& s, double) {
+    const double reach = s.filter.blur + 1;
+    return {0.5, reach, reach};
+}
+
+/// Of bounds that tell a plane's nearer depths from its farther ones.
+Reach moment_reach(const Filter&, const Settings& s, double) {
+    return everywhere(s.filter.blur + 1);
+}
+
+FilterCost one_blend(const Filter&, const Settings&) {
+    return {0, 1, 4};
+}
+
+constexpr Tolerance kMsmTolerance = {.lit = 0.01, .dark = 0.03, .why = "the moment bias lets some in"};
 
 constexpr Filter kFilters[] = {
     {.key = "hard",
@@ -197,21 +233,116 @@ constexpr Filter kFilters[] = {
      .square = false,
      .linear = false,
      .samples = Samples::Moments,
+     .moments = {.names = kDepthMoments, .bound = kChebyshev},
      .settings = kVsmSettings,
-     // A plane's own depths vary about their mean, which bounds it as lit, whatever its slope: half a texel for the
-     // blend's centre is left.
+     .reach = bounded_reach,
+     .cost = one_blend,
+     .tolerance = {.lit = 1e-5,
+                   .dark = 0.02,
+                   .why = "the least variance lets this much in behind an occluder 7 thousandths of the range away"}},
+    {.key = "savsm",
+     .label = "SAVSM",
+     .help = "Summed-area variance shadow map: the window's width is chosen at each look-up, by sixteen fetches of a "
+             "table of sums, at any width. The table costs more than a blur, and digits.",
+     .paper = "Lauritzen: Summed-Area Variance Shadow Maps, GPU Gems 3, chapter 8, 2007",
+     .file = "filters/savsm.glsl",
+     .square = false,
+     .linear = false,
+     .samples = Samples::Moments,
+     .moments = {.names = kDepthMoments, .summed = true, .bound = kChebyshev},
+     .settings = kSavsmSettings,
      .reach =
          [](const Filter&, const Settings& s, double) {
-             const double reach = s.filter.blur + 1;
+             const double reach = 0.5 * s.filter.window + 0.5;
              return Reach{0.5, reach, reach};
          },
      .cost =
          [](const Filter&, const Settings&) {
-             return FilterCost{0, 1, 4};
+             return FilterCost{0, 16, 16};
          },
      .tolerance = {.lit = 1e-5,
                    .dark = 0.02,
                    .why = "the least variance lets this much in behind an occluder 7 thousandths of the range away"}},
+    {.key = "esm",
+     .label = "ESM",
+     .help = "Exponential shadow map: one number a texel, the mean of e^(c z), gives the share of lit depths where all "
+             "that is lit lies far behind what is not. Light leaks in near contacts, the more the lower c.",
+     .paper = "Annen, Mertens, Seidel, Flerackers, Kautz: Exponential Shadow Maps, Graphics Interface 2008",
+     .file = "filters/esm.glsl",
+     .square = false,
+     .linear = false,
+     .samples = Samples::Moments,
+     .moments = {.names = kWarpedMean,
+                 .power = 1,
+                 .reduces_bleeding = false,
+                 .bound = "mean of e^(c x) / e^(c own), 1 at most"},
+     .settings = kEsmSettings,
+     .reach = bounded_reach,
+     .cost = one_blend,
+     .tolerance = {.lit = 1e-5, .dark = 0.05, .why = "an occluder so near lets e^(c (z - own)) in"}},
+    {.key = "evsm2",
+     .label = "EVSM2",
+     .help =
+         "Exponential variance shadow map, one warp: Chebyshev's bound of e^(c x), under which far occluders hardly "
+         "count. Little light bleeds.",
+     .paper = "Lauritzen, McCool: Layered Variance Shadow Maps, Graphics Interface 2008",
+     .file = "filters/evsm2.glsl",
+     .square = false,
+     .linear = false,
+     .samples = Samples::Moments,
+     .moments = {.names = kRisenMoments, .power = 2, .bound = "Chebyshev's v / (v + (w - m)^2) of w = e^(c x)"},
+     .settings = kEvsm2Settings,
+     .reach = bounded_reach,
+     .cost = one_blend,
+     .tolerance = {.lit = 1e-5, .dark = 0.02, .why = "the least variance lets this much in"}},
+    {.key = "evsm4",
+     .label = "EVSM4",
+     .help = "Exponential variance shadow map, two warps: the lower of the bounds by e^(c x) and by -e^(-d x), each "
+             "tight where the other is not. Twice the memory of evsm2.",
+     .paper = "Lauritzen, McCool: Layered Variance Shadow Maps, Graphics Interface 2008",
+     .file = "filters/evsm4.glsl",
+     .square = false,
+     .linear = false,
+     .samples = Samples::Moments,
+     .moments = {.names = kTwiceWarpedMoments,
+                 .power = 2,
+                 .bound = "the lower of Chebyshev's bounds of e^(c x) and -e^(-d x)"},
+     .settings = kEvsm4Settings,
+     .reach = bounded_reach,
+     .cost = one_blend,
+     .tolerance = {.lit = 0.05, .dark = 0.02, .why = "a slope's mean of -e^(-d x) lies before its middle"}},
+    {.key = "msm_hamburger",
+     .label = "MSM (Hamburger)",
+     .help = "Moment shadow map: of all depths with the four moments that are stored, those with least before the "
+             "surface. Sharper than variance; a slope needs bias as wide as the blur.",
+     .paper = "Peters, Klein: Moment Shadow Mapping, I3D 2015",
+     .file = "filters/msm_hamburger.glsl",
+     .square = false,
+     .linear = false,
+     .samples = Samples::Moments,
+     .moments = {.names = kFourMoments,
+                 .quantised = true,
+                 .bound = "1 - what lies before z of the three depths that have these moments"},
+     .settings = kMsmSettings,
+     .reach = moment_reach,
+     .cost = one_blend,
+     .tolerance = kMsmTolerance},
+    {.key = "msm_hausdorff",
+     .label = "MSM (Hausdorff)",
+     .help = "As msm_hamburger, but depths are known to lie between near and far, which darkens what bleeds at both "
+             "ends of the range.",
+     .paper = "Peters, Klein: Moment Shadow Mapping, I3D 2015",
+     .file = "filters/msm_hausdorff.glsl",
+     .square = false,
+     .linear = false,
+     .samples = Samples::Moments,
+     .moments = {.names = kFourMoments,
+                 .quantised = true,
+                 .bound = "1 - what lies before z of three depths, or four from near to far, that have these moments"},
+     .settings = kMsmSettings,
+     .reach = moment_reach,
+     .cost = one_blend,
+     .tolerance = kMsmTolerance},
 };
 
 std::vector<Filter>& filter_table() {
@@ -297,8 +428,32 @@ FilterCost cost_of(const Settings& settings) {
     return row.cost(row, settings);
 }
 
-int prefilter_bytes_per_texel(const Settings& settings) {
-    return filter_of(settings).samples == Samples::Moments ? 8 : 0;
+PrefilterBytes prefilter_bytes(const Settings& settings) {
+    const Filter& row = filter_of(settings);
+    if (row.samples != Samples::Moments) return {};
+    const double channels = double(row.moments.names.size());
+    const bool wide = row.moments.summed || settings.filter.moment_format == int(MomentFormat::Bits32);
+    const double levels = settings.filter.mips && !row.moments.summed ? 4 / 3.0 : 1;
+    PrefilterBytes bytes{channels * (wide ? 4 : 2) * levels, 0};
+    if (row.moments.summed)
+        bytes.scratch = 2 * 4 * channels;
+    else if (settings.filter.blur > 0)
+        bytes.scratch = 4 * channels;
+    if (settings.map.samples > 1 && settings.map.blur_texels == 0)
+        bytes.scratch +=
+            4 * settings.map.samples + (settings.filter.blur > 0 && !row.moments.summed ? 4 * channels : 0);
+    return bytes;
+}
+
+double safe_exponent(const Settings& settings) {
+    const int power = filter_of(settings).moments.power;
+    if (power == 0) return std::numeric_limits<double>::infinity();
+    // Of 16-bit floats the largest, and the least, which is kept however small; of 32-bit ones that which is not
+    // flushed.
+    const bool wide = settings.filter.moment_format == int(MomentFormat::Bits32);
+    const double largest = wide ? double(std::numeric_limits<float>::max()) : 65504.0;
+    const double least = wide ? double(std::numeric_limits<float>::min()) : std::exp2(-24);
+    return std::floor(100 * std::min(std::log(largest), -std::log(least)) / power) / 100;
 }
 
 std::span<const Choice> filter_choices() {

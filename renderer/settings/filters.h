@@ -21,7 +21,18 @@ struct Reach {
 /// What of the map a kernel reads.
 enum class Samples {
     Depth,    ///< stored depths, which it compares
-    Moments,  ///< mean and mean square of depths (lib/moments.glsl), made by the moments pass
+    Moments,  ///< functions of depths, averaged (lib/moments.glsl): Filter::moments
+};
+
+/// What the moments pass keeps for a kernel in place of depths: `vec4 moments_of(float share)` of its file, averaged
+/// about each texel.
+struct StoredMoments {
+    std::span<const std::string_view> names = {};  ///< of its 1, 2 or 4 channels
+    int power = 0;                                 ///< highest power of e to the exponents that is stored; 0: none is
+    bool quantised = false;        ///< 16 bits are integers of a transform of the moments (shared/moments.h)
+    bool summed = false;           ///< as a table of sums (lib/summed_area.glsl)
+    bool reduces_bleeding = true;  ///< by filter.bleed
+    std::string_view bound = {};   ///< in words: what share can be lit at most, by mean m, variance v and own depth z
 };
 
 /// What a kernel does for each light and lit pixel.
@@ -56,6 +67,7 @@ struct Filter {
     bool square = true;      ///< size x size taps about the look-up, whatever lies there
     bool linear = true;      ///< a weighted sum of comparisons, so that each tap's weight can be told
     Samples samples = Samples::Depth;
+    StoredMoments moments = {};
     bool searches_blockers = false;  ///< and where it finds none, says lit and compares nothing
     bool reads_light_size = false;
     bool takes_table = false;  ///< of kDiskTable places, unless filter.disk is its own and says otherwise
@@ -85,8 +97,16 @@ inline constexpr int kDiskTable = 64;
 /// How many of so many places a kernel samples: its table may end before.
 int disk_places(const Filter& row, const Settings& settings, int places);
 
-/// Bytes that a kernel wants prepared for each texel of the maps, besides the depths.
-int prefilter_bytes_per_texel(const Settings& settings);
+/// What a kernel wants prepared besides the depths, in bytes.
+struct PrefilterBytes {
+    double kept = 0;     ///< for each texel of the maps, mip levels included
+    double scratch = 0;  ///< for each texel of one map, while it is made
+};
+PrefilterBytes prefilter_bytes(const Settings& settings);
+
+/// The highest of the kernel's exponents whose warped depths, and their powers that are stored, are numbers of the
+/// format: neither too large nor so small that a 32-bit float is flushed to zero. Infinite where none is stored.
+double safe_exponent(const Settings& settings);
 
 /// Whether every texel is compared with a depth of its own: bias.kind would, and the kernel compares depths.
 bool compares_per_texel(const Settings& settings);

@@ -50,8 +50,12 @@ std::string_view outside_idle(const Settings& s, int) {
     return "without effect: map.wrap finds a texel everywhere and map.far_guard is off";
 }
 
+bool keeps_moments(const Settings& s) {
+    return filter_of(s).samples == Samples::Moments;
+}
+
 std::string_view compare_idle(const Settings& s, int) {
-    return filter_of(s).samples == Samples::Moments
+    return keeps_moments(s)
                ? "without effect: this kernel compares with the mean and variance of depths, never with one"
                : "";
 }
@@ -97,6 +101,13 @@ constexpr auto kMap = of_map(std::to_array<Param>({
          "their corners, thin ones vanish, and every edge stays hard. Filter the comparisons instead "
          "(filter.kernel). 0 is off.",
      .read_by = ReadBy::DepthBlur},
+    {SI_FIELD(map.samples), .label = "Samples", .unit = "a texel", .min = 1, .max = 32, .logarithmic = true,
+     .cost = Cost::Target,
+     SI_IDLE(s.map.blur_texels > 0, "without effect: moments are those of the depths that map.blur_texels blurs"),
+     .help = "Draws the casters with several samples a texel (MSAA), and averages the moments of all: an edge that "
+             "crosses a texel covers a share of it. What the driver cannot do is said, and the next that it can is "
+             "used.",
+     .read_by = ReadBy::Moments},
 }));
 static_assert(kMap.size() == members<MapSettings>(), "a member of MapSettings has no row");
 
@@ -129,6 +140,23 @@ constexpr Choice kMethods[] = {
     {"gather", "gather",
      "The shader fetches depths, four a call where the kernel allows (textureGather), and compares them itself."},
     {"sampler", "sampler", "The texture unit compares, and blends 2x2 for bilinear kernels (sampler2DShadow)."},
+};
+
+constexpr Choice kBlurShapes[] = {
+    {"box", "box", "All texels weigh the same."},
+    {"gaussian", "Gaussian", "A bell curve of which the outermost texels are two deviations away."},
+};
+constexpr Choice kMomentFormats[] = {
+    {"32-bit", "32-bit", "32-bit floats."},
+    {"16-bit", "16-bit",
+     "Half the memory. 16-bit floats hold little of a variance; exponents must be small. Four moments are kept as "
+     "16-bit integers of a transform that spreads them (Peters, Klein 2015)."},
+};
+constexpr Choice kSums[] = {
+    {"integer", "32-bit integers", "Moments in steps of 3e-7. Sums wrap around, those over a window are exact."},
+    {"float", "32-bit floats",
+     "Sums of millions keep few digits for the window that is their difference: noise that grows away from the "
+     "table's first corner."},
 };
 
 constexpr Choice kBlends[] = {
@@ -269,6 +297,41 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .logarithmic = true,
      .help = "Variance that every texel has at least, in squares of the map's depth range. Stands in for rounding: too "
              "little leaves acne, too much lets light in near contacts.",
+     .shader = true},
+    {SI_FIELD(filter.blur_shape), .label = "Blur's shape", .unit = "", .cost = Cost::Program, SI_CHOICES(kBlurShapes),
+     SI_IDLE(s.filter.blur == 0, "without effect: filter.blur is 0"), .help = "How the texels of the blur weigh.",
+     .shader = true, .read_by = ReadBy::Moments},
+    {SI_FIELD(filter.mips), .label = "Mip levels", .unit = "", .cost = Cost::Program,
+     .help = "Coarser copies of the moments, blended by the pixel's footprint in the map: distant shadows turn soft "
+             "instead of noisy. A third more memory.",
+     .shader = true, .read_by = ReadBy::Moments},
+    {SI_FIELD(filter.anisotropy), .label = "Anisotropy", .unit = "samples", .min = 1, .max = 16, .logarithmic = true,
+     SI_IDLE(!s.filter.mips, "without effect: filter.mips is off"),
+     .help = "Most samples along the footprint's long side, where light or view grazes the surface: less blur across "
+             "it. Beyond the driver's limit that is used, and said.",
+     .shader = true},
+    {SI_FIELD(filter.moment_format), .label = "Moments", .unit = "", .cost = Cost::Program, SI_CHOICES(kMomentFormats),
+     .help = "How each moment is stored.", .shader = true, .read_by = ReadBy::Moments},
+    {SI_FIELD(filter.exponent), .label = "Exponent", .unit = "", .min = 0.5, .max = 88, .logarithmic = true,
+     .help = "c of e^(c x), where x runs from -1 at the near to 1 at the far plane. Higher: less light bleeds, sharper "
+             "contacts. What the stored numbers can hold is the limit (32-bit: esm 87.3, evsm 43.6; 16-bit: esm 11, "
+             "evsm 5.54); beyond it the limit is used, and said.",
+     .shader = true, .read_by = ReadBy::Moments},
+    {SI_FIELD(filter.negative_exponent), .label = "Negative exponent", .unit = "", .min = 0.5, .max = 88,
+     .logarithmic = true,
+     .help = "d of -e^(-d x), the second warp. It tells near occluders apart, and turns slopes dark where it is high. "
+             "Limits as filter.exponent.",
+     .shader = true, .read_by = ReadBy::Moments},
+    {SI_FIELD(filter.moment_bias), .label = "Moment bias", .unit = "", .min = 0, .max = 0.1, .logarithmic = true,
+     .help = "Share of the moments that is replaced by one half. Stands in for rounding, which leaves moments that no "
+             "depths have: about 3e-6 for 32-bit, 3e-5 for 16-bit. Too little: noise. Too much: light bleeds.",
+     .shader = true},
+    {SI_FIELD(filter.sums), .label = "Table", .unit = "", .cost = Cost::Program, SI_CHOICES(kSums),
+     .help = "How the summed-area table counts.", .shader = true, .read_by = ReadBy::Moments},
+    {SI_FIELD(filter.window), .label = "Window", .unit = "texels", .min = 1, .max = 32, .logarithmic = true,
+     .help = "Width of the square of texels that each look-up averages; any number costs the same.", .shader = true},
+    {SI_FIELD(filter.footprint), .label = "Widen by footprint", .unit = "", .cost = Cost::Program,
+     .help = "Where a pixel spans more texels than the window, the window is as wide as the pixel, up to 32 texels.",
      .shader = true},
 }));
 static_assert(kFilter.size() == members<FilterSettings>(), "a member of FilterSettings has no row");

@@ -29,6 +29,8 @@ enum class NormalSource { Geometric, Shading, Mapped };
 enum class FilterMethod { Automatic, Gather, Sampler };
 enum class RadiusUnit { Texels, Metres };
 enum class Disk { Table, Spiral };
+enum class MomentFormat { Bits32, Bits16 };
+enum class TableSums { Integer, Float };
 enum class MapView { Raw, Linear, Bands };
 enum class MapSource { Light, Camera };
 enum class Panes { One, Two, Four };
@@ -65,6 +67,7 @@ struct MapSettings {
     int compare = 1;  ///< Compare
     bool reversed_z = false;
     int blur_texels = 0;
+    int samples = 1;
     bool operator==(const MapSettings&) const = default;
 };
 
@@ -113,6 +116,16 @@ struct FilterSettings {
     int blur = 2;
     double bleed = 0.2;
     double min_variance = 1e-6;
+    int blur_shape = 0;  ///< box, Gaussian
+    bool mips = false;
+    int anisotropy = 1;
+    int moment_format = 0;  ///< MomentFormat
+    double exponent = 40;
+    double negative_exponent = 5;
+    double moment_bias = 3e-6;
+    int sums = 0;  ///< TableSums
+    double window = 5;
+    bool footprint = false;
     bool operator==(const FilterSettings&) const = default;
 };
 

@@ -1,8 +1,13 @@
-// The mean and mean square of depths about each texel of the shadow maps, as the moments pass leaves them. Depths are
-// shares of the map's range along its axis, 0 near to 1 far, whatever the map's format and direction.
+// Functions of depths, averaged about each texel of the shadow maps, as the moments pass leaves them: which functions
+// says moments_of() in the kernel's file. Depths are shares of the map's range along its axis, 0 near to 1 far,
+// whatever the map's format and direction.
 #include "shared/units.h"
+#include "shared/moments.h"
 #include "lib/shadow_map.glsl"
-layout(binding = UNIT_MOMENTS) uniform MAPS moments_map;
+#include "lib/footprint.glsl"
+
+/// What is stored for a depth alone: of the four numbers as many as the kernel's row has channels.
+vec4 moments_of(float share);
 
 /// The share of the range at a stored or compared depth; the depth itself where it is linear.
 float share_of_range(float depth, float near, float far, bool perspective) {
@@ -15,19 +20,101 @@ float share_of_range(float depth, Receiver r) {
     return share_of_range(depth, curve.x, curve.y, LIGHT_PERSPECTIVE[r.light] != 0);
 }
 
-/// The moments at a place of the map, blended of 2x2 texels.
-vec2 map_moments(Receiver r, vec2 at) {
-    vec2 moments = texture(moments_map, IN_LAYER(at, r.layer)).rg;
+float own_share(Receiver r) { return share_of_range(r.reference, r); }
+
+/// What lies beyond the map's sides; of a point light's faces nothing does.
+bool has_border(Receiver r) {
+#if map_wrap == map_wrap_border
+    return LIGHT_TYPE[r.light] != LIGHT_POINT;
+#else
+    return false;
+#endif
+}
+
+vec4 border_moments() {
+#if map_outside == map_outside_lit
+    return moments_of(1.0);
+#else
+    return moments_of(0.0);
+#endif
+}
+
+/// Whether a trial answers in place of the prepared maps, by `answer`.
+bool trial_moments(Receiver r, vec2 at, out vec4 answer) {
+    answer = vec4(0.0);
+#ifdef MAP_TRIALS
+    if (beyond_answer >= 0.0 && (any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0))))) {
+        answer = moments_of(beyond_answer > 0.5 ? 1.0 : 0.0);
+        return true;
+    }
+    if (map_is_unfiltered) {
+        answer = moments_of(share_of_range(map_depth(at, r.layer), r));
+        return true;
+    }
+#endif
+    return false;
+}
+
+#if !MOMENTS_SUMMED
+layout(binding = UNIT_MOMENTS) uniform MAPS moments_map;
+
+#if MOMENTS_QUANTISED
+// Peters, Klein, Moment Shadow Mapping, I3D 2015, on optimised quantisation: an affine transform that spreads the four
+// moments of depths over the whole cube that 16 bits a channel can hold.
+vec4 quantised(vec4 moments) {
+    return mat4(MOMENTS_QUANTISE) * moments + vec4(MOMENTS_QUANTISE_OFFSET, 0.0, 0.0, 0.0);
+}
+vec4 restored(vec4 stored) {
+    return mat4(MOMENTS_RESTORE) * (stored - vec4(MOMENTS_QUANTISE_OFFSET, 0.0, 0.0, 0.0));
+}
+#else
+vec4 quantised(vec4 moments) { return moments; }
+vec4 restored(vec4 stored) { return stored; }
+#endif
+
+/// The moments at a place of the map, blended of 2x2 texels; with filter.mips over the pixel's footprint.
+vec4 map_moments(Receiver r, vec2 at) {
+    vec4 moments;
+    if (trial_moments(r, at, moments)) return moments;
 #ifdef MARK_TEXELS
     map_gather(round(at * float(map_resolution)) / float(map_resolution), r.layer);  // the 2x2 that are blended
 #endif
-#ifdef MAP_TRIALS
-    if (map_is_unfiltered) {
-        float share = share_of_range(map_depth(at, r.layer), r);
-        moments = vec2(share, share * share);
-    }
-    if (beyond_answer >= 0.0 && (any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))))
-        moments = beyond_answer > 0.5 ? vec2(1.0) : vec2(0.0);
+#if filter_mips
+    mat2 print = pixel_footprint(r);
+    moments = restored(textureGrad(moments_map, IN_LAYER(at, r.layer), print[0], print[1]));
+#else
+    moments = restored(textureLod(moments_map, IN_LAYER(at, r.layer), 0.0));
 #endif
+    if (has_border(r)) {
+        // As a sampler blends with a border, at the finest level.
+        vec2 held = clamp(at * float(map_resolution) + 0.5, 0.0, 1.0) *
+                    clamp((1.0 - at) * float(map_resolution) + 0.5, 0.0, 1.0);
+        // Not by mix(), whose difference of both loses all digits of the smaller.
+        float share = held.x * held.y;
+        moments = share * moments + (1.0 - share) * border_moments();
+    }
     return moments;
+}
+#endif
+
+/// The most of a distribution that lies at `own` or behind it, by its mean and mean square: Chebyshev's inequality,
+/// one-sided (Cantelli's).
+float chebyshev(vec2 moments, float own, float least_variance) {
+    if (own <= moments.x) return 1.0;
+    float variance = max(moments.y - moments.x * moments.x, least_variance), behind = own - moments.x;
+    return variance / (variance + behind * behind);
+}
+
+/// Light-bleed reduction (Lauritzen, GPU Gems 3, chapter 8, 2007): what lies below filter.bleed is taken for shadow.
+float without_bleeding(float bound) { return clamp((bound - filter_bleed) / (1.0 - filter_bleed), 0.0, 1.0); }
+
+/// Says what the kernel went by; see Filtered.
+void tell_moments(vec4 moments, float mean, float variance, float margin, float own, float bound, float texels) {
+    found.moments = moments;
+    found.mean = mean;
+    found.variance = variance;
+    found.margin = margin;
+    found.own = own;
+    found.bound = bound;
+    found.taps = texels;
 }

@@ -11,8 +11,13 @@ struct Filtered {
     float penumbra_texels;  // width of the penumbra that it made
     float taps;             // texels fetched
     float variance;         // of the depths, in squares of the map's range
+    vec4 moments;           // that it read, as moments_of() counts them
+    float mean;             // the depth that they say, as a share of the map's range
+    float margin;           // below 0: no distribution of depths has them
+    float own;              // the depth that it compared, as a share of the range
+    float bound;            // the most that can be lit by them, before light-bleed reduction
 };
-Filtered found = Filtered(UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN);
+Filtered found = Filtered(UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, vec4(UNKNOWN), UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN);
 
 #include FILTER_FILE
 

@@ -1,27 +1,56 @@
-// Mean and mean square of depths over (2 radius + 1) texels along one axis: first of stored depths along x, then of what
-// that leaves along y. Those beyond the map's sides do not count.
+// What a kernel stores in place of depths (moments_of() in its file), averaged along one axis; first of the maps' depths
+// or of all samples of each texel, then of what that leaves. Near the map's sides windows shrink on both sides of their
+// texel, so that a plane's mean stays the depth of its middle.
 #include "shared/units.h"
-#include "lib/receiver.glsl"
+#include "lib/visibility.glsl"
 #include "lib/moments.glsl"
 #include "lib/blur_axis.glsl"
-layout(location = 0) out vec2 moments_out;
+#if MOMENTS_AS_SUMS && filter_sums == filter_sums_integer
+layout(location = 0) out uvec2 moments_out;
+#else
+layout(location = 0) out vec4 moments_out;
+#endif
 uniform int layer;
 uniform vec4 curve;  // near, far, 1 perspective
 
-#if BLUR_COLUMNS
+#if MOMENTS_FROM == MOMENTS_FROM_MOMENTS
 layout(binding = UNIT_BLURRED_ROWS) uniform sampler2D rows;
-vec2 moments_at(ivec2 at) { return texelFetch(rows, at, 0).rg; }
-#else
-vec2 moments_at(ivec2 at) {
-    float depth = stored_texel(at, layer);
-    float share = share_of_range(depth, curve.x, curve.y, curve.z > 0.5);
-    return vec2(share, share * share);
+vec4 moments_at(ivec2 at) { return texelFetch(rows, at, 0); }
+#elif MOMENTS_FROM == MOMENTS_FROM_SAMPLES
+layout(binding = UNIT_MAP_SAMPLES) uniform sampler2DMS samples_map;
+vec4 moments_at(ivec2 at) {
+    int count = textureSamples(samples_map);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < count; ++i)
+        sum += moments_of(share_of_range(texelFetch(samples_map, at, i).r, curve.x, curve.y, curve.z > 0.5)) / float(count);
+    return sum;
 }
+#else
+vec4 moments_at(ivec2 at) { return moments_of(share_of_range(stored_texel(at, layer), curve.x, curve.y, curve.z > 0.5)); }
 #endif
+
+float weight_of(int step) {
+#if filter_blur_shape == filter_blur_shape_gaussian
+    float deviations = 2.0 * float(step) / float(max(radius, 1));  // two at the last texel
+    return exp(-0.5 * deviations * deviations);
+#else
+    return 1.0;
+#endif
+}
 
 void main() {
     ivec2 centre = ivec2(gl_FragCoord.xy), window = blur_window(centre);
-    vec2 sum = vec2(0.0);
-    for (int i = window.x; i <= window.y; ++i) sum += moments_at(centre + i * BLUR_AXIS);
-    moments_out = sum / float(window.y - window.x + 1);
+    int reach = min(-window.x, window.y);
+    float weights = 0.0;
+    for (int i = -reach; i <= reach; ++i) weights += weight_of(i);
+    vec4 mean = vec4(0.0);
+    // Each by its share: a sum of numbers as large as floats hold would overflow.
+    for (int i = -reach; i <= reach; ++i) mean += moments_at(centre + i * BLUR_AXIS) * (weight_of(i) / weights);
+#if MOMENTS_AS_SUMS && filter_sums == filter_sums_integer
+    moments_out = uvec2(round(mean.rg * SUMS_ONE));
+#elif MOMENTS_QUANTISED && MOMENTS_LAST
+    moments_out = quantised(mean);
+#else
+    moments_out = mean;
+#endif
 }

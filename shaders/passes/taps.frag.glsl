@@ -15,6 +15,12 @@ void main() {
     tap_out = vec4(tap_found, tap_wanted < taps_read ? weight : -1.0);
 #else
     filter_visibility(r);
-    tap_out = vec4(found.blocker_m, found.penumbra_texels, isnan(found.taps) ? frame.pixel.z : found.taps, found.variance);
+    int fragment = int(gl_FragCoord.x);
+    if (fragment == 1)
+        tap_out = found.moments;
+    else if (fragment == 2)
+        tap_out = vec4(found.mean, found.own, found.margin, found.bound);
+    else
+        tap_out = vec4(found.blocker_m, found.penumbra_texels, isnan(found.taps) ? frame.pixel.z : found.taps, found.variance);
 #endif
 }

@@ -32,6 +32,7 @@ struct FrameBlock {
     vec4 forward;   // unit viewing direction
     vec4 map_origin;  // xyz relative: what the shaders that draw the maps count positions from
     vec4 pixel;     // xy: the picture's pixel at (0, 0) of what is drawn; z: texels that the kernel fetches
+    vec4 picture;   // xy: its pixels across and up
     vec4 offset;    // PolygonOffset of the map format: unit_depth, unit_steps, slope_gain; w: 1 slope_is_length
     LightBlock lights[SI_MAX_LIGHTS];
     ViewBlock views[SI_MAX_VIEWS];
@@ -41,8 +42,8 @@ struct FrameBlock {
 }  // namespace si::shared
 static_assert(sizeof(si::shared::LightBlock) == 64);
 static_assert(sizeof(si::shared::ViewBlock) == 96);
-static_assert(offsetof(si::shared::FrameBlock, lights) == 144);
-static_assert(offsetof(si::shared::FrameBlock, views) == 144 + 64 * SI_MAX_LIGHTS);
+static_assert(offsetof(si::shared::FrameBlock, lights) == 160);
+static_assert(offsetof(si::shared::FrameBlock, views) == 160 + 64 * SI_MAX_LIGHTS);
 static_assert(sizeof(si::shared::FrameBlock) <= 16384);  // the least that OpenGL grants
 #endif
 #endif

@@ -22,6 +22,8 @@ const int UNIT_MOMENTS = 14;
 const int UNIT_VOLUMES = 15;
 const int UNIT_CAMERA_DEPTH = 16;
 const int UNIT_BLURRED_ROWS = 17;  // what a blur has summed along x
+const int UNIT_MAP_SAMPLES = 18;   // of a multisampled map
+const int UNIT_MAP_CHANNEL = 19;   // what the map viewer shows in place of depth
 
 const int IMAGE_TEXELS_READ = 0;
 

@@ -21,5 +21,7 @@ const Claims& guided_surface_claims();
 const Claims& guided_soft_claims();
 /// The borders of the map, near and far, how depth is stored and shown.
 const Claims& guided_map_claims();
+/// Kernels that read averages of functions of depth.
+const Claims& guided_moment_claims();
 
 }  // namespace si::test

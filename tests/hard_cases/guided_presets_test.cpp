@@ -16,7 +16,7 @@ namespace si::test {
 namespace {
 
 std::vector<const Claims*> all_claims() {
-    return {&guided_surface_claims(), &guided_soft_claims(), &guided_map_claims()};
+    return {&guided_surface_claims(), &guided_soft_claims(), &guided_map_claims(), &guided_moment_claims()};
 }
 
 std::vector<std::string> claimed_keys() {

@@ -153,6 +153,8 @@ void depths(const Probe::PerLight& p) {
     if (!std::isnan(k.variance))
         row("variance", fmt::format("{:.3g} of the range squared", k.variance),
             "Of the depths about the texel, by the map's moments; the bound of the visibility comes from it");
+    for (const std::string& line : k.lines)
+        row("moments", line, "What the kernel went by: the moments that it read, what they say, and the bound by them");
     ImGui::EndTable();
 }
 
