@@ -71,7 +71,7 @@ const LightSettings& shown_light(const Settings& s) {
 
 std::string_view face_idle(const Settings& s, int) {
     const LightSettings& shown = shown_light(s);
-    // 1.5 rad is half the widest cone that light_fit.cpp draws as one map.
+    // 1.5 rad is half the widest cone that light_place.cpp leaves to one map.
     const bool faces = shown.type == at(LightType::Point) ||
                        (shown.type == at(LightType::Spot) && shown.cone > 2 * 1.5 * 57.29577951308232);
     const bool cascades = shown.type == at(LightType::Directional) && shown.cascades > 1 &&

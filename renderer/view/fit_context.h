@@ -1,0 +1,60 @@
+// What fitting the maps of one light goes by, and the steps that kinds of maps share. Inside of view/ only.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "renderer/view/camera.h"
+#include "renderer/view/fit_bounds.h"
+#include "renderer/view/light_fit.h"
+
+namespace si {
+
+inline constexpr double kMinHalfAngle = 1e-3, kMaxHalfAngle = 1.5;  // rad; tan() stays below 15
+inline constexpr double kMarginTexels = 2;    // at each side, so that a kernel at the scene's edge finds cleared texels
+inline constexpr double kNearShare = 1e-3;    // least near / far of a perspective map: D24 then resolves far / 2e4
+inline constexpr double kDepthMargin = 1e-4;  // of the depth range, at each end
+
+struct FitContext {
+    const Scene& scene;
+    const SceneShape& shape;
+    const LightSettings& settings;
+    const Settings& all_settings;
+    DepthConvention convention;
+    int resolution;
+    double face_margin_texels;
+    double reach_m;  ///< how far a spot or point light shines; infinite when unlimited
+    const Camera* camera;
+    double margin_texels;  ///< fit_margin_texels()
+};
+
+/// Says something of a light, once.
+void note(PlacedLight& light, std::string text);
+
+/// Half extent plus the margin in texels, at least a thousand float steps of `scale`.
+double with_margin(double half, double scale, int resolution, double margin = kMarginTexels);
+
+/// Repairs the view's range, makes its matrix and adds it to the light's.
+/// @param reference_z where texels are measured, metres
+void finish_view(FittedLight& light, LightView view, const FitContext& c, double reference_z);
+
+/// The range of what lies inside the pyramid of a perspective view and the light's range.
+DepthCurve perspective_curve(const LightView& view, const FitContext& c);
+
+/// Kernels cross from one face of six into the next; a texel more for the normal offset's.
+double face_margin_texels(const Settings& settings);
+
+/// Six faces of one range, so that a depth means the same distance in each.
+void fit_faces(FittedLight& light, const FitContext& c);
+
+/// The single map of a sun or of a spot light.
+void fit_one_view(FittedLight& light, const FitContext& c);
+
+/// Whether the light's map is divided among views of the camera's depths.
+bool has_cascades(const LightSettings& settings);
+
+/// Several maps of a directional light, each for an interval of the camera's depth.
+void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera);
+
+}  // namespace si
