@@ -86,6 +86,10 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_flag("--difference", o.render.difference, "With --against: one picture of 2 |A - B|")
         ->needs(against)
         ->excludes(swipe);
+    c->add_option("--fit-camera", o.render.fit_camera,
+                  "Make maps that follow a camera, cascades too, for the camera of this preset instead of the "
+                  "picture's: what it would not see may lack its shadow")
+        ->type_name("F");
     c->add_option("--report", o.render.report, "Write facts of the frame as JSON: fit, settings, passes and times")
         ->type_name("F.json");
     c->callback([&o, &run, view] {

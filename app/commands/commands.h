@@ -30,6 +30,7 @@ struct RenderOptions {
     std::string against;      ///< "truth" or a preset: the picture is held against that one; empty: it stands alone
     double swipe = -1;        ///< where the line between the two stands, 0..1; negative: beside each other
     bool difference = false;  ///< |A - B| instead
+    std::string fit_camera;   ///< a preset: maps that follow a camera are made for its own; empty: for the picture's
 };
 void run_render(const RenderOptions& options);
 

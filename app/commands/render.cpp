@@ -33,6 +33,16 @@ PictureSize parse_size(const std::string& text) {
 
 namespace {
 
+/// The camera of a preset, and what it sees.
+MapCamera map_camera_of(Renderer& renderer, const Session& session, const Settings& preset, FrameRequest request) {
+    Settings seen = session.settings;
+    seen.camera = preset.camera;
+    request.outputs = {.colour = false};
+    request.timing = false;
+    const FrameResult frame = renderer.render(session.scene, seen, request);
+    return {frame.camera, frame.seen_m};
+}
+
 /// Draws the frame and the one that it is held against into one picture. Returns the mean difference of the two.
 /// @param preset of the other one; null: it is the truth
 double write_against(Renderer& renderer, const Session& session, FrameRequest request, const RenderOptions& options,
@@ -75,6 +85,8 @@ void run_render(const RenderOptions& options) {
     if (!options.report.empty()) require_writable(options.report);
     std::optional<Settings> other;
     if (against && options.against != "truth") other = load_preset(options.against).settings;
+    std::optional<Settings> fit_camera;
+    if (!options.fit_camera.empty()) fit_camera = load_preset(options.fit_camera).settings;
     Session session = open_session(options.session);
     // Asked for by name, the plain picture is plain; else the settings decide on overlays, panes and slabs.
     if (options.view_given && view.key == "shaded") {
@@ -87,6 +99,7 @@ void run_render(const RenderOptions& options) {
     FrameRequest request;
     request.width = options.size.width, request.height = options.size.height;
     request.timing = !options.report.empty();
+    if (fit_camera) request.map_camera = map_camera_of(renderer, session, *fit_camera, request);
     FrameResult frame;
     double mean = 0;
     if (against) {

@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -25,10 +25,10 @@ ReceiverPlane receiver_plane(const LightView& view, const glm::dvec3& point_ws, 
     const double cosine = glm::dot(normal_ws, to_light) / (glm::length(normal_ws) * glm::length(to_light));
     const bool edge_on = !(std::abs(cosine) > shared::FACES_AWAY_COSINE);
     const auto component = [&](double across) {
-        return !edge_on ? -across / plane.z : across == 0 ? 0 : std::copysign(kInfinite, -across / plane.z);
+        return !edge_on ? -across / plane.z : across == 0 ? 0 : std::copysign(kUnbounded, -across / plane.z);
     };
     r.gradient = {component(plane.x), component(plane.y)};
-    if (edge_on && r.gradient == glm::dvec2(0)) r.gradient = glm::dvec2(kInfinite);  // the normal is none
+    if (edge_on && r.gradient == glm::dvec2(0)) r.gradient = glm::dvec2(kUnbounded);  // the normal is none
     return r;
 }
 

@@ -40,12 +40,21 @@ struct Outputs {
     bool operator==(const Outputs&) const = default;
 };
 
+/// The camera that maps are made for, where it is not the picture's.
+struct MapCamera {
+    Camera camera;
+    /// Depths of all that it sees, where they were measured: FrameResult::seen_m of its own picture.
+    std::optional<DepthSpan> seen_m;
+    bool operator==(const MapCamera&) const = default;
+};
+
 struct FrameRequest {
     int width = 1280, height = 720;  ///< of each pane's picture, in pixels
     Outputs outputs;
-    bool timing = false;   ///< measure each pass (costs time itself)
-    bool force = false;    ///< run every pass even when its result is cached
-    bool no_skip = false;  ///< run passes that the scene does not call for (must not change the picture)
+    bool timing = false;                  ///< measure each pass (costs time itself)
+    bool force = false;                   ///< run every pass even when its result is cached
+    bool no_skip = false;                 ///< run passes that the scene does not call for (must not change the picture)
+    std::optional<MapCamera> map_camera;  ///< nothing: the picture's own
     /// What rays found for this very view and light; another one's is left unused. See FrameResult::truth.
     std::shared_ptr<const TruthPicture> truth;
     /// The same by light, for those whose source is ray traced; may end early, and hold none for others.
@@ -112,6 +121,7 @@ struct ShownMap {
 struct FrameResult {
     Camera camera;
     std::vector<FittedLight> lights;
+    std::optional<DepthSpan> seen_m;  ///< depths of all that the camera sees, where a fit asked for them
     std::vector<PassInfo> passes;
     std::vector<std::string> notes;  ///< repairs of settings and other one-line remarks
     std::vector<Pane> panes;  ///< as view.panes says, row by row from the top left; panes of one overlay share images

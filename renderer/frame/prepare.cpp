@@ -14,6 +14,7 @@
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
 #include "renderer/view/kernel_reach.h"
+#include "renderer/view/near_far.h"
 #include "renderer/view/projection.h"
 
 namespace si {
@@ -25,11 +26,15 @@ constexpr double kMapBudgetBytes = 2.0 * 1024 * 1024 * 1024;
 Key lights_as_placed_key(const FrameState& f) {
     Key key;
     key.add(f.scene.id).add(f.settings.light_count).add(f.settings.map.resolution).add(f.settings.map.reversed_z);
-    key.add(f.settings.map.format).add(std::ceil(reach_of(f.settings).read));
+    key.add(f.settings.map.format).add(face_margin_texels(f.settings));
     for (const Param& p : params())
         if (p.scope == Scope::Light)
             for (int i = 0; i < std::min(f.settings.light_count, kMaxLights); ++i)
                 std::visit([&](auto v) { key.add(v); }, get_value(f.settings, {&p, i, {}}));
+    const BiasSettings& b = f.settings.bias;
+    for (int i = 0; i < f.settings.light_count; ++i)
+        if (f.settings.lights[std::size_t(i)].near_far == int(NearFar::Pancaking))
+            key.add(b.unit).add(b.constant).add(b.slope).add(reach_of_lookups(f.settings));
     for (const auto& [path, o] : f.settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
     for (int i = 0; i < f.settings.light_count; ++i)
         if (fit_row(f.settings.lights[std::size_t(i)].fit).narrows)
@@ -40,6 +45,12 @@ Key lights_as_placed_key(const FrameState& f) {
 bool any_fit_reads_camera(const Settings& settings) {
     for (int i = 0; i < settings.light_count; ++i)
         if (fit_reads_camera(settings, i)) return true;
+    return false;
+}
+
+bool any_fit_reads_depths(const Settings& settings) {
+    for (int i = 0; i < settings.light_count; ++i)
+        if (fit_reads_depths(settings, i)) return true;
     return false;
 }
 
@@ -61,12 +72,17 @@ void fit(FrameState& f) {
     }
     f.camera = make_camera(f.scene, f.settings, double(f.request.width) / f.request.height, r.as_placed);
     const bool camera = any_fit_reads_camera(f.settings);
+    const MapCamera own{f.camera, any_fit_reads_depths(f.settings) ? r.seen.span : std::nullopt};
+    const MapCamera& maps = f.request.map_camera ? *f.request.map_camera : own;
     if (camera) {
-        add_camera(key, f.camera);
-        key.add(reach_of(f.settings).read).add(f.settings.bias.normal).add(f.settings.map.blur_texels);
+        add_camera(key, maps.camera);
+        key.add(reach_of_lookups(f.settings));
+        if (maps.seen_m) key.add(maps.seen_m->from_m).add(maps.seen_m->to_m);
     }
     if (key.value() != r.fit_key) {
-        r.fitted = camera ? fit_maps(r.placed, f.scene, f.settings, &f.camera, f.driver.max_texture_size) : r.as_placed;
+        r.fitted = camera
+                       ? fit_maps(r.placed, f.scene, f.settings, &maps.camera, f.driver.max_texture_size, maps.seen_m)
+                       : r.as_placed;
         r.fit_key = key.value();
     }
     f.view_count = 0;
@@ -377,6 +393,34 @@ void Renderer::Impl::calibrate_offset(int map_format) {
 }
 
 FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+    FrameState f = derive(scene, settings, request);
+    if (!any_fit_reads_depths(f.settings)) return f;
+    if (request.map_camera) {
+        if (!request.map_camera->seen_m)
+            f.notes.push_back(
+                "light.depth_bounds sdsm: nothing was measured for the camera that the maps are made for; "
+                "they go by the boxes");
+        return f;
+    }
+    SeenDepths& seen = resources.seen;
+    const std::uint64_t key = f.surfaces_key().value();
+    if (seen.key == key && !request.force) {
+        seen.info.state = PassState::Reused;
+        seen.info.reason = "nothing that the camera sees has changed";
+        seen.info.cpu_ms = seen.info.gpu_ms = 0;
+        f.seen_m = seen.span;
+        return f;
+    }
+    upload_blocks(f);
+    seen.span = measure_seen_depths(f, seen.info);
+    seen.key = key;
+    FrameState measured = derive(scene, settings, request);
+    measured.camera_depth_renewed = true;  // once a frame, also where it is forced
+    measured.seen_m = seen.span;
+    return measured;
+}
+
+FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     if (!repaired || !(repaired->given == settings)) {
         repaired = Repaired{settings, settings, {}};
         repaired->notes = sanitise(repaired->settings);
@@ -412,6 +456,9 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
     block.clip_from_relative = glm::mat4(f.camera.clip_from_relative(f.origin));
     block.eye = glm::vec4(glm::vec3(f.camera.eye - f.origin), f.camera.orthographic ? 1.f : 0.f);
     block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), 0.f);
+    const Camera& divided = f.request.map_camera ? f.request.map_camera->camera : f.camera;
+    block.divided_eye = glm::vec4(glm::vec3(divided.eye - f.origin), 0.f);
+    block.divided_forward = glm::vec4(glm::vec3(-divided.axes[2]), 0.f);
     block.map_origin = glm::vec4(glm::vec3(f.scene.bounds.centre() - f.origin), 0.f);
     block.picture = glm::vec4(f.request.width, f.request.height, 0, 0);
     const PolygonOffset& offset = driver.offset[std::size_t(f.settings.map.format)];

@@ -74,7 +74,10 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
                                 request.height, impl_->driver.max_texture_size));
     FrameState f = impl_->prepare(scene, settings, request);
     plan_frame(f);
-    return impl_->draw(f);
+    FrameResult result = impl_->draw(f);
+    result.seen_m = f.seen_m;
+    if (f.seen_m) result.passes.insert(result.passes.begin(), impl_->resources.seen.info);
+    return result;
 }
 
 void plan_frame(FrameState& f) {

@@ -23,8 +23,11 @@ struct Renderer::Impl {
     std::optional<Repaired> repaired;
 
     Impl();
-    /// Derives everything of a frame that needs no drawing.
+    /// Derives everything of a frame that needs no drawing, but for the depths that the camera sees, which are drawn
+    /// and read back first where a fit asks for them.
     FrameState prepare(const Scene& scene, const Settings& settings, const FrameRequest& request);
+    /// As prepare(), with the depths that are known.
+    FrameState derive(const Scene& scene, const Settings& settings, const FrameRequest& request);
     void upload_blocks(const FrameState& f);
     /// Carries out the plan of a frame.
     FrameResult draw(FrameState& f);

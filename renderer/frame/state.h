@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,13 @@ namespace si {
 inline constexpr int kMaxPanes = 4;
 inline constexpr int kSeenImages = 3;  ///< see lib/seen_surface.glsl
 
+/// Depths of all that a camera sees, as its depth buffer held them.
+struct SeenDepths {
+    std::uint64_t key = 0;          ///< FrameState::surfaces_key() of what was seen
+    std::optional<DepthSpan> span;  ///< metres; nothing: it saw nothing
+    PassInfo info;
+};
+
 /// What outlives a frame and is nobody's own: programs, blocks, samplers, the scene, fitted lights.
 struct Resources {
     gl::ProgramCache programs;
@@ -42,6 +50,7 @@ struct Resources {
     std::uint64_t as_placed_key = 0;
     std::vector<FittedLight> fitted;  ///< for the frame's camera where a fit reads it
     std::uint64_t fit_key = 0;
+    SeenDepths seen;
     /// Which drawing each key of contents is from; drawings are counted.
     std::map<const std::uint64_t*, std::uint64_t> drawings;
     std::uint64_t last_drawing = 0;
@@ -55,8 +64,9 @@ struct FrameState {
     const DriverInfo& driver;
 
     Camera camera;
-    glm::dvec3 origin{0};         ///< of camera-relative positions
-    std::vector<int> first_view;  ///< per light: its first layer
+    std::optional<DepthSpan> seen_m;  ///< depths of all that it sees, where a fit asks for them
+    glm::dvec3 origin{0};             ///< of camera-relative positions
+    std::vector<int> first_view;      ///< per light: its first layer
     int view_count = 0;
     int map_resolution = 0;
     /// As gl::Target counts layers: 0 for a single view.
@@ -156,6 +166,8 @@ void add_depth_blur_pass(FrameState& f);
 /// Functions of the maps' depths, averaged, for kernels that read those.
 void add_moments_pass(FrameState& f);
 void add_camera_depth_pass(FrameState& f);
+/// Draws the camera's depth and reads back its bounds, before the frame has a plan.
+std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info);
 void add_surface_ids_pass(FrameState& f);
 void add_shadow_volume_passes(FrameState& f);
 void add_visibility_pass(FrameState& f);

@@ -129,7 +129,7 @@ void add_fits(const Settings& base, const CureFacts& f, Idea idea) {
     idea("the light's own projection",
          [&](Settings& s) { s.lights[light].projection = int(LightProjection::Automatic); });
     if (!sun || by_hand || fitted.is_perspective()) return;
-    for (int n = 2; n <= kMaxCascades; ++n)
+    for (int n = 2; n <= kMaxCascades; n *= 2)
         idea(fmt::format("{} cascades", n), [&](Settings& s) { s.lights[light].cascades = n; });
 }
 

@@ -92,6 +92,7 @@ void draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, c
         glDisable(GL_POLYGON_OFFSET_FILL);
     else
         set_raster_bias(f, convention.reversed);
+    if (view.clamps_near) glEnable(GL_DEPTH_CLAMP);
     const glm::mat4 matrix(view.clip_from_relative(light.map_origin));
     f.gl.scene->bind(f.scene, f.settings, light.map_origin, 1);
     GLuint current = 0, texture = 0;
@@ -118,6 +119,7 @@ void draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, c
         info.triangles += batch.triangles();
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_DEPTH_CLAMP);
 }
 
 bool FrameState::blurs_depths() const {
@@ -155,6 +157,7 @@ void add_light_depth_passes(FrameState& f) {
         for (const LightView& v : light.views)
             key.add(v.clip_from_relative(light.map_origin))
                 .add(v.curve.convention.zero_to_one)
+                .add(v.clamps_near)
                 .add(v.curve.convention.reversed);
         key.add(light.map_origin).add(f.first_view[i]).add(f.gl.programs.source().generation());
         pass.key = key.value();

@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-constexpr float kInfinite = std::numeric_limits<float>::infinity();
+constexpr float kNoEnd = std::numeric_limits<float>::infinity();
 
 class Walker {
 public:
@@ -19,7 +19,7 @@ public:
     }
 
     struct Found {
-        float run_m = kInfinite, edge_m = kInfinite;
+        float run_m = kNoEnd, edge_m = kNoEnd;
     };
 
     Found at(int x, int y) const {
@@ -112,8 +112,8 @@ private:
     }
 
     struct Side {
-        float change_m = kInfinite;    ///< along the axis to the change of the truth
-        float next_run_m = kInfinite;  ///< from there to the next
+        float change_m = kNoEnd;    ///< along the axis to the change of the truth
+        float next_run_m = kNoEnd;  ///< from there to the next
     };
 
     Side walk(int x, int y, const glm::dvec2& step, const LightView& view, const glm::dvec3& axis) const {
@@ -168,7 +168,7 @@ private:
 ShadowRuns shadow_runs(const Truth& truth, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
                        const TruthQuery& query, const Workers& workers) {
     ShadowRuns out;
-    const std::vector<float> nothing(truth.state.size(), kInfinite);
+    const std::vector<float> nothing(truth.state.size(), kNoEnd);
     out.run_m = {truth.width, truth.height, 1, nothing};
     out.edge_m = out.run_m;
     if (query.views.empty()) return out;

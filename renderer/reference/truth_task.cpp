@@ -11,7 +11,7 @@ namespace {
 
 /// A view's axes and near plane and nothing else: the map's size and resolution are no part of the truth.
 void add_view(Key& key, const LightView& view) {
-    key.add(view.axes[0]).add(view.axes[2]).add(view.curve.perspective);
+    key.add(view.axes[0]).add(view.axes[2]).add(view.curve.perspective).add(view.clamps_near);
     if (view.curve.perspective)
         key.add(view.eye).add(view.curve.near);
     else
@@ -34,6 +34,7 @@ Key query_key(const TruthQuery& query) {
     if (o.area) key.add(e.size).add(o.samples).add(o.noise);
     for (const ObjectTraits& t : query.traits) key.add(t.receives).add(t.cull);
     for (const LightView& view : query.views) add_view(key, view);
+    if (query.chooser.choice == ViewChoice::Interval) key.add(query.chooser.from_ws).add(query.chooser.forward);
     for (const ViewSpan& span : query.chooser.spans) key.add(int(query.chooser.choice)).add(span.ends);
     return key;
 }

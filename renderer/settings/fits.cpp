@@ -25,6 +25,14 @@ constexpr FitRow kFits[] = {
      .reads_camera = true,
      .narrows = true,
      .find = fit_view},
+    {.key = "stabilised",
+     .label = "stabilised",
+     .help = "For suns: the sphere around what the camera sees, whose size stays as it turns and moves, in steps of "
+             "whole texels. Shadow edges do not crawl; the map is wider. Of cascades each is such a map. Camera depths "
+             "are taken from the sphere around the scene, in octaves of the camera's distance. Other lights: the whole "
+             "scene.",
+     .paper = "Valient, Stable Rendering of Cascaded Shadow Maps, ShaderX 6, 2008",
+     .reads_camera = true},
 };
 
 }  // namespace

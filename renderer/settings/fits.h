@@ -23,4 +23,10 @@ std::span<const FitRow> fits();
 const FitRow& fit_row(int fit);
 std::span<const Choice> fit_choices();
 
+/// Whether light.near and light.far say where a light's maps begin and end.
+constexpr bool takes_near_far(const LightSettings& light) {
+    return light.near_far == int(NearFar::Manual) ||
+           (light.near_far == int(NearFar::Fitted) && light.fit == int(LightFit::Manual));
+}
+
 }  // namespace si

@@ -214,10 +214,13 @@ constexpr Overlay kOverlays[] = {
     {.key = "cascade",
      .label = "Cascade or face",
      .unit = "",
-     .help = "Which of the light's maps each fragment is looked up in: blue, green, yellow and red from the cascade "
-             "nearest to the camera on, mixed where two are blended; a point light's faces go on in violet and grey.",
+     .help =
+         "Which of the light's maps each fragment is looked up in: blue, green, yellow and red from the cascade "
+         "nearest to the camera on, then violet, grey, cyan and pink, mixed where two are blended; of a point light "
+         "its faces +x -x +y -y +z -z.",
      .file = "overlays/cascade.glsl",
-     .scalar = false},
+     .scalar = false,
+     .names_views = true},
 };
 
 }  // namespace

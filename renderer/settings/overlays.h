@@ -22,6 +22,7 @@ struct Overlay {
     bool diverging = false;         ///< the scale is centred on zero
     bool reads_visibility = false;  ///< asks for the visibility texture
     bool names_causes = false;      ///< its colours are those of causes; their legend has numbers
+    bool names_views = false;       ///< its colours are those of a light's views
     bool reads_truth = false;       ///< asks for the traced truth and for what it makes of the visibility
     OverlayDraw draw = OverlayDraw::Fragments;
 };

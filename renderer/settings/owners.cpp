@@ -8,6 +8,7 @@
 
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/splits.h"
 
 namespace si {
 namespace {
@@ -32,7 +33,7 @@ TechniqueTable table_of(std::string_view chooser, const Rows& rows, std::size_t 
 
 std::vector<TechniqueTable> technique_tables() {
     return {table_of("filter.kernel", filters(), filters().size()),
-            table_of("bias.kind", biases(), bias_choices().size())};
+            table_of("bias.kind", biases(), bias_choices().size()), table_of("light.split", splits(), splits().size())};
 }
 
 struct Ownership {

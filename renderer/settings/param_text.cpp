@@ -8,7 +8,9 @@
 
 #include "renderer/base/error.h"
 #include "renderer/settings/aliases.h"
+#include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/splits.h"
 
 namespace si {
 namespace {
@@ -162,10 +164,11 @@ std::vector<std::string> sanitise(Settings& s) {
     }
     for (int i = 0; i < kMaxLights; ++i) {
         const auto& light = s.lights[std::size_t(i)];
-        if (light.fit != static_cast<int>(LightFit::Manual)) continue;
+        if (!takes_near_far(light)) continue;
         const std::string prefix = i == 0 ? "light." : fmt::format("light.{}.", i);
         repair_pair(s, prefix + "near", prefix + "far", true, repairs);
     }
+    repair_splits(s, repairs);
     if (s.camera.source == static_cast<int>(CameraSource::Manual)) {
         repair_pair(s, "camera.near", "camera.far", true, repairs);
     }

@@ -68,7 +68,7 @@ constexpr bool takes(std::index_sequence<I...>) {
 }
 
 /// Number of members of an aggregate: the longest list of initialisers it accepts.
-template <class T, std::size_t N = 40>
+template <class T, std::size_t N = 64>
 constexpr std::size_t members() {
     if constexpr (takes<T>(std::make_index_sequence<N>{})) {
         return N;

@@ -3,6 +3,8 @@
 #include "renderer/settings/fits.h"
 #include "renderer/settings/rows.h"
 #include "renderer/settings/sources.h"
+#include "renderer/settings/splits.h"
+#include "renderer/view/light_fit.h"
 
 namespace si {
 namespace {
@@ -18,6 +20,25 @@ constexpr Choice kProjections[] = {
     {"auto", "automatic", "Orthographic for directional lights, perspective for the others."},
     {"orthographic", "orthographic", "Parallel rays in the map."},
     {"perspective", "perspective", "Rays from the light's place; on a directional light wrong on purpose, to compare."},
+};
+
+constexpr Choice kNearFar[] = {
+    {"fitted", "by the fit", "What the fit wants in the map: casters and receivers; by hand light.near and light.far."},
+    {"manual", "by hand", "light.near and light.far, whatever the fit; 0 is the fit's value."},
+    {"casters", "from caster to receiver",
+     "From the first caster to the last receiver between the map's sides. What lies before all casters is lit."},
+    {"scene", "whole scene", "From the first to the last thing of the scene, wherever the map ends at its sides."},
+    {"pancaking", "from receiver to receiver",
+     "From the first receiver, with room for the bias: casters before it are drawn on the near plane, flat as "
+     "pancakes. The steps of depth are the finest, but how far before a receiver a caster stands is lost: penumbrae "
+     "that follow it (PCSS) are too narrow."},
+};
+
+constexpr Choice kDepthBounds[] = {
+    {"boxes", "of the boxes", "Of what the camera sees of the receivers' boxes: known before anything is drawn."},
+    {"sdsm", "of the picture's depths",
+     "The least and the greatest depth in the camera's own depth buffer, which is drawn and read back first: sample "
+     "distribution shadow maps (Lauritzen, Salvi, Lefohn, I3D 2011)."},
 };
 
 constexpr Choice kCascadeChoices[] = {
@@ -50,12 +71,12 @@ std::string_view map_idle(const Settings& s, int i) {
 
 std::string_view planes_idle(const Settings& s, int i) {
     if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
-    return of(s, i).fit != at(LightFit::Manual) ? "without effect: set light.fit to manual to choose it by hand" : "";
+    return takes_near_far(of(s, i)) ? "" : "without effect: set light.near_far to manual to choose it by hand";
 }
 
 std::string_view extent_idle(const Settings& s, int i) {
-    const auto planes = planes_idle(s, i);
-    if (!planes.empty()) return planes;
+    if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
+    if (of(s, i).fit != at(LightFit::Manual)) return "without effect: set light.fit to manual to choose it by hand";
     return is_orthographic(s, i) || has_type(s, i, LightType::Spot)
                ? ""
                : "without effect: only an orthographic map and a spot light's have an extent";
@@ -90,6 +111,20 @@ std::string_view lambda_idle(const Settings& s, int i) {
     const auto reason = between_cascades_idle(s, i);
     const bool orthographic = s.camera.source == at(CameraSource::Manual) && s.camera.orthographic;
     return reason.empty() && orthographic ? "without effect: an orthographic camera's cascades are even" : reason;
+}
+
+/// @param number of the split by hand, from 1
+template <int number>
+std::string_view split_idle(const Settings& s, int i) {
+    const auto reason = between_cascades_idle(s, i);
+    return reason.empty() && of(s, i).cascades <= number ? "without effect: light.cascades has no such border" : reason;
+}
+
+std::string_view depth_bounds_idle(const Settings& s, int i) {
+    if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
+    if (has_type(s, i, LightType::Point)) return "without effect: a point light's faces do not follow the camera";
+    if (of(s, i).fit == at(LightFit::Stabilised)) return "without effect: a stabilised map keeps its depths";
+    return fit_reads_camera(s, i) ? "" : "without effect: the map does not follow the camera";
 }
 
 // A directional light shines along its angles wherever it stands, and an orthographic fit centres itself.
@@ -157,6 +192,8 @@ constexpr auto kLight = with_scope(
          .help = "Who chooses what the shadow map covers."},
         {SI_LIGHT_FIELD(projection), .label = "Projection", .unit = "", SI_CHOICES(kProjections),
          .idle = projection_idle, .help = "The projection of the shadow map."},
+        {SI_LIGHT_FIELD(near_far), .label = "Near and far", .unit = "", SI_CHOICES(kNearFar), .idle = map_idle,
+         .help = "Between which depths the map stores. Shorter ranges have finer steps."},
         {SI_LIGHT_FIELD(near), .label = "Near", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .idle = planes_idle,
          .help = "Distance of the map's near plane from the light; 0 is the fit's value. Casters nearer than this are "
@@ -174,9 +211,38 @@ constexpr auto kLight = with_scope(
          .idle = cascades_idle,
          .help = "Maps of a directional light, each fitted to what the camera sees of receivers in an interval of its "
                  "depth, and drawn at map.resolution. 1 is the map of light.fit, whatever the camera sees."},
-        {SI_LIGHT_FIELD(split_lambda), .label = "Split", .unit = "", .min = 0, .max = 1, .idle = lambda_idle,
+        {SI_LIGHT_FIELD(depth_bounds), .label = "Depth bounds", .unit = "", SI_CHOICES(kDepthBounds),
+         .idle = depth_bounds_idle,
+         .help = "Which camera depths the maps are made for: of cascades, and of a fit to what is seen."},
+        {SI_LIGHT_FIELD(split), .label = "Split", .unit = "", .choices = split_choices, .idle = between_cascades_idle,
+         .help = "How the camera's depth is divided among cascades."},
+        {SI_LIGHT_FIELD(split_lambda), .label = "Split lambda", .unit = "", .min = 0, .max = 1, .idle = lambda_idle,
          .help = "How the camera's depth is divided among cascades: 0 evenly, 1 by equal ratios, between them the mean "
                  "of both, weighted by it (Zhang et al., 2006)."},
+        {SI_LIGHT_FIELD(split_1), .label = "Split 1", .unit = "", .min = 0, .max = 1, .idle = split_idle<1>,
+         .help = "Where the first cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
+                 "split moves those that it would overtake."},
+        {SI_LIGHT_FIELD(split_2), .label = "Split 2", .unit = "", .min = 0, .max = 1, .idle = split_idle<2>,
+         .help =
+             "Where the second cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
+             "split moves those that it would overtake."},
+        {SI_LIGHT_FIELD(split_3), .label = "Split 3", .unit = "", .min = 0, .max = 1, .idle = split_idle<3>,
+         .help = "Where the third cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
+                 "split moves those that it would overtake."},
+        {SI_LIGHT_FIELD(split_4), .label = "Split 4", .unit = "", .min = 0, .max = 1, .idle = split_idle<4>,
+         .help =
+             "Where the fourth cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
+             "split moves those that it would overtake."},
+        {SI_LIGHT_FIELD(split_5), .label = "Split 5", .unit = "", .min = 0, .max = 1, .idle = split_idle<5>,
+         .help = "Where the fifth cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
+                 "split moves those that it would overtake."},
+        {SI_LIGHT_FIELD(split_6), .label = "Split 6", .unit = "", .min = 0, .max = 1, .idle = split_idle<6>,
+         .help = "Where the sixth cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
+                 "split moves those that it would overtake."},
+        {SI_LIGHT_FIELD(split_7), .label = "Split 7", .unit = "", .min = 0, .max = 1, .idle = split_idle<7>,
+         .help =
+             "Where the seventh cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
+             "split moves those that it would overtake."},
         {SI_LIGHT_FIELD(cascade_blend), .label = "Cascade blend", .unit = "", .min = 0, .max = 1,
          .idle = between_cascades_idle,
          .help = "Share of a cascade's interval, at its end, over which the next one's shadow is blended in; both are "

@@ -9,11 +9,14 @@
 namespace si {
 
 inline constexpr int kMaxLights = 16;
-inline constexpr int kMaxCascades = 4;
+inline constexpr int kMaxCascades = 8;
 
 // Enumerations are stored as the index of their choice; the choices stand in the table, in this order.
 enum class LightType { Directional, Spot, Point };
-enum class LightFit { Manual, Scene, Casters, View };
+enum class LightFit { Manual, Scene, Casters, View, Stabilised };
+enum class NearFar { Fitted, Manual, Casters, Scene, Pancaking };
+enum class Split { Uniform, Logarithmic, Practical, Manual };
+enum class DepthBounds { Boxes, Sdsm };
 enum class CascadeChoice { Interval, Map };
 enum class LightProjection { Automatic, Orthographic, Perspective };
 enum class CameraSource { Automatic, Manual, Light };
@@ -146,9 +149,13 @@ struct LightSettings {
     int source = 0;           ///< row of the source table
     int fit = default_fit();  ///< LightFit, row of the fit table
     int projection = 0;       ///< LightProjection
+    int near_far = 0;         ///< NearFar
     double near = 0, far = 0, extent = 0;
     int cascades = 1;
+    int depth_bounds = 0;  ///< DepthBounds
+    int split = 2;         ///< Split, row of the split table
     double split_lambda = 0.5;
+    double split_1 = 0.07, split_2 = 0.2, split_3 = 0.45, split_4 = 0.6, split_5 = 0.7, split_6 = 0.8, split_7 = 0.9;
     double cascade_blend = 0.1;
     int cascade_choice = 0;  ///< CascadeChoice
     bool operator==(const LightSettings&) const = default;

@@ -28,6 +28,7 @@ struct Camera {
     void pixel_ray(double x, double y, int width, int height, glm::dvec3& ray_origin, glm::dvec3& ray_dir) const;
     /// Pixel position and depth of a world point; z <= 0 in `w` means behind the camera.
     glm::dvec4 project(const glm::dvec3& world, int width, int height) const;  // x, y, depth, w
+    bool operator==(const Camera&) const = default;
 };
 
 /// The camera that the settings ask for: by hand, through the light shown in view.light (its view, near and far planes

@@ -7,6 +7,14 @@
 #include "renderer/view/fits/convex.h"
 
 namespace si {
+namespace {
+
+/// Of the angle between the axis and the ray through the picture's corner.
+double corner_tangent(const Camera& camera) {
+    return std::tan(0.5 * camera.fov_y_rad) * std::hypot(1.0, camera.aspect);
+}
+
+}  // namespace
 
 std::vector<double> split_depths(double near, double far, int count, double lambda) {
     std::vector<double> ends;
@@ -77,6 +85,34 @@ std::optional<DepthSpan> seen_depths(const Camera& camera, const std::vector<Box
     }
     if (!(span.from_m <= span.to_m)) return {};
     return span;
+}
+
+DepthSpan steady_depths(const Camera& camera, const glm::dvec3& centre, double radius) {
+    if (camera.orthographic) {
+        const double depth = glm::dot(camera.eye - centre, camera.axes[2]);
+        const double from = radius * std::floor(depth / radius - 1);
+        return {from, from + 3 * radius};
+    }
+    const double distance = glm::distance(camera.eye, centre);
+    if (!(distance > radius)) return {0, 2 * radius};
+    const double octave = radius * std::exp2(std::floor(std::log2(distance / radius)));
+    // What stands beside the axis is less deep than far away.
+    return {(octave - radius) / std::hypot(1.0, corner_tangent(camera)), 2 * octave + radius};
+}
+
+Sphere sphere_around(const Camera& camera, const DepthSpan& span) {
+    const double near = span.from_m, far = span.to_m;
+    double along, radius;
+    if (camera.orthographic) {
+        along = 0.5 * (near + far);
+        radius = 0.5 * std::hypot(far - near, camera.height, camera.height * camera.aspect);
+    } else {
+        // On the axis as far from the near corners as from the far ones, or in the middle of the far side.
+        const double diagonal = corner_tangent(camera);
+        along = std::min(0.5 * (near + far) * (1 + diagonal * diagonal), far);
+        radius = std::hypot(far - along, far * diagonal);
+    }
+    return {camera.eye - along * camera.axes[2], radius};
 }
 
 }  // namespace si

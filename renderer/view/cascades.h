@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/view/camera.h"
+#include "renderer/view/depth_span.h"
 #include "renderer/view/fit_bounds.h"
 
 namespace si {
@@ -35,12 +36,20 @@ private:
     std::array<HalfSpace, 6> planes_;  ///< the same
 };
 
-struct DepthSpan {
-    double from_m = 0, to_m = 0;
-};
-
 /// The camera depths of what it sees of the boxes that `wanted` names; nothing where it sees none.
 std::optional<DepthSpan> seen_depths(const Camera& camera, const std::vector<Box>& boxes,
                                      const std::vector<bool>& wanted);
+
+/// Camera depths that hold all of a sphere that the camera may see, whichever way it looks; they stay as it turns, and
+/// change by octaves of its distance. Of an orthographic camera, which sees behind itself, they change with the depth
+/// of the sphere's centre, in steps of its radius.
+DepthSpan steady_depths(const Camera& camera, const glm::dvec3& centre, double radius);
+
+struct Sphere {
+    glm::dvec3 centre{0};  ///< world
+    double radius = 0;
+};
+/// The smallest sphere around what a camera sees between two depths. Its radius depends on neither place nor direction.
+Sphere sphere_around(const Camera& camera, const DepthSpan& span);
 
 }  // namespace si

@@ -30,6 +30,7 @@ struct DepthCurve {
     /// Metres along the axis that a point at distance z comes nearer when its depth changes so much towards the light:
     /// the inverse of depth_nearer(). Not more than z in perspective; infinite where the depth is.
     double metres_nearer(double z, double depth) const;
+    bool operator==(const DepthCurve&) const = default;
 };
 
 }  // namespace si

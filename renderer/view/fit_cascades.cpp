@@ -1,27 +1,55 @@
-// Several maps of a sun, each for an interval of the camera's depth.
+// Maps of a sun for slices of what the camera sees: cascades, and maps that keep still.
 #include <algorithm>
 #include <cmath>
 
 #include "renderer/base/finite.h"
-#include "renderer/settings/filters.h"
+#include "renderer/settings/splits.h"
 #include "renderer/view/cascades.h"
 #include "renderer/view/fit_context.h"
+#include "renderer/view/near_far.h"
 
 namespace si {
 namespace {
 
 constexpr double kNearestSplit = 1e-3;  // of the farthest depth: a camera within the scene sees surfaces at 0 m
 
-/// How far from where a surface lies in the map a look-up of it may lead: the kernel's reach, the normal offset, what
-/// depth blur brings from aside, and half a texel of each end.
-double reach_of_lookups(const Settings& s) {
-    return reach_of(s).read + std::max(s.bias.normal, 0.0) + s.map.blur_texels + 1;
+bool is_stabilised(const FitContext& c) {
+    return c.settings.fit == int(LightFit::Stabilised);
 }
 
-/// The map of one cascade: what it holds across the light is what the camera sees of receivers in its depths; towards
-/// the light it reaches to the first caster.
-void fit_cascade(FittedLight& light, LightView view, const FitContext& c, const Camera& camera, const DepthSpan& span,
-                 double margin) {
+/// Where the cascades of camera depths end, metres; the last one is `all.to_m`.
+std::vector<double> cascade_ends(FittedLight& light, const FitContext& c, const Camera& camera, const DepthSpan& all,
+                                 int count) {
+    const auto split = Split(c.settings.split);
+    if (split == Split::Manual) {
+        std::vector<double> ends;
+        for (int i = 0; i + 1 < count; ++i) {
+            const double share = std::clamp(finite_or(manual_splits(c.settings)[std::size_t(i)], 1), 0.0, 1.0);
+            ends.push_back(
+                std::max(all.from_m + share * (all.to_m - all.from_m), ends.empty() ? all.from_m : ends.back()));
+        }
+        ends.push_back(all.to_m);
+        return ends;
+    }
+    double lambda = split == Split::Uniform       ? 0
+                    : split == Split::Logarithmic ? 1
+                                                  : std::clamp(finite_or(c.settings.split_lambda, 0.5), 0.0, 1.0);
+    // Parallel rays of the camera see all depths at one size, for which even cascades are right.
+    if (camera.orthographic) {
+        if (split == Split::Logarithmic)
+            note(light,
+                 "light.split logarithmic: an orthographic camera sees all depths at one size, so they are "
+                 "divided evenly");
+        lambda = 0;
+    }
+    const double nearest = camera.orthographic ? all.from_m : std::max(all.from_m, kNearestSplit * all.to_m);
+    return split_depths(nearest, all.to_m, count, lambda);
+}
+
+/// The map of one slice: what it holds across the light is what the camera sees of receivers in it; towards the light
+/// it reaches to the first caster.
+void fit_slice(FittedLight& light, LightView view, const FitContext& c, const Camera& camera, const DepthSpan& span,
+               double margin) {
     ViewExtent seen;
     const CameraSlice slice(camera, span.from_m, span.to_m);
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
@@ -29,6 +57,7 @@ void fit_cascade(FittedLight& light, LightView view, const FitContext& c, const 
         seen.add(extent_of(slice.seen_of(c.shape.boxes[i]), view));
     }
     if (!(seen.lo.x <= seen.hi.x)) seen = extent_of(c.shape, view);  // nothing will be looked up in it
+    const DepthSpan receivers{seen.lo.z, seen.hi.z};
     const glm::dvec3 middle = 0.5 * (seen.lo + seen.hi);
     view.half_width =
         with_margin(0.5 * std::max(seen.hi.x - seen.lo.x, seen.hi.y - seen.lo.y), c.shape.radius, c.resolution, margin);
@@ -40,19 +69,33 @@ void fit_cascade(FittedLight& light, LightView view, const FitContext& c, const 
         if (!beside) seen.lo.z = std::min(seen.lo.z, e.lo.z);
     }
     view.eye += view.axes * glm::dvec3(middle.x, middle.y, 0);
-    view.curve.perspective = false;
-    view.curve.convention = c.convention;
-    const double pad = kDepthMargin * (seen.hi.z - seen.lo.z);
-    view.curve.near = seen.lo.z - pad;
-    view.curve.far = seen.hi.z + pad;
+    set_parallel_range(view, c, {seen.lo.z, seen.hi.z}, &receivers);
+    finish_view(light, view, c, 1);
+}
+
+/// A map of the sphere around a slice, in steps of whole texels: neither its width nor its texels' places change as the
+/// camera turns, and as it moves they change by whole texels. Never more than the sphere around the scene.
+void fit_sphere(FittedLight& light, LightView view, const FitContext& c, const Camera& camera, const DepthSpan& span,
+                double margin) {
+    Sphere sphere = sphere_around(camera, span);
+    if (!(sphere.radius < c.shape.radius)) sphere = {c.shape.centre, c.shape.radius};
+    view.half_width = with_margin(sphere.radius, c.shape.radius, c.resolution, margin + 1);
+    const double texel = view.texel_size(1, c.resolution);
+    // Counted from the scene's centre: its place in the world takes no digits away.
+    const glm::dmat3 to_view = glm::transpose(view.axes);
+    const glm::dvec3 steps = glm::round(to_view * (sphere.centre - c.shape.centre) / texel);
+    const double along = (to_view * (view.eye - c.shape.centre)).z;
+    view.eye = c.shape.centre + view.axes * glm::dvec3(steps.x * texel, steps.y * texel, along);
+    const ViewExtent all = extent_of(c.shape, view);
+    set_parallel_range(view, c, {all.lo.z, all.hi.z});
     finish_view(light, view, c, 1);
 }
 
 }  // namespace
 
-bool has_cascades(const LightSettings& s) {
-    return s.cascades > 1 && s.type == int(LightType::Directional) && s.fit != int(LightFit::Manual) &&
-           s.projection != int(LightProjection::Perspective);
+bool is_sliced(const LightSettings& s) {
+    return (s.cascades > 1 || s.fit == int(LightFit::Stabilised)) && s.type == int(LightType::Directional) &&
+           s.fit != int(LightFit::Manual) && s.projection != int(LightProjection::Perspective);
 }
 
 void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera) {
@@ -61,23 +104,24 @@ void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera)
     LightView view;
     view.axes = orthonormal_basis(light.to_light);
     view.eye = light.position;
-    const DepthSpan all = seen_depths(camera, c.shape.boxes, c.shape.box_receives)
-                              .value_or(DepthSpan{camera.curve.near, camera.curve.far});
-    // Parallel rays of the camera see all depths at one size, for which even cascades are right.
-    const double lambda = camera.orthographic ? 0 : std::clamp(finite_or(c.settings.split_lambda, 0.5), 0.0, 1.0);
-    const double nearest = camera.orthographic ? all.from_m : std::max(all.from_m, kNearestSplit * all.to_m);
-    const std::vector<double> ends = split_depths(nearest, all.to_m, count, lambda);
+    DepthSpan all = seen_depths(camera, c.shape.boxes, c.shape.box_receives)
+                        .value_or(DepthSpan{camera.curve.near, camera.curve.far});
+    if (is_stabilised(c))
+        all = steady_depths(camera, c.shape.centre, c.shape.radius);
+    else if (c.seen_m)
+        all = *c.seen_m;
+    const std::vector<double> ends = cascade_ends(light, c, camera, all, count);
     const double margin = reach_of_lookups(c.all_settings);
     const bool by_map = c.settings.cascade_choice == int(CascadeChoice::Map);
-    light.chooser = {by_map ? ViewChoice::Map : ViewChoice::Interval, camera.eye, -camera.axes[2], {}};
+    if (count > 1) light.chooser = {by_map ? ViewChoice::Map : ViewChoice::Interval, camera.eye, -camera.axes[2], {}};
     double begins = all.from_m, holds_from = begins;
     for (int i = 0; i < count; ++i) {
         const double end = ends[std::size_t(i)], blends_from = i + 1 < count ? end - blend * (end - begins) : end;
-        fit_cascade(light, view, c, camera, {holds_from, end}, margin);
+        (is_stabilised(c) ? fit_sphere : fit_slice)(light, view, c, camera, {holds_from, end}, margin);
         const double rim = std::max(0.5 - (margin - 0.5) / c.resolution, 0.3);  // holds what the fit was for
-        if (by_map)
+        if (count > 1 && by_map)
             light.chooser.spans.push_back({rim, i + 1 < count ? rim * (1 - blend) : rim});
-        else
+        else if (count > 1)
             light.chooser.spans.push_back({end, blends_from});
         begins = end, holds_from = blends_from;
     }

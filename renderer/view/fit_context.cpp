@@ -30,7 +30,7 @@ void widen_range(DepthCurve& curve, double texel, double scale) {
 
 /// light.near and light.far in place of the fitted range, where they make sense.
 void manual_range(FittedLight& light, const LightSettings& s, DepthCurve& curve) {
-    if (s.fit != int(LightFit::Manual)) return;
+    if (!takes_near_far(s)) return;
     const double near = finite_or(s.near, 0), far = finite_or(s.far, 0);
     if (near != 0 && (near > 0 || !curve.perspective)) curve.near = near;
     if (far != 0) curve.far = far;
@@ -62,26 +62,6 @@ void finish_view(FittedLight& light, LightView view, const FitContext& c, double
     widen_range(view.curve, view.texel_size(reference_z, c.resolution), scale);
     view.projection = projection_matrix(view.curve, view.half_width, view.half_width);
     light.views.push_back(view);
-}
-
-DepthCurve perspective_curve(const LightView& view, const FitContext& c) {
-    double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-    for (const Box& box : c.shape.boxes) {
-        const ViewExtent e = extent_of(box, view);
-        const double entry = entry_into_pyramid(e, view.half_width);
-        if (!std::isfinite(entry) || e.hi.z <= 0) continue;
-        nearest = std::min(nearest, entry);
-        farthest = std::max(farthest, e.hi.z);
-    }
-    if (!(farthest > 0)) nearest = farthest = std::max(glm::distance(view.eye, c.shape.centre), c.shape.radius);
-    nearest = std::min(nearest, c.reach_m);
-    farthest = std::min(farthest, c.reach_m);
-    DepthCurve curve;
-    curve.perspective = true;
-    curve.convention = c.convention;
-    curve.far = farthest * (1 + kDepthMargin);
-    curve.near = std::max(nearest * (1 - kDepthMargin), kNearShare * curve.far);
-    return curve;
 }
 
 }  // namespace si

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "renderer/view/camera.h"
+#include "renderer/view/depth_span.h"
 #include "renderer/view/fit_bounds.h"
 #include "renderer/view/light_fit.h"
 
@@ -26,7 +28,8 @@ struct FitContext {
     double face_margin_texels;
     double reach_m;  ///< how far a spot or point light shines; infinite when unlimited
     const Camera* camera;
-    double margin_texels;  ///< fit_margin_texels()
+    double margin_texels;             ///< fit_margin_texels()
+    std::optional<DepthSpan> seen_m;  ///< depths of all that the camera sees, where they were measured
 };
 
 /// Says something of a light, once.
@@ -39,9 +42,6 @@ double with_margin(double half, double scale, int resolution, double margin = kM
 /// @param reference_z where texels are measured, metres
 void finish_view(FittedLight& light, LightView view, const FitContext& c, double reference_z);
 
-/// The range of what lies inside the pyramid of a perspective view and the light's range.
-DepthCurve perspective_curve(const LightView& view, const FitContext& c);
-
 /// Kernels cross from one face of six into the next; a texel more for the normal offset's.
 double face_margin_texels(const Settings& settings);
 
@@ -51,10 +51,10 @@ void fit_faces(FittedLight& light, const FitContext& c);
 /// The single map of a sun or of a spot light.
 void fit_one_view(FittedLight& light, const FitContext& c);
 
-/// Whether the light's map is divided among views of the camera's depths.
-bool has_cascades(const LightSettings& settings);
+/// Whether the light's maps are made for slices of what the camera sees: several, or one that is stabilised.
+bool is_sliced(const LightSettings& settings);
 
-/// Several maps of a directional light, each for an interval of the camera's depth.
+/// Maps of a directional light, each for an interval of the camera's depth.
 void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera);
 
 }  // namespace si

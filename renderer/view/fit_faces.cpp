@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/settings/filters.h"
 #include "renderer/view/fit_context.h"
+#include "renderer/view/near_far.h"
 
 namespace si {
 namespace {
@@ -31,7 +31,7 @@ const std::array<glm::dmat3, 6>& cube_axes() {
 }  // namespace
 
 double face_margin_texels(const Settings& settings) {
-    return std::max(6.0, std::ceil(reach_of(settings).read) + 1);
+    return std::max(6.0, std::ceil(reach_of_lookups(settings)));
 }
 
 void fit_faces(FittedLight& light, const FitContext& c) {
@@ -41,7 +41,8 @@ void fit_faces(FittedLight& light, const FitContext& c) {
         faces[i].eye = light.position;
         faces[i].axes = cube_axes()[i];
         faces[i].half_width = with_margin(1.0, 0, c.resolution, c.face_margin_texels);
-        const DepthCurve curve = perspective_curve(faces[i], c);
+        set_perspective_range(faces[i], c);
+        const DepthCurve& curve = faces[i].curve;
         if (i == 0) range = curve;
         range.near = std::min(range.near, curve.near);
         range.far = std::max(range.far, curve.far);

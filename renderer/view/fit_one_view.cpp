@@ -3,7 +3,9 @@
 
 #include "renderer/base/finite.h"
 #include "renderer/settings/fits.h"
+#include "renderer/view/cascades.h"
 #include "renderer/view/fit_context.h"
+#include "renderer/view/near_far.h"
 
 namespace si {
 namespace {
@@ -24,15 +26,13 @@ void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, d
         half = with_margin(0.5 * std::max(e.hi.x - e.lo.x, e.hi.y - e.lo.y), c.shape.radius, c.resolution);
     }
     view.half_width = half;
-    view.curve.perspective = false;
-    view.curve.convention = c.convention;
     if (in_front_only) {
         e.lo.z = std::clamp(e.lo.z, 0.0, c.reach_m);
         e.hi.z = std::clamp(e.hi.z, e.lo.z, c.reach_m);
     }
-    const double pad = kDepthMargin * (e.hi.z - e.lo.z);
-    view.curve.near = e.lo.z - pad;
-    view.curve.far = e.hi.z + pad;
+    set_parallel_range(view, c, {e.lo.z, e.hi.z});
+    if (in_front_only)
+        view.curve.near = std::max(view.curve.near, std::min(e.lo.z, 0.0) - kDepthMargin * (e.hi.z - e.lo.z));
     finish_view(light, view, c, 1);
 }
 
@@ -51,8 +51,21 @@ void fit_perspective(FittedLight& light, LightView view, const FitContext& c, do
         if (tan_half == limit) note(light, "the light stands in the scene: its map covers 172 degrees only");
     }
     view.half_width = tan_half;
-    view.curve = perspective_curve(view, c);
+    set_perspective_range(view, c);
     finish_view(light, view, c, view.curve.far);
+}
+
+/// Depths along the light of what the camera sees of receivers, where the fit goes by it.
+std::optional<DepthSpan> seen_receivers(const LightView& view, const FitContext& c) {
+    const bool asked = c.settings.near_far == int(NearFar::Casters) || c.settings.near_far == int(NearFar::Pancaking);
+    if (!asked || !c.camera || !fit_row(c.settings.fit).reads_camera) return std::nullopt;
+    const DepthSpan depths = c.seen_m.value_or(DepthSpan{c.camera->curve.near, c.camera->curve.far});
+    const CameraSlice slice(*c.camera, depths.from_m, depths.to_m);
+    ViewExtent seen;
+    for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
+        if (c.shape.box_receives[i]) seen.add(extent_of(slice.seen_of(c.shape.boxes[i]), view));
+    if (!(seen.lo.z <= seen.hi.z)) return std::nullopt;
+    return DepthSpan{seen.lo.z, seen.hi.z};
 }
 
 /// A map narrowed to a region: about the region's middle, or in perspective about the light's axis.
@@ -68,13 +81,11 @@ void fit_region(FittedLight& light, LightView view, const FitContext& c, const M
     const glm::dvec2 size = region.hi - region.lo;
     view.eye += view.axes * glm::dvec3(0.5 * (region.lo + region.hi), 0);
     view.half_width = with_margin(0.5 * std::max(size.x, size.y), c.shape.radius, c.resolution, c.margin_texels);
-    view.curve.convention = c.convention;
     ViewExtent held;
     for (const Box& box : c.shape.boxes) held.add(extent_within(box, view));
     if (!(held.lo.z <= held.hi.z)) held = extent_of(c.shape, view);  // too far away for doubles to tell
-    const double pad = kDepthMargin * (held.hi.z - held.lo.z);
-    view.curve.near = held.lo.z - pad;
-    view.curve.far = held.hi.z + pad;
+    const std::optional<DepthSpan> receivers = seen_receivers(view, c);
+    set_parallel_range(view, c, {held.lo.z, held.hi.z}, receivers ? &*receivers : nullptr);
     finish_view(light, view, c, 1);
 }
 
@@ -93,7 +104,7 @@ void fit_one_view(FittedLight& light, const FitContext& c) {
     if (perspective != directional) {  // else its rays are not the light's
         view.curve.perspective = perspective;
         view.half_width = directional ? 1 : std::tan(light.half_cone_rad);
-        const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera};
+        const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera, c.seen_m};
         if (const auto region = fit_row(c.settings.fit).find(input)) return fit_region(light, view, c, *region);
     }
     if (perspective) {

@@ -34,7 +34,14 @@ bool reaches_anything(const FittedLight& light, const SceneShape& shape) {
 
 bool fit_reads_camera(const Settings& settings, int light) {
     const LightSettings& s = settings.lights[std::size_t(light)];
-    return has_cascades(s) || fit_row(s.fit).reads_camera;
+    return is_sliced(s) || fit_row(s.fit).reads_camera;
+}
+
+bool fit_reads_depths(const Settings& settings, int light) {
+    const LightSettings& s = settings.lights[std::size_t(light)];
+    return s.depth_bounds == int(DepthBounds::Sdsm) && fit_reads_camera(settings, light) &&
+           s.type != int(LightType::Point) && s.fit != int(LightFit::Stabilised) && s.cast &&
+           source_of(settings, std::size_t(light)).needs.map;
 }
 
 double fit_margin_texels(const Settings& settings, int resolution) {
@@ -46,7 +53,7 @@ double fit_margin_texels(const Settings& settings, int resolution) {
 }
 
 std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
-                                  const Camera* camera, int max_resolution) {
+                                  const Camera* camera, int max_resolution, const std::optional<DepthSpan>& seen_m) {
     const SceneShape& shape = *placed.shape;
     const int resolution = std::clamp(settings.map.resolution, 1, std::max(1, max_resolution));
     std::vector<FittedLight> lights;
@@ -63,10 +70,11 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
                                  face_margin_texels(settings),
                                  light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity(),
                                  camera,
-                                 fit_margin_texels(settings, resolution)};
+                                 fit_margin_texels(settings, resolution),
+                                 fit_reads_depths(settings, int(i)) ? seen_m : std::nullopt};
         if (light.six_faces)
             fit_faces(light, context);
-        else if (camera && has_cascades(s))
+        else if (camera && is_sliced(s))
             fit_cascades(light, context, *camera);
         else
             fit_one_view(light, context);
@@ -85,7 +93,7 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
             light.reason = fmt::format("light.source is {}, which needs no map", source.key);
         light.casts = light.reason.empty();
         if (!light.casts) continue;
-        light.clipped_casters = count_clipped(shape, light.views);
+        if (!light.views.front().clamps_near) light.clipped_casters = count_clipped(shape, light.views);
         light.limits = map_limits(shape, light.views, MapFormat(settings.map.format), resolution);
         for (std::string& text : map_limit_notes(light.limits, int(i))) note(light, std::move(text));
     }

@@ -3,11 +3,13 @@
 
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/depth_span.h"
 #include "renderer/view/light_view.h"
 #include "renderer/view/view_choice.h"
 
@@ -73,6 +75,8 @@ PlacedLights place_lights(const Scene& scene, const Settings& settings);
 
 /// Whether the fit that these settings choose for a light depends on the camera.
 bool fit_reads_camera(const Settings& settings, int light);
+/// Whether it goes by the measured depths of what the camera sees.
+bool fit_reads_depths(const Settings& settings, int light);
 
 /// Texels that a map has on each side of the region that a fit narrows it to: the kernel's reach, the normal offset (at
 /// least its default, so that it does not change the map up to there) and two more, in steps of 1/64 of the map:
@@ -85,8 +89,10 @@ double fit_margin_texels(const Settings& settings, int resolution);
 /// @param camera whose picture the maps are for; null: fits that depend on one hold the whole scene instead, as the
 ///     camera that looks through a light has them
 /// @param max_resolution the GL limit on texture size
+/// @param seen_m depths of all that the camera sees, where they were measured: what light.depth_bounds sdsm goes by
 std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
-                                  const Camera* camera, int max_resolution = 16384);
+                                  const Camera* camera, int max_resolution = 16384,
+                                  const std::optional<DepthSpan>& seen_m = std::nullopt);
 
 /// Both at once.
 std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, const Camera* camera = nullptr);

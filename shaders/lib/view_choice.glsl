@@ -20,7 +20,7 @@ int face_of(vec3 d) {
 
 /// What a view's span counts: depth of the camera, or the larger distance from the map's centre, in map coordinates.
 float along_span(int light, int layer, vec3 position) {
-    if (LIGHT_CHOICE[light] == CHOICE_INTERVAL) return dot(position - frame.eye.xyz, frame.forward.xyz);
+    if (LIGHT_CHOICE[light] == CHOICE_INTERVAL) return dot(position - frame.divided_eye.xyz, frame.divided_forward.xyz);
     vec3 uvd = (frame.views[layer].uvd_from_relative * vec4(position, 1.0)).xyz;  // of parallel rays
     vec2 aside = abs(uvd.xy - 0.5);
     return uvd.z >= 0.0 && uvd.z <= 1.0 ? max(aside.x, aside.y) : 3e38;

@@ -25,8 +25,10 @@ const vec3 BAND_MIDDLE = vec3(0.20, 0.65, 0.25);
 const vec3 BAND_FAR = vec3(0.25, 0.43, 0.89);
 
 // A light's views, in order: cascades from the camera on, or the faces +x -x +y -y +z -z.
-const vec3 VIEW_COLOURS[6] = {vec3(0.25, 0.43, 0.89), vec3(0.20, 0.65, 0.25), vec3(0.93, 0.78, 0.20),
-                              vec3(0.80, 0.25, 0.18), vec3(0.58, 0.35, 0.75), vec3(0.55, 0.55, 0.55)};
+const int VIEW_COLOUR_COUNT = 8;
+const vec3 VIEW_COLOURS[VIEW_COLOUR_COUNT] = {vec3(0.25, 0.43, 0.89), vec3(0.20, 0.65, 0.25), vec3(0.93, 0.78, 0.20),
+                                              vec3(0.80, 0.25, 0.18), vec3(0.58, 0.35, 0.75), vec3(0.55, 0.55, 0.55),
+                                              vec3(0.15, 0.70, 0.75), vec3(0.90, 0.50, 0.70)};
 
 #ifdef __cplusplus
 }  // namespace si::shared

@@ -10,7 +10,7 @@ using glm::vec4;
 #endif
 
 #define SI_MAX_LIGHTS 16
-#define SI_MAX_VIEWS 96
+#define SI_MAX_VIEWS 128
 
 struct LightBlock {
     vec4 position;  // xyz; spot and point. w: range in metres where LIGHT_RANGED
@@ -30,6 +30,8 @@ struct FrameBlock {
     mat4 clip_from_relative;
     vec4 eye;       // xyz relative; w: 1 orthographic
     vec4 forward;   // unit viewing direction
+    vec4 divided_eye;      // xyz relative; of the camera whose depth is divided among views: mostly the frame's own
+    vec4 divided_forward;  // unit; of the same
     vec4 map_origin;  // xyz relative: what the shaders that draw the maps count positions from
     vec4 pixel;     // xy: the picture's pixel at (0, 0) of what is drawn; z: texels that the kernel fetches
     vec4 picture;   // xy: its pixels across and up
@@ -42,8 +44,8 @@ struct FrameBlock {
 }  // namespace si::shared
 static_assert(sizeof(si::shared::LightBlock) == 64);
 static_assert(sizeof(si::shared::ViewBlock) == 96);
-static_assert(offsetof(si::shared::FrameBlock, lights) == 160);
-static_assert(offsetof(si::shared::FrameBlock, views) == 160 + 64 * SI_MAX_LIGHTS);
+static_assert(offsetof(si::shared::FrameBlock, lights) == 192);
+static_assert(offsetof(si::shared::FrameBlock, views) == 192 + 64 * SI_MAX_LIGHTS);
 static_assert(sizeof(si::shared::FrameBlock) <= 16384);  // the least that OpenGL grants
 #endif
 #endif

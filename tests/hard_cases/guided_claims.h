@@ -23,5 +23,7 @@ const Claims& guided_soft_claims();
 const Claims& guided_map_claims();
 /// Kernels that read averages of functions of depth.
 const Claims& guided_moment_claims();
+/// Cascades, and how maps follow the camera.
+const Claims& guided_view_claims();
 
 }  // namespace si::test

@@ -16,7 +16,8 @@ namespace si::test {
 namespace {
 
 std::vector<const Claims*> all_claims() {
-    return {&guided_surface_claims(), &guided_soft_claims(), &guided_map_claims(), &guided_moment_claims()};
+    return {&guided_surface_claims(), &guided_soft_claims(), &guided_map_claims(), &guided_moment_claims(),
+            &guided_view_claims()};
 }
 
 std::vector<std::string> claimed_keys() {

@@ -81,8 +81,9 @@ TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
     const Shot shot = shoot(scene, s);
     const FitRow& row = fits()[std::size_t(s.lights[0].fit)];
     // The widest texels of the two maps say where an edge is near; depths that kernels compare may lie beside it.
-    const double reach = reach_under(s, whole.light(), whole.frame.map_resolution).edge + 1.5;
-    const TruthImage truth = trace_truth(RayTruth(scene), whole.frame.camera, whole.light(), whole.width, whole.height,
+    const FittedLight& wider = shot.view().half_width > whole.view().half_width ? shot.light() : whole.light();
+    const double reach = reach_under(s, wider, whole.frame.map_resolution).edge + 1.5;
+    const TruthImage truth = trace_truth(RayTruth(scene), whole.frame.camera, wider, whole.width, whole.height,
                                          whole.frame.map_resolution, reach);
     const Tolerance& tolerance = filter_of(s).tolerance;
     int lit = 0, dark = 0, beyond = 0;
@@ -105,7 +106,7 @@ TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
         ASSERT_NEAR(v, whole.visibility.data[i], std::max(tolerance.lit, tolerance.dark)) << "pixel " << i;
     }
     EXPECT_GT(lit, 1000);
-    EXPECT_GT(dark, 100);
+    EXPECT_GT(dark, 20);
     EXPECT_TRUE(row.narrows || !shot.light().closed);
     if (row.narrows && c.light != LightType::Point) {
         EXPECT_TRUE(shot.light().closed);

@@ -127,7 +127,8 @@ FrozenCamera freeze(const FrameResult& result, const CameraSettings& settings) {
     const bool manual = settings.source == int(CameraSource::Manual);
     return {.camera = result.camera,
             .settings = manual ? settings : camera_settings(result.camera),
-            .pixels = {result.colour.width, result.colour.height}};
+            .pixels = {result.colour.width, result.colour.height},
+            .seen_m = result.seen_m};
 }
 
 void toggle_frozen_camera(EditorState& state, const EditorFrame& frame) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "renderer/settings/settings.h"
 #include "renderer/view/camera.h"
@@ -14,11 +15,12 @@ struct Flight {
     double speed = 1;                 ///< factor
 };
 
-/// The camera whose view of the shadow map is kept while another one flies about.
+/// The camera that maps are made for, and whose view of them is kept, while another one flies about.
 struct FrozenCamera {
     Camera camera;
-    CameraSettings settings;  ///< that make this camera
-    glm::ivec2 pixels{1};     ///< of its picture
+    CameraSettings settings;          ///< that make this camera
+    glm::ivec2 pixels{1};             ///< of its picture
+    std::optional<DepthSpan> seen_m;  ///< FrameResult::seen_m of it
 };
 
 /// How scene.time runs while it plays.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "renderer/settings/overlays.h"
 #include "shaders/shared/colours.h"
@@ -26,9 +27,19 @@ Stops stops_of(const Overlay& overlay) {
 
 constexpr float kSmall = 14;  ///< ems that a picture is high at least to have room for the overlay's name
 
+/// Of the shown light's views, where it has several.
+std::vector<std::string> view_labels(const FittedLight* light) {
+    constexpr const char* kFaces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+    std::vector<std::string> labels;
+    if (!light || !light->casts || light->views.size() < 2) return labels;
+    for (std::size_t i = 0; i < light->views.size(); ++i)
+        labels.push_back(light->is_cascaded() ? std::to_string(i + 1) : kFaces[std::min<std::size_t>(i, 5)]);
+    return labels;
+}
+
 }  // namespace
 
-void draw_legend(const Pane& pane, float left, float bottom, ImVec2 room) {
+void draw_legend(const Pane& pane, const FittedLight* light, float left, float bottom, ImVec2 room) {
     const int index = pane.overlay - 1;
     if (index < 0 || std::size_t(index) >= overlays().size()) return;
     const Overlay& overlay = overlays()[std::size_t(index)];
@@ -42,16 +53,25 @@ void draw_legend(const Pane& pane, float left, float bottom, ImVec2 room) {
     const float width = std::clamp(room.x - em * 2.4f, em * 5, em * (small ? 9.0f : 15.0f)), pad = em * 0.6f;
     const float head = title.empty() || small ? 0 : em * 1.35f, bar = em * (small ? 0.4f : 0.7f);
     const float text_width = ImGui::CalcTextSize(title.c_str()).x;
-    const float box_width = !overlay.scalar ? text_width
+    const std::vector<std::string> keys = overlay.names_views ? view_labels(light) : std::vector<std::string>();
+    const float key_width = em * 2.4f;
+    const float box_width = !overlay.scalar ? std::max(text_width, key_width * float(keys.size()))
                             : small         ? width + (title.empty() ? 0 : text_width + pad)
                                             : std::max(width, text_width);
-    const float box_height = overlay.scalar ? head + bar + em * 1.35f : em * 1.2f;
+    const float box_height = overlay.scalar ? head + bar + em * 1.35f : em * (keys.empty() ? 1.2f : 2.5f);
     const ImVec2 lo(left + em * 0.6f, bottom - em * 0.6f - box_height - pad),
         hi(lo.x + box_width + 2 * pad, bottom - em * 0.6f);
     list.AddRectFilled(lo, hi, theme::kVeil, em * 0.25f);
     const float top = lo.y + pad * 0.6f;
     list.AddText({lo.x + pad + (small ? width + pad : 0), top + (small ? bar + em * 0.2f : 0)}, theme::kText,
                  title.c_str());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const ImVec2 at(lo.x + pad + key_width * float(i), top + em * 1.4f);
+        list.AddRectFilled(
+            at, {at.x + em * 0.8f, at.y + em * 0.8f},
+            theme::colour(shared::VIEW_COLOURS[std::min<std::size_t>(i, shared::VIEW_COLOUR_COUNT - 1)]));
+        list.AddText({at.x + em, at.y - em * 0.1f}, theme::kText, keys[i].c_str());
+    }
     if (!overlay.scalar) return;
     const Stops stops = stops_of(overlay);
     const float x0 = lo.x + pad, x2 = x0 + width, x1 = 0.5f * (x0 + x2), y0 = top + head, y1 = y0 + bar;

@@ -56,7 +56,7 @@ void square(const PicturePainter& p, const glm::dvec2& at, double half, ImU32 co
 }
 
 ImU32 view_colour(std::size_t view) {
-    return theme::colour(shared::VIEW_COLOURS[std::min<std::size_t>(view, 5)]);
+    return theme::colour(shared::VIEW_COLOURS[std::min<std::size_t>(view, shared::VIEW_COLOUR_COUNT - 1)]);
 }
 
 /// A triangle with its tip at `at`.

@@ -90,10 +90,11 @@ void header(EditorState& state, const EditorFrame& frame) {
     labelled("Lights", "view.frustum", ImGui::GetFrameHeight());
     if (toggle("Through light", s.camera.source == int(CameraSource::Light), "Look through the shown light (L)"))
         toggle_light_camera(state);
-    if (toggle("Freeze", state.frozen.has_value(),
-               "Keep this camera and fly about with another (K): its frustum stays drawn in the scene and in the\n"
-               "map, and the texels counted are those that it reads. The fits follow the scene, not a camera, so\n"
-               "the map itself stays the same."))
+    if (toggle(
+            "Freeze", state.frozen.has_value(),
+            "Keep this camera and fly about with another (K): maps that follow a camera, cascades too, stay made for\n"
+            "it, its frustum stays drawn in the scene and in the map, and the texels counted are those that it\n"
+            "reads."))
         toggle_frozen_camera(state, frame);
 }
 
@@ -168,6 +169,12 @@ void steer(EditorState& state, const EditorFrame& frame, EditorActions& actions,
     actions.want_links = actions.want_overlay_values = !state.dragging;
 }
 
+/// What the shown light was fitted, or null.
+const FittedLight* shown_fit(const EditorState& state, const FrameResult& result) {
+    const int light = shown_light(state.settings);
+    return light >= 0 && std::size_t(light) < result.lights.size() ? &result.lights[std::size_t(light)] : nullptr;
+}
+
 void draw_pane(const EditorState& state, const EditorFrame& frame, const Panorama& panes, int index) {
     const FrameResult& result = *frame.result;
     // Beside the picture stands the other one; both under the same marks.
@@ -184,7 +191,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     if (pane.overlay > 0 && overlays()[std::size_t(pane.overlay - 1)].names_causes)
         draw_artefact_legend(frame.error, lo.x, hi.y, size.x);
     else
-        draw_legend(pane, lo.x, hi.y, size);
+        draw_legend(pane, shown_fit(state, result), lo.x, hi.y, size);
     if (state.hovered_pixel && index == state.active_pane) {
         const float below =
             panes.grid.count() > 1 ? ImGui::GetFrameHeight() * 1.3f : 0;  // the pane's overlay stands there

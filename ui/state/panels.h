@@ -35,8 +35,9 @@ void draw_strips(EditorState& state, const EditorFrame& frame, EditorActions& ac
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step);
 
 /// The colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner; `room` is the
-/// picture's size on the screen.
-void draw_legend(const Pane& pane, float left, float bottom, ImVec2 room);
+/// picture's size on the screen. Of overlays that name a light's views the colours of those, by number or face.
+/// @param light that is shown; null: none is
+void draw_legend(const Pane& pane, const FittedLight* light, float left, float bottom, ImVec2 room);
 
 /// The colours of the artefact overlay with what they mean and how many pixels have them, in its picture's corner.
 void draw_artefact_legend(const LiveError* error, float left, float bottom, float room);

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "renderer/settings/splits.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -62,7 +63,7 @@ bool reset_menu(Settings& settings, const SettingRef& ref) {
     const Value preset = default_value(ref);
     const std::string label = fmt::format("Reset to {}", shown_value(settings, *ref.param, preset));
     if (ImGui::MenuItem(label.c_str(), nullptr, false, setting_changed(settings, ref)))
-        set_value(settings, ref, preset), changed = true;
+        set_value(settings, ref, preset), push_splits(settings, ref), changed = true;
     if (ImGui::MenuItem("Copy as --set")) {
         const std::string text =
             fmt::format("--set {}={}", setting_key(ref), value_text(*ref.param, get_value(settings, ref)));
@@ -154,7 +155,7 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, con
     else
         changed = real(p, std::get<double>(value), unit);
     if (idle) ImGui::PopStyleVar();
-    if (changed) set_value(settings, ref, value);
+    if (changed) set_value(settings, ref, value), push_splits(settings, ref);
     ImGui::OpenPopupOnItemClick("row menu", ImGuiPopupFlags_MouseButtonRight);
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
         if (ImGui::GetIO().MouseDownDuration[0] < 0) tooltip(settings, ref);

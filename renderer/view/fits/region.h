@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "renderer/view/camera.h"
+#include "renderer/view/depth_span.h"
 #include "renderer/view/fit_bounds.h"
 #include "renderer/view/light_view.h"
 
@@ -17,6 +18,7 @@ struct FitInput {
     const LightView& view;
     double reach_m = std::numeric_limits<double>::infinity();  ///< in perspective: nothing beyond is lit
     const Camera* camera = nullptr;                            ///< of rows that read it; null: there is none
+    std::optional<DepthSpan> seen_m;  ///< camera depths of all that it sees, where they were measured
 };
 
 /// A rectangle across the view: metres, or in perspective tangents.

@@ -7,7 +7,8 @@ namespace si {
 
 std::optional<MapRegion> fit_view(const FitInput& in) {
     if (!in.camera) return fit_casters(in);
-    const CameraSlice seen(*in.camera, in.camera->curve.near, in.camera->curve.far);
+    const DepthSpan depths = in.seen_m.value_or(DepthSpan{in.camera->curve.near, in.camera->curve.far});
+    const CameraSlice seen(*in.camera, depths.from_m, depths.to_m);
     std::vector<ViewExtent> receivers(in.shape.boxes.size());
     for (std::size_t i = 0; i < receivers.size(); ++i)
         if (in.shape.box_receives[i]) receivers[i] = lit_extent(in, i, &seen);

@@ -1,0 +1,83 @@
+#include "renderer/settings/splits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "renderer/settings/choices_of.h"
+
+namespace si {
+namespace {
+
+constexpr std::string_view kLambda[] = {"light.split_lambda"};
+constexpr std::string_view kByHand[] = {"light.split_1", "light.split_2", "light.split_3", "light.split_4",
+                                        "light.split_5", "light.split_6", "light.split_7"};
+static_assert(std::size(kByHand) == kMaxCascades - 1);
+
+constexpr SplitRow kSplits[] = {
+    {.key = "uniform", .label = "even", .help = "Into intervals of one length: far ones get texels that nobody sees."},
+    {.key = "logarithmic",
+     .label = "by equal ratios",
+     .help = "Each interval ends at the same multiple of where it begins: a texel then covers about as many pixels in "
+             "each, but the near ones are very short. Where the camera is orthographic: even.",
+     .paper = "Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004"},
+    {.key = "practical",
+     .label = "between both",
+     .help = "The mean of the even and of the logarithmic division, weighted by light.split_lambda.",
+     .paper = "Zhang, Sun, Xu, Lun, Parallel-Split Shadow Maps for Large-scale Virtual Environments, VRCIA 2006",
+     .settings = kLambda},
+    {.key = "manual", .label = "by hand", .help = "Where light.split_1 and those after it say.", .settings = kByHand},
+};
+
+/// Of a light.
+using Members = std::array<double LightSettings::*, kMaxCascades - 1>;
+constexpr Members kMembers = {&LightSettings::split_1, &LightSettings::split_2, &LightSettings::split_3,
+                              &LightSettings::split_4, &LightSettings::split_5, &LightSettings::split_6,
+                              &LightSettings::split_7};
+
+}  // namespace
+
+std::span<const SplitRow> splits() {
+    return kSplits;
+}
+
+std::span<const Choice> split_choices() {
+    static const std::vector<Choice> choices = choices_of(splits());
+    return choices;
+}
+
+std::array<double, kMaxCascades - 1> manual_splits(const LightSettings& light) {
+    std::array<double, kMaxCascades - 1> out;
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = light.*kMembers[i];
+    return out;
+}
+
+void push_splits(Settings& settings, const SettingRef& changed) {
+    const auto found = std::ranges::find(kByHand, changed.param->key);
+    if (found == std::end(kByHand)) return;
+    const auto moved = std::size_t(found - std::begin(kByHand));
+    LightSettings& light = settings.lights[std::size_t(changed.light)];
+    const double at = light.*kMembers[moved];
+    for (std::size_t i = 0; i < kMembers.size(); ++i) {
+        double& split = light.*kMembers[i];
+        split = i < moved ? std::min(split, at) : std::max(split, at);
+    }
+}
+
+void repair_splits(Settings& settings, std::vector<std::string>& repairs) {
+    for (std::size_t l = 0; l < settings.lights.size(); ++l) {
+        LightSettings& light = settings.lights[l];
+        if (light.split != int(Split::Manual)) continue;
+        for (int i = 1; i + 1 < std::min(light.cascades, kMaxCascades); ++i) {
+            const double before = light.*kMembers[std::size_t(i - 1)];
+            double& split = light.*kMembers[std::size_t(i)];
+            if (!(split < before)) continue;
+            const std::string prefix = l == 0 ? "light." : fmt::format("light.{}.", l);
+            repairs.push_back(fmt::format("{0}split_{1} {2:.6g} lies before {0}split_{3} {4:.6g}: moved up to it",
+                                          prefix, i + 1, split, i, before));
+            split = before;
+        }
+    }
+}
+
+}  // namespace si

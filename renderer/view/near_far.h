@@ -1,0 +1,21 @@
+// Between which depths a map stores, as light.near_far chooses. Inside of view/ only.
+#pragma once
+
+#include "renderer/view/depth_span.h"
+#include "renderer/view/fit_context.h"
+
+namespace si {
+
+/// Sets the range of a parallel view whose width is set.
+/// @param found depths of all that the fit wants in the map
+/// @param receivers depths of what is looked up in it; null: all receivers between the map's sides
+void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, const DepthSpan* receivers = nullptr);
+
+/// Sets the range of a perspective view whose width is set, from what lies inside its pyramid and the light's range.
+void set_perspective_range(LightView& view, const FitContext& c);
+
+/// How far from where a surface lies in the map a look-up of it may lead, in texels: the kernel's reach, the normal
+/// offset, what depth blur brings from aside, and half a texel of each end.
+double reach_of_lookups(const Settings& settings);
+
+}  // namespace si

@@ -1,0 +1,103 @@
+// Kernels across the borders of a point light's faces: no seam shows where two faces meet.
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/param.h"
+#include "renderer/view/kernel_reach.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+struct Seams {
+    std::size_t near = 0, near_wrong = 0, inside = 0, inside_wrong = 0;
+    double excess() const {
+        return double(near_wrong) / double(std::max<std::size_t>(near, 1)) -
+               double(inside_wrong) / double(std::max<std::size_t>(inside, 1));
+    }
+};
+
+/// A floor under a sheet that stretches across several faces of a light amid it, and two posts.
+Scene around_a_lamp(const glm::dvec3& at) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(16, 16), grey));
+    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(2.4, 5), grey), moved(2.1, 1, 0.2));
+    add_object(scene, "post", -1, add_mesh(scene, "post", make_box({0.5, 2, 0.5}), grey), moved(-2, 1, 2));
+    add_object(scene, "beam", -1, add_mesh(scene, "beam", make_box({0.4, 0.4, 5}), grey), moved(-2.5, 1.2, -1.5));
+    test::move_scene(scene, at);
+    return scene;
+}
+
+class FaceSeamsTest : public testing::Test {
+protected:
+    /// Pixels that are wrong though nothing changes in the kernel's reach of them, near a border of two faces and
+    /// elsewhere.
+    Seams count(const Scene& scene, const Settings& s) {
+        const test::Shot shot = test::shoot(scene, s, 200, 150);
+        const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 1.5;
+        const test::TruthImage truth = test::trace_truth(test::RayTruth(scene), shot.frame.camera, shot.light(), 200,
+                                                         150, shot.frame.map_resolution, reach);
+        Seams out;
+        for (std::size_t i = 0; i < truth.lit.size(); ++i) {
+            if (truth.lit[i] != test::Lit::Lit && truth.lit[i] != test::Lit::Shadow) continue;
+            if (truth.hits[i]->normal.y < 0.5) continue;
+            glm::dvec3 a = glm::abs(truth.hits[i]->position - shot.light().position);
+            std::sort(&a.x, &a.x + 3);
+            // Texels from where the two largest coordinates are equal.
+            const double aside = (1 - a.y / a.z) * 0.5 * shot.frame.map_resolution;
+            const double v = shot.visibility.data[i];
+            const bool wrong = truth.lit[i] == test::Lit::Lit ? v < 0.98 : v > 0.02;
+            const bool near = aside < reach + 3;
+            (near ? out.near : out.inside) += 1;
+            (near ? out.near_wrong : out.inside_wrong) += wrong;
+        }
+        return out;
+    }
+};
+
+TEST_F(FaceSeamsTest, AreNoWorseThanTheFaces) {
+    for (const glm::dvec3& at : {glm::dvec3(0), glm::dvec3(4e3, -120, 9e3)})
+        for (const glm::dvec3& lamp : {glm::dvec3(0, 2, 0), glm::dvec3(0.3, 1.7, -0.4)})
+            for (const char* kernel : {"pcf3", "pcf9", "poisson", "pcss", "vsm"}) {
+                SCOPED_TRACE(testing::Message() << kernel << " " << lamp.x << " " << at.x);
+                const Scene scene = around_a_lamp(at);
+                Settings s = test::texel_settings(kernel, 256, 0);
+                s.bias.unit = int(BiasUnit::Metres), s.bias.constant = 0.25, s.bias.normal = 3;
+                LightSettings& light = s.lights[0];
+                light.type = int(LightType::Point), light.size = 0.02;
+                light.distance = 1e-3;  // at its target
+                const glm::dvec3 from = at + lamp - scene.bounds.centre();
+                light.target_x = from.x, light.target_y = from.y, light.target_z = from.z;
+                s.camera.distance = 11, s.camera.elevation = 65;
+                test::move_camera(s, at);
+                const Seams seams = count(scene, s);
+                EXPECT_GT(seams.near, 500u);
+                EXPECT_GT(seams.inside, 3000u);
+                EXPECT_LE(seams.excess(), 5e-4)
+                    << seams.near_wrong << " of " << seams.near << ", " << seams.inside_wrong << " of " << seams.inside;
+            }
+}
+
+// What a look-up may reach is in the face that it is made in: nothing beyond the sides is ever read.
+TEST_F(FaceSeamsTest, NothingIsReadBesideAFace) {
+    const Scene scene = around_a_lamp({0, 0, 0});
+    for (const Sets& reach : {Sets{{"filter.kernel", "pcf9"}, {"bias.normal", "6"}},
+                              {{"filter.kernel", "pcss"}, {"light.size", "0.3"}},
+                              {{"filter.kernel", "pcf3"}, {"map.blur_texels", "5"}}}) {
+        Settings s = test::texel_settings("pcf3", 256, 3);
+        for (const auto& [key, value] :
+             Sets{{"light.type", "point"}, {"light.distance", "2"}, {"light.elevation", "90"}})
+            set_setting(s, key, value);
+        for (const auto& [key, value] : reach) set_setting(s, key, value);
+        const test::Shot lit = test::shoot(scene, s);
+        s.map.outside = int(Outside::Unlit);
+        EXPECT_EQ(test::differing_share(lit, test::shoot(scene, s), 1e-6), 0) << reach[0].second;
+    }
+}
+
+}  // namespace
+}  // namespace si

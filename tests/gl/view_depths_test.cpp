@@ -1,0 +1,323 @@
+// Between which depths maps are made and store: of the picture's own depths, and of near planes that casters are drawn
+// on.
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/measure/measure.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/fits.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+#include "tests/support/ray_truth.h"
+
+namespace si {
+namespace {
+
+class ViewDepthsTest : public FrameTest {
+protected:
+    FloatImage visibility(const Scene& scene, const Settings& s, FrameResult* frame = nullptr) {
+        FrameRequest request{.width = 160, .height = 90};
+        request.outputs = {.colour = false, .visibility = true};
+        const FrameResult f = renderer.render(scene, s, request);
+        if (frame) *frame = f;
+        return renderer.read_float(f.visibility, 1);
+    }
+};
+
+std::size_t differing(const FloatImage& a, const FloatImage& b, float tolerance = 1e-3f) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.data.size(); ++i) count += std::abs(a.data[i] - b.data[i]) > tolerance;
+    return count;
+}
+
+// ---- light.depth_bounds sdsm
+
+TEST_F(ViewDepthsTest, MeasuredBoundsAreThoseOfTheDepthsReadBack) {
+    for (const char* name : {"stage", "landscape", "plane"})
+        for (const Sets& camera :
+             {Sets{},
+              {{"camera.source", "manual"}, {"camera.distance", "4"}, {"camera.elevation", "12"}},
+              {{"camera.source", "manual"}, {"camera.orthographic", "true"}, {"camera.height", "5"}}}) {
+            Scene scene = load_scene(name);
+            Settings s = settings_for(scene, camera);
+            for (const auto& [key, value] : Sets{{"light.cascades", "3"},
+                                                 {"light.depth_bounds", "sdsm"},
+                                                 {"light.projection", "auto"},
+                                                 {"light.type", "directional"},
+                                                 {"light.fit", "casters"},
+                                                 {"map.resolution", "64"},
+                                                 {"view.map_source", "camera"}})
+                set_setting(s, key, value);
+            FrameRequest request = small();
+            request.outputs = {.colour = false, .shadow_map = true, .visibility = true};
+            const FrameResult frame = renderer.render(scene, s, request);
+            const FloatImage depths = renderer.read_map_view_depth(frame);
+            double from = 1e300, to = -1e300;
+            for (const float d : depths.data) {
+                if (d == 0) continue;  // nothing is there
+                const double z = frame.camera.curve.distance(d);
+                from = std::min(from, z), to = std::max(to, z);
+            }
+            ASSERT_TRUE(frame.seen_m) << name;
+            EXPECT_NEAR(frame.seen_m->from_m, from, 1e-4 * to) << name;
+            EXPECT_NEAR(frame.seen_m->to_m, to, 1e-4 * to) << name;
+            EXPECT_LE(frame.seen_m->from_m, from);
+            EXPECT_GE(frame.seen_m->to_m, to);
+            EXPECT_EQ(frame.lights[0].chooser.spans.back().ends, frame.seen_m->to_m);
+            EXPECT_EQ(frame.passes.front().name, "depths seen");
+            // They are kept while nothing changes, and follow the camera when it moves.
+            const FrameResult again = renderer.render(scene, s, request);
+            EXPECT_EQ(again.passes.front().state, PassState::Reused);
+            EXPECT_EQ(again.seen_m, frame.seen_m);
+            EXPECT_EQ(again.lights[0].chooser.spans[0].ends, frame.lights[0].chooser.spans[0].ends);
+        }
+}
+
+TEST_F(ViewDepthsTest, OnLandTheyMissLessThanBoxesDo) {
+    const Scene scene = load_scene("landscape");
+    Settings s =
+        settings_for(scene, {{"map.resolution", "512"}, {"light.cascades", "4"}, {"light.split", "logarithmic"}});
+    Measurer measurer(renderer, 240, 135);
+    const double boxes = measurer.judge(scene, s).error.mae;
+    set_setting(s, "light.depth_bounds", "sdsm");
+    const Judgement measured = measurer.judge(scene, s);
+    EXPECT_LT(measured.error.mae, 0.85 * boxes);
+    EXPECT_EQ(measured.error.outside_map, 0);
+    RecordProperty("mae", std::to_string(boxes) + " " + std::to_string(measured.error.mae));
+}
+
+// ---- light.near_far
+
+/// A floor that the camera sees, and a sheet 30 m towards the light, which it does not.
+Scene floor_under_far_sheet(const test::Place& place) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
+    const glm::dvec3 at = 30.0 * direction_from_angles(place.azimuth, place.elevation);
+    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(3, 3), grey), moved(at.x, at.y, at.z));
+    test::move_scene(scene, place.at);
+    return scene;
+}
+
+/// Of a sun under whose maps for what is seen only the floor is.
+Settings far_sheet_settings(const Scene& scene, const test::Place& place, const char* fit, int cascades) {
+    Settings s = test::texel_settings("pcf3", 256, 3);
+    set_setting(s, "light.fit", fit);
+    s.lights[0].azimuth = place.azimuth, s.lights[0].elevation = place.elevation;
+    s.lights[0].cascades = cascades;
+    const glm::dvec3 target = place.at - scene.bounds.centre();
+    s.camera.target_x = place.at.x, s.camera.target_y = place.at.y, s.camera.target_z = place.at.z;
+    s.lights[0].target_x = target.x, s.lights[0].target_y = target.y, s.lights[0].target_z = target.z;
+    return s;
+}
+
+double range_of(const LightView& view) {
+    return view.curve.far - view.curve.near;
+}
+
+/// Along the light from the view's place.
+double depth_of(const LightView& view, const glm::dvec3& at) {
+    return glm::dot(view.eye - at, view.axes[2]);
+}
+
+TEST_F(ViewDepthsTest, PancakesThrowTheSameShadowFromAShorterRange) {
+    for (const test::Place& place : test::kPlaces)
+        for (const auto& [fit, cascades] : {std::pair{"view", 1}, {"casters", 3}}) {
+            SCOPED_TRACE(testing::Message() << fit << " " << cascades << " " << place.elevation);
+            const Scene scene = floor_under_far_sheet(place);
+            const Settings whole = far_sheet_settings(scene, place, fit, cascades);
+            for (const Sets& bias : {Sets{},
+                                     {{"bias.unit", "metres"}, {"bias.constant", "0.4"}},
+                                     {{"bias.normal", "4"}, {"map.reversed_z", "true"}},
+                                     {{"bias.kind", "receiver-plane"}, {"bias.constant", "0.5"}}}) {
+                Settings s = whole;
+                for (const auto& [key, value] : bias) set_setting(s, key, value);
+                FrameResult wide, flat;
+                const FloatImage wanted = visibility(scene, s, &wide);
+                set_setting(s, "light.near_far", "pancaking");
+                const FloatImage drawn = visibility(scene, s, &flat);
+                const auto dark = std::ranges::count(wanted.data, 0.f);
+                EXPECT_GT(dark, 500);
+                EXPECT_EQ(differing(wanted, drawn), 0u) << (bias.empty() ? "" : bias[0].second);
+                EXPECT_EQ(flat.lights[0].clipped_casters, 0) << "none is lost";
+                for (std::size_t v = 0; v < flat.lights[0].views.size(); ++v) {
+                    const LightView &a = wide.lights[0].views[v], &b = flat.lights[0].views[v];
+                    EXPECT_GT(range_of(a), 30);
+                    EXPECT_LT(range_of(b), 0.6 * range_of(a));
+                    // The near plane lies between the sheet and the floor; straight below the sun that is one depth.
+                    const double sheet =
+                        depth_of(b, place.at + 30.0 * direction_from_angles(place.azimuth, place.elevation));
+                    EXPECT_GT(b.curve.near, sheet + 10);
+                    if (place.elevation == 90) {
+                        EXPECT_NEAR(b.curve.far, sheet + 30, 0.1);
+                    }
+                    EXPECT_EQ(a.half_width, b.half_width);
+                }
+            }
+        }
+}
+
+// How far above the floor the sheet is, the map no longer says.
+TEST_F(ViewDepthsTest, PancakesHaveNarrowPenumbrae) {
+    const test::Place place = test::kPlaces[0];
+    const Scene scene = floor_under_far_sheet(place);
+    Settings s = far_sheet_settings(scene, place, "view", 1);
+    s.filter.kernel = test::kernel("pcss");
+    s.lights[0].size = 0.4;
+    const auto grey = [&] {
+        return std::ranges::count_if(visibility(scene, s).data, [](float v) { return v > 0.02f && v < 0.98f; });
+    };
+    const auto wide = grey();
+    set_setting(s, "light.near_far", "pancaking");
+    const auto narrow = grey();
+    EXPECT_GT(wide, 300);
+    EXPECT_LT(double(narrow), 0.5 * double(wide));
+    set_setting(s, "light.near_far", "casters");
+    EXPECT_NEAR(double(grey()), double(wide), 0.05 * double(wide));
+}
+
+TEST_F(ViewDepthsTest, EachChoiceHasItsRange) {
+    for (const test::Place& place : test::kPlaces) {
+        SCOPED_TRACE(place.elevation);
+        const Scene scene = floor_under_far_sheet(place);
+        Settings s = far_sheet_settings(scene, place, "view", 1);
+        const glm::dvec3 way = direction_from_angles(place.azimuth, place.elevation);
+        FrameResult frame;
+        const FloatImage fitted = visibility(scene, s, &frame);
+        for (const char* choice : {"casters", "scene"}) {
+            set_setting(s, "light.near_far", choice);
+            EXPECT_EQ(differing(fitted, visibility(scene, s, &frame)), 0u) << choice;
+        }
+        // From the sheet's own near rim to the floor's far one: half the diagonals of what stands askew to the light.
+        const double along = std::abs(way.x) + std::abs(way.z);
+        const LightView& all = frame.lights[0].views[0];
+        EXPECT_NEAR(all.curve.near, depth_of(all, place.at + 30.0 * way) - 1.5 * along, 0.01);
+        EXPECT_NEAR(all.curve.far, depth_of(all, place.at) + 5 * along, 0.01);
+        // By hand whatever the fit, for cascades too; a near plane behind the sheet loses it.
+        for (const int cascades : {1, 3}) {
+            set_setting(s, "light.near_far", "manual");
+            s.lights[0].cascades = cascades;
+            s.lights[0].near = depth_of(all, place.at) - 9, s.lights[0].far = depth_of(all, place.at) + 8;
+            const FloatImage cut = visibility(scene, s, &frame);
+            for (const LightView& view : frame.lights[0].views) EXPECT_NEAR(range_of(view), 17, 1e-9);
+            EXPECT_EQ(std::ranges::count_if(cut.data, [](float v) { return v < 0.5f; }), 0);
+            EXPECT_EQ(frame.lights[0].clipped_casters, 1);
+        }
+    }
+}
+
+TEST_F(ViewDepthsTest, LampsPancakeToo) {
+    Scene scene = test::floor_under_a_sheet({});
+    for (const char* type : {"spot", "point"})
+        for (const char* reversed : {"false", "true"}) {
+            Settings s = test::texel_settings("pcf3", 256, 3);
+            for (const auto& [key, value] : Sets{{"light.type", type},
+                                                 {"light.distance", "4"},
+                                                 {"light.elevation", "90"},
+                                                 {"map.reversed_z", reversed},
+                                                 {"object.cover.receive", "false"}})
+                set_setting(s, key, value);
+            FrameResult wide, flat;
+            const FloatImage wanted = visibility(scene, s, &wide);
+            set_setting(s, "light.near_far", "pancaking");
+            const FloatImage drawn = visibility(scene, s, &flat);
+            EXPECT_GT(std::ranges::count(wanted.data, 0.f), 300);
+            EXPECT_EQ(differing(wanted, drawn), 0u) << type;
+            const auto lowest = [](const FrameResult& f) {
+                double near = 0;
+                for (const LightView& v : f.lights[0].views) near = std::max(near, v.curve.near);
+                return near;
+            };
+            EXPECT_GT(lowest(flat), 1.4 * lowest(wide)) << type;
+        }
+}
+
+// ---- the camera that maps are made for
+
+TEST_F(ViewDepthsTest, MapsAreMadeForTheFrozenCamera) {
+    const Scene scene = load_scene("stage");
+    for (const char* bounds : {"boxes", "sdsm"})
+        for (const Sets& fit : {Sets{{"light.cascades", "3"}}, {{"light.fit", "view"}}}) {
+            Settings s = settings_for(scene, {{"camera.source", "manual"},
+                                              {"camera.distance", "5"},
+                                              {"map.resolution", "256"},
+                                              {"light.depth_bounds", bounds}});
+            for (const auto& [key, value] : fit) set_setting(s, key, value);
+            FrameRequest request = small();
+            request.outputs = {.colour = false, .visibility = true};
+            const FrameResult own = renderer.render(scene, s, request);
+            s.camera.azimuth += 120, s.camera.distance = 14;
+            const FrameResult moved = renderer.render(scene, s, request);
+            request.map_camera = MapCamera{own.camera, own.seen_m};
+            const FrameResult frozen = renderer.render(scene, s, request);
+            EXPECT_EQ(frozen.camera.eye, moved.camera.eye);
+            ASSERT_EQ(frozen.lights[0].views.size(), own.lights[0].views.size());
+            for (std::size_t v = 0; v < own.lights[0].views.size(); ++v) {
+                EXPECT_EQ(frozen.lights[0].views[v].clip_from_relative(own.camera.eye),
+                          own.lights[0].views[v].clip_from_relative(own.camera.eye));
+                EXPECT_NE(moved.lights[0].views[v].half_width, own.lights[0].views[v].half_width);
+            }
+            EXPECT_EQ(frozen.lights[0].chooser.from_ws, own.lights[0].chooser.from_ws);
+            EXPECT_EQ(frozen.notes, own.notes);
+        }
+}
+
+// Through a fixed camera, maps that are made for another one, which moves by parts of a texel and turns: what is drawn
+// stays, but at borders of the texels and of the cascades.
+TEST_F(ViewDepthsTest, StabilisedShadowsDoNotCrawl) {
+    const Scene scene = load_scene("boxes");
+    const auto flips = [&](const char* fit) {
+        Settings s = settings_for(scene, {{"light.cascades", "2"},
+                                          {"light.cascade_blend", "0"},
+                                          {"light.fit", fit},
+                                          {"filter.kernel", "hard"},
+                                          {"bias.normal", "0"},
+                                          {"bias.constant", "4"},
+                                          {"map.resolution", "256"}});
+        Settings walking = s;
+        walking.camera.source = int(CameraSource::Manual), walking.camera.distance = 3;
+        FrameRequest request{.width = 160, .height = 90};
+        request.outputs = {.colour = false, .visibility = true};
+        std::vector<float> before;
+        std::vector<std::size_t> chosen_before;
+        std::size_t count = 0;
+        test::RayTruth rays(scene);
+        std::vector<std::optional<test::Hit>> hits;
+        for (int i = 0; i < 120; ++i) {
+            walking.camera.target_x += 0.0011, walking.camera.target_z -= 0.0007;
+            if (i >= 60) walking.camera.azimuth += 6;
+            request.map_camera = MapCamera{make_camera(scene, walking, 16.0 / 9), {}};
+            const FrameResult frame = renderer.render(scene, s, request);
+            const FloatImage v = renderer.read_float(frame.visibility, 1);
+            if (hits.empty())
+                for (int y = 0; y < 90; ++y)
+                    for (int x = 0; x < 160; ++x) {
+                        glm::dvec3 origin, direction;
+                        frame.camera.pixel_ray(x, y, 160, 90, origin, direction);
+                        hits.push_back(rays.first_hit(origin, direction));
+                    }
+            // Nothing is said of what lies on a texel's border, or of the background.
+            std::vector<std::size_t> chosen;
+            for (const auto& hit : hits) {
+                chosen.push_back(99 + chosen.size());
+                if (!hit) continue;
+                const std::size_t view = frame.lights[0].chooser.choose(frame.lights[0].views, hit->position).view;
+                const glm::dvec2 part =
+                    glm::fract(256.0 * glm::dvec2(test::uvdw(frame.lights[0].views[view], hit->position)));
+                if (std::min({part.x, part.y, 1 - part.x, 1 - part.y}) > 2e-3) chosen.back() = view;
+            }
+            for (std::size_t k = 0; k < before.size(); ++k)
+                count += chosen[k] < 99 && chosen[k] == chosen_before[k] && v.data[k] != before[k];
+            before = v.data, chosen_before = chosen;
+        }
+        return count;
+    };
+    const std::size_t steady = flips("stabilised"), tight = flips("view");
+    RecordProperty("flips", std::to_string(steady) + " " + std::to_string(tight));
+    EXPECT_GT(tight, 1500u);
+    // Rasterisers place vertices in steps of parts of a texel: an edge through a texel's very middle may yet flip it.
+    EXPECT_LE(steady, tight / 50) << "of " << 119 * 160 * 90;
+}
+
+}  // namespace
+}  // namespace si
