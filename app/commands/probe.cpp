@@ -96,8 +96,8 @@ void print_dossier(const Probe::PerLight& p, const Dossier& d) {
     fmt::print("  bias\n");
     print_amount("constant", a.amount(a.constant));
     print_amount("slope", a.amount(a.slope));
-    if (a.per_texel)
-        print_amount("for roundings", a.amount(a.rest), "as each texel is compared with the plane at its centre");
+    if (a.by_itself != 0)
+        print_amount("of itself", a.amount(a.by_itself), "what bias.kind gives whatever the numbers are");
     print_amount("normal offset", a.amount(a.normal));
     if (a.raster != 0)
         print_amount("while drawing", a.amount(a.raster), "bias.raster_*, the least that a driver may add");

@@ -19,7 +19,7 @@ const char* state_key(PixelState state);
 nlohmann::ordered_json truth_quality_json(const Truth& truth);
 /// What the shares and causes of an error mean; rows of different meanings are not to be compared.
 /// 1: by distance to a true edge. 2: by the change that puts a pixel right.
-inline constexpr int kErrorMeaning = 2;
+inline constexpr int kErrorMeaning = 3;
 /// Numbers that are not finite become null.
 nlohmann::ordered_json error_json(const ErrorMetrics& metrics);
 /// With the truth's own noise (Truth::noise).

@@ -47,7 +47,7 @@ Json account_json(const BiasAccount& a) {
     return {{"terms",
              {{"constant", amount_json(a.amount(a.constant))},
               {"slope", amount_json(a.amount(a.slope))},
-              {"rest", amount_json(a.amount(a.rest))},
+              {"by_itself", amount_json(a.amount(a.by_itself))},
               {"normal", amount_json(a.amount(a.normal))},
               {"raster", amount_json(a.amount(a.raster))}}},
             {"worth", amount_json(a.amount(a.clears()))},

@@ -64,15 +64,21 @@ BiasAccount bias_account(const FittedLight& light, const Settings& settings, int
         a.most_moved = bias.plane_clamp > 0 ? bias.plane_clamp * r.texel_m * view.curve.slope(r.own_m) : kNoLimit;
         a.least.kernel = a.least.kernel > a.most_moved ? a.least.kernel - a.most_moved : 0;
         a.least.rounding += placing_bias(a.plane.gradient, extent, r.texel_m * resolution);
-        a.rest = b.rest = a.least.rest();
+        b.rest = a.least.rest();
     }
+    b.least = a.least.total();
     r.bias_depth = row.amount(bias, b);
     r.bias_m = view.curve.metres_nearer(r.tap_m, r.bias_depth);
     const double away = view.curve.convention.reversed ? -1 : 1;
     r.compared = r.tap.z - away * r.bias_depth;
     BiasSettings level = bias;
     level.slope = 0;
-    const double own = a.plane.edge_on() && a.per_texel ? 0 : r.bias_depth - a.rest;
+    if (row.brings_need) {
+        BiasSettings nothing = bias;
+        nothing.constant = nothing.slope = 0;
+        a.by_itself = row.amount(nothing, b);
+    }
+    const double own = a.plane.edge_on() && row.brings_need ? 0 : r.bias_depth - a.by_itself;
     (r.bias_depth > row.amount(level, b) ? a.slope : a.constant) = own;
     if (bias.normal != 0) a.normal = a.plane.edge_on() ? kNoLimit : away * (a.plane.at(glm::dvec2(r.tap)) - r.tap.z);
     a.raster = bias_at(BiasStage::Raster).amount(bias, b);

@@ -35,15 +35,14 @@ struct BiasAccount {
 
     // What each setting is worth against acne: how far it brings the compared depth before the receiver's own plane.
     double constant = 0, slope = 0;  ///< only the larger one acts; the other is 0
-    /// Of a bias.kind that compares every texel with the plane at its centre: what that adds for roundings.
-    double rest = 0;
+    double by_itself = 0;            ///< what bias.kind gives whatever the numbers are (Bias::brings_need)
     /// Of the normal offset: h / |n . ray|, as the look-up moves along the plane; infinite for a plane edge-on.
     double normal = 0;
     /// Of bias.raster_*, on this plane, by what the driver makes of them (PolygonOffset).
     double raster = 0;
 
     /// All of them: the surface does not shadow itself when this is at least least.total().
-    double clears() const { return constant + slope + rest + normal + raster; }
+    double clears() const { return constant + slope + by_itself + normal + raster; }
     /// How far the compared depth is moved towards the light: a surface nearer to the receiver than this is lost. Of
     /// the normal offset that is only its part along the light.
     double lifts = 0;

@@ -19,6 +19,8 @@ std::string_view result_name(Result result) {
             return "camera depth";
         case Result::SurfaceIds:
             return "surface ids";
+        case Result::Blobs:
+            return "blobs";
         case Result::ShadowVolumes:
             return "shadow volumes";
         case Result::Visibility:

@@ -221,7 +221,10 @@ void choose_kernel(FrameState& f) {
     });
     f.defines.push_back({"VIEWS_BLEND", blend ? "1" : "0"});
     if (f.gl.scene->coloured()) f.defines.push_back({"VERTEX_COLOURS", "1"});
+    const Bias& bias = bias_of(f.settings);
     f.defines.push_back({"BIAS_PER_TEXEL", compares_per_texel(f.settings) ? "1" : "0"});
+    f.defines.push_back({"BIAS_READS_PLANE", bias.brings_need ? "1" : "0"});
+    f.defines.push_back({"BIAS_BY_DERIVATIVES", bias.by_derivatives ? "1" : "0"});
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
     f.preamble = settings_block_text() + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
@@ -289,7 +292,8 @@ void arrange_panes(FrameState& f) {
     f.separate_visibility = o.visibility || f.settings.shading.separate_visibility ||
                             (f.truth.met && (o.error || o.judged || o.true_colour));
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
-        f.separate_visibility |= f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused;
+        f.separate_visibility |=
+            f.gl.fitted[i].shadowed && (!source_of(f.settings, int(i)).fused || f.settings.lights[i].contact > 0);
     int shown[kMaxPanes];
     bool lacks[kMaxPanes];
     for (int i = 0; i < count; ++i) {
@@ -454,6 +458,18 @@ FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, 
 void Renderer::Impl::upload_blocks(const FrameState& f) {
     shared::FrameBlock block{};
     block.clip_from_relative = glm::mat4(f.camera.clip_from_relative(f.origin));
+    const glm::dmat3& axes = f.camera.axes;
+    const glm::dmat3 turn = glm::transpose(axes);
+    const glm::dvec3 eye = f.camera.eye - f.origin;
+    block.eye_from_relative = glm::mat4(glm::dmat4(turn));
+    block.eye_from_relative[3] = glm::vec4(glm::vec3(-(turn * eye)), 1);
+    block.relative_from_eye = glm::mat4(glm::dmat4(axes));
+    block.relative_from_eye[3] = glm::vec4(glm::vec3(eye), 1);
+    const DepthCurve& depth = f.camera.curve;
+    const double half = f.camera.orthographic ? 0.5 * f.camera.height : std::tan(0.5 * f.camera.fov_y_rad);
+    block.lens = glm::vec4(half * f.camera.aspect, half,
+                           depth.perspective ? 1 / depth.near - 1 / depth.far : depth.far - depth.near,
+                           depth.perspective ? 1 / depth.far : depth.far);
     block.eye = glm::vec4(glm::vec3(f.camera.eye - f.origin), f.camera.orthographic ? 1.f : 0.f);
     block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), 0.f);
     const Camera& divided = f.request.map_camera ? f.request.map_camera->camera : f.camera;

@@ -87,9 +87,10 @@ void plan_frame(FrameState& f) {
     add_camera_depth_pass(f);
     add_surface_ids_pass(f);
     add_shadow_volume_passes(f);
+    add_seen_surfaces_pass(f);
+    add_blob_pass(f);
     add_visibility_pass(f);
     add_unfiltered_map_pass(f);
-    add_seen_surfaces_pass(f);
     add_truth_passes(f);
     add_true_shade_pass(f);
     add_shade_pass(f);

@@ -12,6 +12,7 @@ enum class Result {
     Moments,         ///< functions of their depths, averaged
     CameraDepth,     ///< of the surfaces that the camera sees
     SurfaceIds,      ///< which triangle each pixel shows
+    Blobs,           ///< what blobs leave of each light
     ShadowVolumes,   ///< where no shadow volume of a light is
     Visibility,      ///< a layer a light: 1 lit, 0 in shadow
     UnfilteredMap,   ///< the maps without polygon offset and with masks at their finest level

@@ -28,7 +28,7 @@
 namespace si {
 
 inline constexpr int kMaxPanes = 4;
-inline constexpr int kSeenImages = 3;  ///< see lib/seen_surface.glsl
+inline constexpr int kSeenImages = 5;  ///< see lib/seen_surface.glsl
 
 /// Depths of all that a camera sees, as its depth buffer held them.
 struct SeenDepths {
@@ -170,6 +170,10 @@ void add_camera_depth_pass(FrameState& f);
 std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info);
 void add_surface_ids_pass(FrameState& f);
 void add_shadow_volume_passes(FrameState& f);
+/// A soft disc below each caster, for lights whose source that is.
+void add_blob_pass(FrameState& f);
+/// Whether an object casts, whatever its masks and its triangles' sides; blended ones do only if asked.
+bool casts_at_all(const FrameState& f, const Object& object);
 void add_visibility_pass(FrameState& f);
 /// One light's layer of the visibility as a plain texture.
 Image visibility_image(const FrameState& f, int light);

@@ -160,6 +160,12 @@ private:
                     "peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} "
                     "away; {} it is dark, as in truth",
                     texels(d_.lifted), texels(d_.occluder), less_bias());
+            case Artefact::PeterPanningRaster:
+                return fmt::format(
+                    "peter-panning by polygon offset: bias.raster_* let the map's depths recede by {}, past what "
+                    "stands "
+                    "before it by {}; without them it is dark, as in truth",
+                    texels(p_.account.amount(p_.account.raster)), texels(d_.occluder));
             case Artefact::PeterPanningOffset:
                 return fmt::format(
                     "peter-panning by normal offset: the look-up is moved by {:.4g} m and misses the shadow; {} "
@@ -217,6 +223,9 @@ private:
                     dark() ? "dark" : "lit", dark() ? "lit" : "dark", dark() ? "more bias" : "the least bias");
             case Artefact::Penumbra:
                 return "penumbra: right for a light without size";
+            case Artefact::Contact:
+                return "contact shadow: the ray through the picture's depths meets what does not shadow it; without "
+                       "contact shadows it is lit, as in truth";
             case Artefact::NoMap:
                 break;  // said before
         }
@@ -374,6 +383,9 @@ private:
                 }
                 return {};
             }
+            case Artefact::PeterPanningRaster:
+                return Remedy{{{"bias.raster_slope", "0"}, {"bias.raster_units", "0"}},
+                              "set bias.raster_slope and bias.raster_units to 0"};
             case Artefact::Undersampled: {
                 const double n =
                     truth_.evidence.run_m < truth_.evidence.texel_m ? sampling_resolution() : d_.opening_resolution;

@@ -19,6 +19,8 @@ constexpr auto kStyles = std::to_array<ArtefactStyle>({
     {Artefact::Undersampled, "undersampled", "undersampled", {255, 255, 255}},
     {Artefact::Penumbra, "penumbra", "penumbra", {150, 120, 200}},
     {Artefact::NoMap, "no_map", "not by a map", {255, 105, 180}},
+    {Artefact::PeterPanningRaster, "peter_panning_raster", "peter-panning by polygon offset", {40, 90, 225}},
+    {Artefact::Contact, "contact", "contact shadow", {128, 64, 0}},
 });
 static_assert(kStyles.size() == kArtefacts - 1);
 

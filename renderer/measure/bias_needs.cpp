@@ -170,8 +170,8 @@ std::optional<BiasSettings> least_bias_by(const Bias& row, const MeasuredError& 
     Settings least = settings;
     least.bias = in_texels(0, 0, 0);
     if (row.stage == BiasStage::Compare) set_setting(least, "bias.kind", row.key);
-    // It brings what planes need by itself; only where it is clamped, all but edge-on, would more be asked for.
-    if (row.per_texel) return least.bias;
+    // Only where it is clamped, all but edge-on, would more be asked for.
+    if (row.brings_need) return least.bias;
     const std::vector<SettingRef> amounts = amounts_of(row);
     // Amounts add up. Each takes the share that grows with the slope, and the last one worth anything all that is left.
     std::vector<double> worth_it(amounts.size());

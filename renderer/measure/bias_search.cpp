@@ -14,7 +14,8 @@ std::size_t BiasTrial::acne() const {
 
 std::size_t BiasTrial::lost() const {
     const auto pixels = [&](Artefact a) { return error.artefacts[std::size_t(a)]; };
-    return pixels(Artefact::PeterPanning) + pixels(Artefact::PeterPanningOffset) + pixels(Artefact::OffsetShadow);
+    return pixels(Artefact::PeterPanning) + pixels(Artefact::PeterPanningOffset) +
+           pixels(Artefact::PeterPanningRaster) + pixels(Artefact::OffsetShadow);
 }
 
 std::size_t BiasTrial::wrong() const {

@@ -228,6 +228,8 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
     for (const auto& [row, least] : f.least_of_rows)
         if (any) idea(fmt::format("least bias, {}", in_a_sentence(row->label)), [&](Settings& s) { s.bias = least; });
     idea("no normal offset", [](Settings& s) { s.bias.normal = 0; });
+    idea("no polygon offset", [](Settings& s) { s.bias.raster_slope = s.bias.raster_units = 0; });
+    idea("no contact shadows", [&](Settings& s) { s.lights[std::size_t(f.light)].contact = 0; });
 
     idea("both sides cast", cast_from_both_sides);
     Settings sided = base;

@@ -1,5 +1,6 @@
 // The surfaces that the camera sees, pixel by pixel, for passes that evaluate some of them again.
 #include "renderer/passes/camera_pass.h"
+#include "renderer/settings/biases.h"
 
 namespace si {
 namespace {
@@ -21,12 +22,14 @@ void add_seen_surfaces_pass(FrameState& f) {
     pass.idle_reason = "nothing evaluates pixels again";
     // There is an image more also where its normal is without effect.
     const bool own_normal = f.settings.bias.normal_source != int(NormalSource::Geometric);
-    pass.key = f.with_settings(f.surfaces_key(), ReadBy::SurfacesSeen).add(own_normal).value();
+    const bool steps = bias_of(f.settings).by_derivatives;
+    const std::size_t count = steps ? 5 : own_normal ? 3 : 2;
+    pass.key = f.with_settings(f.surfaces_key(), ReadBy::SurfacesSeen).add(count).value();
     pass.cached = &images[0].key;
-    pass.run = [&f, &images, own_normal](PassInfo& info) {
-        if (!own_normal) images[2] = {};
+    pass.run = [&f, &images, count](PassInfo& info) {
+        for (gl::Target& unused : std::span(images).subspan(count)) unused = {};
         // Where there is nothing, nobody reads.
-        CameraPass(f, "surfaces seen", GL_RGBA32F, std::span(images).first(own_normal ? 3 : 2))
+        CameraPass(f, "surfaces seen", GL_RGBA32F, std::span(images).first(count))
             .draw("passes/seen_surfaces.frag.glsl", {}, info);
     };
     f.plan.add(std::move(pass));

@@ -44,7 +44,17 @@ void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& in
     std::vector<gl::Define> extra;
     if (separate) extra.push_back({"SEPARATE_VISIBILITY", "1"});
     CameraPass pass(f, "shaded picture", GL_RGBA8, target);
-    pass.clear(kBackground).draw("passes/shade.frag.glsl", extra, info);
+    pass.clear(kBackground);
+    const auto draw = [&](const char* which) {
+        std::vector<gl::Define> defines = extra;
+        if (which) defines.push_back({which, "1"});
+        pass.draw("passes/shade.frag.glsl", defines, info);
+    };
+    // The dim pass does by an alpha test and an equal depth what one shader could, so that it costs what it did.
+    if (f.settings.shading.composition == int(Composition::DimLit))
+        draw("DIM_PASS"), draw("LIT_PASS");
+    else
+        draw(nullptr);
     draw_blended(f, info);
 }
 

@@ -16,16 +16,6 @@ VolumeLight volume_light(const FittedLight& light) {
     return {light.type == LightType::Directional, light.to_light, light.position};
 }
 
-/// Whether the object casts, which blended ones do only if asked.
-bool casts_volume(const FrameState& f, const Object& object) {
-    const Scene& scene = f.scene;
-    const int material = scene.meshes[std::size_t(object.mesh)].material;
-    const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
-    if (blended && f.settings.caster.blend == int(BlendCasters::None)) return false;
-    const auto own = f.settings.objects.find(scene.nodes[std::size_t(object.node)].path);
-    return own == f.settings.objects.end() || own->second.cast;
-}
-
 /// Far away against the scene: so many times its radius, or the distance of a caster's corner from the light.
 constexpr double kFarAway = 1e4;
 
@@ -52,6 +42,15 @@ bool reaches_beyond_far(const FrameState& f) {
 
 }  // namespace
 
+bool casts_at_all(const FrameState& f, const Object& object) {
+    const Scene& scene = f.scene;
+    const int material = scene.meshes[std::size_t(object.mesh)].material;
+    const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
+    if (blended && f.settings.caster.blend == int(BlendCasters::None)) return false;
+    const auto own = f.settings.objects.find(scene.nodes[std::size_t(object.node)].path);
+    return own == f.settings.objects.end() || own->second.cast;
+}
+
 void ShadowVolumes::learn_meshes(const FrameState& f) {
     if (scene_ == f.scene.id) return;
     scene_ = f.scene.id;
@@ -69,7 +68,7 @@ void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, cons
     VolumeTriangles found;
     for (std::uint32_t instance = 0; instance < objects.size(); ++instance) {
         const Object& object = f.scene.objects[objects[instance]];
-        if (!casts_volume(f, object)) continue;
+        if (!casts_at_all(f, object)) continue;
         auto& mesh = meshes_[std::size_t(object.mesh)];
         if (!mesh) {
             mesh = std::make_unique<VolumeMesh>(f.scene.meshes[std::size_t(object.mesh)]);
@@ -124,6 +123,7 @@ void ShadowVolumes::arrange(const FrameState& f) {
         light.used = i < fitted.size() && fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
         light.refusal.clear();
         if (!light.used) continue;
+        light.before = source_of(f.settings, int(i)).needs.before;
         const VolumeLight source = volume_light(fitted[i]);
         Key shape = f.geometry_key;
         shape.add(ends_are_finite(f)).add(source.parallel).add(source.parallel ? source.to_light : source.position_ws);
@@ -223,8 +223,9 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
     glDepthFunc(f.camera.curve.convention.reversed ? GL_GREATER : GL_LESS);
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, 0, ~0u);
-    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
-    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+    const GLenum front = light.before ? GL_INCR_WRAP : GL_DECR_WRAP, back = light.before ? GL_DECR_WRAP : GL_INCR_WRAP;
+    glStencilOpSeparate(GL_FRONT, GL_KEEP, light.before ? GL_KEEP : front, light.before ? front : GL_KEEP);
+    glStencilOpSeparate(GL_BACK, GL_KEEP, light.before ? GL_KEEP : back, light.before ? back : GL_KEEP);
     const double reach = !ends_are_finite(f) ? 0 : volume_light(f.gl.fitted[number]).parallel ? reach_m(f) : kFarAway;
     const auto use = [&](const char* sides, const char* beyond) {
         const GLuint id = f.program("passes/volume.vert.glsl", "passes/volume.frag.glsl",
@@ -242,14 +243,16 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
         draw_faces(light, 1, 1, info);
         glFrontFace(GL_CCW);
     };
-    use("0", "0");
-    draw_caps();  // clipped as the camera's passes clip, else depths differ
-    glEnable(GL_DEPTH_CLAMP);
-    if (reaches_beyond_far(f)) {
-        use("0", "1");
-        glEnable(GL_CLIP_DISTANCE0);
-        draw_caps();
-        glDisable(GL_CLIP_DISTANCE0);
+    if (!light.before) {  // a cap is never before the surface that it is
+        use("0", "0");
+        draw_caps();  // clipped as the camera's passes clip, else depths differ
+        glEnable(GL_DEPTH_CLAMP);
+        if (reaches_beyond_far(f)) {
+            use("0", "1");
+            glEnable(GL_CLIP_DISTANCE0);
+            draw_caps();
+            glDisable(GL_CLIP_DISTANCE0);
+        }
     }
     use("1", "0");
     draw_faces(light, 2, 2, info);
@@ -279,7 +282,7 @@ Pass ShadowVolumes::pass(FrameState& f, std::size_t number) {
     pass.unneeded = light.refusal;
     if (!light.refusal.empty()) return pass;
     const int layers = int(f.gl.fitted.size());
-    pass.key = f.surfaces_key().add(layers).add(light.shape).value();
+    pass.key = f.surfaces_key().add(layers).add(light.shape).add(light.before).value();
     pass.cached = &light.drawn;
     pass.run = [this, &f, number, layers](PassInfo& info) {
         if (lit_.ensure("lit outside of shadow volumes", GL_R8, f.request.width, f.request.height, layers))

@@ -16,6 +16,9 @@ namespace si {
 /// Everitt and Kilgard, Practical and Robust Stenciled Shadow Volumes for Hardware-Accelerated Rendering, 2002;
 /// McGuire, Hughes, Egan, Kilgard and Everitt, Fast, Practical and Robust Shadows, 2003.
 ///
+/// By the older count, of the faces before the surface (z-pass, Heidmann, Real Shadows Real Time, 1991), those turned
+/// to the camera add one: right only where the camera is in no volume and its near plane cuts none.
+///
 /// Volumes have no end; a camera without perspective is given one, far from the scene. Faces beyond the camera's far
 /// plane count, as depth is clamped. A light cap coincides with the surface that casts:
 /// it is drawn from the same corners in the same order, so that its depth is equal in every bit, and counts as behind.
@@ -48,6 +51,7 @@ private:
     };
     struct Light {
         bool used = false;
+        bool before = false;  ///< counts faces before the surface
         std::string refusal;
         std::uint64_t shape = 0;  ///< key of the triangles
         std::vector<Part> parts;

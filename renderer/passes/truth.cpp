@@ -17,8 +17,8 @@ namespace si {
 namespace {
 
 constexpr int kTile = 32;  ///< pixels of the truth a side, summed by one invocation
-// That which is no map's takes the number of none, which wrong pixels under maps have.
-static_assert(kArtefacts - 1 <= 4 * shared::ARTEFACT_LAYERS && int(Artefact::NoMap) == int(kArtefacts) - 1,
+// The last three take numbers that no pixel wrong in the same way has: see tile_number() in error_tiles.frag.glsl.
+static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && int(Artefact::NoMap) == int(kArtefacts) - 3,
               "the sums of tiles have a number for each artefact");
 
 constexpr const char* kUntraced = "the truth about this frame is not traced";
@@ -98,16 +98,18 @@ std::vector<gl::Define> trial_defines(const FrameState& f) {
     const CauseContext c =
         cause_context(f.settings, f.gl.fitted[std::size_t(f.settings.view.light)], f.map_resolution, f.mask_levels);
     std::vector<gl::Define> out = truth_defines(f);
-    out.insert(out.end(), {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
-                           {"HAS_MAP", std::to_string(int(c.has_map))},
-                           {"MAP_TRIALS", "1"},
-                           {"SEAM_TRIALS", std::to_string(int(seams_matter(f)))},
-                           {"FILTER_SAMPLER", "0"},
-                           {"COMPARE_BY_HAND", "1"},
-                           {"RASTER_BIAS", std::to_string(int(c.raster_bias))},
-                           {"MASK_LEVELS", std::to_string(int(c.mask_levels))},
-                           {"DEPTH_BLUR", std::to_string(int(c.depth_blur))},
-                           {"UNFILTERED_DIFFERS", std::to_string(int(c.unfiltered_differs()))}});
+    out.insert(out.end(),
+               {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
+                {"HAS_MAP", std::to_string(int(c.has_map))},
+                {"HAS_CONTACTS", f.settings.lights[std::size_t(f.settings.view.light)].contact > 0 ? "1" : "0"},
+                {"MAP_TRIALS", "1"},
+                {"SEAM_TRIALS", std::to_string(int(seams_matter(f)))},
+                {"FILTER_SAMPLER", "0"},
+                {"COMPARE_BY_HAND", "1"},
+                {"RASTER_BIAS", std::to_string(int(c.raster_bias))},
+                {"MASK_LEVELS", std::to_string(int(c.mask_levels))},
+                {"DEPTH_BLUR", std::to_string(int(c.depth_blur))},
+                {"UNFILTERED_DIFFERS", std::to_string(int(c.unfiltered_differs()))}});
     return out;
 }
 
@@ -210,7 +212,7 @@ PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     glm::dvec4 layers[shared::TILE_LAYERS] = {};
     for (std::size_t i = 0; i < values.size(); ++i) layers[i / per_layer] += glm::dvec4(values[i]);
     PixelSums sums;
-    for (std::size_t a = 0; a + 1 < kArtefacts; ++a) {
+    for (std::size_t a = 0; a + 3 < kArtefacts; ++a) {
         const int layer = int(a) / 4, number = int(a) % 4;
         sums.dark[a] = layers[shared::TILE_DARK + layer][number];
         sums.bright[a] = layers[shared::TILE_BRIGHT + layer][number];
@@ -218,6 +220,11 @@ PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     if (!has_map)
         for (auto* of : {&sums.dark, &sums.bright})
             (*of)[std::size_t(Artefact::NoMap)] = std::exchange((*of)[std::size_t(Artefact::None)], 0);
+    const auto moves = [](auto& of, Artefact from, Artefact to) {
+        of[std::size_t(to)] = std::exchange(of[std::size_t(from)], 0);
+    };
+    moves(sums.bright, Artefact::Acne, Artefact::PeterPanningRaster);
+    moves(sums.dark, Artefact::Leak, Artefact::Contact);
     const glm::dvec4 &noted = layers[shared::TILE_NOTED], &means = layers[shared::TILE_SUMS];
     sums.outside = noted[0], sums.any_acne = noted[1], sums.within_noise = noted[2], sums.either = noted[3];
     sums.absolute = means[0], sums.squares = means[1], sums.sum = means[2], sums.both = means[3];

@@ -31,6 +31,26 @@ std::string_view source_file(const FrameState& f, std::size_t light) {
     return source.file;
 }
 
+bool has_contacts(const FrameState& f, std::size_t light) {
+    return light < f.gl.fitted.size() && f.gl.fitted[light].shadowed && f.settings.lights[light].contact > 0;
+}
+
+/// Darkens what a ray meets that is marched through the picture's depth.
+void draw_contacts(const FrameState& f, const gl::Target& visibility, int light, PassInfo& info) {
+    const auto framebuffer = gl::make_framebuffer("contact shadows", &visibility, nullptr, light);
+    f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    const GLuint id =
+        f.program("passes/fullscreen.vert.glsl", "passes/contact.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}});
+    glUseProgram(id);
+    glUniform1f(glGetUniformLocation(id, "length_m"), float(f.settings.lights[std::size_t(light)].contact));
+    glUniform1f(glGetUniformLocation(id, "thickness_m"), float(f.settings.contact.thickness));
+    glUniform1i(glGetUniformLocation(id, "steps"), f.settings.contact.steps);
+    FrameState::draw_fullscreen(info);
+    glDisable(GL_BLEND);
+}
+
 }  // namespace
 
 void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibility, int light) {
@@ -63,10 +83,16 @@ void add_visibility_pass(FrameState& f) {
     Pass pass;
     pass.name = "visibility";
     pass.reads = lookup_reads(f);
-    pass.reads.push_back(Result::ShadowVolumes);
+    pass.reads.insert(pass.reads.end(), {Result::ShadowVolumes, Result::Blobs});
     pass.writes = {Result::Visibility};
     pass.idle_reason = "nothing reads it: the shading pass evaluates it itself";
-    pass.key = f.lighting_key().value();
+    Key key = f.with_settings(f.lighting_key(), ReadBy::Visibility);
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
+        if (has_contacts(f, i)) {
+            pass.reads.insert(pass.reads.end(), {Result::CameraDepth, Result::SurfacesSeen});
+            key.add(i).add(f.settings.lights[i].contact);
+        }
+    pass.key = key.value();
     pass.cached = &t.visibility.key;
     pass.run = [&f, &t](PassInfo& info) {
         const int width = f.request.width, height = f.request.height;
@@ -87,6 +113,10 @@ void add_visibility_pass(FrameState& f) {
                     fmt::format("; light {} by {} rays, traced before the frame", light, truth->traced.truth->rays);
             } else {
                 glClearTexSubImage(t.visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, &lit);
+            }
+            if (has_contacts(f, std::size_t(light))) {
+                f.bind({Result::CameraDepth, Result::SurfacesSeen});
+                draw_contacts(f, t.visibility, light, info);
             }
         }
     };

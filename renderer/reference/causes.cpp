@@ -26,6 +26,8 @@ Cause false_light(const CauseEvidence& e, const CauseContext& c) {
     const bool by_both = dark(e.least_bare) && (near || stands);
     // What casts in truth, nearer to the light, would have withstood more.
     const std::uint32_t lost = e.gap_all > e.gap_drawn ? bit(Artefact::LostCaster) : 0;
+    if (by_bias && c.raster_bias && dark(e.unfiltered))
+        return {Artefact::PeterPanningRaster, lost | (e.own > e.least ? bit(Artefact::PeterPanning) : 0)};
     if (by_bias && !by_offset) return {Artefact::PeterPanning, lost};
     if (by_offset && !by_bias) return {Artefact::PeterPanningOffset, lost};
     if (by_both || by_bias) {
@@ -34,7 +36,7 @@ Cause false_light(const CauseEvidence& e, const CauseContext& c) {
         return {Artefact::PeterPanning, bit(Artefact::PeterPanningOffset) | lost};
     }
     if (c.unfiltered_differs() && dark(e.unfiltered)) {
-        if (c.raster_bias) return {Artefact::PeterPanning, c.mask_levels ? bit(Artefact::LostCaster) : 0};
+        if (c.raster_bias) return {Artefact::PeterPanningRaster, c.mask_levels ? bit(Artefact::LostCaster) : 0};
         if (c.mask_levels) return {Artefact::LostCaster, c.depth_blur ? bit(Artefact::Leak) : 0};
         return {Artefact::Leak};
     }

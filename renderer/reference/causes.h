@@ -14,7 +14,7 @@ namespace si {
 enum class Artefact : std::uint8_t {
     None,          ///< right, or not counted
     Acne,          ///< dark though lit: the surface shadows itself, and more bias puts it right
-    PeterPanning,  ///< lit though dark: less depth bias (polygon offset included) puts it right
+    PeterPanning,  ///< lit though dark: less depth bias puts it right
     Leak,          ///< lit though dark: the nearest texel, unfiltered and at its own least bias, is right
     EdgeAliasing,  ///< no change of bias, offset or filter puts it right: the map's texels decide
     OutsideMap,    ///< wrong where the map holds nothing, or where taps reach beyond its sides
@@ -24,11 +24,12 @@ enum class Artefact : std::uint8_t {
     Filter,              ///< dark though lit: the nearest texel, unfiltered and at its own least bias, is right
     Undersampled,        ///< as EdgeAliasing, where the shadow or the light between shadows is narrower than a texel
     Penumbra,            ///< right for a light without size
-    /// Wrong, and the light has no map to try anything on: its source (light.source) says so. Last, as it is never in
-    /// Cause::also, for which a judgement has no bit to spare.
-    NoMap,
+    // From here on never in Cause::also, for which a judgement has no bits to spare.
+    NoMap,               ///< wrong, and the light has no map to try anything on: its source (light.source) says so
+    PeterPanningRaster,  ///< lit though dark: without polygon offset it is right
+    Contact,             ///< dark though lit: without contact shadows it is right; the GPU alone tells
 };
-inline constexpr std::size_t kArtefacts = 13;
+inline constexpr std::size_t kArtefacts = 15;
 
 /// What trials of one pixel gave. Order and meaning as written by shaders/passes/evidence.frag.glsl, four to an image.
 struct CauseEvidence {

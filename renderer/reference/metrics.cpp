@@ -158,13 +158,24 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "bias_false_light",
      .label = "Peter-panning",
      .unit = kShareOfPixels,
-     .help = "False light that less bias, or no normal offset, puts right.",
-     .formula = "#{`peter_panning`, `peter_panning_offset`} / n",
+     .help = "False light that less bias, no normal offset or no polygon offset puts right.",
+     .formula = "#{`peter_panning`, `peter_panning_offset`, `peter_panning_raster`} / n",
      .member = &M::bias_false_light,
      .part_of = "false_light",
      .part = "by bias",
      .counts = Counts::Wrong,
-     .causes = causes({Artefact::PeterPanning, Artefact::PeterPanningOffset})},
+     .causes = causes({Artefact::PeterPanning, Artefact::PeterPanningOffset, Artefact::PeterPanningRaster})},
+    {.key = "contact_false_shadow",
+     .label = "Shadow by contact shadows",
+     .unit = kShareOfPixels,
+     .help = "False shadow that is right without contact shadows.",
+     .formula = "#{`contact`} / n",
+     .member = &M::contact_false_shadow,
+     .part_of = "false_shadow",
+     .part = "by contact shadows",
+     .counts = Counts::Wrong,
+     .causes = causes({Artefact::Contact}),
+     .rare = true},
     {.key = "lost_false_light",
      .label = "Lost casters",
      .unit = kShareOfPixels,
@@ -212,6 +223,18 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .help = "False shadow where the nearest texel alone is right.",
      .formula = "#{`filter`}",
      .causes = causes({Artefact::Filter})},
+    {.key = "artefacts.peter_panning_raster",
+     .label = "Peter-panning by polygon offset",
+     .unit = "px",
+     .help = "False light that is right without polygon offset, by what the driver makes of it.",
+     .formula = "#{`peter_panning_raster`}",
+     .causes = causes({Artefact::PeterPanningRaster})},
+    {.key = "artefacts.contact",
+     .label = "Contact shadows",
+     .unit = "px",
+     .help = "False shadow that is right without contact shadows.",
+     .formula = "#{`contact`}",
+     .causes = causes({Artefact::Contact})},
     {.key = "artefacts.edge_aliasing",
      .label = "Edge aliasing",
      .unit = "px",
@@ -364,8 +387,9 @@ TruePixel true_pixel(const Truth& truth, std::size_t i) {
 
 std::vector<JudgedPixel> judged_pixels(const FloatImage& judged) {
     static_assert(
-        kArtefacts <= 1 << shared::ARTEFACT_BITS && shared::ARTEFACT_BITS + shared::ALSO_SHIFT + kArtefacts - 1 <= 24,
-        "a judgement has to fit into the digits of a float; the last artefact is never in Cause::also");
+        kArtefacts <= 1 << shared::ARTEFACT_BITS &&
+            shared::ARTEFACT_BITS + shared::ALSO_SHIFT + int(Artefact::NoMap) <= 24,
+        "a judgement has to fit into the digits of a float; artefacts from NoMap on are never in Cause::also");
     std::vector<JudgedPixel> out(judged.data.size() / 2);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const auto code = std::uint32_t(judged.data[2 * i]);

@@ -26,6 +26,14 @@ double receiver_plane_bias(const BiasSettings& bias, const BiasInput& b) {
     return unit_depth(bias, b, bias.constant) + b.rest;
 }
 
+double receiver_plane_by_derivatives_bias(const BiasSettings& bias, const BiasInput& b) {
+    return receiver_plane_bias(bias, b) + std::abs(b.per_texel.x) + std::abs(b.per_texel.y);
+}
+
+double adaptive_bias(const BiasSettings&, const BiasInput& b) {
+    return b.least;
+}
+
 double normal_offset(const BiasSettings& bias, const BiasInput& b) {
     return bias.normal * b.texel_m;
 }
@@ -37,8 +45,9 @@ double raster_offset(const BiasSettings& bias, const BiasInput& b) {
     return bias.raster_clamp > 0 ? std::min(offset, bias.raster_clamp) : offset;
 }
 
-constexpr std::string_view kSlopeSettings[] = {"bias.slope"};
-constexpr std::string_view kPlaneSettings[] = {"bias.plane_clamp"};
+constexpr std::string_view kConstantSettings[] = {"bias.constant", "bias.unit"};
+constexpr std::string_view kSlopeSettings[] = {"bias.constant", "bias.unit", "bias.slope"};
+constexpr std::string_view kPlaneSettings[] = {"bias.constant", "bias.unit", "bias.plane_clamp"};
 constexpr std::string_view kNormalSettings[] = {"bias.normal"};
 constexpr std::string_view kRasterSettings[] = {"bias.raster_slope", "bias.raster_units", "bias.raster_clamp"};
 
@@ -56,6 +65,7 @@ constexpr Bias kBiases[] = {
      .help = "bias.constant alone, whatever the angle of the light.",
      .paper = "Williams: Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978",
      .file = "biases/constant.glsl",
+     .settings = kConstantSettings,
      .amount = constant_bias},
     {.key = "receiver-plane",
      .label = "Receiver plane",
@@ -67,7 +77,29 @@ constexpr Bias kBiases[] = {
      .file = "biases/receiver_plane.glsl",
      .settings = kPlaneSettings,
      .per_texel = true,
+     .brings_need = true,
      .amount = receiver_plane_bias},
+    {.key = "receiver-plane-derivatives",
+     .label = "Receiver plane by derivatives",
+     .help = "The receiver's plane as engines take it: from the steps of the surface between neighbouring pixels. What "
+             "single precision leaves of those bends it, so a texel of its slope is added, which engines call the "
+             "fractional sampling error; plane_clamp keeps it from running away where light grazes.",
+     .paper = "Isidoro: Shadow Mapping: GPU-based Tips and Techniques, GDC 2006",
+     .file = "biases/receiver_plane_derivatives.glsl",
+     .settings = kPlaneSettings,
+     .per_texel = true,
+     .brings_need = true,
+     .by_derivatives = true,
+     .amount = receiver_plane_by_derivatives_bias},
+    {.key = "adaptive",
+     .label = "Automatic (adaptive)",
+     .help = "Just what the pixel's plane needs under the kernel, the format and the map's resolution, in closed form: "
+             "no acne on planes and no number to turn. What it costs, the lit strip beside casters, is shown by the "
+             "overlay contact-gap and by the probe. Normal offset and polygon offset act beside it and are not needed.",
+     .paper = "Dou, Yan, Kerzner, Dai, Wyman: Adaptive Depth Bias for Shadow Maps, JCGT 3(4), 2014",
+     .file = "biases/adaptive.glsl",
+     .brings_need = true,
+     .amount = adaptive_bias},
     {.key = "normal-offset",
      .label = "Normal offset",
      .help = "bias.normal: moves the point that is looked up along its normal. Acts beside bias.kind.",

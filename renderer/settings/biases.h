@@ -28,6 +28,7 @@ struct BiasInput {
     glm::dvec2 per_texel{0};  ///< depth of the receiver's plane per texel, along u and v
     double quantum = 0;       ///< step of the stored depth
     double rest = 0;          ///< depth: the plane's least bias where every texel is compared with the plane there
+    double least = 0;         ///< depth: the plane's least bias where one depth is compared with all texels
 };
 
 /// A bias. The functions of its file, below shaders/, are by its stage
@@ -42,7 +43,9 @@ struct Bias {
     std::string_view file;
     BiasStage stage = BiasStage::Compare;
     std::span<const std::string_view> settings = {};  ///< keys that only it and other rows that list them read
-    bool per_texel = false;  ///< each texel is compared with a depth of its own; bilinear samplers have one for 4
+    bool per_texel = false;       ///< each texel is compared with a depth of its own; bilinear samplers have one for 4
+    bool brings_need = false;     ///< it gives what a plane needs by itself, whatever the numbers are
+    bool by_derivatives = false;  ///< it has the plane from the steps of the surface between neighbouring pixels
     /// The same in closed form, in what the file's function counts in; of a look-up's move its length.
     double (*amount)(const BiasSettings&, const BiasInput&) = nullptr;
 };

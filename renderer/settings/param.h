@@ -40,6 +40,8 @@ enum class ReadBy : unsigned {
     Slabs = 1 << 6,         ///< that draw texels into the scene
     MapRange = 1 << 7,      ///< that find the map viewer's range
     MapView = 1 << 8,       ///< that draw its picture
+    Visibility = 1 << 9,    ///< the pass of that name
+    Blobs = 1 << 10,        ///< that draw them
 };
 constexpr ReadBy operator|(ReadBy a, ReadBy b) {
     return ReadBy(unsigned(a) | unsigned(b));

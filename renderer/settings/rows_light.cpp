@@ -185,6 +185,11 @@ constexpr auto kLight = with_scope(
         {SI_LIGHT_FIELD(blue), .label = "Blue", .unit = "", .min = 0, .max = 1, .help = "Colour, linear blue."},
         {SI_LIGHT_FIELD(cast), .label = "Casts shadows", .unit = "",
          .help = "Whether the light casts shadows. Off: everything it reaches is lit, and no map is drawn for it."},
+        {SI_LIGHT_FIELD(contact), .label = "Contact shadows", .unit = "m", .min = 0, .max = 100, .logarithmic = true,
+         SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
+         .help = "Length of the ray that is marched from each surface towards the light through what the camera sees; "
+                 "what it meets shadows the surface, whatever light.source says. Brings back the small shadows that a "
+                 "bias loses at contacts. It knows only what is in the picture. 0 is off."},
         {SI_LIGHT_FIELD(source), .label = "Source", .unit = "", .choices = source_choices,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
          .help = "Where the light's shadows come from. All can be held against the ray-traced truth."},

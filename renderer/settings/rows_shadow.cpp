@@ -41,6 +41,16 @@ constexpr Choice kCompares[] = {
     {"lequal", "less or equal", "Lit when the fragment's depth is nearer than or equal to the stored depth."},
 };
 
+constexpr Choice kTransforms[] = {
+    {"world", "from the world",
+     "A surface's place in the map from its place in the scene, by one matrix that was multiplied in double "
+     "precision."},
+    {"eye", "from the eye",
+     "The place before the camera times T = B * P_light * V_light * inverse(V_camera), multiplied in single precision, "
+     "as "
+     "texture matrices of fixed-function OpenGL were."},
+};
+
 /// map.outside also answers for what lies behind the far plane or behind a light with a place.
 std::string_view outside_idle(const Settings& s, int) {
     if (s.map.far_guard || s.map.wrap == at(MapWrap::Border) || s.map.wrap == at(MapWrap::Range)) return "";
@@ -108,6 +118,10 @@ constexpr auto kMap = of_map(std::to_array<Param>({
              "crosses a texel covers a share of it. What the driver cannot do is said, and the next that it can is "
              "used.",
      .read_by = ReadBy::Moments},
+    {SI_FIELD(map.transform), .label = "Texture matrix", .unit = "", .cost = Cost::Program, SI_CHOICES(kTransforms),
+     .help = "How a surface's place in the map is found. Both are the same in exact numbers; the overlay "
+             "transform-difference shows by how many texels they differ in single precision.",
+     .shader = true},
 }));
 static_assert(kMap.size() == members<MapSettings>(), "a member of MapSettings has no row");
 

@@ -6,6 +6,17 @@ namespace {
 
 using namespace rows;
 
+constexpr Choice kCompositions[] = {
+    {"ambient", "ambient and visibility",
+     "colour = (ambient + visibility * (diffuse + specular)) * base colour, in one pass: shadows soften as their "
+     "filter "
+     "does."},
+    {"dim-lit", "dim pass, then lit pass",
+     "The whole picture is drawn by dimmed lights first. Then it is drawn again where the comparison finds light, by "
+     "an "
+     "alpha test of 0.99: whatever the filter, a pixel is lit or it is not. Blended surfaces take one pass."},
+};
+
 constexpr auto kShading = std::to_array<Param>({
     {SI_FIELD(shading.ambient), .label = "Ambient", .unit = "", .min = 0, .max = 10,
      .help = "Share of light that comes from everywhere and is never shadowed: colour = (ambient + visibility * "
@@ -18,6 +29,12 @@ constexpr auto kShading = std::to_array<Param>({
     {SI_FIELD(shading.shininess), .label = "Shininess", .unit = "", .min = 1, .max = 1024, .logarithmic = true,
      SI_IDLE(s.shading.specular == 0, "without effect: shading.specular is 0"),
      .help = "Exponent of the Blinn-Phong highlight; larger is smaller and sharper.", .shader = true},
+    {SI_FIELD(shading.composition), .label = "Composition", .unit = "", .cost = Cost::Program,
+     SI_CHOICES(kCompositions), .help = "How light and shadow become a picture.", .shader = true},
+    {SI_FIELD(shading.dim), .label = "Dim light", .unit = "", .min = 0, .max = 1,
+     SI_IDLE(s.shading.composition != at(Composition::DimLit), "without effect: set shading.composition to dim-lit"),
+     .help = "Share of each light that the dim pass leaves in shadow, so that surfaces keep their shape there.",
+     .shader = true},
     {SI_FIELD(shading.textures), .label = "Textures", .unit = "", .cost = Cost::Program,
      .help = "Use base colour textures and normal maps. Off: plain material colours, so that shadows stand out. Alpha "
              "masks cut out either way.",

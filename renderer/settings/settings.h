@@ -38,6 +38,8 @@ enum class MapView { Raw, Linear, Bands };
 enum class MapSource { Light, Camera };
 enum class Panes { One, Two, Four };
 enum class OverlayRange { Declared, Fitted, Manual };
+enum class Composition { Ambient, DimLit };
+enum class MapTransform { World, Eye };
 enum class Slabs { None, Stored, Biased, Both };
 
 struct CameraSettings {
@@ -71,6 +73,7 @@ struct MapSettings {
     bool reversed_z = false;
     int blur_texels = 0;
     int samples = 1;
+    int transform = 0;  ///< MapTransform
     bool operator==(const MapSettings&) const = default;
 };
 
@@ -146,6 +149,7 @@ struct LightSettings {
     double intensity = 1;
     double red = 1, green = 1, blue = 1;
     bool cast = true;
+    double contact = 0;
     int source = 0;           ///< row of the source table
     int fit = default_fit();  ///< LightFit, row of the fit table
     int projection = 0;       ///< LightProjection
@@ -166,11 +170,29 @@ struct VolumeSettings {
     bool operator==(const VolumeSettings&) const = default;
 };
 
+/// Of lights whose source are blobs.
+struct BlobSettings {
+    double size = 1;
+    double softness = 0.6;
+    double opacity = 0.7;
+    double reach = 8;
+    bool operator==(const BlobSettings&) const = default;
+};
+
+/// Of lights with light.contact above 0.
+struct ContactSettings {
+    int steps = 16;
+    double thickness = 0.1;
+    bool operator==(const ContactSettings&) const = default;
+};
+
 struct ShadingSettings {
     double ambient = 0.25;
     double diffuse = 0.75;
     double specular = 0.15;
     double shininess = 32;
+    int composition = 0;  ///< Composition
+    double dim = 0.2;
     bool textures = true;
     bool separate_visibility = false;
     bool operator==(const ShadingSettings&) const = default;
@@ -226,6 +248,8 @@ struct Settings {
     int light_count = 1;
     std::array<LightSettings, kMaxLights> lights{};
     VolumeSettings volumes;
+    ContactSettings contact;
+    BlobSettings blob;
     ShadingSettings shading;
     ViewSettings view;
     TruthSettings truth;

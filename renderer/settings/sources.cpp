@@ -19,6 +19,16 @@ constexpr Source kSourceRows[] = {
      .label = "no shadow",
      .help = "Everything that faces the light is lit; what a picture lacks without shadows.",
      .fused = true},
+    {.key = "blob",
+     .label = "blobs",
+     .help =
+         "A soft disc below each caster, along the light: what games drew before shadow maps, and still draw below "
+         "small things. It knows where a caster is and how wide, and nothing of its shape, of what lies between, or "
+         "of the receiver. Casters wider than a quarter of the scene have none.",
+     .paper = "Blinn, Jim Blinn's Corner: Me and My (Fake) Shadow, IEEE Computer Graphics and Applications 8(1), 1988",
+     .needs = {.blobs = true},
+     .file = "sources/blob.glsl",
+     .stands_for = "a disc stands for the caster"},
     {.key = "volumes-zfail",
      .label = "shadow volumes (z-fail)",
      .help =
@@ -30,6 +40,16 @@ constexpr Source kSourceRows[] = {
      .paper = "Everitt and Kilgard, Practical and Robust Stenciled Shadow Volumes for Hardware-Accelerated Rendering, "
               "2002; McGuire et al., Fast, Practical and Robust Shadows, 2003",
      .needs = {.stencil = true, .camera_depth = true},
+     .file = "sources/volumes.glsl"},
+    {.key = "volumes-zpass",
+     .label = "shadow volumes (z-pass)",
+     .help =
+         "Shadow volumes as they were first counted: their faces before the surface seen instead of those behind it, "
+         "which saves their caps. Wrong wherever the camera stands in a volume, or its near plane cuts one: light "
+         "and shadow change places there. Else as volumes-zfail.",
+     .paper = "Crow, Shadow Algorithms for Computer Graphics, SIGGRAPH 1977; Heidmann, Real Shadows Real Time, IRIS "
+              "Universe 18, 1991",
+     .needs = {.stencil = true, .before = true, .camera_depth = true},
      .file = "sources/volumes.glsl"},
     {.key = "traced",
      .label = "ray traced",
@@ -56,10 +76,10 @@ const Source& source_of(const Settings& settings, int light) {
     return kSourceRows[std::clamp(settings.lights[i].source, 0, int(std::size(kSourceRows)) - 1)];
 }
 
-bool any_source_is_volumes(const Settings& settings) {
+bool any_source_needs(const Settings& settings, bool SourceNeeds::*what) {
     const int count = std::clamp(settings.light_count, 0, kMaxLights);
     for (int i = 0; i < count; ++i)
-        if (settings.lights[std::size_t(i)].cast && source_of(settings, i).needs.stencil) return true;
+        if (settings.lights[std::size_t(i)].cast && source_of(settings, i).needs.*what) return true;
     return false;
 }
 

@@ -13,8 +13,10 @@ namespace si {
 struct SourceNeeds {
     bool map = false;           ///< shadow maps
     bool stencil = false;       ///< a stencil buffer of its own
+    bool before = false;        ///< in which it counts faces before the surface, not those behind it
     bool camera_depth = false;  ///< the depth that the camera sees
     bool truth = false;         ///< FrameRequest::traced
+    bool blobs = false;         ///< a blob below each caster
 };
 
 /// Where a light's visibility comes from: 1 lit to 0 in shadow, a layer of the visibility texture a light.
@@ -26,6 +28,8 @@ struct Source {
     /// Below shaders/, with `float source_visibility(Surface s, int light)`. Empty: nothing is drawn for it. What rays
     /// found is copied as it is, else all is lit.
     std::string_view file;
+    /// Why it does not tell where light reaches; empty: it does, as far as its samples do.
+    std::string_view stands_for = {};
 };
 
 std::span<const Source> sources();
@@ -33,8 +37,8 @@ std::span<const Choice> source_choices();
 
 /// Of light.<i>, whether that casts or not.
 const Source& source_of(const Settings& settings, int light);
-/// Whether the shadows of any light that casts are counted in a stencil buffer.
-bool any_source_is_volumes(const Settings& settings);
+/// Whether the source of any light that casts has this need.
+bool any_source_needs(const Settings& settings, bool SourceNeeds::*what);
 /// Whether settings of shadow maps act on no light, as no light's source is a map.
 bool no_source_is_map(const Settings& settings);
 

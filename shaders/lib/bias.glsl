@@ -4,11 +4,10 @@
 
 /// The plane's depth gradient over the map, per map width. From two directions within the plane and their steps in the
 /// map by the quotient rule; that of depth is known in closed form, where a quotient would cancel.
-vec2 plane_gradient(Receiver r) {
-    vec3 n = r.surface.geometric;
-    vec3 along = normalize(abs(n.x) > abs(n.z) ? vec3(-n.y, n.x, 0.0) : vec3(0.0, -n.z, n.y));
+/// @param along, across two directions within the plane, of any length
+vec2 gradient_along(Receiver r, vec3 along, vec3 across) {
     mat4 m = frame.views[r.layer].uvd_from_relative;
-    vec4 p = m * vec4(along, 0.0), q = m * vec4(cross(n, along), 0.0);
+    vec4 p = m * vec4(along, 0.0), q = m * vec4(across, 0.0);
     vec2 depth = vec2(p.z, q.z);
     vec2 a = p.xy, b = q.xy;
     if (LIGHT_PERSPECTIVE[r.light] != 0) {
@@ -17,6 +16,12 @@ vec2 plane_gradient(Receiver r) {
         b = (q.xy - r.uvd.xy * q.w) / r.w;
     }
     return vec2(depth.x * b.y - depth.y * a.y, depth.y * a.x - depth.x * b.x) / (a.x * b.y - a.y * b.x);
+}
+
+vec2 plane_gradient(Receiver r) {
+    vec3 n = r.surface.geometric;
+    vec3 along = normalize(abs(n.x) > abs(n.z) ? vec3(-n.y, n.x, 0.0) : vec3(0.0, -n.z, n.y));
+    return gradient_along(r, along, cross(n, along));
 }
 
 /// One step of the stored depth at r.
@@ -59,8 +64,9 @@ struct BiasInput {
     float z;            // metres along the axis of the point that is looked up
     float own_z;        // of the receiver
     float depth_per_m;  // at own_z
-    vec2 gradient;      // of the plane's depth over the map; 0 where rows of the table do not read it (BIAS_PER_TEXEL)
+    vec2 gradient;      // of the plane's depth over the map; 0 where rows of the table do not read it (BIAS_READS_PLANE)
     float rest;         // rest_bias(); likewise
+    float least;        // least_bias() of the chosen kernel; likewise
 };
 
 /// An amount in bias.unit as depth.
@@ -80,12 +86,20 @@ float unit_depth(BiasInput b, float amount) {
 /// @param z metres along the axis of the point that is looked up
 BiasInput bias_input(Receiver r, float n_dot_l, float z) {
     BiasInput b = BiasInput(LIGHT_PERSPECTIVE[r.light] != 0, nearest_z(r), n_dot_l, r.texel_m, z, r.z, r.depth_per_m,
-                            vec2(0.0), 0.0);
-#if BIAS_PER_TEXEL
+                            vec2(0.0), 0.0, 0.0);
+#if BIAS_READS_PLANE
     // Edge-on there is no gradient, and no look-up.
     if (faces_light(r)) {
+#if BIAS_BY_DERIVATIVES
+        b.gradient = gradient_along(r, r.surface.step_x, r.surface.step_y);
+#else
         b.gradient = plane_gradient(r);
+#endif
+#if BIAS_PER_TEXEL
         b.rest = rest_bias(r, b.gradient);
+#else
+        b.least = least_bias(r, b.gradient, frame.lights[r.light].kernel.y);
+#endif
     }
 #endif
     return b;

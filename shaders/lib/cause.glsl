@@ -23,6 +23,10 @@ Cause cause_of_false_light(Evidence e, int place) {
     bool offset_larger = e.strip_offset_m > e.strip_bias_m;
     // What casts in truth, nearer to the light, would have withstood more.
     int lost = e.gap_all > e.gap_drawn ? 1 << ARTEFACT_LOST_CASTER : 0;
+#if RASTER_BIAS
+    if (by_bias && e.unfiltered < 0.5) 
+        return cause(ARTEFACT_PETER_PANNING_RASTER, lost | (e.own > e.least ? bias : 0));
+#endif
     if (by_bias && !by_offset) return cause(ARTEFACT_PETER_PANNING, lost);
     if (by_offset && !by_bias) return cause(ARTEFACT_PETER_PANNING_OFFSET, lost);
     if (by_both || by_bias)
@@ -31,7 +35,7 @@ Cause cause_of_false_light(Evidence e, int place) {
 #if UNFILTERED_DIFFERS
     if (e.unfiltered < 0.5)
 #if RASTER_BIAS
-        return cause(ARTEFACT_PETER_PANNING, MASK_LEVELS != 0 ? 1 << ARTEFACT_LOST_CASTER : 0);
+        return cause(ARTEFACT_PETER_PANNING_RASTER, MASK_LEVELS != 0 ? 1 << ARTEFACT_LOST_CASTER : 0);
 #elif MASK_LEVELS
         return cause(ARTEFACT_LOST_CASTER, DEPTH_BLUR != 0 ? leak : 0);
 #else

@@ -17,6 +17,9 @@ struct Surface {
     vec3 to_eye;     // unit
     vec2 pixel;      // of the picture, its centre
     bool receives;
+#if BIAS_BY_DERIVATIVES
+    vec3 step_x, step_y;  // by which the position differs from the next pixel's to the right and above, metres
+#endif
 };
 
 struct Receiver {
@@ -111,6 +114,14 @@ vec3 bias_normal_of(Surface s) {
 #include "lib/bias.glsl"
 #include "biases/normal_offset.glsl"
 
+vec4 uvd_from_world(ViewBlock view, vec3 position) { return view.uvd_from_relative * vec4(position, 1.0); }
+
+/// The same by the texture matrix T from eye space. Everitt, Rege, Cebenoyan, Hardware Shadow Mapping, 2001.
+vec4 uvd_from_eye(ViewBlock view, vec3 position) {
+    mat4 t = view.uvd_from_relative * frame.relative_from_eye;
+    return t * (frame.eye_from_relative * vec4(position, 1.0));
+}
+
 /// @param layer of the view that it is looked up in
 Receiver receiver_in(Surface s, int index, int layer) {
     Receiver r;
@@ -124,7 +135,11 @@ Receiver receiver_in(Surface s, int index, int layer) {
     r.blend = 0.0;
     ViewBlock view = frame.views[r.layer];
 
-    vec4 h = view.uvd_from_relative * vec4(s.position, 1.0);
+#if map_transform == map_transform_eye
+    vec4 h = uvd_from_eye(view, s.position);
+#else
+    vec4 h = uvd_from_world(view, s.position);
+#endif
     if (LIGHT_PERSPECTIVE[index] == 0) h.w = 1.0;  // known, so the division below costs nothing
     r.w = h.w;
     float near = view.curve.x, far = view.curve.y;

@@ -6,6 +6,10 @@ layout(binding = UNIT_SEEN_SURFACES + 1) uniform sampler2D seen_geometric_map;
 #if bias_normal_source != bias_normal_source_geometric
 layout(binding = UNIT_SEEN_SURFACES + 2) uniform sampler2D seen_bias_normal_map;
 #endif
+#if BIAS_BY_DERIVATIVES
+layout(binding = UNIT_SEEN_SURFACES + 3) uniform sampler2D seen_step_x_map;
+layout(binding = UNIT_SEEN_SURFACES + 4) uniform sampler2D seen_step_y_map;
+#endif
 
 /// Of the interpolated normals only that which bias.normal_source chooses is known; the direction to the eye is not.
 Surface seen_surface(ivec2 at) {
@@ -21,6 +25,9 @@ Surface seen_surface(ivec2 at) {
     s.vertex = s.shading = s.geometric;
 #endif
     s.to_eye = vec3(0.0);
+#if BIAS_BY_DERIVATIVES
+    s.step_x = texelFetch(seen_step_x_map, at, 0).xyz, s.step_y = texelFetch(seen_step_y_map, at, 0).xyz;
+#endif
     return s;
 }
 

@@ -19,6 +19,9 @@ Surface make_surface() {
 #else
     s.receives = true;
 #endif
+#if BIAS_BY_DERIVATIVES
+    s.step_x = dFdx(position_rel), s.step_y = dFdy(position_rel);
+#endif
     s.to_eye = frame.eye.w > 0.5 ? -frame.forward.xyz : normalize(frame.eye.xyz - position_rel);
     // The triangle's own normal, not that of screen derivatives: of those, single precision leaves a tenth of a degree.
     float n2 = dot(face_normal, face_normal);

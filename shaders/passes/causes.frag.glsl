@@ -25,7 +25,11 @@ void main() {
 #elif FOR_FALSE_LIGHT
         why = cause_of_false_light(e, place);
 #else
+#if HAS_CONTACTS
+        why = map_visibility(r) >= 0.5 ? cause(ARTEFACT_CONTACT, 0) : cause_of_false_shadow(e, place);
+#else
         why = cause_of_false_shadow(e, place);
+#endif
     if (why.artefact == ARTEFACT_ACNE && true_visibility(truth) == 1.0) bits |= ANY_ACNE;
 #endif
     if (why.seam) bits |= SEAM;

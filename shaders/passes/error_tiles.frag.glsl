@@ -5,6 +5,14 @@ layout(location = TILE_BRIGHT) out vec4 bright_out[ARTEFACT_LAYERS];  // false l
 layout(location = TILE_NOTED) out vec4 noted_out;  // outside of the map, any acne, within noise; in shadow by either
 layout(location = TILE_SUMS) out vec4 sums_out;    // |d|, d^2, d; in shadow both by map and truth
 
+/// Some share a number with a kind that pixels are never wrong by in the same way.
+int tile_number(int artefact) {
+    return artefact == ARTEFACT_NO_MAP ? ARTEFACT_NONE
+           : artefact == ARTEFACT_PETER_PANNING_RASTER ? ARTEFACT_ACNE
+           : artefact == ARTEFACT_CONTACT ? ARTEFACT_LEAK
+                                          : artefact;
+}
+
 void main() {
     ivec2 first = ivec2(gl_FragCoord.xy) * TILE, end = min(first + TILE, textureSize(truth_map, 0));
     vec4 dark[ARTEFACT_LAYERS], bright[ARTEFACT_LAYERS], noted = vec4(0.0), sums = vec4(0.0);
@@ -17,7 +25,7 @@ void main() {
             float counts = float(bits / COUNTS & 1), fs = float(bits & FALSE_SHADOW), fl = float(bits / FALSE_LIGHT & 1);
             float d = counts * (v - r), v_dark = counts * float(v < 0.5), r_dark = counts * float(r < 0.5);
             for (int i = 0; i < ARTEFACT_LAYERS; ++i) {
-                int number = artefact == ARTEFACT_NO_MAP ? 0 : artefact;
+                int number = tile_number(artefact);
                 vec4 of = vec4(equal(ivec4(number - 4 * i), ivec4(0, 1, 2, 3)));
                 dark[i] += fs * of;
                 bright[i] += fl * of;

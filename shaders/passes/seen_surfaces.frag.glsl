@@ -5,6 +5,10 @@ layout(location = 1) out vec4 geometric_out;
 #if bias_normal_source != bias_normal_source_geometric
 layout(location = 2) out vec4 bias_normal_out;
 #endif
+#if BIAS_BY_DERIVATIVES
+layout(location = 3) out vec4 step_x_out;
+layout(location = 4) out vec4 step_y_out;
+#endif
 
 void main() {
 #ifdef MASKED
@@ -15,5 +19,8 @@ void main() {
     geometric_out = vec4(s.geometric, 0.0);
 #if bias_normal_source != bias_normal_source_geometric
     bias_normal_out = vec4(bias_normal_of(s), 0.0);
+#endif
+#if BIAS_BY_DERIVATIVES
+    step_x_out = vec4(s.step_x, 0.0), step_y_out = vec4(s.step_y, 0.0);
 #endif
 }

@@ -30,15 +30,30 @@ vec3 arriving(int index, vec3 to_light, float distance_m) {
     return light.radiance.rgb * (cone * window) / max(distance_m * distance_m, 1e-12);
 }
 
+#if shading_composition == shading_composition_dim_lit
+const float LIT = 0.99;  // of the alpha test
+#ifdef LIT_PASS
+bool any_lit = false;
+#endif
+#endif
+
 /// One light's share: visibility * (diffuse + specular).
 vec3 light_share(int i, Surface s) {
     float distance_m;
     vec3 l = direction_to(i, s.position, distance_m);
     float n_dot_l = dot(s.shading, l);
-#ifdef SEPARATE_VISIBILITY
+#ifdef DIM_PASS
+    float visibility = 0.0;
+#elif defined(SEPARATE_VISIBILITY)
     float visibility = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, i), 0).r;
 #else
     float visibility = light_visibility(s, i);
+#endif
+#if shading_composition == shading_composition_dim_lit
+#ifdef LIT_PASS
+    any_lit = any_lit || visibility >= LIT;
+#endif
+    visibility = visibility >= LIT ? 1.0 : shading_dim;
 #endif
     float highlight = pow(max(dot(s.shading, normalize(l + s.to_eye)), 0.0), shading_shininess);
     float reflected = n_dot_l > 0.0 ? shading_diffuse * n_dot_l + shading_specular * highlight : 0.0;
@@ -54,6 +69,9 @@ void main() {
     vec3 sum = vec3(shading_ambient);
 #define ADD_LIGHT(i) sum += light_share(i, s);
     EACH_LIGHT(ADD_LIGHT)
+#ifdef LIT_PASS
+    if (!any_lit) discard;
+#endif
 #ifdef SURFACE_FLAGS
     if (surface.z > 0.5) sum = vec3(1.0);
 #endif

@@ -28,6 +28,9 @@ struct ViewBlock {
 
 struct FrameBlock {
     mat4 clip_from_relative;
+    mat4 eye_from_relative;   // x right, y up, z against the viewing direction
+    mat4 relative_from_eye;
+    vec4 lens;    // half width and height of the picture: tangents, or metres where eye.w is 1; z, w: see camera_z()
     vec4 eye;       // xyz relative; w: 1 orthographic
     vec4 forward;   // unit viewing direction
     vec4 divided_eye;      // xyz relative; of the camera whose depth is divided among views: mostly the frame's own
@@ -44,8 +47,8 @@ struct FrameBlock {
 }  // namespace si::shared
 static_assert(sizeof(si::shared::LightBlock) == 64);
 static_assert(sizeof(si::shared::ViewBlock) == 96);
-static_assert(offsetof(si::shared::FrameBlock, lights) == 192);
-static_assert(offsetof(si::shared::FrameBlock, views) == 192 + 64 * SI_MAX_LIGHTS);
+static_assert(offsetof(si::shared::FrameBlock, lights) == 336);
+static_assert(offsetof(si::shared::FrameBlock, views) == 336 + 64 * SI_MAX_LIGHTS);
 static_assert(sizeof(si::shared::FrameBlock) <= 16384);  // the least that OpenGL grants
 #endif
 #endif

@@ -75,8 +75,12 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
     const Scene scene = hills();
     for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
         for (const char* format : {"d16", "d24", "d32f"})
-            for (const auto& [reversed, kind] :
-                 {std::pair{false, "slope"}, {true, "slope"}, {false, "constant"}, {true, "receiver-plane"}}) {
+            for (const auto& [reversed, kind] : {std::pair{false, "slope"},
+                                                 {true, "slope"},
+                                                 {false, "constant"},
+                                                 {true, "receiver-plane"},
+                                                 {true, "receiver-plane-derivatives"},
+                                                 {false, "adaptive"}}) {
                 SCOPED_TRACE(testing::Message()
                              << int(type) << " " << format << (reversed ? " reversed " : " ") << kind);
                 Settings s = lit_by(type);
@@ -107,6 +111,7 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                 compare("bias-slack", [](const BiasAccount& a) {
                     return a.amount(a.clears()).texels - a.amount(a.least.total()).texels;
                 });
+                compare("contact-gap", [](const BiasAccount& a) { return a.contact_gap_m(); });
                 compare("bias-applied", [](const BiasAccount& a) { return a.amount(a.lifts - a.raster).texels; });
             }
 }

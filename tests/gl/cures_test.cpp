@@ -215,7 +215,7 @@ TEST_F(CuresTest, TheLeastBiasOfEachRowLeavesNoAcne) {
                 const ErrorMetrics after = measure(scene, with).metrics;
                 EXPECT_EQ(after.artefacts[std::size_t(Artefact::Acne)], 0u);
                 EXPECT_LT(after.any_acne, 1e-3) << "but where the kernel reaches over the box's edges";
-                if (bias->per_texel) {
+                if (bias->brings_need) {
                     EXPECT_EQ(least.constant + least.slope + least.normal, 0) << "it needs no numbers";
                 }
                 Settings less = with;

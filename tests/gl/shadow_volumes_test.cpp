@@ -7,6 +7,7 @@
 #include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
 
 namespace si {
 namespace {
@@ -92,6 +93,36 @@ TEST_F(ShadowVolumesTest, AreExactOverScenesAndLights) {
                       std::string(name) == "plane" || std::string(name) == "relief" ? 0 : 100);
             }
     }
+}
+
+// Counting before the surface is the same count wherever the camera stands outside, and another one within a volume:
+// there light and shadow change places.
+TEST_F(ShadowVolumesTest, CountedBeforeTheSurfaceFailWithTheCameraInside) {
+    const auto differing = [&](const Scene& scene, Settings s) {
+        FloatImage v[2];
+        for (const int which : {0, 1}) {
+            set_setting(s, "light.source", which ? "volumes-zpass" : "volumes-zfail");
+            const FrameResult frame = renderer.render(scene, s, request);
+            EXPECT_TRUE(frame.notes.empty());
+            v[which] = renderer.read_float(frame.visibility, 1);
+        }
+        std::size_t n = 0;
+        for (std::size_t i = 0; i < v[0].data.size(); ++i) n += v[0].data[i] != v[1].data[i];
+        return double(n) / double(v[0].data.size());
+    };
+    for (const glm::dvec3& by : {glm::dvec3(0), glm::dvec3(1e4, -3e3, 1e4)}) {
+        const Scene boxes = moved_by(solid(load_scene("boxes")), by);
+        for (const char* type : {"directional", "spot", "point"})
+            EXPECT_LT(differing(boxes, settings_for(boxes, {{"light.type", type}})), 1e-4) << type;
+    }
+    // Under a sheet, the sun straight above it; and the same camera beside its shadow.
+    const Scene sheet = test::floor_under_a_sheet({});
+    Settings s = test::hard_settings();
+    s.lights[0].elevation = 90;
+    s.camera.target_y = 0.5, s.camera.elevation = 10, s.camera.distance = 1.2;
+    EXPECT_GT(differing(sheet, s), 0.5);
+    s.camera.distance = 8, s.camera.elevation = 30;
+    EXPECT_LT(differing(sheet, s), 1e-4);
 }
 
 TEST_F(ShadowVolumesTest, AreExactTenKilometresOffTheOrigin) {

@@ -38,7 +38,8 @@ TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
     for (const Source& s : sources()) {
         EXPECT_FALSE(s.key.empty() || s.label.empty() || s.help.empty()) << s.key;
         EXPECT_EQ(s.paper.empty(), s.key == "none") << s.key;
-        EXPECT_FALSE(s.fused && (s.needs.stencil || s.needs.truth)) << s.key << ": shading has neither";
+        EXPECT_FALSE(s.fused && (s.needs.stencil || s.needs.truth || s.needs.blobs))
+            << s.key << ": shading has neither";
     }
 }
 
@@ -64,6 +65,53 @@ TEST_F(SourcesTest, OnlyAMapIsDrawnAsAMap) {
             for (const float x : v.data) ASSERT_TRUE(x >= 0 && x <= 1) << x;
             const auto dark = std::count_if(v.data.begin(), v.data.end(), [](float x) { return x < 0.5f; });
             EXPECT_EQ(dark > 300, source.key != "none") << dark;
+        }
+}
+
+// One box above a floor: the disc's middle lies where the light's ray through the box's middle meets the floor, its rim
+// a radius from there across the light, and between them it fades as asked.
+TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
+    for (const test::Place& place : test::kPlaces)
+        for (const LightType type : test::kLightTypes) {
+            SCOPED_TRACE(testing::Message() << int(type) << " at " << place.at.x);
+            Scene scene = test::floor_and_box(10, {1, 0.8, 1.2}, 0.6);
+            test::move_scene(scene, place.at);
+            Settings s = test::hard_settings();
+            set_setting(s, "light.source", "blob");
+            LightSettings& light = s.lights[0];
+            light.type = int(type), light.azimuth = place.azimuth, light.elevation = place.elevation;
+            if (type != LightType::Directional) light.distance = 9, light.cone = 90;
+            s.blob = {.size = 1.5, .softness = 0.4, .opacity = 0.8, .reach = 6};
+            test::move_camera(s, place.at);
+            const test::Shot shot = test::shoot(scene, s, 160, 120);
+            const test::RayTruth rays(scene);
+            const FittedLight& fitted = shot.light();
+            const glm::dvec3 middle = place.at + glm::dvec3(0, 1, 0);
+            const glm::dvec3 away = fitted.type == LightType::Directional ? -fitted.to_light : middle - fitted.position;
+            const glm::dvec3 axis = glm::normalize(away);
+            const glm::dvec3 half(0.5, 0.4, 0.6);
+            double squares = glm::dot(half, half);
+            for (int k = 0; k < 3; ++k) squares -= std::pow(half[k] * axis[k], 2);
+            const double radius = 1.5 * std::sqrt(squares / 2);
+            int dark = 0, lit = 0;
+            for (int y = 0; y < shot.height; ++y)
+                for (int x = 0; x < shot.width; ++x) {
+                    glm::dvec3 origin, dir;
+                    shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
+                    const auto hit = rays.first_hit(origin, dir);
+                    if (!hit || std::abs(hit->position.y - place.at.y) > 1e-3) continue;
+                    const glm::dvec3 from = hit->position - middle;
+                    const double along = glm::dot(from, axis), across = glm::length(from - axis * along);
+                    const double spread = fitted.type == LightType::Directional ? 1 : 1 + along / glm::length(away);
+                    const double rim = std::clamp((1 - across / (radius * spread)) / 0.4, 0.0, 1.0);
+                    const double fades =
+                        std::clamp(along / radius / 0.25, 0.0, 1.0) * std::clamp(1 - along / radius / 6, 0.0, 1.0);
+                    const double expected = 1 - 0.8 * rim * fades;
+                    ASSERT_NEAR(shot.visibility.at(x, y), expected, 5e-3) << x << ' ' << y;
+                    expected < 0.5 ? ++dark : ++lit;
+                }
+            EXPECT_GT(dark, 40);
+            EXPECT_GT(lit, 1000);
         }
 }
 

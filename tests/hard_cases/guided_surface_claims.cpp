@@ -218,6 +218,80 @@ const Claims& guided_surface_claims() {
              const ErrorMetrics inside = Guided("shadow-volumes", {"camera.distance=0.5"}, 320, 180).error();
              EXPECT_LT(inside.false_shadow + inside.false_light, 2e-4) << "close";
          }},
+        {"adaptive-bias",
+         [] {
+             const Guided g("adaptive-bias");
+             EXPECT_LT(g.wrongly_dark({"Room/Back wall"}), 0.005);
+             EXPECT_EQ(g.error().acne, 0);
+             EXPECT_GT(Guided("adaptive-bias", {"bias.kind=constant", "bias.constant=0"}).wrongly_dark(), 0.2);
+         }},
+        {"adaptive-bias-coarse",
+         [] {
+             const ErrorMetrics e = Guided("adaptive-bias-coarse").error();
+             const ErrorMetrics fine = Guided("adaptive-bias-coarse", {"map.resolution=2048"}).error();
+             EXPECT_EQ(e.acne, 0);
+             EXPECT_GT(e.false_light, 0.005);
+             EXPECT_GT(e.false_light, 3 * fine.false_light);
+             EXPECT_EQ(e.bias_false_light, 0) << "less would be acne";
+         }},
+        {"receiver-plane-derivatives",
+         [] {
+             const Guided g("receiver-plane-derivatives");
+             const ErrorMetrics e = g.error(), plane = Guided("receiver-plane").error();
+             EXPECT_LT(g.wrongly_dark({"Room/Back wall"}), 0.005);
+             EXPECT_LT(e.acne, 1e-3);
+             EXPECT_LT(e.bias_false_light, 0.02) << "a little more gap";
+             EXPECT_GE(e.bias_false_light, plane.bias_false_light);
+         }},
+        {"volumes-zpass",
+         [] {
+             const ErrorMetrics inside = Guided("volumes-zpass", {}, 320, 180).error();
+             EXPECT_GT(inside.false_light + inside.false_shadow, 0.5);
+             const ErrorMetrics right = Guided("volumes-zpass", {"light.source=volumes-zfail"}, 320, 180).error();
+             EXPECT_LT(right.false_light + right.false_shadow, 2e-4);
+         }},
+        {"blob",
+         [] {
+             const Guided g("blob"), none("blob", {"light.source=none"});
+             EXPECT_LT(g.error().mae, none.error().mae);
+         }},
+        {"blob-fails",
+         [] {
+             const ErrorMetrics e = Guided("blob-fails").error(),
+                                map = Guided("blob-fails", {"light.source=map"}).error();
+             EXPECT_GT(e.false_light + e.false_shadow, 5 * (map.false_light + map.false_shadow));
+         }},
+        {"contact-shadows",
+         [] {
+             const Guided with("contact-shadows", {}, 320, 180),
+                 without("contact-shadows", {"light.contact=0"}, 320, 180);
+             EXPECT_LT(with.error().bias_false_light, 0.7 * without.error().bias_false_light);
+         }},
+        {"contact-shadows-too-thick",
+         [] {
+             const ErrorMetrics e = Guided("contact-shadows-too-thick", {}, 320, 180).error();
+             EXPECT_GT(e.contact_false_shadow, 0.01);
+             EXPECT_GT(e.contact_false_shadow,
+                       3 * Guided("contact-shadows-too-thick", {"contact.thickness=0.1"}, 320, 180)
+                               .error()
+                               .contact_false_shadow);
+         }},
+        {"dim-then-lit",
+         [] {
+             const auto levels = [](const Guided& g) {
+                 std::set<int> out;
+                 for (std::size_t i = 0; i < g.shot.colour.data.size(); i += 4) out.insert(g.shot.colour.data[i]);
+                 return out.size();
+             };
+             EXPECT_LT(
+                 levels(Guided("dim-then-lit", {"shading.specular=0"})),
+                 0.8 * double(levels(Guided("dim-then-lit", {"shading.specular=0", "shading.composition=ambient"}))));
+         }},
+        {"texture-matrix",
+         [] {
+             const Guided g("texture-matrix"), world("texture-matrix", {"map.transform=world"});
+             EXPECT_LT(differing_share(g.shot, world.shot), 1e-3) << "ten thousandths of a texel";
+         }},
         {"depth-blur",
          [] {
              const Guided g("depth-blur"), sharp("depth-blur", {"map.blur_texels=0"});

@@ -53,11 +53,17 @@ std::vector<std::string> amounts_of(const Bias& row) {
     return keys;
 }
 
+/// What a row is turned by; of one without numbers only that it is chosen.
+std::vector<std::string> turned(const Bias& row) {
+    std::vector<std::string> keys = amounts_of(row);
+    return keys.empty() ? std::vector<std::string>{"bias.kind"} : keys;
+}
+
 std::vector<BiasCase> bias_cases() {
     std::vector<BiasCase> out;
     std::size_t turn = 0, format = 0;
     for (const Bias& row : biases())
-        for (const std::string& key : amounts_of(row))
+        for (const std::string& key : turned(row))
             for (const LightType light : kLightTypes) {
                 const std::size_t k = turn++ * 5 % filters().size();
                 for (const Place& place : kPlaces) {
@@ -149,7 +155,9 @@ double least_value(Share share_cleared) {
 TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
     const Scene scene = floor_under_a_sheet(c.place);
     Settings s = settings(0);
-    const Shot none = shoot(scene, s);
+    Settings bare = s;
+    if (row.brings_need) set_setting(bare, "bias.kind", "constant");
+    const Shot none = shoot(scene, bare);
     const double reach = reach_under(s, none.light(), none.frame.map_resolution).edge + 1;
     const auto truth_within = [&](double texels) {
         return trace_truth(RayTruth(scene), none.frame.camera, none.light(), none.width, none.height,

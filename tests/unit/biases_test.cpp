@@ -45,6 +45,9 @@ TEST(Biases, AmountsAreTheClosedForms) {
     EXPECT_DOUBLE_EQ(amount("slope", BiasUnit::Texels), 6 * 0.05 / 8);
     EXPECT_DOUBLE_EQ(amount("constant", BiasUnit::Metres), 2.0 / 8);
     EXPECT_DOUBLE_EQ(amount("receiver-plane", BiasUnit::Metres), 2.0 / 8 + 1e-4);
+    b.per_texel = {0.02, -0.03}, b.least = 0.7;
+    EXPECT_DOUBLE_EQ(amount("receiver-plane-derivatives", BiasUnit::Metres), 2.0 / 8 + 1e-4 + 0.05);
+    EXPECT_DOUBLE_EQ(amount("adaptive", BiasUnit::Metres), 0.7);
     b.n_dot_l = -1;  // away from the light: as edge-on
     EXPECT_DOUBLE_EQ(amount("slope", BiasUnit::Depth), 8);
     b.n_dot_l = 1;
@@ -63,12 +66,17 @@ TEST(Biases, SayWhichSettingsTheyLeaveIdle) {
     Settings s = of_kind("slope");
     s.bias.slope = 3;
     EXPECT_EQ(idle(s, "bias.slope"), "");
-    EXPECT_EQ(idle(s, "bias.plane_clamp"), "without effect: only bias.kind receiver-plane reads it");
+    EXPECT_EQ(idle(s, "bias.plane_clamp"),
+              "without effect: only bias.kind receiver-plane or receiver-plane-derivatives reads it");
     s = of_kind("receiver-plane");
     s.bias.slope = 3;
     EXPECT_EQ(idle(s, "bias.slope"), "without effect: only bias.kind slope reads it");
     EXPECT_EQ(idle(s, "bias.plane_clamp"), "");
-    EXPECT_EQ(idle(s, "bias.constant"), "") << "all rows read it";
+    EXPECT_EQ(idle(s, "bias.constant"), "");
+    s = of_kind("adaptive");
+    EXPECT_NE(idle(s, "bias.constant"), "") << "it has no number to turn";
+    EXPECT_NE(idle(s, "bias.unit"), "");
+    s = of_kind("receiver-plane");
     s.bias.normal = 0;
     EXPECT_NE(idle(s, "bias.normal_source"), "");
     s = of_kind("constant");
@@ -83,7 +91,7 @@ TEST(Biases, ListedSettingsAreOnlyTheirs) {
     for (const Bias& row : biases())
         for (const std::string_view key : row.settings) {
             ASSERT_TRUE(find_setting(key)) << key;
-            if (row.stage != BiasStage::Compare) continue;
+            if (row.stage != BiasStage::Compare || find_setting(key)->param->choices) continue;
             for (const Choice& kind : bias_choices()) {
                 Settings s = of_kind(kind.key);
                 const auto account = [&] {

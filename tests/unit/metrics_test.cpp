@@ -81,24 +81,25 @@ TEST(Metrics, OfEqualPicturesAreZero) {
 TEST(Metrics, AreTheSumsOfTheirCauses) {
     // One false shadow and one false light of each cause that can be either.
     const Truth truth = truth_of({"......................######################"});
-    std::vector<JudgedPixel> judged = judged_of({"############..........############.........."}, truth);
-    for (std::size_t a = 1; a < kArtefacts; ++a)
-        judged[a].artefact = Artefact(a), judged[std::min<std::size_t>(33 + a, 43)].artefact = Artefact(a);
-    judged[0].artefact = Artefact::Acne;
+    std::vector<JudgedPixel> judged = judged_of({"##############........########.............."}, truth);
+    for (std::size_t a = 1; a < kArtefacts; ++a) judged[a - 1].artefact = judged[29 + a].artefact = Artefact(a);
+    judged[std::size_t(Artefact::PeterPanningRaster) - 1].artefact = Artefact::Acne;
+    judged[std::size_t(Artefact::Contact) + 29].artefact = Artefact::Leak;
     const ErrorMetrics m = error_metrics(judged, truth);
-    EXPECT_DOUBLE_EQ(m.false_shadow * 44, 12);
-    EXPECT_DOUBLE_EQ(m.false_light * 44, 10);
+    EXPECT_DOUBLE_EQ(m.false_shadow * 44, 14);
+    EXPECT_DOUBLE_EQ(m.false_light * 44, 14);
     std::size_t wrong = 0;
     for (std::size_t a = 1; a < kArtefacts; ++a) wrong += m.artefacts[a];
-    EXPECT_EQ(wrong, 22u);
+    EXPECT_EQ(wrong, 28u);
     const double all = m.acne + m.leak + m.bias_false_light + m.lost_false_light + m.offset_false_shadow +
-                       m.boundary_false_shadow + m.boundary_false_light + m.outside_false_shadow +
-                       m.outside_false_light;
+                       m.contact_false_shadow + m.boundary_false_shadow + m.boundary_false_light +
+                       m.outside_false_shadow + m.outside_false_light;
     EXPECT_NEAR(all, m.false_shadow + m.false_light, 1e-12);
     EXPECT_DOUBLE_EQ(m.acne * 44, double(m.artefacts[std::size_t(Artefact::Acne)]));
     EXPECT_DOUBLE_EQ(m.leak * 44, double(m.artefacts[std::size_t(Artefact::Leak)]));
     EXPECT_DOUBLE_EQ(m.bias_false_light * 44, double(m.artefacts[std::size_t(Artefact::PeterPanning)] +
-                                                     m.artefacts[std::size_t(Artefact::PeterPanningOffset)]));
+                                                     m.artefacts[std::size_t(Artefact::PeterPanningOffset)] +
+                                                     m.artefacts[std::size_t(Artefact::PeterPanningRaster)]));
 }
 
 TEST(Metrics, CallNothingWrongThatTheTruthsNoiseExplains) {

@@ -106,9 +106,8 @@ void bias_terms(const BiasAccount& a) {
     if (!begin_amounts("terms")) return;
     amount_row("constant", a.amount(a.constant), "bias.constant; 0 where the slope bias is larger");
     amount_row("slope", a.amount(a.slope), "bias.slope times (1 - n.l); 0 where bias.constant is larger");
-    if (a.per_texel)
-        amount_row("for roundings", a.amount(a.rest),
-                   "What bias.kind adds, as it compares each texel with the plane at the texel's centre");
+    if (a.by_itself != 0)
+        amount_row("of itself", a.amount(a.by_itself), "What bias.kind gives whatever the numbers are");
     amount_row(
         "normal offset", a.amount(a.normal),
         "What bias.normal is worth along the light: offset / cos(angle of light), as the look-up moves along the "

@@ -25,10 +25,19 @@ struct Group {
 // Headings for the groups there are; a group that is missing here is called by its prefix.
 // Most turned first.
 constexpr Group kGroups[] = {
-    {"bias", "Bias", true},      {"filter", "Filter", true},         {"map", "Shadow map", true},
-    {"caster", "Casters", true}, {"light", "Lights", true},          {"volumes", "Volumes", false},
-    {"camera", "Camera", false}, {"scene", "Scene and time", false}, {"shading", "Shading", false},
-    {"view", "View", false},     {"truth", "Truth", false},
+    {"bias", "Bias", true},
+    {"filter", "Filter", true},
+    {"map", "Shadow map", true},
+    {"caster", "Casters", true},
+    {"light", "Lights", true},
+    {"volumes", "Volumes", false},
+    {"contact", "Contact shadows", false},
+    {"blob", "Blobs", false},
+    {"camera", "Camera", false},
+    {"scene", "Scene and time", false},
+    {"shading", "Shading", false},
+    {"view", "View", false},
+    {"truth", "Truth", false},
 };
 
 std::string_view prefix_of(std::string_view key) {

@@ -1,0 +1,118 @@
+// A soft disc below each caster, along the light, for lights whose source that is.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "renderer/frame/state.h"
+#include "renderer/settings/sources.h"
+
+namespace si {
+namespace {
+
+constexpr double kWidest = 0.25;  ///< of the scene's radius: wider casters are what others stand on
+
+struct Blobs {
+    gl::Target lit;  ///< R16F, a layer a light: what the blobs leave of it
+    gl::Buffer casters;
+    gl::VertexArray vao;
+};
+
+bool draws_blobs(const FrameState& f, std::size_t light) {
+    return f.gl.fitted[light].shadowed && source_of(f.settings, int(light)).needs.blobs;
+}
+
+/// Middle, relative to the frame's origin, and radius of the disc there, metres.
+std::vector<glm::vec4> discs(const FrameState& f, const FittedLight& light) {
+    std::vector<glm::vec4> out;
+    const double widest = kWidest * f.scene.bounds.radius();
+    for (const Object& object : f.scene.objects) {
+        if (!casts_at_all(f, object)) continue;
+        const Bounds& local = f.scene.meshes[std::size_t(object.mesh)].bounds;
+        const glm::dvec3 middle(object.world * glm::dvec4(local.centre(), 1));
+        const glm::dvec3 axis =
+            light.type == LightType::Directional ? light.to_light : glm::normalize(light.position - middle);
+        // A box's half width along a direction is the sum of its half axes' parts; the mean square of two across.
+        double squares = 0;
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec3 half = 0.5 * (local.hi[k] - local.lo[k]) * glm::dvec3(object.world[k]);
+            squares += glm::dot(half, half) - std::pow(glm::dot(half, axis), 2);
+        }
+        const double radius = std::sqrt(squares / 2) * f.settings.blob.size;
+        if (radius > 0 && radius <= widest * f.settings.blob.size)
+            out.emplace_back(glm::vec3(middle - f.origin), float(radius));
+    }
+    return out;
+}
+
+void draw_light(const FrameState& f, Blobs& t, int light, PassInfo& info) {
+    const FittedLight& fitted = f.gl.fitted[std::size_t(light)];
+    const BlobSettings& blob = f.settings.blob;
+    const auto framebuffer = gl::make_framebuffer("blobs", &t.lit, nullptr, light);
+    const glm::vec4 lit(1);
+    glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, 0, &lit.x);
+    const std::vector<glm::vec4> casters = discs(f, fitted);
+    if (casters.empty()) return;
+    t.casters = gl::Buffer::create("casters of blobs");
+    glNamedBufferData(t.casters.id(), GLsizeiptr(casters.size() * sizeof(glm::vec4)), casters.data(), GL_STATIC_DRAW);
+    t.vao = gl::VertexArray::create("blobs");
+    glEnableVertexArrayAttrib(t.vao.id(), 0);
+    glVertexArrayAttribFormat(t.vao.id(), 0, 4, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(t.vao.id(), 0, 0);
+    glVertexArrayBindingDivisor(t.vao.id(), 0, 1);
+    glVertexArrayVertexBuffer(t.vao.id(), 0, t.casters.id(), 0, sizeof(glm::vec4));
+
+    f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
+    glBindVertexArray(t.vao.id());
+    const GLuint id =
+        f.program("passes/blob.vert.glsl", "passes/blob.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}});
+    glUseProgram(id);
+    float widest = 0;
+    for (const glm::vec4& c : casters) widest = std::max(widest, c.w);
+    const double endless = 2 * f.scene.bounds.radius();
+    glUniform1f(glGetUniformLocation(id, "end_m"), float(blob.reach > 0 ? blob.reach * widest : endless));
+    glUniform4f(glGetUniformLocation(id, "blob"), float(blob.softness), float(blob.opacity), float(blob.reach), 0);
+    // The far sides alone: each pixel once, also with the camera inside.
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_FRONT);
+    glFrontFace(GL_CCW);
+    glEnable(GL_DEPTH_CLAMP);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 36, GLsizei(casters.size()));
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_CLAMP);
+    glDisable(GL_CULL_FACE);
+    ++info.draws;
+    info.triangles += 12 * casters.size();
+}
+
+}  // namespace
+
+void add_blob_pass(FrameState& f) {
+    std::vector<int> lights;
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
+        if (draws_blobs(f, i)) lights.push_back(int(i));
+    if (lights.empty()) {
+        f.plan.release([&f] { f.gl.owned.drop<Blobs>(); });
+        return;
+    }
+    Blobs& t = f.gl.owned.get<Blobs>();
+    f.plan.place(Result::Blobs, {&t.lit, shared::UNIT_BLOBS});
+    Pass pass;
+    pass.name = "blobs";
+    pass.category = PassCategory::Maps;
+    pass.reads = {Result::CameraDepth, Result::SurfacesSeen};
+    pass.writes = {Result::Blobs};
+    pass.idle_reason = "nothing reads visibility";
+    Key key = f.with_settings(f.lighting_key(), ReadBy::Blobs);
+    for (const int light : lights) key.add(light);
+    pass.key = key.value();
+    pass.cached = &t.lit.key;
+    pass.run = [&f, &t, lights](PassInfo& info) {
+        t.lit.ensure("blobs", GL_R16F, f.request.width, f.request.height, int(f.gl.fitted.size()));
+        for (const int light : lights) draw_light(f, t, light, info);
+    };
+    f.plan.add(std::move(pass));
+}
+
+}  // namespace si

@@ -1,0 +1,39 @@
+// Rows of contact shadows: contact.*.
+#include <algorithm>
+
+#include "renderer/settings/rows.h"
+
+namespace si {
+namespace {
+
+using namespace rows;
+
+bool no_light_has_contacts(const Settings& s) {
+    const auto lights = std::span(s.lights).first(std::size_t(std::clamp(s.light_count, 0, kMaxLights)));
+    return std::ranges::none_of(lights, [](const LightSettings& light) { return light.cast && light.contact > 0; });
+}
+
+constexpr std::string_view kNone = "without effect: no light has contact shadows (light.contact)";
+
+constexpr auto kContactRows = std::to_array<Param>({
+    {SI_FIELD(contact.steps), .label = "Steps", .unit = "steps", .min = 1, .max = 256, .logarithmic = true,
+     SI_IDLE(no_light_has_contacts(s), kNone),
+     .help = "How many places of the ray are looked at. Between them thin casters are missed, which each pixel's own "
+             "beginning turns into noise.",
+     .read_by = ReadBy::Visibility},
+    {SI_FIELD(contact.thickness), .label = "Thickness", .unit = "m", .min = 1e-4, .max = 1e4, .logarithmic = true,
+     SI_IDLE(no_light_has_contacts(s), kNone),
+     .help =
+         "How far behind a surface that the camera sees the ray counts as being within it. The picture does not tell "
+         "how thick things are: too little lets light through, too much shadows what lies free behind an edge.",
+     .read_by = ReadBy::Visibility},
+});
+static_assert(kContactRows.size() == members<ContactSettings>(), "a member of ContactSettings has no row");
+
+}  // namespace
+
+std::span<const Param> contact_rows() {
+    return kContactRows;
+}
+
+}  // namespace si

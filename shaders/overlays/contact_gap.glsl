@@ -1,0 +1,11 @@
+// Width in metres of the lit strip on this surface beside a caster that touches it: what the bias is worth along the light's
+// ray, times the sine of the ray's angle to the normal.
+#include "lib/least_bias.glsl"
+#include "lib/bias_along_ray.glsl"
+
+vec4 overlay(Receiver r) {
+    if (r.where != INSIDE || !faces_light(r)) return vec4(NOTHING);
+    float along_ray_m = metres_nearer(r, bias_worth(r, plane_gradient(r))) / axis_per_ray(r);
+    float cosine = min(r.geometric_n_dot_l, 1.0);
+    return vec4(along_ray_m * sqrt(1.0 - cosine * cosine));
+}

@@ -1,0 +1,11 @@
+// What blobs leave of the light, as renderer/passes/blobs.cpp drew them at this pixel. Blinn, Me and My (Fake) Shadow, IEEE
+// Computer Graphics and Applications 8(1), 1988.
+#include "shared/units.h"
+layout(binding = UNIT_BLOBS) uniform sampler2DArray blobs_map;  // a layer a light
+
+float source_visibility(Surface s, int light) {
+    if (!s.receives) return 1.0;
+    float distance_m;
+    if (!(dot(s.geometric, direction_to(light, s.position, distance_m)) > FACES_AWAY_COSINE)) return 0.0;
+    return texelFetch(blobs_map, ivec3(gl_FragCoord.xy, light), 0).r;
+}
