@@ -308,9 +308,9 @@ void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
         };
     });
 
-    auto* docs =
-        app.add_subcommand("docs", "Write docs/settings.md, presets.md or metrics.md from the program's own tables");
-    docs->add_option("WHAT", o.file, "settings (the default), presets or metrics");
+    auto* docs = app.add_subcommand(
+        "docs", "Write docs/settings.md, presets.md, metrics.md or techniques.md from the program's own tables");
+    docs->add_option("WHAT", o.file, "settings (the default), presets, metrics or techniques (measures each: minutes)");
     auto* page = docs->add_option("-o,--output", o.output, "The file (default: standard output)")->type_name("FILE");
     docs->add_flag("--check", o.check, "Compare instead of writing; fails when the file is out of date")->needs(page);
     docs->callback([&o, &run] { run = [&o] { run_docs(o.file.empty() ? "settings" : o.file, o.output, o.check); }; });

@@ -109,6 +109,8 @@ void run_export(const SessionOptions& session, const std::string& output);
 /// docs/settings.md or docs/presets.md: to `output`, or to stdout when empty; `check` compares and throws when they
 /// differ. @param what "settings" or "presets"
 void run_docs(const std::string& what, const std::string& output, bool check);
+/// Draws and measures every technique: a page, and its pictures in a folder of its name beside it. Takes minutes.
+void run_docs_techniques(const std::string& output);
 /// The text of docs/settings.md and of docs/presets.md.
 std::string settings_page();
 std::string presets_page();

@@ -10,6 +10,7 @@
 #include "renderer/measure/tuner.h"
 #include "renderer/settings/owners.h"
 #include "ui/panels/tune_controls.h"
+#include "ui/state/light_list.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -96,6 +97,28 @@ void light_tabs(Settings& s) {
     }
 }
 
+/// What can be done with the list of lights.
+void light_buttons(Settings& s) {
+    const int shown = shown_light(s);
+    const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
+    const auto button = [&](bool possible, const char* label, const char* tip) {
+        ImGui::BeginDisabled(!possible);
+        const bool pressed = ImGui::Button(label);
+        ImGui::EndDisabled();
+        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", tip);
+        ImGui::SameLine(0, spacing);
+        return pressed;
+    };
+    const std::string full = fmt::format("One light more; at most {}", kMaxLights);
+    if (button(can_add_light(s), "Add light", full.c_str())) add_light(s);
+    if (button(shown >= 0 && can_add_light(s), "Copy", "One more like the light shown")) copy_light(s, shown);
+    if (button(shown >= 0, "Delete", "Takes the light shown away (Ctrl+Z brings it back)")) delete_light(s, shown);
+    if (button(shown > 0, "<", "Moves the light shown one place ahead in the list")) move_light(s, shown, -1);
+    if (button(shown >= 0 && shown + 1 < s.light_count, ">", "Moves the light shown one place back in the list"))
+        move_light(s, shown, 1);
+    ImGui::NewLine();
+}
+
 void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Group& group) {
     const std::vector<SettingRef> rows = rows_of(state, group.prefix);
     if (rows.empty()) return;
@@ -123,6 +146,7 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& act
     ImGui::PushID(std::string(group.prefix).c_str());
     bool tabs_due = group.prefix == "light" && state.settings.light_count > 1;
     bool table = false;
+    if (group.prefix == "light" && !filtered) light_buttons(state.settings);
     for (const SettingRef& ref : rows) {
         if (ref.param->scope == Scope::Light && tabs_due) {
             if (table) ImGui::EndTable();

@@ -1,0 +1,145 @@
+// Every technique on one scene, side by side with the truth: docs/techniques.md and its pictures.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "app/base/output.h"
+#include "app/commands/commands.h"
+#include "app/context/headless_context.h"
+#include "app/report/against.h"
+#include "app/session/command_line.h"
+#include "app/sweep/pictures.h"
+#include "app/sweep/progress_line.h"
+#include "renderer/measure/bias_needs.h"
+#include "renderer/measure/measure.h"
+#include "renderer/scenes/builtin.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
+#include "renderer/settings/param.h"
+#include "renderer/settings/sources.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kWidth = 640, kHeight = 360, kShownWidth = 320, kResolution = 1024;
+
+constexpr std::string_view kTechniquesIntro =
+    "# Techniques\n\n"
+    "Written by `shadow-inspector docs techniques -o docs/techniques.md`, which draws and measures all of this anew; "
+    "do "
+    "not edit by hand.\n\n"
+    "Every row of the tables of techniques on the built-in scene `stage`: {} x {} pixels, a map of {}² texels, all "
+    "else "
+    "by default. Left the picture, right\nwhat of it is wrong by the ray-traced truth of a light without size, in the "
+    "colours of the overlay `artefacts`. *Error* is the mean of |V - R| over the pixels that\ncount, *wrong* the share "
+    "on the other side of one half. *Taps* are the texels that the kernel fetches a pixel, *maps* what the maps take. "
+    "Times are medians of forced\nframes of this one run, with the 95 % interval of the median, on {} (clock: {}): "
+    "compare them with one another, not with other machines.\n";
+
+/// A row of some table of techniques, and the settings that show it.
+struct Entry {
+    std::string_view key, label, help, paper;
+    Settings settings;
+};
+
+struct Section {
+    std::string_view title, setting, about;
+    std::vector<Entry> entries;
+};
+
+/// Each choice of a row's table in turn.
+template <typename Rows>
+std::vector<Entry> entries_of(const Rows& rows, const Settings& base, std::string_view setting) {
+    std::vector<Entry> out;
+    for (const auto& row : rows) {
+        out.push_back({row.key, row.label, row.help, row.paper, base});
+        set_setting(out.back().settings, setting, row.key);
+    }
+    return out;
+}
+
+/// Each bias at the least numbers that clear the picture's planes by its own account.
+std::vector<Entry> bias_entries(Renderer& renderer, const Scene& scene, const Settings& base) {
+    TruthCache cache;
+    const MeasuredError measured =
+        measure_error(renderer, scene, base, {.width = kWidth, .height = kHeight}, 0, {}, cache);
+    std::vector<Entry> out;
+    for (const Bias& row : biases()) {
+        const auto least = least_bias_by(row, measured, base, renderer.driver());
+        if (!least) continue;
+        out.push_back({row.key, row.label, row.help, row.paper, base});
+        out.back().settings.bias = *least;
+    }
+    return out;
+}
+
+std::vector<Section> all_sections(Renderer& renderer, const Scene& scene, const Settings& base) {
+    return {
+        {"Filter kernels", "filter.kernel", "How the shadow test is filtered.",
+         entries_of(filters(), base, "filter.kernel")},
+        {"Biases", "bias.kind", "Each alone, at the least numbers that leave no acne by its own theory.",
+         bias_entries(renderer, scene, base)},
+        {"Sources", "light.source", "Where a light's shadows come from.", entries_of(sources(), base, "light.source")},
+        {"Fits", "light.fit", "What a map covers.", entries_of(fits(), base, "light.fit")}};
+}
+
+std::string table_cell(std::string_view text) {
+    std::string out(text);
+    std::replace(out.begin(), out.end(), '|', '/');
+    return out;
+}
+
+std::string row_text(const Entry& e, const std::string& picture, const Judgement& judged, const TimeMeasurement& time) {
+    const ErrorMetrics& m = judged.error;
+    const Spread& t = time.total_ms;
+    return fmt::format(
+        "| ![{}]({}) | **{}** `{}`<br>{}{} | {:.4f} | {:.2f} % | {:g} | {:.1f} MiB | {:.0f} ({:.0f}-{:.0f}) |\n",
+        table_cell(e.label), picture, table_cell(e.label), e.key, table_cell(e.help),
+        e.paper.empty() ? "" : fmt::format("<br>*{}*", table_cell(e.paper)), m.mae,
+        100 * (m.false_shadow + m.false_light), judged.cost.taps_per_pixel, double(judged.cost.map_bytes) / (1 << 20),
+        t.median, t.median_low, t.median_high);
+}
+
+}  // namespace
+
+void run_docs_techniques(const std::string& output) {
+    require_writable(output);
+    const fs::path pictures = fs::path(output).parent_path() / fs::path(output).stem();
+    fs::create_directories(pictures);
+    const HeadlessContext context;
+    Renderer renderer;
+    Measurer measurer(renderer, kWidth, kHeight);
+    const Scene scene = load_scene("stage");
+    Settings base = base_settings(scene);
+    base.map.resolution = kResolution;
+    const std::vector<Section> sections = all_sections(renderer, scene, base);
+    std::size_t count = 0, done = 0;
+    for (const Section& s : sections) count += s.entries.size();
+    ProgressLine line;
+    std::string text;
+    for (const Section& s : sections) {
+        text += fmt::format("\n## {}\n\n`{}`. {}\n\n", s.title, s.setting, s.about) +
+                "| picture, what is wrong | technique | error | wrong | taps | maps | ms a frame |\n"
+                "|---|---|---|---|---|---|---|\n";
+        for (const Entry& e : s.entries) {
+            line.show(fmt::format("{} of {}  {}", ++done, count, e.label), false);
+            const Judgement judged = measurer.judge(scene, e.settings);
+            const TimeMeasurement time = measurer.time(scene, e.settings, {.least = 5, .most = 15, .bursts = 3});
+            const std::string file = fmt::format("{}-{}.png", s.setting.substr(s.setting.find('.') + 1), e.key);
+            write_png(pictures / file,
+                      side_by_side(shrunk(judged.picture, kShownWidth), shrunk(judged.artefacts, kShownWidth)));
+            text += row_text(e, (pictures.filename() / file).generic_string(), judged, time);
+        }
+    }
+    const DriverInfo& driver = renderer.driver();
+    write_file(output, fmt::format(fmt::runtime(kTechniquesIntro), kWidth, kHeight, kResolution, driver.renderer,
+                                   driver.clock) +
+                           text);
+}
+
+}  // namespace si

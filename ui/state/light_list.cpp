@@ -1,0 +1,57 @@
+#include "ui/state/light_list.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace si {
+namespace {
+
+constexpr double kTurn_deg = 75;  ///< between the shown light and one added
+
+bool exists(const Settings& s, int light) {
+    return light >= 0 && light < std::min(s.light_count, kMaxLights);
+}
+
+}  // namespace
+
+bool can_add_light(const Settings& s) {
+    return s.light_count < kMaxLights;
+}
+
+void add_light(Settings& s) {
+    if (!can_add_light(s)) return;
+    const int added = std::max(s.light_count, 0);
+    LightSettings light;
+    if (exists(s, s.view.light))
+        light.azimuth = std::remainder(s.lights[std::size_t(s.view.light)].azimuth + kTurn_deg, 360.0);
+    s.lights[std::size_t(added)] = light;
+    s.light_count = added + 1;
+    s.view.light = added;
+}
+
+void copy_light(Settings& s, int light) {
+    if (!can_add_light(s) || !exists(s, light)) return;
+    const auto after = s.lights.begin() + light + 1;
+    std::copy_backward(after, s.lights.begin() + s.light_count, s.lights.begin() + s.light_count + 1);
+    *after = s.lights[std::size_t(light)];
+    ++s.light_count;
+    s.view.light = light + 1;
+}
+
+void delete_light(Settings& s, int light) {
+    if (!exists(s, light)) return;
+    std::copy(s.lights.begin() + light + 1, s.lights.begin() + s.light_count, s.lights.begin() + light);
+    s.lights[std::size_t(--s.light_count)] = {};  // what is not there leaves no trace
+    if (s.view.light > light || s.view.light >= s.light_count) s.view.light = std::max(s.view.light - 1, 0);
+}
+
+void move_light(Settings& s, int light, int places) {
+    if (!exists(s, light)) return;
+    const int to = std::clamp(light + places, 0, s.light_count - 1);
+    const auto at = s.lights.begin();
+    if (to > light) std::rotate(at + light, at + light + 1, at + to + 1);
+    if (to < light) std::rotate(at + to, at + light, at + light + 1);
+    s.view.light = to;
+}
+
+}  // namespace si
