@@ -43,7 +43,9 @@ constexpr std::string_view kTechniquesIntro =
 
 /// A row of some table of techniques, and the settings that show it.
 struct Entry {
-    std::string_view key, label, help, paper;
+    std::string_view key;
+    std::string label;
+    std::string_view help, paper;
     Settings settings;
 };
 
@@ -57,8 +59,20 @@ template <typename Rows>
 std::vector<Entry> entries_of(const Rows& rows, const Settings& base, std::string_view setting) {
     std::vector<Entry> out;
     for (const auto& row : rows) {
-        out.push_back({row.key, row.label, row.help, row.paper, base});
+        out.push_back({row.key, std::string(row.label), row.help, row.paper, base});
         set_setting(out.back().settings, setting, row.key);
+    }
+    return out;
+}
+
+/// Each kernel at its own short list of sizes.
+std::vector<Entry> kernel_entries(const Settings& base) {
+    std::vector<Entry> out;
+    for (const std::string_view name : swept_kernels()) {
+        Settings s = base;
+        set_setting(s, "filter.kernel", name);
+        const Filter& row = filter_of(s);
+        out.push_back({name, kernel_label(s), row.help, row.paper, s});
     }
     return out;
 }
@@ -72,7 +86,7 @@ std::vector<Entry> bias_entries(Renderer& renderer, const Scene& scene, const Se
     for (const Bias& row : biases()) {
         const auto least = least_bias_by(row, measured, base, renderer.driver());
         if (!least) continue;
-        out.push_back({row.key, row.label, row.help, row.paper, base});
+        out.push_back({row.key, std::string(row.label), row.help, row.paper, base});
         out.back().settings.bias = *least;
     }
     return out;
@@ -80,8 +94,7 @@ std::vector<Entry> bias_entries(Renderer& renderer, const Scene& scene, const Se
 
 std::vector<Section> all_sections(Renderer& renderer, const Scene& scene, const Settings& base) {
     return {
-        {"Filter kernels", "filter.kernel", "How the shadow test is filtered.",
-         entries_of(filters(), base, "filter.kernel")},
+        {"Filter kernels", "filter.kernel", "How the shadow test is filtered.", kernel_entries(base)},
         {"Biases", "bias.kind", "Each alone, at the least numbers that leave no acne by its own theory.",
          bias_entries(renderer, scene, base)},
         {"Sources", "light.source", "Where a light's shadows come from.", entries_of(sources(), base, "light.source")},
