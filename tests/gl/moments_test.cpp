@@ -388,7 +388,9 @@ TEST(Moments, BySummedAreasAreThoseOfABlur) {
                 total += std::abs(double(summed.data[i]) - blurred.data[i]);
             }
             EXPECT_LT(total / double(summed.data.size()), sums == int(TableSums::Integer) ? 2e-5 : 2e-2) << radius;
-            if (sums == int(TableSums::Integer)) EXPECT_LT(worst, 0.03);
+            if (sums == int(TableSums::Integer)) {
+                EXPECT_LT(worst, 0.03);
+            }
         }
 }
 

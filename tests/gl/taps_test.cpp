@@ -1,5 +1,6 @@
 // The taps that kernels make on the GPU: recorded while they run, held against the weights that each kernel's
 // definition gives in closed form, and against what the kernel found.
+#include <algorithm>
 #include <glm/common.hpp>
 #include <set>
 
