@@ -97,8 +97,7 @@ void print_tuned(const Tuner& tuner) {
     for (const TuneCandidate& c : tuner.candidates()) {
         const std::string error = c.trial ? fmt::format("{:.5f}", c.error) : "-";
         const std::string ms = c.ms ? fmt::format("{:.3g} ms", *c.ms) : "-";
-        fmt::print("  {:<14} {:>5}²  error {:>8}  {:>9}  {}\n", c.kernel,
-                   c.settings.map.resolution, error, ms,
+        fmt::print("  {:<14} {:>5}²  error {:>8}  {:>9}  {}\n", c.kernel, c.settings.map.resolution, error, ms,
                    &c == tuner.best()    ? "chosen"
                    : c.meets             ? "within the limits"
                    : c.trial && !c.clear ? "acne remains"

@@ -17,7 +17,8 @@ struct SweepAxis {
 };
 
 /// Parses "KEY=V1,V2,..." or "KEY=from:to:step" (ends included; step may be "*factor" for a geometric row); for a
-/// setting with choices "KEY=*" is every choice, or what its row takes for that (Param::swept). @throws UsageError naming key, value and what is allowed.
+/// setting with choices "KEY=*" is every choice, or what its row takes for that (Param::swept). @throws UsageError
+/// naming key, value and what is allowed.
 SweepAxis parse_axis(std::string_view text);
 
 struct SweepCase {
@@ -37,7 +38,8 @@ inline constexpr std::size_t kMaxSweepCases = 100'000;
 
 /// The cross product of the axes over `base`. Cases that differ only in settings without effect are one case, the first
 /// of them; but with an axis of scene.*, of which a scene's suggestions follow, only equal settings are. @throws
-/// UsageError when a key is varied twice, by a value that stands for it too among others, or there are more than kMaxSweepCases.
+/// UsageError when a key is varied twice, by a value that stands for it too among others, or there are more than
+/// kMaxSweepCases.
 SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes);
 
 /// `settings` with each setting that is without effect at its default: two that draw the same by that are equal.

@@ -12,17 +12,17 @@
 namespace si::test {
 namespace {
 
-struct Drawn {
+struct DrawnAs {
     std::vector<std::uint8_t> colour;
     std::vector<float> visibility;
     double texel_m = 0;
 };
 
-Drawn draw(const Scene& scene, const Settings& settings) {
+DrawnAs draw(const Scene& scene, const Settings& settings) {
     FrameRequest request{.width = 160, .height = 90};
     request.outputs = {.colour = true, .visibility = true};
     const FrameResult frame = hard_renderer().render(scene, settings, request);
-    Drawn d;
+    DrawnAs d;
     d.colour = hard_renderer().read_colour(frame.colour).data;
     if (frame.visibility.texture) d.visibility = hard_renderer().read_float(frame.visibility, 1).data;
     if (!frame.lights.empty() && !frame.lights[0].views.empty())
@@ -36,7 +36,7 @@ TEST(PresetsOfVersionOne, DrawTheirOldBytes) {
         SCOPED_TRACE(file);
         const Preset preset = parse_preset(read_text_file(file), file.string());
         const Scene scene = load_scene(preset.scene);
-        const Drawn read = draw(scene, preset.settings), spelled = draw(scene, version_1_settings(file));
+        const DrawnAs read = draw(scene, preset.settings), spelled = draw(scene, version_1_settings(file));
         EXPECT_TRUE(read.colour == spelled.colour);
         EXPECT_TRUE(read.visibility == spelled.visibility);
         EXPECT_FALSE(read.colour.empty());
