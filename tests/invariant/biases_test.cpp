@@ -128,6 +128,11 @@ protected:
         Told out;
         for (std::size_t i = 0; i < truth.lit.size(); i += std::size_t(step)) {
             if (truth.lit[i] != Lit::Lit || truth.hits[i]->normal.y < 0.5) continue;
+            // Moments over the floor's rim are of two surfaces, with what is empty as the other: they bound, no more.
+            const glm::dvec3 on_floor = truth.hits[i]->position - c.place.at;
+            if (filter_of(s).samples == Samples::Moments && on_floor.y < 1 &&
+                std::max(std::abs(on_floor.x), std::abs(on_floor.z)) > 4.4)
+                continue;
             ++out.lit;
             const BiasAccount a = account(*truth.hits[i], frame, s);
             out.sloped += a.least.kernel > 4 * (a.least.quantum + a.least.rounding);
@@ -177,7 +182,9 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
     ASSERT_GT(t.lit, 2000u);
     EXPECT_GT(double(t.cleared.size()), 0.7 * double(t.lit)) << "at " << value;
     std::size_t acne = 0, without = 0, dark = 0, leaks = 0;
+    float darkest = 1;
     for (const std::size_t i : t.cleared) {
+        darkest = std::min(darkest, least.visibility.data[i]);
         acne += least.visibility.data[i] < 1 - tolerance.lit;
         without += none.visibility.data[i] < 1 - tolerance.lit;
     }
@@ -187,7 +194,7 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
         if (a.amount(a.lifts).metres > 2) continue;  // the cover is 2.25 m above
         ++dark, leaks += least.visibility.data[i] > tolerance.dark;
     }
-    EXPECT_EQ(acne, 0u) << "of " << t.cleared.size() << " at " << value;
+    EXPECT_EQ(acne, 0u) << "of " << t.cleared.size() << " at " << value << ", down to " << darkest;
     EXPECT_EQ(leaks, 0u) << "of " << dark << " at " << value;
     EXPECT_GT(dark, 100u);
     // Where nothing else clears a plane that rises, it shadows itself without: else all this says little.
