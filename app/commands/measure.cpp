@@ -99,12 +99,14 @@ void run_measure(const MeasureOptions& options) {
         json["time"] = time ? time_json(*time) : Json();
         if (time) json["time"]["seconds"] = time->seconds, json["time"]["within"] = "this run";
         json["cost"] = cost_json(judged.cost);
+        if (judged.pages) json["pages"] = pages_json(*judged.pages);
         json["cures"] = cures ? cures_json(*cures) : Json();
         json["driver"] = driver_json(renderer.driver());
         fmt::print("{}", json_text(json));
     } else {
         print_error(judged.error, *judged.truth);
         print_time_and_cost(time, judged.cost);
+        if (judged.pages) fmt::print("{}\n", page_text(*judged.pages));
         if (cures) print_cures(*cures, cures->rows.size());
     }
     print_notes(session.notes);

@@ -107,6 +107,22 @@ Json vector_json(const glm::dvec3& v) {
     return Json::array({v.x, v.y, v.z});
 }
 
+Json pages_json(const PageFacts& p) {
+    return {{"page_texels", p.page_texels},
+            {"requested", p.wanted},
+            {"drawn", p.drawn},
+            {"cached", p.kept},
+            {"coarser", p.coarser},
+            {"evicted", p.evicted},
+            {"held", p.held},
+            {"pool", p.pool},
+            {"requested_by_level", p.by_level},
+            {"finest_texel_m", p.finest_texel_m},
+            {"drawn_texels", p.drawn_texels()},
+            {"read_texels", p.read_texels()},
+            {"fixed_map_texels", p.fixed_map_texels}};
+}
+
 Json driver_json(const DriverInfo& d) {
     Json offsets = Json::object();
     const auto formats = find_setting("map.format")->param->choices();
@@ -145,6 +161,7 @@ Json report_json(const Session& session, const std::string& view, const FrameReq
                       {"far", frame.camera.curve.far},
                       {"clip_from_world", matrix_json(frame.camera.clip_from_relative(glm::dvec3(0)))}};
     json["map_resolution"] = frame.map_resolution;
+    if (frame.pages) json["pages"] = pages_json(*frame.pages);
     json["fit"] = Json::array();
     for (std::size_t i = 0; i < frame.lights.size(); ++i) json["fit"].push_back(light_json(session, frame, i));
     json["passes"] = Json::array();

@@ -13,6 +13,7 @@ namespace si {
 nlohmann::ordered_json matrix_json(const glm::dmat4& m);
 nlohmann::ordered_json vector_json(const glm::dvec3& v);
 
+nlohmann::ordered_json pages_json(const PageFacts& pages);
 nlohmann::ordered_json driver_json(const DriverInfo& driver);
 /// @param view key of the view that was drawn
 nlohmann::ordered_json report_json(const Session& session, const std::string& view, const FrameRequest& request,

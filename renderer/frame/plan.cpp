@@ -9,6 +9,8 @@ namespace si {
 
 std::string_view result_name(Result result) {
     switch (result) {
+        case Result::PagesWanted:
+            return "pages wanted";
         case Result::DrawnMaps:
             return "shadow maps as drawn";
         case Result::ShadowMaps:

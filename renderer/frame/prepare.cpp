@@ -11,6 +11,7 @@
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
+#include "renderer/settings/paging.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
 #include "renderer/view/kernel_reach.h"
@@ -35,6 +36,8 @@ Key lights_as_placed_key(const FrameState& f) {
     for (int i = 0; i < f.settings.light_count; ++i)
         if (f.settings.lights[std::size_t(i)].near_far == int(NearFar::Pancaking))
             key.add(b.unit).add(b.constant).add(b.slope).add(reach_of_lookups(f.settings));
+    key.add(draws_pages(f.settings)).add(page_texels(f.settings));
+    key.add(f.settings.map.virtual_levels).add(f.settings.map.virtual_bias);
     for (const auto& [path, o] : f.settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
     for (int i = 0; i < f.settings.light_count; ++i)
         if (fit_row(f.settings.lights[std::size_t(i)].fit).narrows)
@@ -77,12 +80,13 @@ void fit(FrameState& f) {
     if (camera) {
         add_camera(key, maps.camera);
         key.add(reach_of_lookups(f.settings));
+        if (draws_pages(f.settings)) key.add(f.request.height);
         if (maps.seen_m) key.add(maps.seen_m->from_m).add(maps.seen_m->to_m);
     }
     if (key.value() != r.fit_key) {
-        r.fitted = camera
-                       ? fit_maps(r.placed, f.scene, f.settings, &maps.camera, f.driver.max_texture_size, maps.seen_m)
-                       : r.as_placed;
+        r.fitted = camera ? fit_maps(r.placed, f.scene, f.settings, &maps.camera, f.driver.max_texture_size,
+                                     maps.seen_m, f.request.height)
+                          : r.as_placed;
         r.fit_key = key.value();
     }
     f.view_count = 0;
@@ -115,7 +119,7 @@ void fit_within_limits(FrameState& f) {
     fit(f);
     const int before = n;
     const double bytes = (f.settings.map.blur_texels > 0 ? 8.0 : 4.0) + prefilter_bytes(f.settings).kept;
-    while (n > 1 && bytes * n * n * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
+    while (!draws_pages(f.settings) && n > 1 && bytes * n * n * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
     if (n != before) {
         f.notes.push_back(
             fmt::format("{} shadow map images of {}² need more than 2 GiB; {}² is used", f.view_count, before, n));
@@ -193,7 +197,8 @@ void choose_kernel(FrameState& f) {
     f.filter_sampler = uses_sampler(f.settings);
     if (f.settings.filter.method == int(FilterMethod::Sampler) && !f.filter_sampler)
         f.notes.push_back(
-            f.settings.map.format == int(MapFormat::Colour)
+            draws_pages(f.settings) ? "filter.method sampler cannot find pages of map.virtual; gather is used"
+            : f.settings.map.format == int(MapFormat::Colour)
                 ? "filter.method sampler cannot compare a colour map; gather is used"
                 : fmt::format("filter.method sampler compares 2x2 texels with one depth, and bias.kind {} "
                               "has one for each; gather is used",
@@ -210,11 +215,14 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"SUBPIXEL_BITS", std::to_string(f.driver.subpixel_bits)});
     f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
     f.defines.push_back({"SAMPLER_BILINEAR", is_bilinear(filter, f.settings) ? "1" : "0"});
-    f.defines.push_back({"COMPARE_BY_HAND", "0"});
+    f.defines.push_back({"COMPARE_BY_HAND", draws_pages(f.settings) ? "1" : "0"});
     f.defines.push_back({"MOMENTS_SUMMED", filter.moments.summed ? "1" : "0"});
     const bool integers = f.settings.filter.moment_format == int(MomentFormat::Bits16);
     f.defines.push_back({"MOMENTS_QUANTISED", filter.moments.quantised && integers ? "1" : "0"});
     f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
+    f.paged = draws_pages(f.settings) && f.view_count > 0;
+    f.defines.push_back({"MAP_PAGED", f.paged ? "1" : "0"});
+    f.defines.push_back({"PAGE_SIZE", std::to_string(page_texels(f.settings))});
     const bool blend = std::any_of(f.gl.fitted.begin(), f.gl.fitted.end(), [](const FittedLight& light) {
         const auto blends = [](const ViewSpan& s) { return s.blends_from < s.ends; };
         return light.casts && std::any_of(light.chooser.spans.begin(), light.chooser.spans.end(), blends);
@@ -448,6 +456,7 @@ FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, 
     f.geometry_key = resources.scene->key();
     f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);
     f.lights_key.add(resources.fit_key).add(f.map_resolution).add(request.no_skip);
+    f.lights_key.add(draws_pages(f.settings)).add(page_texels(f.settings));
     add_shader_settings(f.lights_key, f.settings);
     find_traced(f);
     arrange_panes(f);

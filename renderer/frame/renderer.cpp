@@ -81,13 +81,15 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
 }
 
 void plan_frame(FrameState& f) {
+    if (f.paged) add_seen_surfaces_pass(f);
+    add_page_passes(f);
     add_light_depth_passes(f);
     add_depth_blur_pass(f);
     add_moments_pass(f);
     add_camera_depth_pass(f);
     add_surface_ids_pass(f);
     add_shadow_volume_passes(f);
-    add_seen_surfaces_pass(f);
+    if (!f.paged) add_seen_surfaces_pass(f);
     add_blob_pass(f);
     add_visibility_pass(f);
     add_unfiltered_map_pass(f);

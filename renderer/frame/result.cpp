@@ -1,8 +1,11 @@
 // From a drawn frame to its facts: images, ranges in use, camera, lights.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
 #include "renderer/frame/renderer_impl.h"
+#include "renderer/passes/pages.h"
 
 namespace si {
 namespace {
@@ -65,6 +68,15 @@ void describe_frame(FrameState& f, FrameResult& result) {
     put(Result::SurfaceIds, result.surface_ids);
     put(Result::TexelsRead, result.texels_read);
     put(Result::MapCoordinates, result.map_coordinates);
+    if (f.paged && made.contains(Result::ShadowMaps)) {
+        const PassInfo* pages = result.pass("pages of shadow maps");
+        result.pages = page_facts(f.gl, pages && pages->state == PassState::Ran);
+        if (result.pages->coarser > 0)
+            f.notes.push_back(
+                fmt::format("map.page_pool of {} pages is full: coarser pages stand for {} of {}; raise it, or "
+                            "map.virtual_bias",
+                            f.settings.map.page_pool, result.pages->coarser, result.pages->wanted));
+    }
     result.truth = f.truth;
     result.traced = f.traced;
     result.camera = f.camera;

@@ -7,7 +7,8 @@
 namespace si {
 
 enum class Result {
-    DrawnMaps,       ///< the shadow maps as drawn
+    PagesWanted,     ///< which pages of virtual maps look-ups read
+    DrawnMaps,       ///< the shadow maps as drawn, or the pool of their pages with its page table
     ShadowMaps,      ///< those that are compared, shown and read back: as drawn, or their depths blurred
     Moments,         ///< functions of their depths, averaged
     CameraDepth,     ///< of the surfaces that the camera sees

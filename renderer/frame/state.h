@@ -73,6 +73,7 @@ struct FrameState {
     int map_layers() const { return view_count > 1 ? view_count : 0; }
     GLenum map_format() const;  ///< as OpenGL names it
     bool blurs_depths() const;  ///< map.blur_texels has maps to blur
+    bool paged = false;         ///< the maps are drawn by pages: there are some, and map.virtual acts
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn
     bool filter_sampler = false;               ///< the kernel compares in a shadow sampler
@@ -162,6 +163,8 @@ void place_compared_maps(FrameState& f, const gl::Target& maps);
 
 // One function per pass; each appends itself to the plan and says where its results will lie. (renderer/passes/)
 void add_light_depth_passes(FrameState& f);
+/// Of virtual maps, in place of the former: which pages look-ups may read, and those drawn that are not kept.
+void add_page_passes(FrameState& f);
 void add_depth_blur_pass(FrameState& f);
 /// Functions of the maps' depths, averaged, for kernels that read those.
 void add_moments_pass(FrameState& f);

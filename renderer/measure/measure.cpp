@@ -13,6 +13,7 @@ Judgement Measurer::judge(const Scene& scene, const Settings& settings) {
     const FrameResult frame = renderer_.render(scene, measured, request);
     judged.cost = work_cost(measured, frame);
     judged.map_resolution = frame.map_resolution;
+    judged.pages = frame.pages;
     judged.picture = renderer_.read_colour(frame.colour);
     judged.notes = frame.notes;
     request.force = false;

@@ -14,6 +14,7 @@ struct Judgement {
     std::shared_ptr<const Truth> truth;  ///< that it was held against
     WorkCost cost;
     int map_resolution = 0;          ///< as drawn
+    std::optional<PageFacts> pages;  ///< of virtual maps, all drawn anew
     ByteImage picture;               ///< as the frame shows it
     ByteImage artefacts;             ///< the picture in grey with what is wrong in colour
     std::vector<std::string> notes;  ///< of the renderer, such as repaired settings

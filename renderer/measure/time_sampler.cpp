@@ -130,6 +130,8 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
         ++casting;
         cost.map_texels += texels * light.views.size();
     }
+    // Of virtual maps what is read, whether drawn for this frame or before.
+    if (frame.pages) cost.map_texels = frame.pages->read_texels();
     if (casting == 0) cost.taps_per_pixel = 0;
     // Drivers store 24-bit depth in 32 bits; a colour map has a depth buffer beside it.
     const std::uint64_t bytes = settings.map.format == int(MapFormat::D16)      ? 2

@@ -2,11 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <glm/gtc/type_ptr.hpp>
-#include <optional>
 
-#include "renderer/frame/driver.h"
-#include "renderer/frame/state.h"
+#include "renderer/passes/casters.h"
+#include "renderer/passes/pages.h"
 
 namespace si {
 namespace {
@@ -24,34 +22,6 @@ struct DrawnMaps {
 /// @returns whether what they held is lost
 bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) {
     return maps.ensure(label, f.map_format(), f.map_resolution, f.map_resolution, f.map_layers());
-}
-
-/// Culling of casters: the object's own choice before the scene's.
-void set_cull(const FrameState& f, const Batch& batch) {
-    Cull cull = Cull(f.settings.caster.cull);
-    if (batch.cull != int(ObjectCull::Inherit)) cull = Cull(batch.cull - 1);
-    if (cull == Cull::None) {
-        glDisable(GL_CULL_FACE);
-    } else {
-        glEnable(GL_CULL_FACE);
-        glCullFace(cull == Cull::Back ? GL_BACK : GL_FRONT);
-    }
-    glFrontFace(batch.mirrored ? GL_CW : GL_CCW);
-}
-
-void set_raster_bias(const FrameState& f, bool reversed) {
-    const BiasSettings& b = f.settings.bias;
-    if (b.raster_slope == 0 && b.raster_units == 0) {
-        glDisable(GL_POLYGON_OFFSET_FILL);
-        return;
-    }
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    const float sign = reversed ? -1.f : 1.f;
-    if (b.raster_clamp != 0 && f.driver.polygon_offset_clamp)
-        glPolygonOffsetClampEXT(sign * float(b.raster_slope), sign * float(b.raster_units),
-                                sign * float(b.raster_clamp));
-    else
-        glPolygonOffset(sign * float(b.raster_slope), sign * float(b.raster_units));
 }
 
 void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const LightView& view, int layer,
@@ -76,50 +46,11 @@ void draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, c
     const GLuint framebuffer = into.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);
-    const DepthConvention& convention = view.curve.convention;
-    glClipControl(GL_LOWER_LEFT, convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(convention.reversed ? GL_GREATER : GL_LESS);
-    glDisable(GL_BLEND);
-    const float far_depth = float(convention.far_depth());
-    glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far_depth);
-    if (f.settings.map.format == int(MapFormat::Colour)) {
-        const glm::vec4 clear(far_depth);
-        glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &clear.x);
-    }
-    if (unfiltered)
-        glDisable(GL_POLYGON_OFFSET_FILL);
-    else
-        set_raster_bias(f, convention.reversed);
-    if (view.clamps_near) glEnable(GL_DEPTH_CLAMP);
-    const glm::mat4 matrix(view.clip_from_relative(light.map_origin));
-    f.gl.scene->bind(f.scene, f.settings, light.map_origin, 1);
-    GLuint current = 0, texture = 0;
-    std::optional<Batch> previous;
-    const bool blend_casts = f.settings.caster.blend == int(BlendCasters::Mask);
-    for (const Batch& drawn : f.gl.scene->batches()) {
-        if (!drawn.cast || (drawn.blend && !blend_casts)) continue;
-        Batch batch = drawn;
-        batch.masked |= batch.blend;
-        const bool same =
-            previous && previous->masked == batch.masked && (!batch.masked || !previous->texture == !batch.texture);
-        const GLuint id =
-            same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", {}, batch, true);
-        if (id != current) {
-            glUseProgram(current = id);
-            glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
-        }
-        const GLuint mask = unfiltered ? batch.finest_texture : batch.texture;
-        if (batch.masked && mask && mask != texture) glBindTextureUnit(shared::UNIT_BASE_COLOUR, texture = mask);
-        if (!previous || previous->cull != batch.cull || previous->mirrored != batch.mirrored) set_cull(f, batch);
-        previous = batch;
-        f.gl.scene->draw(batch);
-        ++info.draws;
-        info.triangles += batch.triangles();
-    }
-    glDisable(GL_POLYGON_OFFSET_FILL);
-    glDisable(GL_DEPTH_CLAMP);
+    clear_casters(f, framebuffer, view.curve.convention);
+    draw_casters(f,
+                 {view.clip_from_relative(light.map_origin), view.curve.convention, light.map_origin, unfiltered,
+                  view.clamps_near},
+                 {}, info);
 }
 
 bool FrameState::blurs_depths() const {
@@ -133,6 +64,7 @@ void place_compared_maps(FrameState& f, const gl::Target& maps) {
 }
 
 void add_light_depth_passes(FrameState& f) {
+    if (f.paged) return;
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
     f.plan.place(Result::DrawnMaps, {&t.maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
     std::vector<ResultRef> writes = {Result::DrawnMaps};
@@ -191,6 +123,7 @@ void add_unfiltered_map_pass(FrameState& f) {
     pass.reads = {Result::DrawnMaps};
     pass.writes = {Result::UnfilteredMap};
     pass.idle_reason = "nothing asks what is wrong";
+    if (f.paged) return add_unfiltered_pages_pass(f, std::move(pass));
     const bool own = f.view_count > 0 && f.draws_unfiltered();
     f.plan.place(Result::UnfilteredMap,
                  {own ? &t.unfiltered : &t.maps, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});

@@ -28,8 +28,8 @@ void add_seen_surfaces_pass(FrameState& f) {
     pass.cached = &images[0].key;
     pass.run = [&f, &images, count](PassInfo& info) {
         for (gl::Target& unused : std::span(images).subspan(count)) unused = {};
-        // Where there is nothing, nobody reads.
         CameraPass(f, "surfaces seen", GL_RGBA32F, std::span(images).first(count))
+            .clear(glm::vec4(0))  // where there is nothing, nothing receives
             .draw("passes/seen_surfaces.frag.glsl", {}, info);
     };
     f.plan.add(std::move(pass));

@@ -3,6 +3,7 @@
 
 #include "renderer/frame/texel_slabs.h"
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/pages.h"
 
 namespace si {
 namespace {
@@ -28,6 +29,12 @@ void read_depths(const FrameState& f, SlabTargets& s, int layer, const TexelRegi
     Key key;
     key.add(f.plan.key_of(Result::ShadowMaps)).add(layer).add(region);
     if (s.depths_key == key.value()) return;
+    s.depths_key = key.value();
+    if (f.paged) {
+        s.depths = read_paged_depths(f.gl, layer, region.first, region.size,
+                                     float(f.shown_view()->curve.convention.far_depth()));
+        return;
+    }
     s.depths.resize(std::size_t(region.size.x) * std::size_t(region.size.y));
     gl::begin_reading();
     const gl::Target& map = f.result(Result::ShadowMaps);
@@ -35,7 +42,6 @@ void read_depths(const FrameState& f, SlabTargets& s, int layer, const TexelRegi
     if (!s.depths.empty())
         glGetTextureSubImage(map.texture.id(), 0, region.first.x, region.first.y, layer, region.size.x, region.size.y,
                              1, format, GL_FLOAT, GLsizei(s.depths.size() * sizeof(float)), s.depths.data());
-    s.depths_key = key.value();
 }
 
 /// Farthest from the camera first, so that they blend as they lie.

@@ -64,6 +64,24 @@ constexpr Overlay kOverlays[] = {
              "light (magenta).",
      .file = "overlays/outside_map.glsl",
      .scalar = false},
+    {.key = "page-level",
+     .label = "Page level",
+     .unit = "",
+     .help =
+         "With map.virtual, the clip level that each fragment is looked up in, by colour from the finest on, with its "
+         "pages as a checkerboard.",
+     .file = "overlays/page_level.glsl",
+     .paper = "Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3, 2024",
+     .scalar = false},
+    {.key = "page-state",
+     .label = "Pages drawn and cached",
+     .unit = "",
+     .help = "With map.virtual, what became of the page that each fragment is looked up in: drawn when pages last were "
+             "(orange), cached from before (green), given up for a coarser one as the pool is full (purple). Nothing "
+             "where no page is asked for.",
+     .file = "overlays/page_state.glsl",
+     .paper = "Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3, 2024",
+     .scalar = false},
     {.key = "texels-per-pixel",
      .label = "Texels per pixel",
      .unit = "texels",

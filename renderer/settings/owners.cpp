@@ -31,9 +31,14 @@ TechniqueTable table_of(std::string_view chooser, const Rows& rows, std::size_t 
     return table;
 }
 
+constexpr std::string_view kPageSettings[] = {"map.page_size", "map.page_pool", "map.virtual_levels",
+                                              "map.virtual_bias"};
+
 std::vector<TechniqueTable> technique_tables() {
     return {table_of("filter.kernel", filters(), filters().size()),
-            table_of("bias.kind", biases(), bias_choices().size()), table_of("light.split", splits(), splits().size())};
+            table_of("bias.kind", biases(), bias_choices().size()),
+            table_of("light.split", splits(), splits().size()),
+            {"map.virtual", {{"off", {}}, {"on", kPageSettings}}}};
 }
 
 struct Ownership {
@@ -67,8 +72,8 @@ std::string_view not_owned(const Settings& s, const SettingRef& ref) {
     if (found == all.end()) return {};
     const Ownership& o = found->second;
     const Value chosen = get_value(s, {o.chooser, ref.light, ref.object});
-    return std::ranges::find(o.rows, std::get<int>(chosen)) != o.rows.end() ? std::string_view()
-                                                                            : std::string_view(o.reason);
+    const int row = std::visit([](auto v) { return int(v); }, chosen);
+    return std::ranges::find(o.rows, row) != o.rows.end() ? std::string_view() : std::string_view(o.reason);
 }
 
 }  // namespace si

@@ -42,6 +42,7 @@ enum class ReadBy : unsigned {
     MapView = 1 << 8,       ///< that draw its picture
     Visibility = 1 << 9,    ///< the pass of that name
     Blobs = 1 << 10,        ///< that draw them
+    Pages = 1 << 11,        ///< that keep pages of virtual maps
 };
 constexpr ReadBy operator|(ReadBy a, ReadBy b) {
     return ReadBy(unsigned(a) | unsigned(b));

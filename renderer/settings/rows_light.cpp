@@ -1,6 +1,7 @@
 // Rows of the lights: light.count, and light.<i>.* for i below 16.
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
+#include "renderer/settings/paging.h"
 #include "renderer/settings/rows.h"
 #include "renderer/settings/sources.h"
 #include "renderer/settings/splits.h"
@@ -99,7 +100,8 @@ std::string_view cascades_idle(const Settings& s, int i) {
     if (!of(s, i).cast) return "without effect: the light casts no shadow";
     if (of(s, i).projection == at(LightProjection::Perspective))
         return "without effect: cascades are orthographic, but light.projection is perspective";
-    return of(s, i).fit == at(LightFit::Manual) ? "without effect: light.fit is manual, and cascades are fitted" : "";
+    if (of(s, i).fit == at(LightFit::Manual)) return "without effect: light.fit is manual, and cascades are fitted";
+    return has_clip_levels(s, i) ? "without effect: map.virtual has clip levels in place of cascades" : "";
 }
 
 std::string_view between_cascades_idle(const Settings& s, int i) {
@@ -120,8 +122,15 @@ std::string_view split_idle(const Settings& s, int i) {
     return reason.empty() && of(s, i).cascades <= number ? "without effect: light.cascades has no such border" : reason;
 }
 
-std::string_view depth_bounds_idle(const Settings& s, int i) {
+/// Of what clip levels leave to no choice.
+std::string_view near_far_idle(const Settings& s, int i) {
     if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
+    if (s.camera.source == at(CameraSource::Light)) return "";
+    return has_clip_levels(s, i) ? "without effect: clip levels (map.virtual) hold all depths of the scene" : "";
+}
+
+std::string_view depth_bounds_idle(const Settings& s, int i) {
+    if (const auto reason = near_far_idle(s, i); !reason.empty()) return reason;
     if (has_type(s, i, LightType::Point)) return "without effect: a point light's faces do not follow the camera";
     if (of(s, i).fit == at(LightFit::Stabilised)) return "without effect: a stabilised map keeps its depths";
     return fit_reads_camera(s, i) ? "" : "without effect: the map does not follow the camera";
@@ -197,7 +206,7 @@ constexpr auto kLight = with_scope(
          .help = "Who chooses what the shadow map covers."},
         {SI_LIGHT_FIELD(projection), .label = "Projection", .unit = "", SI_CHOICES(kProjections),
          .idle = projection_idle, .help = "The projection of the shadow map."},
-        {SI_LIGHT_FIELD(near_far), .label = "Near and far", .unit = "", SI_CHOICES(kNearFar), .idle = map_idle,
+        {SI_LIGHT_FIELD(near_far), .label = "Near and far", .unit = "", SI_CHOICES(kNearFar), .idle = near_far_idle,
          .help = "Between which depths the map stores. Shorter ranges have finer steps."},
         {SI_LIGHT_FIELD(near), .label = "Near", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .idle = planes_idle,

@@ -1,6 +1,7 @@
 // Rows of the shadow technique: map, caster, bias and filter.
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/paging.h"
 #include "renderer/settings/rows.h"
 
 namespace si {
@@ -71,6 +72,7 @@ std::string_view compare_idle(const Settings& s, int) {
 }
 
 std::string_view method_idle(const Settings& s, int light) {
+    if (draws_pages(s)) return "without effect: with map.virtual the shader finds each texel's page and compares";
     if (s.map.format == at(MapFormat::Colour)) return "without effect: the sampler cannot compare map.format colour";
     return compare_idle(s, light);
 }
@@ -79,7 +81,8 @@ constexpr auto kMap = of_map(std::to_array<Param>({
     {SI_FIELD(map.resolution), .label = "Resolution", .unit = "texels", .min = 1, .max = 16384, .logarithmic = true,
      .cost = Cost::Target,
      .help = "Width and height of each shadow map image. Twice the resolution halves the texel's size on the ground "
-             "and takes four times the memory. Clamped to what the driver can allocate.",
+             "and takes four times the memory. Clamped to what the driver can allocate. Under map.virtual only pages "
+             "that are read take memory.",
      .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(map.format), .label = "Format", .unit = "", .cost = Cost::Target, SI_CHOICES(kFormats),
      .help = "How the map stores depth. Fewer bits make larger steps of depth, which call for more bias.",
@@ -122,6 +125,35 @@ constexpr auto kMap = of_map(std::to_array<Param>({
      .help = "How a surface's place in the map is found. Both are the same in exact numbers; the overlay "
              "transform-difference shows by how many texels they differ in single precision.",
      .shader = true},
+    {.key = "map.virtual",
+     .field = [](Settings& s, int, ObjectSettings*) -> FieldRef { return &s.map.paged; },
+     .label = "Virtual map",
+     .unit = "",
+     .cost = Cost::Target,
+     .idle = paging_idle,
+     .help = "Draws of each map only the pages that visible surfaces read, and keeps them until a caster or the light "
+             "moves. A directional light has clip levels about the camera, each twice as wide as the one before, so "
+             "that a texel is about a pixel everywhere; other lights' maps, and those of light.fit manual, are drawn "
+             "by pages as they are (Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3).",
+     .read_by = ReadBy::Pages},
+    {SI_FIELD(map.page_size), .label = "Page", .unit = "texels", .min = 16, .max = 1024, .logarithmic = true,
+     .cost = Cost::Target,
+     .help = "Width and height of a page, rounded down to a power of two and to an eighth of map.resolution. Small "
+             "pages draw less that nothing reads; large ones are fewer to draw.",
+     .read_by = ReadBy::Pages},
+    {SI_FIELD(map.page_pool), .label = "Page pool", .unit = "pages", .min = 1, .max = 16384, .logarithmic = true,
+     .cost = Cost::Target,
+     .help = "Pages that are kept at most. Where a picture reads more, pages of coarser levels stand for the finest: "
+             "its shadows lose sharpness, and never a place of the map.",
+     .read_by = ReadBy::Pages},
+    {SI_FIELD(map.virtual_levels), .label = "Clip levels", .unit = "maps", .min = 1, .max = kMaxClipLevels,
+     .help =
+         "Maps of a directional light about the camera. The coarsest holds all that the camera sees, each finer one "
+         "has texels half as wide. 1 is the map of light.fit, drawn by pages."},
+    {SI_FIELD(map.virtual_bias), .label = "Level bias", .unit = "levels", .min = -4, .max = 4,
+     SI_IDLE(s.map.virtual_levels < 2, "without effect: map.virtual_levels is 1"),
+     .help = "How many levels coarser than half a pixel to a pixel a texel is. 1 halves sharpness and draws about a "
+             "quarter of the pages; below 0 is finer."},
 }));
 static_assert(kMap.size() == members<MapSettings>(), "a member of MapSettings has no row");
 

@@ -111,7 +111,8 @@ constexpr auto kView = std::to_array<Param>({
      SI_IDLE(s.light_count < 2 && s.view.light == 0, "without effect: there is one light"),
      .help = "Whose shadow map, visibility, overlays and slabs are shown; 0 is the first light.",
      .read_by = ReadBy::OneLight},
-    {SI_FIELD(view.face), .label = "Face or cascade shown", .unit = "", .min = 0, .max = 5, .idle = face_idle,
+    {SI_FIELD(view.face), .label = "Face or cascade shown", .unit = "", .min = 0, .max = kMaxClipLevels - 1,
+     .idle = face_idle,
      .help = "Which of a light's maps is shown. A point light's six faces: 0 +x, 1 -x, 2 +y, 3 -y, 4 +z, 5 -z. A "
              "directional light's cascades: 0 is the one nearest to the camera; numbers past the last mean the last."},
     {SI_FIELD(view.panes), .label = "Panes", .unit = "", SI_CHOICES(kPanes),

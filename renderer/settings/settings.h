@@ -10,6 +10,7 @@ namespace si {
 
 inline constexpr int kMaxLights = 16;
 inline constexpr int kMaxCascades = 8;
+inline constexpr int kMaxClipLevels = 8;
 
 // Enumerations are stored as the index of their choice; the choices stand in the table, in this order.
 enum class LightType { Directional, Spot, Point };
@@ -74,6 +75,11 @@ struct MapSettings {
     int blur_texels = 0;
     int samples = 1;
     int transform = 0;  ///< MapTransform
+    bool paged = false;  ///< map.virtual, a word that C++ keeps to itself
+    int page_size = 128;
+    int page_pool = 1024;
+    int virtual_levels = 8;
+    double virtual_bias = 0;
     bool operator==(const MapSettings&) const = default;
 };
 

@@ -9,9 +9,11 @@
 #include "renderer/base/finite.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
+#include "renderer/settings/paging.h"
 #include "renderer/settings/sources.h"
 #include "renderer/view/fit_context.h"
 #include "renderer/view/map_limits.h"
+#include "renderer/view/near_far.h"
 
 namespace si {
 namespace {
@@ -30,16 +32,34 @@ bool reaches_anything(const FittedLight& light, const SceneShape& shape) {
     });
 }
 
+/// Maps about the camera that pages are drawn of.
+void fit_clip_levels(FittedLight& light, const FitContext& c, const Camera& camera, int picture_lines) {
+    const Settings& settings = c.all_settings;
+    ClipLevels found = clip_levels({.to_light = light.to_light,
+                                    .convention = c.convention,
+                                    .resolution = c.resolution,
+                                    .page_texels = page_texels(settings),
+                                    .count = std::clamp(settings.map.virtual_levels, 1, kMaxClipLevels),
+                                    .bias = finite_or(settings.map.virtual_bias, 0),
+                                    .margin_texels = reach_of_lookups(settings),
+                                    .picture_lines = picture_lines},
+                                   c.shape, camera);
+    light.views = std::move(found.views);
+    light.levels = std::move(found.levels);
+    light.chooser = std::move(found.chooser);
+    light.map_origin = page_origin(c.shape);
+}
+
 }  // namespace
 
 bool fit_reads_camera(const Settings& settings, int light) {
     const LightSettings& s = settings.lights[std::size_t(light)];
-    return is_sliced(s) || fit_row(s.fit).reads_camera;
+    return has_clip_levels(settings, light) || is_sliced(s) || fit_row(s.fit).reads_camera;
 }
 
 bool fit_reads_depths(const Settings& settings, int light) {
     const LightSettings& s = settings.lights[std::size_t(light)];
-    return s.depth_bounds == int(DepthBounds::Sdsm) && fit_reads_camera(settings, light) &&
+    return s.depth_bounds == int(DepthBounds::Sdsm) && !has_clip_levels(settings, light) && fit_reads_camera(settings, light) &&
            s.type != int(LightType::Point) && s.fit != int(LightFit::Stabilised) && s.cast &&
            source_of(settings, std::size_t(light)).needs.map;
 }
@@ -53,7 +73,8 @@ double fit_margin_texels(const Settings& settings, int resolution) {
 }
 
 std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
-                                  const Camera* camera, int max_resolution, const std::optional<DepthSpan>& seen_m) {
+                                  const Camera* camera, int max_resolution, const std::optional<DepthSpan>& seen_m,
+                                  int picture_lines) {
     const SceneShape& shape = *placed.shape;
     const int resolution = std::clamp(settings.map.resolution, 1, std::max(1, max_resolution));
     std::vector<FittedLight> lights;
@@ -74,6 +95,8 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
                                  fit_reads_depths(settings, int(i)) ? seen_m : std::nullopt};
         if (light.six_faces)
             fit_faces(light, context);
+        else if (camera && has_clip_levels(settings, int(i)))
+            fit_clip_levels(light, context, *camera, picture_lines);
         else if (camera && is_sliced(s))
             fit_cascades(light, context, *camera);
         else

@@ -9,6 +9,7 @@
 
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
+#include "renderer/view/clip_levels.h"
 #include "renderer/view/depth_span.h"
 #include "renderer/view/light_view.h"
 #include "renderer/view/view_choice.h"
@@ -44,18 +45,23 @@ struct PlacedLight {
 };
 
 struct FittedLight : PlacedLight {
-    bool shadowed = false;         ///< light.cast is on and something casts and receives, by whatever source
-    bool casts = false;            ///< the same, and the source is a map: has views and anything to draw into them
-    std::string reason;            ///< why it has no map
-    std::vector<LightView> views;  ///< all perspective or none; six faces: +x -x +y -y +z -z; cascades
-    ViewChooser chooser;           ///< which of them a point is looked up in
+    bool shadowed = false;          ///< light.cast is on and something casts and receives, by whatever source
+    bool casts = false;             ///< the same, and the source is a map: has views and anything to draw into them
+    std::string reason;             ///< why it has no map
+    std::vector<LightView> views;   ///< all perspective or none; six faces: +x -x +y -y +z -z; cascades
+    ViewChooser chooser;            ///< which of them a point is looked up in
+    std::vector<ClipLevel> levels;  ///< where its views lie, if they are clip levels; else none
     /// No point that the light reaches lies in shadow beyond its map: there the shaders say lit, without a look.
     bool closed = false;
     int clipped_casters = 0;  ///< objects reaching in front of the near plane
     MapLimits limits;         ///< of lights that cast
     /// Whether its maps are drawn in perspective, all of them; false when it has none.
     bool is_perspective() const { return !views.empty() && views[0].curve.perspective; }
-    bool is_cascaded() const { return chooser.choice == ViewChoice::Interval || chooser.choice == ViewChoice::Map; }
+    /// Whether its views are for parts of what the camera sees: cascades or clip levels.
+    bool is_cascaded() const {
+        return chooser.choice == ViewChoice::Interval || chooser.choice == ViewChoice::Map ||
+               chooser.choice == ViewChoice::Distance;
+    }
 };
 
 /// Whether a light of this range (0: unlimited) shines so far.
@@ -89,10 +95,11 @@ double fit_margin_texels(const Settings& settings, int resolution);
 /// @param camera whose picture the maps are for; null: fits that depend on one hold the whole scene instead, as the
 ///     camera that looks through a light has them
 /// @param max_resolution the GL limit on texture size
+/// @param picture_lines pixels of the picture's height, which clip levels go by
 /// @param seen_m depths of all that the camera sees, where they were measured: what light.depth_bounds sdsm goes by
 std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
                                   const Camera* camera, int max_resolution = 16384,
-                                  const std::optional<DepthSpan>& seen_m = std::nullopt);
+                                  const std::optional<DepthSpan>& seen_m = std::nullopt, int picture_lines = 720);
 
 /// Both at once.
 std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, const Camera* camera = nullptr);

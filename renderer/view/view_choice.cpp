@@ -33,12 +33,14 @@ ChosenView ViewChooser::choose(std::span<const LightView> views, const glm::dvec
         case ViewChoice::Face:
             return {.view = face_of(point_ws - from_ws), .other = face_of(point_ws - from_ws)};
         case ViewChoice::Interval:
-        case ViewChoice::Map: {
+        case ViewChoice::Map:
+        case ViewChoice::Distance: {
             ChosenView chosen{views.size() - 1, views.size() - 1, 0};
             bool held = false;
             for (std::size_t i = views.size(); i-- > 0;) {
-                const double at = choice == ViewChoice::Interval ? glm::dot(point_ws - from_ws, forward)
-                                                                 : from_centre(views[i], point_ws);
+                const double at = choice == ViewChoice::Interval   ? glm::dot(point_ws - from_ws, forward)
+                                  : choice == ViewChoice::Distance ? glm::distance(point_ws, from_ws)
+                                                                   : from_centre(views[i], point_ws);
                 const ViewSpan& span = spans[i];
                 if (!(at < span.ends)) continue;
                 const bool blends = held && at > span.blends_from;
@@ -56,6 +58,7 @@ std::string view_name(ViewChoice choice, std::size_t view, std::size_t views) {
     constexpr const char* kFaces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
     if (choice == ViewChoice::One || views < 2) return {};
     if (choice == ViewChoice::Face) return fmt::format("face {}", kFaces[std::min<std::size_t>(view, 5)]);
+    if (choice == ViewChoice::Distance) return fmt::format("clip level {} of {}", view + 1, views);
     return fmt::format("cascade {} of {}", view + 1, views);
 }
 

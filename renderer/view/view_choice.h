@@ -11,11 +11,11 @@
 namespace si {
 
 /// One: the only view. Face: of six, by the largest coordinate from the light's place. Interval: by the camera's depth.
-/// Map: the first whose map holds the point.
-enum class ViewChoice { One, Face, Interval, Map };
+/// Map: the first whose map holds the point. Distance: by that from the camera.
+enum class ViewChoice { One, Face, Interval, Map, Distance };
 
 /// Where a view ends, and from where on the next one that holds a point is blended in. Interval: metres of camera
-/// depth. Map: the larger distance from the map's centre, u or v, so that 0.5 is its side.
+/// depth. Map: the larger distance from the map's centre, u or v, so that 0.5 is its side. Distance: metres.
 struct ViewSpan {
     double ends = 0, blends_from = 0;
 };
@@ -28,9 +28,9 @@ struct ChosenView {
 
 struct ViewChooser {
     ViewChoice choice = ViewChoice::One;
-    glm::dvec3 from_ws{0};        ///< Face: the light's place; Interval: the camera's
+    glm::dvec3 from_ws{0};        ///< Face: the light's place; Interval and Distance: the camera's
     glm::dvec3 forward{0};        ///< Interval: unit, the camera's viewing direction
-    std::vector<ViewSpan> spans;  ///< Interval and Map: of each view
+    std::vector<ViewSpan> spans;  ///< of each view, but for One and Face
     /// The last view where none holds the point.
     /// @param views of the light; never empty
     ChosenView choose(std::span<const LightView> views, const glm::dvec3& point_ws) const;

@@ -181,9 +181,17 @@ Receiver receiver_in(Surface s, int index, int layer) {
     return r;
 }
 
-/// In the view that choose_view() names.
+/// In the view that choose_view() names, or the coarser one whose page stands for its own.
 Receiver make_receiver(Surface s, int index) {
     ViewPick pick = choose_view(index, s.position);
+#if MAP_PAGED && !defined(MARK_PAGES)
+    if (LIGHT_VIEWS[index] > 1) {
+        int layer = LIGHT_FIRST_VIEW[index] + pick.view;
+        vec4 at = frame.views[layer].uvd_from_relative * vec4(s.position, 1.0);
+        int up = entry_coarser(page_entry_at(at.xy / at.w, layer));
+        if (up > 0) pick = ViewPick(pick.view + up, pick.view + up, 0.0);
+    }
+#endif
     Receiver r = receiver_in(s, index, LIGHT_FIRST_VIEW[index] + pick.view);
     r.other_layer = LIGHT_FIRST_VIEW[index] + pick.other;
     r.blend = pick.share;

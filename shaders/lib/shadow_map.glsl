@@ -1,26 +1,34 @@
 // The shadow maps: one picture is a plain texture, several are the layers of an array.
 #include "shared/units.h"
-#if MAP_LAYERS > 1
+#include "lib/depth.glsl"
+#include "lib/pages.glsl"
+#if MAP_PAGED
+#define MAPS sampler2D
+float sampler_compare(vec2 at, int layer, float own) { return 0.0; }  // compared by hand
+#define MAP_AT(map, at, layer) paged_depth_at(map, at, layer)
+#define MAP_GATHER(map, at, layer) paged_gather(map, at, layer)
+#define MAP_TEXEL(map, texel, layer) paged_texel(map, texel, layer)
+#elif MAP_LAYERS > 1
 #define MAPS sampler2DArray
-#define IN_LAYER(at, layer) vec3(at, layer)
 layout(binding = UNIT_SHADOW_MAP_COMPARE) uniform sampler2DArrayShadow shadow_map_compare; // comparison as map_compare has it
 float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec4(at, layer, own)); }
+#define IN_LAYER(at, layer) vec3(at, layer)
+#define MAP_TEXEL(map, texel, layer) texelFetch(map, ivec3(texel, layer), 0).r
 #else
 #define MAPS sampler2D
-#define IN_LAYER(at, layer) at
 layout(binding = UNIT_SHADOW_MAP_COMPARE) uniform sampler2DShadow shadow_map_compare;
 float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec3(at, own)); }
+#define IN_LAYER(at, layer) at
+#define MAP_TEXEL(map, texel, layer) texelFetch(map, texel, 0).r
+#endif
+#if !MAP_PAGED
+#define MAP_AT(map, at, layer) texture(map, IN_LAYER(at, layer)).r
+#define MAP_GATHER(map, at, layer) textureGather(map, IN_LAYER(at, layer))
 #endif
 layout(binding = UNIT_SHADOW_MAP) uniform MAPS shadow_map;  // nearest, no comparison
-float stored_depth(vec2 at, int layer) { return texture(shadow_map, IN_LAYER(at, layer)).r; }
-vec4 stored_gather(vec2 at, int layer) { return textureGather(shadow_map, IN_LAYER(at, layer)); }
-float stored_texel(ivec2 texel, int layer) {
-#if MAP_LAYERS > 1
-    return texelFetch(shadow_map, ivec3(texel, layer), 0).r;
-#else
-    return texelFetch(shadow_map, texel, 0).r;
-#endif
-}
+float stored_depth(vec2 at, int layer) { return MAP_AT(shadow_map, at, layer); }
+vec4 stored_gather(vec2 at, int layer) { return MAP_GATHER(shadow_map, at, layer); }
+float stored_texel(ivec2 texel, int layer) { return MAP_TEXEL(shadow_map, texel, layer); }
 
 /// A depth that every comparison finds lit, or dark.
 float depth_of(bool lit) { return lit == (map_reversed_z == 0) ? 3e38 : -3e38; }
@@ -44,13 +52,13 @@ vec4 answered(vec4 depth, vec4 u, vec4 v) {
 }
 
 float map_depth(vec2 at, int layer) {
-    float depth = map_is_unfiltered ? texture(unfiltered_map, IN_LAYER(at, layer)).r : stored_depth(at, layer);
+    float depth = map_is_unfiltered ? MAP_AT(unfiltered_map, at, layer) : stored_depth(at, layer);
     return answered(vec4(depth), at.xxxx, at.yyyy).x;
 }
 
 /// @param at where four texels meet
 vec4 map_gather(vec2 at, int layer) {
-    vec4 depth = map_is_unfiltered ? textureGather(unfiltered_map, IN_LAYER(at, layer)) : stored_gather(at, layer);
+    vec4 depth = map_is_unfiltered ? MAP_GATHER(unfiltered_map, at, layer) : stored_gather(at, layer);
     vec2 half_texel = vec2(0.5 / float(map_resolution));
     vec4 u = at.x + vec4(-1.0, 1.0, 1.0, -1.0) * half_texel.x, v = at.y + vec4(1.0, 1.0, -1.0, -1.0) * half_texel.y;
     return answered(depth, u, v);

@@ -7,11 +7,11 @@ ivec2 shown_size() { return textureSize(shown_map, 0); }
 #else
 #include "lib/shadow_map.glsl"
 uniform int layer;
-#if MAP_LAYERS > 1
-float shown_depth(ivec2 texel) { return texelFetch(shadow_map, ivec3(texel, layer), 0).r; }
+float shown_depth(ivec2 texel) { return stored_texel(texel, layer); }
+#if MAP_PAGED
+ivec2 shown_size() { return ivec2(map_resolution); }
 #else
-float shown_depth(ivec2 texel) { return texelFetch(shadow_map, texel, 0).r; }
-#endif
 ivec2 shown_size() { return textureSize(shadow_map, 0).xy; }
+#endif
 #endif
 uniform vec4 curve;  // near, far, 1 perspective, 1 reversed: near at depth 1

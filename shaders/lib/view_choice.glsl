@@ -2,7 +2,7 @@
 // LIGHT_VIEWS are known when the program is made, so what no light of the scene needs costs nothing.
 #include "lib/frame.glsl"
 
-const int CHOICE_ONE = 0, CHOICE_FACE = 1, CHOICE_INTERVAL = 2, CHOICE_MAP = 3;
+const int CHOICE_ONE = 0, CHOICE_FACE = 1, CHOICE_INTERVAL = 2, CHOICE_MAP = 3, CHOICE_DISTANCE = 4;
 
 /// Counted among the light's views. `other` is blended in by `share`; it is `view` where nothing is.
 struct ViewPick {
@@ -18,9 +18,11 @@ int face_of(vec3 d) {
     return d.z >= 0.0 ? 4 : 5;
 }
 
-/// What a view's span counts: depth of the camera, or the larger distance from the map's centre, in map coordinates.
+/// What a view's span counts: depth of the camera, distance from it, or the larger distance from the map's centre, in map
+/// coordinates.
 float along_span(int light, int layer, vec3 position) {
     if (LIGHT_CHOICE[light] == CHOICE_INTERVAL) return dot(position - frame.divided_eye.xyz, frame.divided_forward.xyz);
+    if (LIGHT_CHOICE[light] == CHOICE_DISTANCE) return distance(position, frame.divided_eye.xyz);
     vec3 uvd = (frame.views[layer].uvd_from_relative * vec4(position, 1.0)).xyz;  // of parallel rays
     vec2 aside = abs(uvd.xy - 0.5);
     return uvd.z >= 0.0 && uvd.z <= 1.0 ? max(aside.x, aside.y) : 3e38;

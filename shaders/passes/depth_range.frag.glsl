@@ -11,7 +11,7 @@ void main() {
     for (int y = first.y; y < last.y; ++y)
         for (int x = first.x; x < last.x; ++x) {
             float d = shown_depth(ivec2(x, y));
-            if (d != empty) range = vec2(min(range.x, d), max(range.y, d));
+            if (d != empty && !isnan(d)) range = vec2(min(range.x, d), max(range.y, d));
         }
     range_out = range;
 }

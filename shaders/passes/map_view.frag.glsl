@@ -9,6 +9,10 @@ layout(location = 0) out vec4 colour_out;
 
 void main() {
     float stored = shown_depth(ivec2(picture_uv * vec2(shown_size())));
+    if (isnan(stored)) {  // a page that nobody asked for
+        colour_out = vec4(PAGE_NOT_THERE, 1.0);
+        return;
+    }
     float near = curve.x, far = curve.y;
     bool reversed = curve.w > 0.5;
     float value = stored;

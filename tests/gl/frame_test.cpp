@@ -156,9 +156,11 @@ TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
     for (const Overlay& overlay : overlays())
         for (const char* light : {"directional", "spot", "point"})
             for (const char* separate : {"false", "true"}) {
+                const bool pages = overlay.key.starts_with("page-");  // of what whole maps have none
                 const Settings s = settings_for(scene, {{"view.overlay", std::string(overlay.key)},
                                                         {"light.type", light},
                                                         {"shading.separate_visibility", separate},
+                                                        {"map.virtual", pages ? "true" : "false"},
                                                         {"map.resolution", "256"}});
                 FrameRequest request{.width = 64, .height = 36};
                 request.outputs.overlay = true;

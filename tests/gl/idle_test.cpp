@@ -46,6 +46,9 @@ const std::vector<Sets>& states() {
         {{"view.overlay", "depth-difference"}, {"view.overlay_range", "manual"}},
         {{"view.slabs", "both"}},
         {{"view.slabs", "both"}, {"light.cast", "false"}},
+        {{"map.virtual", "true"}},
+        {{"map.virtual", "true"}, {"filter.kernel", "vsm"}},
+        {{"map.virtual", "true"}, {"map.virtual_levels", "1"}, {"light.type", "spot"}},
     };
     return list;
 }
@@ -159,6 +162,14 @@ const std::vector<Sets>& busy_states() {
          {"view.map_source", "camera"},
          {"view.map_fit", "true"},
          {"shading.separate_visibility", "true"}},
+        {{"map.virtual", "true"},
+         {"map.page_size", "16"},
+         {"map.resolution", "256"},
+         {"bias.raster_slope", "1"},
+         {"view.face", "7"},
+         {"view.panes", "two"},
+         {"view.overlay", "stored-depth"},
+         {"view.overlay_2", "page-level"}},
     };
     return list;
 }

@@ -69,6 +69,19 @@ TEST_F(ViewChoiceTest, CascadesAreThoseOfTheTwin) {
             }
 }
 
+TEST_F(ViewChoiceTest, ClipLevelsAreThoseOfTheTwin) {
+    const Scene scene = load_scene("stage");
+    for (const Change& camera : {Change{{"light.elevation", "90"}},
+                                 {{"camera.source", "manual"}, {"camera.distance", "3"}},
+                                 {{"camera.source", "manual"}, {"camera.orthographic", "true"}}}) {
+        Settings s = settings_for(scene, {{"map.virtual", "true"}, {"map.resolution", "512"}});
+        for (const auto& [key, value] : camera) set_setting(s, key, value);
+        const auto pixels = compare(scene, s);
+        ASSERT_EQ(pixels.size(), 8u);
+        EXPECT_GE(std::count_if(pixels.begin(), pixels.end(), [](std::size_t n) { return n > 100; }), 2);
+    }
+}
+
 TEST_F(ViewChoiceTest, OneViewIsAlwaysTheFirst) {
     const Scene scene = load_scene("boxes");
     EXPECT_GT(compare(scene, settings_for(scene))[0], 1000u);

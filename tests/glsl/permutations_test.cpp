@@ -226,6 +226,10 @@ std::vector<Axis> axes() {
                     {{"light.cascades", "2"}, {"light.cascade_choice", "map"}, {"light.cascade_blend", "0"}},
                     {{"light.fit", "casters"}},
                     {{"light.count", "2"}, {"light.1.type", "point"}, {"view.light", "1"}}}});
+    out.push_back({.names = {"PAGE_SIZE"},
+                   .choices = {{},
+                               {{"map.virtual", "true"}, {"map.virtual_levels", "1"}},
+                               {{"map.virtual", "true"}, {"map.page_size", "32"}, {"map.resolution", "256"}}}});
     out.push_back({.names = {"LIGHT_CASTS"}, .choices = {{}, {{"light.cast", "false"}}}, .hides = true});
     Axis source{.names = {"SOURCE_FILE", "HAS_MAP"}, .hides = true};
     for (const Source& row : sources()) {

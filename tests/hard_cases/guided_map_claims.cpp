@@ -1,6 +1,11 @@
 // What the sentences of the guided presets claim about the map's borders and its depths, counted.
+#include <algorithm>
 #include <cmath>
 
+#include "app/session/presets.h"
+#include "app/session/session.h"
+#include "renderer/measure/measure.h"
+#include "renderer/scenes/builtin.h"
 #include "tests/hard_cases/guided_claims.h"
 #include "tests/support/guided.h"
 
@@ -41,10 +46,57 @@ double share(const ByteImage& image, bool (*is)(int r, int g, int b)) {
     return image.data.empty() ? -1 : double(count) / (double(image.data.size()) / 4);
 }
 
+/// A preset with some settings changed, drawn anew and held against the truth.
+Judgement judged(const std::string& preset, const std::vector<std::string>& changes = {}) {
+    const Preset p = load_preset(preset);
+    Settings s = p.settings;
+    for (const std::string& change : changes) apply_set(s, change);
+    return Measurer(hard_renderer(), 160, 90).judge(load_scene(p.scene), s);
+}
+
+/// Pages of a preset once more, after a change.
+PageFacts pages_after(const std::string& preset, const std::vector<std::string>& changes) {
+    const Preset p = load_preset(preset);
+    const Scene scene = load_scene(p.scene);
+    const FrameRequest request{.width = 160, .height = 90};
+    Settings s = p.settings;
+    hard_renderer().render(scene, s, request);
+    s.camera = manual_camera(scene, s, 16.0 / 9);
+    for (const std::string& change : changes) apply_set(s, change);
+    return hard_renderer().render(scene, s, request).pages.value();
+}
+
+double wrong(const Judgement& j) {
+    return j.error.false_light + j.error.false_shadow;
+}
+
 }  // namespace
 
 const Claims& guided_map_claims() {
     static const Claims all = {
+        // ---- Virtual maps
+        {"virtual-map",
+         [] {
+             const Judgement pages = judged("virtual-map"), whole = judged("virtual-map", {"map.virtual=false"});
+             EXPECT_LT(wrong(pages), 0.75 * wrong(whole));
+             EXPECT_EQ(pages.error.outside_map, 0);
+             EXPECT_LT(pages.pages->drawn_texels(), 4096u * 4096u);
+             const PageFacts turned = pages_after("virtual-map", {"camera.azimuth=-19"});
+             EXPECT_GT(turned.kept, turned.drawn);
+         }},
+        {"full-page-pool",
+         [] {
+             const Judgement full = judged("full-page-pool"), room = judged("full-page-pool", {"map.page_pool=1024"});
+             EXPECT_GT(wrong(full), 1.3 * wrong(room));
+             EXPECT_GT(full.pages->coarser, 10);
+             EXPECT_LE(full.pages->drawn, 8);
+             EXPECT_EQ(full.error.outside_map, 0);
+             EXPECT_EQ(room.pages->coarser, 0);
+             EXPECT_TRUE(std::any_of(full.notes.begin(), full.notes.end(), [](const std::string& note) {
+                 return note.find("map.page_pool") != std::string::npos;
+             }));
+             EXPECT_EQ(pages_after("full-page-pool", {"map.page_pool=1024", "light.azimuth=-41"}).kept, 0);
+         }},
         // ---- Outside of the map
         {"repeat",
          [] {

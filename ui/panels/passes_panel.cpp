@@ -48,7 +48,7 @@ void draw_passes(const EditorFrame& frame) {
                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH |
                                       ImGuiTableFlags_NoSavedSettings;
     const float em = ImGui::GetFontSize();
-    const float footer = ImGui::GetTextLineHeightWithSpacing() + em * 0.2f;
+    const float footer = ImGui::GetTextLineHeightWithSpacing() * (result.pages ? 2 : 1) + em * 0.2f;
     if (ImGui::BeginTable("passes", 7, flags, {0, -footer})) {
         ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("Pass", ImGuiTableColumnFlags_WidthFixed, em * 12.5f);
@@ -106,6 +106,7 @@ void draw_passes(const EditorFrame& frame) {
         ImGui::PopFont();
         ImGui::EndTable();
     }
+    if (result.pages) ImGui::TextDisabled("%s", page_text(*result.pages).c_str());
     std::string clock = result.clock.empty() ? std::string() : fmt::format("Time by {}", result.clock);
     if (frame.driver) {
         clock += fmt::format("{}{}", clock.empty() ? "" : "   ", frame.driver->renderer);

@@ -1,0 +1,124 @@
+#include "renderer/passes/casters.h"
+
+#include <glm/gtc/type_ptr.hpp>
+#include <optional>
+
+#include "renderer/frame/driver.h"
+
+namespace si {
+namespace {
+
+/// Culling of casters: the object's own choice before the scene's.
+void set_cull(const FrameState& f, const Batch& batch) {
+    Cull cull = Cull(f.settings.caster.cull);
+    if (batch.cull != int(ObjectCull::Inherit)) cull = Cull(batch.cull - 1);
+    if (cull == Cull::None) {
+        glDisable(GL_CULL_FACE);
+    } else {
+        glEnable(GL_CULL_FACE);
+        glCullFace(cull == Cull::Back ? GL_BACK : GL_FRONT);
+    }
+    glFrontFace(batch.mirrored ? GL_CW : GL_CCW);
+}
+
+void set_raster_bias(const FrameState& f, bool reversed) {
+    const BiasSettings& b = f.settings.bias;
+    if (b.raster_slope == 0 && b.raster_units == 0) {
+        glDisable(GL_POLYGON_OFFSET_FILL);
+        return;
+    }
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    const float sign = reversed ? -1.f : 1.f;
+    if (b.raster_clamp != 0 && f.driver.polygon_offset_clamp)
+        glPolygonOffsetClampEXT(sign * float(b.raster_slope), sign * float(b.raster_units),
+                                sign * float(b.raster_clamp));
+    else
+        glPolygonOffset(sign * float(b.raster_slope), sign * float(b.raster_units));
+}
+
+/// The instances of a batch in runs of those that are seen whole, and parts of others.
+void draw_seen(FrameState& f, const Batch& batch, const SeenOf& seen, PassInfo& info) {
+    const auto draw = [&](const Batch& part) {
+        f.gl.scene->draw(part);
+        ++info.draws;
+        info.triangles += part.triangles();
+    };
+    if (!seen) return draw(batch);
+    Batch run = batch;
+    run.instances = 0;
+    const auto finish_run = [&] {
+        if (run.instances > 0) draw(run);
+        run.instances = 0;
+    };
+    std::vector<IndexRange> parts;
+    for (GLuint i = 0; i < GLuint(batch.instances); ++i) {
+        const GLuint instance = batch.first_instance + i;
+        const Seen what = seen(instance, parts);
+        if (what == Seen::Whole) {
+            if (run.instances == 0) run.first_instance = instance;
+            ++run.instances;
+            continue;
+        }
+        finish_run();
+        for (const IndexRange& range : what == Seen::Parts ? parts : std::vector<IndexRange>{}) {
+            Batch part = batch;
+            part.first_instance = instance, part.instances = 1;
+            part.first_index += range.first, part.index_count = range.count;
+            draw(part);
+        }
+    }
+    finish_run();
+}
+
+}  // namespace
+
+void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention) {
+    glDepthMask(GL_TRUE);
+    const float far_depth = float(convention.far_depth());
+    glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far_depth);
+    if (f.settings.map.format == int(MapFormat::Colour)) {
+        const glm::vec4 clear(far_depth);
+        glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &clear.x);
+    }
+}
+
+void draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info) {
+    const DepthConvention& convention = view.convention;
+    glClipControl(GL_LOWER_LEFT, convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(convention.reversed ? GL_GREATER : GL_LESS);
+    glDisable(GL_BLEND);
+    if (view.unfiltered)
+        glDisable(GL_POLYGON_OFFSET_FILL);
+    else
+        set_raster_bias(f, convention.reversed);
+    if (view.clamps_near) glEnable(GL_DEPTH_CLAMP);
+    const glm::mat4 matrix(view.clip_from_relative);
+    f.gl.scene->bind(f.scene, f.settings, view.origin, 1);
+    GLuint current = 0, texture = 0;
+    std::optional<Batch> previous;
+    const bool blend_casts = f.settings.caster.blend == int(BlendCasters::Mask);
+    for (const Batch& drawn : f.gl.scene->batches()) {
+        if (!drawn.cast || (drawn.blend && !blend_casts)) continue;
+        Batch batch = drawn;
+        batch.masked |= batch.blend;
+        const bool same =
+            previous && previous->masked == batch.masked && (!batch.masked || !previous->texture == !batch.texture);
+        const GLuint id =
+            same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", {}, batch, true);
+        if (id != current) {
+            glUseProgram(current = id);
+            glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
+        }
+        const GLuint mask = view.unfiltered ? batch.finest_texture : batch.texture;
+        if (batch.masked && mask && mask != texture) glBindTextureUnit(shared::UNIT_BASE_COLOUR, texture = mask);
+        if (!previous || previous->cull != batch.cull || previous->mirrored != batch.mirrored) set_cull(f, batch);
+        previous = batch;
+        draw_seen(f, batch, seen, info);
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_DEPTH_CLAMP);
+}
+
+}  // namespace si

@@ -1,0 +1,36 @@
+// What casts, drawn as a light sees it.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "renderer/frame/state.h"
+
+namespace si {
+
+struct CasterView {
+    glm::dmat4 clip_from_relative{1.0};  ///< from positions relative to `origin`
+    DepthConvention convention;
+    glm::dvec3 origin{0};
+    bool unfiltered = false;   ///< without polygon offset, masks at their finest level
+    bool clamps_near = false;  ///< what lies before the near plane is drawn at it
+};
+
+/// Indices of a mesh, counted from its first.
+struct IndexRange {
+    std::size_t first = 0;
+    GLsizei count = 0;
+};
+
+enum class Seen { Nothing, Whole, Parts };
+
+/// What can be seen of an instance, counted as SceneGpu orders them. @param[out] parts what to draw where it is Parts
+using SeenOf = std::function<Seen(std::size_t instance, std::vector<IndexRange>& parts)>;
+
+/// Empties the bound framebuffer, or what of it the scissor test leaves, to the far depth.
+void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention);
+
+/// Draws every caster, or what of them can be seen, into the bound framebuffer and viewport.
+void draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info);
+
+}  // namespace si

@@ -1,0 +1,582 @@
+// Virtual shadow maps: which pages of them look-ups may read, and those drawn that are not kept.
+#include "renderer/passes/pages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "renderer/frame/driver.h"
+#include "renderer/frame/page_cache.h"
+#include "renderer/passes/camera_pass.h"
+#include "renderer/passes/casters.h"
+#include "renderer/settings/paging.h"
+#include "renderer/view/projection.h"
+#include "shaders/shared/pages.h"
+
+namespace si {
+namespace {
+
+constexpr double kPoolBudgetBytes = 2.0 * 1024 * 1024 * 1024;
+
+/// Across a light: metres on its plane, or texels of a map.
+struct Rect {
+    glm::dvec2 lo{-std::numeric_limits<double>::infinity()}, hi{std::numeric_limits<double>::infinity()};
+    bool meets(const Rect& o) const { return lo.x <= o.hi.x && lo.y <= o.hi.y && hi.x >= o.lo.x && hi.y >= o.lo.y; }
+};
+
+using Corners = std::array<glm::dvec3, 8>;
+
+/// Indices of large meshes are drawn in parts of so many.
+constexpr std::size_t kPart = 3 * 1024;
+
+/// What is drawn into maps, by instance as SceneGpu orders them.
+struct Casters {
+    std::uint64_t key = 0;                    ///< of the scene's arrangement
+    std::vector<std::uint64_t> content;       ///< of all that an instance's depths come of; 0: it never casts
+    std::vector<std::size_t> indices;         ///< how many its mesh has
+    std::vector<Corners> corners;             ///< of its box, world
+    std::vector<std::vector<Corners>> parts;  ///< of the boxes of its parts; none: it is no large mesh
+};
+
+/// Where casters lie across a light.
+struct Across {
+    std::vector<Rect> whole;
+    std::vector<std::vector<Rect>> parts;
+    Across() = default;
+    /// @param rect_of the corners of a box
+    template <typename RectOf>
+    Across(const Casters& casters, RectOf rect_of) : whole(casters.corners.size()), parts(casters.corners.size()) {
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+            if (!casters.content[i]) continue;
+            whole[i] = rect_of(casters.corners[i]);
+            for (const Corners& part : casters.parts[i]) parts[i].push_back(rect_of(part));
+        }
+    }
+    Seen seen(std::size_t i, const Rect& by, std::size_t indices, std::vector<IndexRange>& out) const {
+        if (!whole[i].meets(by)) return Seen::Nothing;
+        if (parts[i].empty()) return Seen::Whole;
+        out.clear();
+        for (std::size_t k = 0; k < parts[i].size(); ++k) {
+            if (!parts[i][k].meets(by)) continue;
+            const std::size_t first = k * kPart, count = std::min(kPart, indices - first);
+            if (!out.empty() && out.back().first + std::size_t(out.back().count) == first)
+                out.back().count += GLsizei(count);
+            else
+                out.push_back({first, GLsizei(count)});
+        }
+        return Seen::Parts;
+    }
+};
+
+struct PageTargets {
+    gl::Target wanted;            ///< R8UI, a texel a page, a layer a view
+    gl::Target nothing;           ///< a pixel for each of the picture; OpenGL wants something to draw into
+    gl::Target pool, unfiltered;  ///< pages of the maps side by side
+    gl::Target block, depth;      ///< what pages are drawn in, and beside it where that is colour
+    gl::Target table;             ///< RGBA16UI, see shared/pages.h
+    PageCache cache;
+    PageChoice choice;
+    PageFacts facts;
+    int page = 0;                                 ///< texels along a page's side
+    std::vector<std::uint64_t> unfiltered_pages;  ///< by slot, what `unfiltered` holds
+    Casters casters;
+    int draw_calls = 0;
+};
+
+PageTargets& targets(const FrameState& f) {
+    return f.gl.owned.get<PageTargets>();
+}
+
+std::uint64_t content_of(const Mesh& mesh, bool masked) {
+    Key key;
+    const auto add = [&](const auto& list) {
+        key.add(list.size());
+        if (!list.empty()) key.bytes(list.data(), list.size() * sizeof list[0]);
+    };
+    add(mesh.positions), add(mesh.indices);
+    if (masked) add(mesh.uv), add(mesh.colours);
+    return key.value();
+}
+
+std::uint64_t content_of(const Texture& t) {
+    Key key;
+    key.add(t.width).add(t.height).add(t.wrap_s).add(t.wrap_t).add(t.nearest_mag).add(t.nearest_min).add(t.mipmaps);
+    return key.bytes(t.rgba.data(), t.rgba.size()).value();
+}
+
+Corners corners_of(const Bounds& bounds, const glm::dmat4& world) {
+    Corners out;
+    for (std::size_t c = 0; c < 8; ++c)
+        out[c] = glm::dvec3(world * glm::dvec4(c & 1 ? bounds.hi.x : bounds.lo.x, c & 2 ? bounds.hi.y : bounds.lo.y,
+                                               c & 4 ? bounds.hi.z : bounds.lo.z, 1));
+    return out;
+}
+
+/// Boxes of the parts of a large mesh.
+std::vector<Bounds> parts_of(const Mesh& mesh) {
+    std::vector<Bounds> out;
+    if (mesh.indices.size() < 2 * kPart) return out;
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        if (i % kPart == 0) out.emplace_back();
+        out.back().add(glm::dvec3(mesh.positions[mesh.indices[i]]));
+    }
+    return out;
+}
+
+/// By what there is, not by which scene it is of, so that pages outlast what moves elsewhere.
+void find_casters(const FrameState& f, Casters& casters) {
+    const std::uint64_t key =
+        Key().add(f.geometry_key).add(f.settings.caster.blend).add(f.settings.shading.textures).value();
+    if (casters.key == key) return;
+    const Scene& scene = f.scene;
+    std::vector<std::uint64_t> meshes(scene.meshes.size(), 0), textures(scene.textures.size(), 0);
+    const auto& order = f.gl.scene->instance_objects();
+    casters.content.assign(order.size(), 0);
+    casters.corners.assign(order.size(), {});
+    casters.indices.assign(order.size(), 0);
+    casters.parts.assign(order.size(), {});
+    for (const Batch& batch : f.gl.scene->batches()) {
+        if (!batch.cast || (batch.blend && f.settings.caster.blend != int(BlendCasters::Mask))) continue;
+        const bool masked = batch.masked || batch.blend;
+        const std::vector<Bounds> parts =
+            parts_of(scene.meshes[std::size_t(scene.objects[order[batch.first_instance]].mesh)]);
+        for (GLuint i = batch.first_instance; i < batch.first_instance + GLuint(batch.instances); ++i) {
+            const Object& object = scene.objects[order[i]];
+            const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
+            std::uint64_t& of_mesh = meshes[std::size_t(object.mesh)];
+            if (of_mesh == 0) of_mesh = content_of(mesh, masked);
+            Key content;
+            content.add(of_mesh).add(object.world).add(batch.cull).add(batch.mirrored).add(masked);
+            if (masked && mesh.material >= 0) {
+                const Material& m = scene.materials[std::size_t(mesh.material)];
+                content.add(m.alpha).add(m.alpha_cutoff).add(m.base_colour.a).add(batch.texture != 0);
+                if (batch.texture) {
+                    std::uint64_t& of_texture = textures[std::size_t(m.base_colour_texture)];
+                    if (of_texture == 0) of_texture = content_of(scene.textures[std::size_t(m.base_colour_texture)]);
+                    content.add(of_texture);
+                }
+            }
+            casters.content[i] = content.value();
+            casters.corners[i] = corners_of(mesh.bounds, object.world);
+            casters.indices[i] = mesh.indices.size();
+            for (const Bounds& part : parts) casters.parts[i].push_back(corners_of(part, object.world));
+        }
+    }
+    casters.key = key;
+}
+
+/// One layer of the maps, and how pages of it are drawn.
+class PagedLayer {
+public:
+    PagedLayer(const FrameState& f, std::size_t light, std::size_t view, const Casters& casters, const Across& across)
+        : light_(f.gl.fitted[light]),
+          view_(light_.views[view]),
+          level_(light_.levels.empty() ? nullptr : &light_.levels[view]),
+          casters_(casters),
+          page_(page_texels(f.settings)),
+          resolution_(f.map_resolution) {
+        grid.side = (resolution_ + page_ - 1) / page_;
+        if (level_) {
+            grid.corner = level_->corner;
+            if (view + 1 < light_.levels.size()) grid.coarser = f.first_view[light] + int(view) + 1;
+            across_ = across;
+        } else {
+            find_in_map();
+        }
+        identity_ = f.with_settings({}, ReadBy::Maps);
+        identity_.add(f.gl.programs.source().generation()).add(light_.map_origin).add(page_);
+        const DepthConvention& convention = view_.curve.convention;
+        identity_.add(view_.clamps_near).add(convention.zero_to_one).add(convention.reversed).add(bool(level_));
+        if (level_)
+            identity_.add(view_.axes[0])
+                .add(view_.axes[2])
+                .add(level_->exponent)
+                .add(level_->eye_m)
+                .add(view_.curve.near)
+                .add(view_.curve.far);
+        else
+            identity_.add(view_.clip_from_relative(light_.map_origin)).add(resolution_);
+    }
+
+    /// Casters on the plane of a directional light.
+    static Across across_light(const Casters& casters, const glm::dmat3& axes) {
+        return Across(casters, [&](const Corners& corners) {
+            Rect rect;
+            std::swap(rect.lo, rect.hi);
+            for (const glm::dvec3& p : corners) {
+                const glm::dvec2 at(glm::dot(axes[0], p), glm::dot(axes[1], p));
+                rect.lo = glm::min(rect.lo, at), rect.hi = glm::max(rect.hi, at);
+            }
+            return rect;
+        });
+    }
+
+    PageGrid grid;
+
+    std::uint64_t key_of(glm::ivec2 page) const {
+        Key key = identity_;
+        key.add(grid.corner.x + page.x).add(grid.corner.y + page.y);
+        const Rect rect = rect_of(page);
+        for (std::size_t i = 0; i < across_.whole.size(); ++i)
+            if (casters_.content[i] && across_.whole[i].meets(rect)) key.add(casters_.content[i]);
+        return key.value();
+    }
+
+    /// Where in a block of pages a page is drawn, in texels.
+    glm::ivec2 place_in_block(const PlacedPage& page) const {
+        const glm::i64vec2 at = grid.corner + glm::i64vec2(page.page), wide(kBlockPages);
+        return glm::ivec2((at % wide + wide) % wide) * page_;
+    }
+
+    /// Draws a page into the bound framebuffer, a block of pages, where its own number says: what a rasteriser makes of
+    /// it must not depend on the page's place in the pool.
+    void draw(FrameState& f, const PlacedPage& page, GLuint framebuffer, bool unfiltered, PassInfo& info) const {
+        glm::ivec2 in_view = page.page;
+        const LightView view =
+            level_ ? block_view(view_, *level_, page_, grid.corner + glm::i64vec2(page.page), in_view) : view_;
+        const int across = level_ ? kBlockPages * page_ : resolution_;
+        const glm::ivec2 first = place_in_block(page), viewport = first - in_view * page_;
+        glScissor(first.x, first.y, page_, page_);
+        glViewport(viewport.x, viewport.y, across, across);
+        clear_casters(f, framebuffer, view_.curve.convention);
+        const Rect rect = rect_of(page.page);
+        draw_casters(
+            f,
+            {view.clip_from_relative(light_.map_origin), view_.curve.convention, light_.map_origin, unfiltered,
+             view_.clamps_near},
+            [&](std::size_t i, std::vector<IndexRange>& parts) {
+                return across_.seen(i, rect, casters_.indices[i], parts);
+            },
+            info);
+    }
+
+    /// Of a texel where the view is coarsest.
+    double texel_m() const { return view_.texel_size(view_.curve.far, resolution_); }
+    /// Metres along the side of the square that holds these pages; of other views all they hold.
+    double width_m(glm::ivec2 lo, glm::ivec2 hi) const {
+        if (!level_) return texel_m() * resolution_;
+        const glm::ivec2 pages = hi - lo + 1;
+        return std::max(pages.x, pages.y) * page_ * texel_m();
+    }
+    const ClipLevel* level() const { return level_; }
+
+private:
+    Rect rect_of(glm::ivec2 page) const {
+        const double texel = level_ ? level_->texel_m() : 1;
+        const glm::dvec2 lo = glm::dvec2(grid.corner + glm::i64vec2(page)) * (page_ * texel);
+        return {lo - texel, lo + (page_ + 1) * texel};
+    }
+
+    void find_in_map() {
+        const glm::dmat4 uvd_from_relative =
+            uvd_from_clip(view_.curve.convention) * view_.clip_from_relative(light_.map_origin);
+        across_ = Across(casters_, [&](const Corners& corners) {
+            Rect rect;
+            std::swap(rect.lo, rect.hi);
+            for (const glm::dvec3& p : corners) {
+                const glm::dvec4 h = uvd_from_relative * glm::dvec4(p - light_.map_origin, 1);
+                // Beside and behind a light's place it may be anywhere.
+                if (!(h.w > 1e-6 * view_.curve.near)) return Rect();
+                const glm::dvec2 at = glm::dvec2(h) / h.w * double(resolution_);
+                rect.lo = glm::min(rect.lo, at), rect.hi = glm::max(rect.hi, at);
+            }
+            return rect;
+        });
+    }
+
+    const FittedLight& light_;
+    const LightView& view_;
+    const ClipLevel* level_;
+    const Casters& casters_;
+    int page_, resolution_;
+    Across across_;
+    Key identity_;
+};
+
+/// All layers, in their order.
+std::vector<PagedLayer> paged_layers(const FrameState& f, const Casters& casters) {
+    std::vector<PagedLayer> out;
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
+        const FittedLight& light = f.gl.fitted[i];
+        if (!light.casts) continue;
+        Across across;
+        if (!light.levels.empty()) across = PagedLayer::across_light(casters, light.views[0].axes);
+        for (std::size_t v = 0; v < light.views.size(); ++v) out.emplace_back(f, i, v, casters, across);
+    }
+    return out;
+}
+
+int pages_per_side(const FrameState& f) {
+    const int page = page_texels(f.settings);
+    return (f.map_resolution + page - 1) / page;
+}
+
+/// Most pages of the pool, by the setting and what the driver and the budget hold.
+int most_pages(const FrameState& f) {
+    const double page = page_texels(f.settings), bytes = f.settings.map.format == int(MapFormat::Colour) ? 8 : 4;
+    const double side = std::floor(f.driver.max_texture_size / page);
+    const double most = std::min(side * side, std::floor(kPoolBudgetBytes / (page * page * bytes)));
+    return int(std::clamp(double(f.settings.map.page_pool), 1.0, std::max(most, 1.0)));
+}
+
+/// What blended surfaces read is in no picture of surfaces: they are drawn over them.
+void mark_blended(FrameState& f, PageTargets& t, PassInfo& info) {
+    const auto& batches = f.gl.scene->batches();
+    if (std::none_of(batches.begin(), batches.end(), [](const Batch& b) { return b.blend; })) return;
+    CameraPass(f).draw("passes/camera_depth.frag.glsl", {}, info);
+    const CameraPass pass(f, "nothing", GL_R8, t.nothing);
+    glDepthMask(GL_FALSE);
+    glDisable(GL_CULL_FACE);
+    for (const Batch& b : batches) {
+        if (!b.blend) continue;
+        glUseProgram(f.batch_program("passes/scene.vert.glsl", "passes/pages_wanted.frag.glsl",
+                                     {{"MARK_PAGES", "1"}, {"FROM_SCENE", "1"}}, b, false));
+        f.bind_textures(b);
+        f.gl.scene->draw(b);
+        ++info.draws;
+        info.triangles += b.triangles();
+    }
+    glDepthMask(GL_TRUE);
+}
+
+Pass wanted_pass(FrameState& f, PageTargets& t) {
+    Pass pass;
+    pass.name = "pages requested";
+    pass.category = PassCategory::Maps;
+    pass.reads = {Result::SurfacesSeen};
+    pass.writes = {Result::PagesWanted};
+    pass.idle_reason = "nothing samples a shadow map";
+    pass.key = f.lighting_key().value();
+    pass.cached = &t.wanted.key;
+    pass.run = [&f, &t](PassInfo& info) {
+        const int side = pages_per_side(f);
+        t.wanted.ensure("pages wanted", GL_R8UI, side, side, f.view_count);
+        t.nothing.ensure("nothing", GL_R8, f.request.width, f.request.height);
+        const std::uint8_t none = 0;
+        glClearTexImage(t.wanted.texture.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, &none);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("pages wanted", &t.nothing, nullptr);
+        f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
+        glBindImageTexture(shared::IMAGE_PAGES_WANTED, t.wanted.texture.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R8UI);
+        glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/pages_wanted.frag.glsl", {{"MARK_PAGES", "1"}}));
+        FrameState::draw_fullscreen(info);
+        mark_blended(f, t, info);
+        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    };
+    return pass;
+}
+
+/// Draws pages into a pool as large as the cache says, by way of a block of pages.
+void draw_into_pool(FrameState& f, PageTargets& t, const std::vector<PagedLayer>& layers, gl::Target& pool,
+                    const std::vector<const PlacedPage*>& pages, bool unfiltered, PassInfo& info) {
+    const bool colour = f.settings.map.format == int(MapFormat::Colour);
+    const int width = t.cache.side() * t.page, block = kBlockPages * t.page;
+    pool.ensure(unfiltered ? "pool of unfiltered pages" : "pool of pages", f.map_format(), width, width);
+    t.block.ensure("block of pages", f.map_format(), block, block);
+    if (colour)
+        t.depth.ensure("depth beside the block of colour pages", GL_DEPTH_COMPONENT32F, block, block);
+    else
+        t.depth = {};
+    const gl::Framebuffer framebuffer = colour ? gl::make_framebuffer("block of pages", &t.block, &t.depth)
+                                               : gl::make_framebuffer("block of pages", nullptr, &t.block);
+    struct Copy {
+        glm::ivec2 from, to;
+    };
+    std::vector<Copy> drawn;
+    const auto copy = [&] {
+        for (const Copy& c : drawn)
+            glCopyImageSubData(t.block.texture.id(), GL_TEXTURE_2D, 0, c.from.x, c.from.y, 0, pool.texture.id(),
+                               GL_TEXTURE_2D, 0, c.to.x, c.to.y, 0, t.page, t.page, 1);
+        drawn.clear();
+    };
+    for (const PlacedPage* page : pages) {
+        const PagedLayer& layer = layers[std::size_t(page->layer)];
+        const glm::ivec2 at = layer.place_in_block(*page);
+        if (std::any_of(drawn.begin(), drawn.end(), [&](const Copy& c) { return c.from == at; })) copy();
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+        glEnable(GL_SCISSOR_TEST);
+        layer.draw(f, *page, framebuffer.id(), unfiltered, info);
+        glDisable(GL_SCISSOR_TEST);
+        drawn.push_back({at, page->at * t.page});
+    }
+    copy();
+}
+
+/// Texels of one map a light as fine as its finest page, over the square about its pages; and what else the frame's
+/// pages come to.
+PageFacts facts_of(const FrameState& f, const PageTargets& t, const std::vector<PagedLayer>& layers) {
+    const PageChoice& choice = t.choice;
+    PageFacts facts{.page_texels = t.page,
+                    .wanted = choice.wanted,
+                    .drawn = int(choice.drawn.size()),
+                    .coarser = choice.coarser,
+                    .evicted = choice.evicted,
+                    .held = t.cache.held(),
+                    .pool = t.cache.room()};
+    facts.kept = int(choice.read.size()) - facts.drawn;
+    facts.finest_texel_m = std::numeric_limits<double>::infinity();
+    int layer = 0, most = -1;
+    for (const FittedLight& light : f.gl.fitted) {
+        if (!light.casts) continue;
+        const int first = layer;
+        layer += int(light.views.size());
+        std::vector<int> by_level(choice.wanted_by_layer.begin() + first, choice.wanted_by_layer.begin() + layer);
+        int all = 0;
+        for (const int count : by_level) all += count;
+        double finest = std::numeric_limits<double>::infinity(), width = 0;
+        for (int l = first; l < layer; ++l) {
+            glm::ivec2 lo(std::numeric_limits<int>::max()), hi(-1);
+            for (const PlacedPage& p : choice.read)
+                if (p.layer == l) lo = glm::min(lo, p.page), hi = glm::max(hi, p.page);
+            if (hi.x < 0) continue;
+            const PagedLayer& of = layers[std::size_t(l)];
+            finest = std::min(finest, of.texel_m());
+            width = std::max(width, of.width_m(lo, hi));
+            if (!of.level()) facts.fixed_map_texels += double(f.map_resolution) * f.map_resolution;
+        }
+        facts.finest_texel_m = std::min(facts.finest_texel_m, finest);
+        if (!light.levels.empty() && width > 0) facts.fixed_map_texels += width / finest * (width / finest);
+        if (all > most) most = all, facts.by_level = std::move(by_level);
+    }
+    if (!std::isfinite(facts.finest_texel_m)) facts.finest_texel_m = 0;
+    return facts;
+}
+
+void upload_table(const FrameState& f, PageTargets& t) {
+    const int side = t.choice.table_side;
+    t.table.ensure("page table", GL_RGBA16UI, side, side, f.view_count);
+    std::vector<glm::u16vec4> texels(t.choice.table.size());
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const PageEntry& e = t.choice.table[i];
+        texels[i] = {e.at.x, e.at.y, e.part.x | e.part.y << 8, e.state | e.coarser << 8};
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage3D(t.table.texture.id(), 0, 0, 0, 0, side, side, f.view_count, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT,
+                        texels.data());
+}
+
+void choose_and_draw(FrameState& f, PageTargets& t, PassInfo& info) {
+    const int side = pages_per_side(f), page = page_texels(f.settings);
+    if (f.request.force || t.page != page || t.pool.format != f.map_format()) t.cache.clear();
+    t.page = page;
+    std::vector<std::uint8_t> wanted(std::size_t(side) * std::size_t(side) * std::size_t(f.view_count));
+    gl::begin_reading();
+    glGetTextureImage(t.wanted.texture.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, GLsizei(wanted.size()),
+                      wanted.data());
+    find_casters(f, t.casters);
+    const std::vector<PagedLayer> layers = paged_layers(f, t.casters);
+    std::vector<PageGrid> grids;
+    for (const PagedLayer& layer : layers) grids.push_back(layer.grid);
+    t.choice = t.cache.choose(grids, wanted, side, most_pages(f),
+                              [&](int layer, glm::ivec2 at) { return layers[std::size_t(layer)].key_of(at); });
+    std::vector<const PlacedPage*> missing;
+    for (const std::size_t i : t.choice.drawn) missing.push_back(&t.choice.read[i]);
+    draw_into_pool(f, t, layers, t.pool, missing, false, info);
+    upload_table(f, t);
+    t.facts = facts_of(f, t, layers);
+    info.reason += "; " + page_text(t.facts);
+}
+
+Pass pages_pass(FrameState& f, PageTargets& t) {
+    Pass pass;
+    pass.name = "pages of shadow maps";
+    pass.category = PassCategory::Maps;
+    pass.reads = {Result::PagesWanted};
+    pass.writes = {Result::DrawnMaps, Result::ShadowMaps};
+    pass.idle_reason = "nothing samples a shadow map";
+    Key key = f.with_settings(f.with_settings(f.geometry_key, ReadBy::Maps), ReadBy::Pages);
+    key.add(f.gl.fit_key).add(f.view_count).add(f.gl.programs.source().generation());
+    pass.key = key.add(f.settings.caster.blend).value();
+    pass.cached = &t.pool.key;
+    pass.run = [&f, &t](PassInfo& info) {
+        try {
+            choose_and_draw(f, t, info);
+        } catch (...) {
+            t.cache.clear();  // places are taken that nothing was drawn into
+            throw;
+        }
+    };
+    return pass;
+}
+
+}  // namespace
+
+void add_page_passes(FrameState& f) {
+    if (!f.paged) {
+        f.plan.release([&f] { f.gl.owned.drop<PageTargets>(); });
+        return;
+    }
+    PageTargets& t = targets(f);
+    f.plan.place(Result::PagesWanted, {&t.wanted});
+    f.plan.place(Result::DrawnMaps, {&t.pool, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
+    f.plan.place(Result::DrawnMaps, {&t.table, shared::UNIT_PAGE_TABLE});
+    place_compared_maps(f, t.pool);
+    f.plan.place(Result::ShadowMaps, {&t.table, shared::UNIT_PAGE_TABLE});
+    f.plan.add(wanted_pass(f, t));
+    f.plan.add(pages_pass(f, t));
+}
+
+void add_unfiltered_pages_pass(FrameState& f, Pass pass) {
+    PageTargets& t = targets(f);
+    const bool own = f.draws_unfiltered();
+    f.plan.place(Result::UnfilteredMap,
+                 {own ? &t.unfiltered : &t.pool, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
+    if (!own) {
+        pass.unneeded = "the pages as drawn are it: no polygon offset, no mask with mip levels";
+        f.plan.release([&t] { t.unfiltered = {}; });
+        f.plan.add(std::move(pass));
+        return;
+    }
+    pass.key = Key().add("unfiltered").value();
+    pass.cached = &t.unfiltered.key;
+    pass.run = [&f, &t](PassInfo& info) {
+        const int width = t.cache.side() * t.page;
+        if (t.unfiltered.ensure("pool of unfiltered pages", f.map_format(), width, width) || f.request.force ||
+            t.unfiltered_pages.size() != std::size_t(t.cache.room()))
+            t.unfiltered_pages.assign(std::size_t(t.cache.room()), 0);
+        const std::vector<PagedLayer> layers = paged_layers(f, t.casters);
+        std::vector<const PlacedPage*> missing;
+        for (const PlacedPage& page : t.choice.read) {
+            if (t.unfiltered_pages[page.slot] == page.key) continue;
+            t.unfiltered_pages[page.slot] = page.key;
+            missing.push_back(&page);
+        }
+        draw_into_pool(f, t, layers, t.unfiltered, missing, true, info);
+    };
+    f.plan.add(std::move(pass));
+}
+
+PageFacts page_facts(Resources& resources, bool drawn) {
+    PageFacts facts = resources.owned.get<PageTargets>().facts;
+    if (!drawn) facts.kept += facts.drawn, facts.drawn = facts.evicted = 0;
+    return facts;
+}
+
+std::vector<float> read_paged_depths(Resources& resources, int layer, glm::ivec2 first, glm::ivec2 size,
+                                     float empty_depth) {
+    const PageTargets& t = resources.owned.get<PageTargets>();
+    const GLenum format = t.pool.format == GL_R32F ? GL_RED : GL_DEPTH_COMPONENT;
+    std::vector<float> out(std::size_t(size.x) * std::size_t(size.y), empty_depth);
+    std::vector<float> depths(std::size_t(t.page) * std::size_t(t.page));
+    gl::begin_reading();
+    const glm::ivec2 last = first + size - 1;
+    for (int y = first.y / t.page; size.y > 0 && y <= last.y / t.page; ++y)
+        for (int x = first.x / t.page; size.x > 0 && x <= last.x / t.page; ++x) {
+            const PageEntry& entry = t.choice.entry(layer, {x, y});
+            if (entry.state == shared::PAGE_ABSENT) continue;
+            glGetTextureSubImage(t.pool.texture.id(), 0, entry.at.x * t.page, entry.at.y * t.page, 0, t.page, t.page, 1,
+                                 format, GL_FLOAT, GLsizei(depths.size() * sizeof(float)), depths.data());
+            const glm::ivec2 page(x, y), from = glm::max(page * t.page, first);
+            const glm::ivec2 to = glm::min((page + 1) * t.page - 1, last);
+            for (glm::ivec2 at = from; at.y <= to.y; ++at.y)
+                for (at.x = from.x; at.x <= to.x; ++at.x) {
+                    const glm::ivec2 in = (glm::ivec2(entry.part) * t.page + at - page * t.page) >> int(entry.coarser);
+                    out[std::size_t(at.y - first.y) * std::size_t(size.x) + std::size_t(at.x - first.x)] =
+                        depths[std::size_t(in.y) * std::size_t(t.page) + std::size_t(in.x)];
+                }
+        }
+    return out;
+}
+
+}  // namespace si
