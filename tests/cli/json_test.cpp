@@ -61,7 +61,7 @@ TEST(Lists, TechniquesSayWhereTheyComeFromAndWhatIsTheirs) {
     ASSERT_TRUE(plane);
     EXPECT_EQ((*plane)["stage"], "compare");
     EXPECT_EQ((*plane)["per_texel"], true);
-    EXPECT_EQ((*plane)["settings"], Json({"bias.plane_clamp"}));
+    EXPECT_EQ((*plane)["settings"], Json({"bias.constant", "bias.unit", "bias.plane_clamp"}));
     EXPECT_NE((*plane)["paper"].get<std::string>().find("Isidoro"), std::string::npos);
     // Of bias.kind exactly the rows of that stage can be chosen.
     for (const Json& r : list) {

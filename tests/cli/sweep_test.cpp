@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "app/report/measure_json.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/journal.h"
 #include "tests/support/number_at.h"
@@ -71,9 +72,11 @@ TEST(SweepCommand, WritesResultsAndReport) {
             for (const char* key : keys) v += number_at(row, std::string("error.") + key);
             return v;
         };
-        EXPECT_EQ(number_at(row, "error.meaning"), 2);
+        EXPECT_EQ(number_at(row, "error.meaning"), kErrorMeaning);
         EXPECT_NEAR(number_at(row, "error.false_shadow"),
-                    sum({"acne", "offset_false_shadow", "boundary_false_shadow", "outside_false_shadow"}), 1e-12);
+                    sum({"acne", "offset_false_shadow", "contact_false_shadow", "boundary_false_shadow",
+                         "outside_false_shadow"}),
+                    1e-12);
         EXPECT_NEAR(
             number_at(row, "error.false_light"),
             sum({"bias_false_light", "lost_false_light", "leak", "boundary_false_light", "outside_false_light"}),
@@ -197,8 +200,8 @@ TEST(SweepCommand, ErrorsOfAnotherMeaningAreNeitherContinuedNorMerged) {
         ASSERT_EQ(run_program(sweep_of(part, {"--no-time", "--shard", std::string(part) + "/2"}), folder).code, 0);
     const fs::path file = folder / "1" / kJournalFile;
     std::string text = file_bytes(file);
-    for (auto at = text.find("\"meaning\":2,"); at != std::string::npos; at = text.find("\"meaning\":2,"))
-        text.erase(at, 12);
+    const std::string meaning = "\"meaning\":" + std::to_string(kErrorMeaning) + ",";
+    for (auto at = text.find(meaning); at != std::string::npos; at = text.find(meaning)) text.erase(at, meaning.size());
     std::ofstream(file, std::ios::binary) << text;
     const std::string said = "1/journal.jsonl: line ";
     const Words again = sweep_of("1", {"--no-time", "--shard", "1/2"});

@@ -67,7 +67,7 @@ TEST(LightList, MovesAsFarAsThereAreLights) {
 }
 
 TEST(LightList, ButtonsAreStepsOfUndo) {
-    UiHarness ui(1600, 900);
+    UiHarness ui(1280, 3000);  // tall enough to hold the lights
     ui.frames(3);
     const auto press = [&](const char* label) {
         const auto at = ui.find("Settings", "light", label);
@@ -77,6 +77,7 @@ TEST(LightList, ButtonsAreStepsOfUndo) {
     };
     const Settings one = ui.state.settings;
     press("Add light");
+    EXPECT_TRUE(ui.state.history.can_undo());
     EXPECT_EQ(ui.state.settings.light_count, one.light_count + 1);
     EXPECT_NE(ui.state.settings.lights[1].azimuth, ui.state.settings.lights[0].azimuth);
     press("Copy");

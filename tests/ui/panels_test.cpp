@@ -95,13 +95,13 @@ TEST(Panels, NothingIsCutOffAtAnySize) {
 // ImGui knows a widget by its ID: two widgets of one ID steal each other's clicks. Every ID may cover one stretch of
 // the column of values only.
 TEST(Panels, NoIdIsUsedTwiceInTheSettings) {
-    UiHarness ui(kWidth, 4000);  // tall enough to hold all rows
+    UiHarness ui(kWidth, 6000);  // tall enough to hold all rows
     ui.state.settings.light_count = 3;
     ui.state.search.assign(1, '.');  // a dot matches every key: all groups open
     ui.frames(3);
     std::set<unsigned> closed;
     unsigned last = 0;
-    for (float y = 75; y < 3990; y += 5) {
+    for (float y = 75; y < 5990; y += 5) {
         ui.move({kCheckbox, y});
         ui.frame();
         const unsigned id = ui.hovered();
