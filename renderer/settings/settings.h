@@ -74,7 +74,7 @@ struct MapSettings {
     bool reversed_z = false;
     int blur_texels = 0;
     int samples = 1;
-    int transform = 0;  ///< MapTransform
+    int transform = 0;   ///< MapTransform
     bool paged = false;  ///< map.virtual, a word that C++ keeps to itself
     int page_size = 128;
     int page_pool = 1024;

@@ -59,9 +59,9 @@ bool fit_reads_camera(const Settings& settings, int light) {
 
 bool fit_reads_depths(const Settings& settings, int light) {
     const LightSettings& s = settings.lights[std::size_t(light)];
-    return s.depth_bounds == int(DepthBounds::Sdsm) && !has_clip_levels(settings, light) && fit_reads_camera(settings, light) &&
-           s.type != int(LightType::Point) && s.fit != int(LightFit::Stabilised) && s.cast &&
-           source_of(settings, std::size_t(light)).needs.map;
+    return s.depth_bounds == int(DepthBounds::Sdsm) && !has_clip_levels(settings, light) &&
+           fit_reads_camera(settings, light) && s.type != int(LightType::Point) && s.fit != int(LightFit::Stabilised) &&
+           s.cast && source_of(settings, std::size_t(light)).needs.map;
 }
 
 double fit_margin_texels(const Settings& settings, int resolution) {

@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include "app/sweep/measured_cases.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/state/playback.h"
@@ -79,9 +80,7 @@ TEST(FrontierPanel, AClickOnADotTakesItsSettingsAndIsUndone) {
     const glm::vec2 right = dots[0].x > dots[1].x ? dots[0] : dots[1];
     p.ui.click(right);
     p.ui.frames(3);
-    EXPECT_EQ(value_text(*find_setting("filter.kernel")->param,
-                         get_value(p.ui.state.settings, *find_setting("filter.kernel"))),
-              "pcf5");
+    EXPECT_EQ(kernel_label(p.ui.state.settings), "PCF 5x5");
     EXPECT_EQ(p.ui.state.settings.map.resolution, 1024);
     EXPECT_EQ(p.ui.state.sweep.chosen, 1);
     undo(p.ui.state);
