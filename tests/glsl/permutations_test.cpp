@@ -211,6 +211,7 @@ std::vector<Axis> axes() {
     out.push_back({{"SURFACE_FLAGS"}, {{}, {{"object.plain.receive", "false"}}}});
     out.push_back({{"SEPARATE_VISIBILITY"}, {{}, {{"shading.separate_visibility", "true"}}}});
     out.push_back({{"BLUR_COLUMNS"}, {{}, {{"map.blur_texels", "3"}}}});
+    out.push_back({{"HAS_CONTACTS"}, {{}, {{"light.contact", "1"}}}});
     out.push_back({{"MOMENTS_FROM"}, {{}, {{"map.samples", "4"}}}});
     out.push_back({{"FROM_CAMERA"}, {{}, {{"view.map_source", "camera"}}}});
     out.push_back({{}, {{}, {{"caster.blend", "mask"}}}});
