@@ -12,24 +12,17 @@ struct LightView {
     glm::dvec3 eye{0};           ///< world
     glm::dmat3 axes{1.0};        ///< columns right, up, back (the view looks along -back)
     glm::dmat4 projection{1.0};  ///< to clip space of curve.convention
-    DepthCurve curve;            ///< warped: from the nearest to the farthest depth of all; see curve_at()
-    bool clamps_near = false;    ///< casters before the near plane are drawn on it
-    /// Rays are parallel, but w of clip space changes across them: texels differ in size, and each ray has a range of
-    /// depths of its own.
-    bool warped = false;
-    double half_width = 1;  ///< orthographic: half extent in metres; perspective: tan of the half angle
+    DepthCurve curve;
+    bool clamps_near = false;  ///< casters before the near plane are drawn on it
+    double half_width = 1;     ///< orthographic: half extent in metres; perspective: tan of the half angle
     /// Clip space from positions relative to `origin` (world), composed in double.
     glm::dmat4 clip_from_relative(const glm::dvec3& origin) const;
     /// The world position seen at map coordinates `uv`, z metres along the axis.
     glm::dvec3 position_ws(const glm::dvec2& uv, double z) const;
-    /// World size of a texel at distance z (metres); of a warped view that of one that is not.
+    /// World size of a texel at distance z (metres).
     double texel_size(double z, int resolution) const {
         return 2 * half_width * (curve.perspective ? z : 1.0) / resolution;
     }
-    /// World size of the texel that a point falls into, across its ray; of a warped view along the longer way.
-    double texel_size_at(const glm::dvec3& point_ws, int resolution) const;
-    /// Depths along the ray through map coordinates `uv`.
-    DepthCurve curve_at(const glm::dvec2& uv) const;
 };
 
 }  // namespace si
