@@ -147,10 +147,6 @@ struct FrameState {
     static void draw_fullscreen(PassInfo& info);
 };
 
-/// Clears a map's framebuffer, and draws the casters of a light's view into it.
-/// @param unfiltered without polygon offset, masks at their finest level
-void draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                  const LightView& view, PassInfo& info);
 /// Writes what rays found into a light's layer of a visibility texture of the frame's size.
 void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibility, int light);
 /// Defines for shaders that read the truth (lib/truth.glsl).
@@ -175,8 +171,6 @@ void add_surface_ids_pass(FrameState& f);
 void add_shadow_volume_passes(FrameState& f);
 /// A soft disc below each caster, for lights whose source that is.
 void add_blob_pass(FrameState& f);
-/// Whether an object casts, whatever its masks and its triangles' sides; blended ones do only if asked.
-bool casts_at_all(const FrameState& f, const Object& object);
 void add_visibility_pass(FrameState& f);
 /// One light's layer of the visibility as a plain texture.
 Image visibility_image(const FrameState& f, int light);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "renderer/frame/state.h"
+#include "renderer/passes/casters.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
@@ -13,8 +13,6 @@ constexpr double kWidest = 0.25;  ///< of the scene's radius: wider casters are 
 
 struct Blobs {
     gl::Target lit;  ///< R16F, a layer a light: what the blobs leave of it
-    gl::Buffer casters;
-    gl::VertexArray vao;
 };
 
 bool draws_blobs(const FrameState& f, std::size_t light) {
@@ -44,25 +42,25 @@ std::vector<glm::vec4> discs(const FrameState& f, const FittedLight& light) {
     return out;
 }
 
-void draw_light(const FrameState& f, Blobs& t, int light, PassInfo& info) {
+void draw_light(const FrameState& f, const gl::Target& into, int light, PassInfo& info) {
     const FittedLight& fitted = f.gl.fitted[std::size_t(light)];
     const BlobSettings& blob = f.settings.blob;
-    const auto framebuffer = gl::make_framebuffer("blobs", &t.lit, nullptr, light);
+    const auto framebuffer = gl::make_framebuffer("blobs", &into, nullptr, light);
     const glm::vec4 lit(1);
     glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, 0, &lit.x);
     const std::vector<glm::vec4> casters = discs(f, fitted);
     if (casters.empty()) return;
-    t.casters = gl::Buffer::create("casters of blobs");
-    glNamedBufferData(t.casters.id(), GLsizeiptr(casters.size() * sizeof(glm::vec4)), casters.data(), GL_STATIC_DRAW);
-    t.vao = gl::VertexArray::create("blobs");
-    glEnableVertexArrayAttrib(t.vao.id(), 0);
-    glVertexArrayAttribFormat(t.vao.id(), 0, 4, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(t.vao.id(), 0, 0);
-    glVertexArrayBindingDivisor(t.vao.id(), 0, 1);
-    glVertexArrayVertexBuffer(t.vao.id(), 0, t.casters.id(), 0, sizeof(glm::vec4));
+    const gl::Buffer buffer = gl::Buffer::create("casters of blobs");
+    glNamedBufferData(buffer.id(), GLsizeiptr(casters.size() * sizeof(glm::vec4)), casters.data(), GL_STATIC_DRAW);
+    const gl::VertexArray vao = gl::VertexArray::create("blobs");
+    glEnableVertexArrayAttrib(vao.id(), 0);
+    glVertexArrayAttribFormat(vao.id(), 0, 4, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(vao.id(), 0, 0);
+    glVertexArrayBindingDivisor(vao.id(), 0, 1);
+    glVertexArrayVertexBuffer(vao.id(), 0, buffer.id(), 0, sizeof(glm::vec4));
 
     f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
-    glBindVertexArray(t.vao.id());
+    glBindVertexArray(vao.id());
     const GLuint id =
         f.program("passes/blob.vert.glsl", "passes/blob.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}});
     glUseProgram(id);
@@ -110,7 +108,7 @@ void add_blob_pass(FrameState& f) {
     pass.cached = &t.lit.key;
     pass.run = [&f, &t, lights](PassInfo& info) {
         t.lit.ensure("blobs", GL_R16F, f.request.width, f.request.height, int(f.gl.fitted.size()));
-        for (const int light : lights) draw_light(f, t, light, info);
+        for (const int light : lights) draw_light(f, t.lit, light, info);
     };
     f.plan.add(std::move(pass));
 }

@@ -72,6 +72,19 @@ void draw_seen(FrameState& f, const Batch& batch, const SeenOf& seen, PassInfo& 
 
 }  // namespace
 
+bool casts_at_all(const FrameState& f, const Object& object) {
+    const Scene& scene = f.scene;
+    const int material = scene.meshes[std::size_t(object.mesh)].material;
+    const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
+    if (blended && f.settings.caster.blend == int(BlendCasters::None)) return false;
+    const auto own = f.settings.objects.find(scene.nodes[std::size_t(object.node)].path);
+    return own == f.settings.objects.end() || own->second.cast;
+}
+
+bool draws_into_maps(const FrameState& f, const Batch& batch) {
+    return batch.cast && (!batch.blend || f.settings.caster.blend == int(BlendCasters::Mask));
+}
+
 void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention) {
     glDepthMask(GL_TRUE);
     const float far_depth = float(convention.far_depth());
@@ -98,9 +111,8 @@ void draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, Pas
     f.gl.scene->bind(f.scene, f.settings, view.origin, 1);
     GLuint current = 0, texture = 0;
     std::optional<Batch> previous;
-    const bool blend_casts = f.settings.caster.blend == int(BlendCasters::Mask);
     for (const Batch& drawn : f.gl.scene->batches()) {
-        if (!drawn.cast || (drawn.blend && !blend_casts)) continue;
+        if (!draws_into_maps(f, drawn)) continue;
         Batch batch = drawn;
         batch.masked |= batch.blend;
         const bool same =
@@ -119,6 +131,18 @@ void draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, Pas
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_CLAMP);
+}
+
+void draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
+                  const LightView& view, PassInfo& info) {
+    const GLuint framebuffer = into.id();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, f.map_resolution, f.map_resolution);
+    clear_casters(f, framebuffer, view.curve.convention);
+    draw_casters(f,
+                 {view.clip_from_relative(light.map_origin), view.curve.convention, light.map_origin, unfiltered,
+                  view.clamps_near},
+                 {}, info);
 }
 
 }  // namespace si

@@ -41,18 +41,6 @@ void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const L
 
 }  // namespace
 
-void draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                  const LightView& view, PassInfo& info) {
-    const GLuint framebuffer = into.id();
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, f.map_resolution, f.map_resolution);
-    clear_casters(f, framebuffer, view.curve.convention);
-    draw_casters(f,
-                 {view.clip_from_relative(light.map_origin), view.curve.convention, light.map_origin, unfiltered,
-                  view.clamps_near},
-                 {}, info);
-}
-
 bool FrameState::blurs_depths() const {
     return settings.map.blur_texels > 0 && view_count > 0;
 }

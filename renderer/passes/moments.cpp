@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "renderer/frame/driver.h"
-#include "renderer/frame/state.h"
+#include "renderer/passes/casters.h"
 #include "renderer/settings/filters.h"
 
 namespace si {

@@ -138,7 +138,7 @@ void find_casters(const FrameState& f, Casters& casters) {
     casters.indices.assign(order.size(), 0);
     casters.parts.assign(order.size(), {});
     for (const Batch& batch : f.gl.scene->batches()) {
-        if (!batch.cast || (batch.blend && f.settings.caster.blend != int(BlendCasters::Mask))) continue;
+        if (!draws_into_maps(f, batch)) continue;
         const bool masked = batch.masked || batch.blend;
         const std::vector<Bounds> parts =
             parts_of(scene.meshes[std::size_t(scene.objects[order[batch.first_instance]].mesh)]);

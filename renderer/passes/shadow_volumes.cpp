@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "renderer/passes/casters.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
@@ -41,15 +42,6 @@ bool reaches_beyond_far(const FrameState& f) {
 }
 
 }  // namespace
-
-bool casts_at_all(const FrameState& f, const Object& object) {
-    const Scene& scene = f.scene;
-    const int material = scene.meshes[std::size_t(object.mesh)].material;
-    const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
-    if (blended && f.settings.caster.blend == int(BlendCasters::None)) return false;
-    const auto own = f.settings.objects.find(scene.nodes[std::size_t(object.node)].path);
-    return own == f.settings.objects.end() || own->second.cast;
-}
 
 void ShadowVolumes::learn_meshes(const FrameState& f) {
     if (scene_ == f.scene.id) return;
