@@ -99,7 +99,7 @@ void add_blob_pass(FrameState& f) {
     Pass pass;
     pass.name = "blobs";
     pass.category = PassCategory::Maps;
-    pass.reads = {Result::CameraDepth, Result::SurfacesSeen};
+    pass.reads = {Result::SurfacesSeen};
     pass.writes = {Result::Blobs};
     pass.idle_reason = "nothing reads visibility";
     Key key = f.with_settings(f.lighting_key(), ReadBy::Blobs);

@@ -1,13 +1,14 @@
 // How much bias a receiver's plane needs, and what the chosen row of the bias table gives it: renderer/bias/theory.h and
 // renderer/settings/biases.h in single precision. Depths are in depth-buffer units. Needs Receiver and its functions of
 // lib/receiver.glsl, which includes this.
+#include "lib/across.glsl"
 
 /// The plane's depth gradient over the map, per map width. From two directions within the plane and their steps in the
 /// map by the quotient rule; that of depth is known in closed form, where a quotient would cancel.
-/// @param along, across two directions within the plane, of any length
-vec2 gradient_along(Receiver r, vec3 along, vec3 across) {
+/// @param u, v two directions within the plane, of any length
+vec2 gradient_along(Receiver r, vec3 u, vec3 v) {
     mat4 m = frame.views[r.layer].uvd_from_relative;
-    vec4 p = m * vec4(along, 0.0), q = m * vec4(across, 0.0);
+    vec4 p = m * vec4(u, 0.0), q = m * vec4(v, 0.0);
     vec2 depth = vec2(p.z, q.z);
     vec2 a = p.xy, b = q.xy;
     if (LIGHT_PERSPECTIVE[r.light] != 0) {
@@ -20,7 +21,7 @@ vec2 gradient_along(Receiver r, vec3 along, vec3 across) {
 
 vec2 plane_gradient(Receiver r) {
     vec3 n = r.surface.geometric;
-    vec3 along = normalize(abs(n.x) > abs(n.z) ? vec3(-n.y, n.x, 0.0) : vec3(0.0, -n.z, n.y));
+    vec3 along = across(n);
     return gradient_along(r, along, cross(n, along));
 }
 

@@ -24,7 +24,7 @@ Cause cause_of_false_light(Evidence e, int place) {
     // What casts in truth, nearer to the light, would have withstood more.
     int lost = e.gap_all > e.gap_drawn ? 1 << ARTEFACT_LOST_CASTER : 0;
 #if RASTER_BIAS
-    if (by_bias && e.unfiltered < 0.5) 
+    if (by_bias && e.unfiltered < 0.5)
         return cause(ARTEFACT_PETER_PANNING_RASTER, lost | (e.own > e.least ? bias : 0));
 #endif
     if (by_bias && !by_offset) return cause(ARTEFACT_PETER_PANNING, lost);

@@ -2,6 +2,18 @@
 // Sakmary, Ryan, Hall, Lustri, Virtual Shadow Maps, GPU Zen 3, 2024.
 #include "shared/units.h"
 #include "shared/pages.h"
+/// The texel that a look-up finds under map.wrap; false: what lies beyond the map's sides answers.
+bool wrapped_texel(vec2 texel, out ivec2 found) {
+    float last = float(map_resolution) - 1.0;
+#if map_wrap == map_wrap_repeat
+    found = ivec2(clamp(mod(texel, float(map_resolution)), vec2(0.0), vec2(last)));
+    return true;
+#else
+    found = ivec2(clamp(texel, vec2(0.0), vec2(last)));
+    return map_wrap != map_wrap_border || vec2(found) == texel;
+#endif
+}
+
 #if MAP_PAGED
 layout(binding = UNIT_PAGE_TABLE) uniform usampler2DArray page_table;  // a texel a page, a layer a view: shared/pages.h
 
@@ -24,18 +36,6 @@ float paged_texel(sampler2D pool, ivec2 texel, int layer) {
     ivec2 part = ivec2(entry.z & 255u, entry.z >> 8);  // of the coarser page, in pages of this level
     ivec2 within = part * PAGE_SIZE + texel % PAGE_SIZE >> entry_coarser(entry);
     return texelFetch(pool, ivec2(entry.xy) * PAGE_SIZE + within, 0).r;
-}
-
-/// The texel that a look-up finds under map.wrap; false: what lies beyond the map's sides answers.
-bool wrapped_texel(vec2 texel, out ivec2 found) {
-    float last = float(map_resolution) - 1.0;
-#if map_wrap == map_wrap_repeat
-    found = ivec2(clamp(mod(texel, float(map_resolution)), vec2(0.0), vec2(last)));
-    return true;
-#else
-    found = ivec2(clamp(texel, vec2(0.0), vec2(last)));
-    return map_wrap != map_wrap_border || vec2(found) == texel;
-#endif
 }
 
 /// What a sampler finds in the map where its border's colour is as map.outside has it.

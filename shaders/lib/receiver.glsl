@@ -68,6 +68,11 @@ vec3 direction_to(int index, vec3 position, out float distance_m) {
 }
 
 bool faces_light(Receiver r) { return r.geometric_n_dot_l > FACES_AWAY_COSINE; }
+bool faces_light(Surface s, vec3 to_light) { return dot(s.geometric, to_light) > FACES_AWAY_COSINE; }
+bool faces_light(Surface s, int light) {
+    float distance_m;
+    return faces_light(s, direction_to(light, s.position, distance_m));
+}
 
 const float NEAREST_SHARE = 1e-3;  // of the near plane: nothing is taken to be nearer to a perspective light
 

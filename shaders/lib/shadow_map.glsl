@@ -88,16 +88,9 @@ vec4 map_gather(vec2 at, int layer) {
 #elif defined(MARK_TEXELS)
 layout(binding = IMAGE_TEXELS_READ, r32f) uniform writeonly image2D texels_read;
 
-/// Marks the texel that a look-up finds under map.wrap, if it finds any.
 void mark_texel(vec2 texel, int layer) {
-#if map_wrap == map_wrap_repeat
-    texel = mod(texel, float(map_resolution));
-#elif map_wrap != map_wrap_border
-    texel = clamp(texel, vec2(0.0), vec2(float(map_resolution) - 1.0));
-#endif
-    ivec2 at = ivec2(texel);
-    // Stores beyond the image are left out.
-    if (layer == MARK_TEXELS) imageStore(texels_read, at, vec4(1.0));
+    ivec2 at;
+    if (layer == MARK_TEXELS && wrapped_texel(texel, at)) imageStore(texels_read, at, vec4(1.0));
 }
 
 float map_depth(vec2 at, int layer) {

@@ -3,7 +3,7 @@
 
 vec4 overlay(Receiver r) {
     if (LIGHT_CASTS[r.light] == 0) return vec4(0.0);
-    if (LIGHT_VIEWS[r.light] < 2) return vec4(VIEW_COLOURS[0], 1.0);
+    if (LIGHT_VIEWS[r.light] < 2) return vec4(view_colour(0), 1.0);
     int first = LIGHT_FIRST_VIEW[r.light];
-    return vec4(mix(VIEW_COLOURS[r.layer - first], VIEW_COLOURS[r.other_layer - first], r.blend), 1.0);
+    return vec4(mix(view_colour(r.layer - first), view_colour(r.other_layer - first), r.blend), 1.0);
 }

@@ -7,7 +7,7 @@ vec4 overlay(Receiver r) {
     if (r.where >= BEHIND) return vec4(0.0);
     ivec2 page = ivec2(floor(r.uvd.xy * float(map_resolution) / float(PAGE_SIZE)));
     float shade = ((page.x + page.y) & 1) == 0 ? 1.0 : 0.72;
-    return vec4(VIEW_COLOURS[(r.layer - LIGHT_FIRST_VIEW[r.light]) % 8] * shade, 1.0);
+    return vec4(view_colour(r.layer - LIGHT_FIRST_VIEW[r.light]) * shade, 1.0);
 #else
     return vec4(0.0);
 #endif

@@ -38,11 +38,11 @@ bool meets(Surface s, vec3 p) {
 
 void main() {
     lit_out = 1.0;
-    if (texelFetch(camera_depth_map, ivec2(gl_FragCoord.xy), 0).r == 0.0) return;
     Surface s = seen_surface();
+    if (!s.receives) return;
     float distance_m;
     vec3 to_light = direction_to(LIGHT_INDEX, s.position, distance_m);
-    if (!s.receives || !(dot(s.geometric, to_light) > FACES_AWAY_COSINE)) return;
+    if (!faces_light(s, to_light)) return;
     float reach_m = LIGHT_TYPE[LIGHT_INDEX] == LIGHT_DIRECTIONAL ? length_m : min(length_m, distance_m);
     float first = pixel_angle(s.pixel) / 6.28318531;
     for (int i = 0; i < steps; ++i)

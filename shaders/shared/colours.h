@@ -34,6 +34,12 @@ const vec3 VIEW_COLOURS[VIEW_COLOUR_COUNT] = {vec3(0.25, 0.43, 0.89), vec3(0.20,
                                               vec3(0.80, 0.25, 0.18), vec3(0.58, 0.35, 0.75), vec3(0.55, 0.55, 0.55),
                                               vec3(0.15, 0.70, 0.75), vec3(0.90, 0.50, 0.70)};
 
+/// Lights of more views than colours begin again.
+#ifdef __cplusplus
+static inline
+#endif
+vec3 view_colour(int view) { return VIEW_COLOURS[view % VIEW_COLOUR_COUNT]; }
+
 #ifdef __cplusplus
 }  // namespace si::shared
 #endif

@@ -5,7 +5,6 @@ layout(binding = UNIT_BLOBS) uniform sampler2DArray blobs_map;  // a layer a lig
 
 float source_visibility(Surface s, int light) {
     if (!s.receives) return 1.0;
-    float distance_m;
-    if (!(dot(s.geometric, direction_to(light, s.position, distance_m)) > FACES_AWAY_COSINE)) return 0.0;
+    if (!faces_light(s, light)) return 0.0;
     return texelFetch(blobs_map, ivec3(gl_FragCoord.xy, light), 0).r;
 }

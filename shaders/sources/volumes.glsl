@@ -4,8 +4,7 @@ layout(binding = UNIT_VOLUMES) uniform sampler2DArray volumes_map;  // a layer a
 
 float source_visibility(Surface s, int light) {
     if (!s.receives) return 1.0;
-    float distance_m;
     // A surface turned away from the light shadows itself, by whatever thickness it has.
-    if (!(dot(s.geometric, direction_to(light, s.position, distance_m)) > FACES_AWAY_COSINE)) return 0.0;
+    if (!faces_light(s, light)) return 0.0;
     return texelFetch(volumes_map, ivec3(gl_FragCoord.xy, light), 0).r;
 }

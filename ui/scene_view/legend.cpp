@@ -29,11 +29,10 @@ constexpr float kSmall = 14;  ///< ems that a picture is high at least to have r
 
 /// Of the shown light's views, where it has several.
 std::vector<std::string> view_labels(const FittedLight* light) {
-    constexpr const char* kFaces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
     std::vector<std::string> labels;
     if (!light || !light->casts || light->views.size() < 2) return labels;
     for (std::size_t i = 0; i < light->views.size(); ++i)
-        labels.push_back(light->is_cascaded() ? std::to_string(i + 1) : kFaces[std::min<std::size_t>(i, 5)]);
+        labels.push_back(view_mark(light->chooser.choice, i));
     return labels;
 }
 
@@ -69,7 +68,7 @@ void draw_legend(const Pane& pane, const FittedLight* light, float left, float b
         const ImVec2 at(lo.x + pad + key_width * float(i), top + em * 1.4f);
         list.AddRectFilled(
             at, {at.x + em * 0.8f, at.y + em * 0.8f},
-            theme::colour(shared::VIEW_COLOURS[std::min<std::size_t>(i, shared::VIEW_COLOUR_COUNT - 1)]));
+            theme::colour(shared::view_colour(int(i))));
         list.AddText({at.x + em, at.y - em * 0.1f}, theme::kText, keys[i].c_str());
     }
     if (!overlay.scalar) return;

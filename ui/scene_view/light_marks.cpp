@@ -55,10 +55,6 @@ void square(const PicturePainter& p, const glm::dvec2& at, double half, ImU32 co
     shape(half, colour);
 }
 
-ImU32 view_colour(std::size_t view) {
-    return theme::colour(shared::VIEW_COLOURS[std::min<std::size_t>(view, shared::VIEW_COLOUR_COUNT - 1)]);
-}
-
 /// A triangle with its tip at `at`.
 void arrow_head(const PicturePainter& p, const glm::dvec2& at, const glm::dvec2& way, double size, ImU32 colour) {
     if (!(glm::length(way) > 0)) return;
@@ -116,7 +112,7 @@ std::optional<glm::dvec2> pointer_place(const LightPose& pose, const PictureView
 void draw_shown_light(const PicturePainter& p, const LightPose& pose, bool pointer_hovered) {
     for (std::size_t i = 0; i < pose.cascades.size(); ++i)
         for (const Segment& s : frustum_edges(pose.cascades[i]))
-            p.line(s.from, s.to, faded(view_colour(i), s.far ? 110 : 220));
+            p.line(s.from, s.to, faded(theme::colour(shared::view_colour(int(i))), s.far ? 110 : 220));
     if (pose.has_map && !pose.cascaded())
         for (const Segment& s : frustum_edges(pose.view))
             p.line(s.from, s.to, s.far ? theme::kLightFar : theme::kLight);

@@ -1,0 +1,18 @@
+// What a caster's disc sweeps away from a light.
+#include "lib/frame.glsl"
+
+/// The way of the light past the middle of a disc, and how much wider the disc is there.
+struct Sweep {
+    vec3 axis;         // unit, away from the light
+    float distance_m;  // of the middle from the light; 0: its rays are parallel
+};
+
+Sweep sweep_of(vec3 middle) {
+    LightBlock light = frame.lights[LIGHT_INDEX];
+    if (LIGHT_TYPE[LIGHT_INDEX] == LIGHT_DIRECTIONAL) return Sweep(-light.to_light.xyz, 0.0);
+    vec3 from_light = middle - light.position.xyz;
+    return Sweep(normalize(from_light), max(length(from_light), 1e-6));
+}
+
+/// The disc's radius `along` metres past its middle, as a multiple of that there.
+float spread_at(Sweep s, float along) { return s.distance_m > 0.0 ? 1.0 + along / s.distance_m : 1.0; }
