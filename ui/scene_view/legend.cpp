@@ -31,8 +31,7 @@ constexpr float kSmall = 14;  ///< ems that a picture is high at least to have r
 std::vector<std::string> view_labels(const FittedLight* light) {
     std::vector<std::string> labels;
     if (!light || !light->casts || light->views.size() < 2) return labels;
-    for (std::size_t i = 0; i < light->views.size(); ++i)
-        labels.push_back(view_mark(light->chooser.choice, i));
+    for (std::size_t i = 0; i < light->views.size(); ++i) labels.push_back(view_mark(light->chooser.choice, i));
     return labels;
 }
 
@@ -66,9 +65,7 @@ void draw_legend(const Pane& pane, const FittedLight* light, float left, float b
                  title.c_str());
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const ImVec2 at(lo.x + pad + key_width * float(i), top + em * 1.4f);
-        list.AddRectFilled(
-            at, {at.x + em * 0.8f, at.y + em * 0.8f},
-            theme::colour(shared::view_colour(int(i))));
+        list.AddRectFilled(at, {at.x + em * 0.8f, at.y + em * 0.8f}, theme::colour(shared::view_colour(int(i))));
         list.AddText({at.x + em, at.y - em * 0.1f}, theme::kText, keys[i].c_str());
     }
     if (!overlay.scalar) return;
