@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -111,6 +112,8 @@ void run_export(const SessionOptions& session, const std::string& output);
 void run_docs(const std::string& what, const std::string& output, bool check);
 /// Draws and measures every technique: a page, and its pictures in a folder of its name beside it. Takes minutes.
 void run_docs_techniques(const std::string& output);
+/// A text as a cell of a table in Markdown.
+std::string cell(std::string_view text);
 /// The text of docs/settings.md and of docs/presets.md.
 std::string settings_page();
 std::string presets_page();

@@ -20,15 +20,6 @@ constexpr std::string_view kSettingsIntro =
     "`light.0.X`; lights 0 to 15 have the same settings. `object.PATH.X` is for the object at a node path, such as\n"
     "`object.Root/Fence.cull`.\n";
 
-std::string cell(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '|') out += '\\';
-        out += c;
-    }
-    return out;
-}
-
 std::string allowed(const SettingRef& ref) {
     const Param& p = *ref.param;
     if (p.choices) {
@@ -66,6 +57,15 @@ constexpr std::string_view kMetricsIntro =
     "| key | name | unit | formula | reads as | part of | source |\n|---|---|---|---|---|---|---|\n";
 
 }  // namespace
+
+std::string cell(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '|') out += '\\';
+        out += c;
+    }
+    return out;
+}
 
 std::string metrics_page() {
     std::string text(kMetricsIntro);

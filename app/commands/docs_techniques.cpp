@@ -31,11 +31,10 @@ constexpr int kWidth = 640, kHeight = 360, kShownWidth = 320, kResolution = 1024
 constexpr std::string_view kTechniquesIntro =
     "# Techniques\n\n"
     "Written by `shadow-inspector docs techniques -o docs/techniques.md`, which draws and measures all of this anew; "
-    "do "
-    "not edit by hand.\n\n"
+    "do not edit by hand.\n\n"
     "Every row of the tables of techniques on the built-in scene `stage`: {} x {} pixels, a map of {}² texels, all "
-    "else "
-    "by default. Left the picture, right\nwhat of it is wrong by the ray-traced truth of a light without size, in the "
+    "else by default. Left the picture, right\nwhat of it is wrong by the ray-traced truth of a light without size, in "
+    "the "
     "colours of the overlay `artefacts`. *Error* is the mean of |V - R| over the pixels that\ncount, *wrong* the share "
     "on the other side of one half. *Taps* are the texels that the kernel fetches a pixel, *maps* what the maps take. "
     "Times are medians of forced\nframes of this one run, with the 95 % interval of the median, on {} (clock: {}): "
@@ -101,21 +100,14 @@ std::vector<Section> all_sections(Renderer& renderer, const Scene& scene, const 
         {"Fits", "light.fit", "What a map covers.", entries_of(fits(), base, "light.fit")}};
 }
 
-std::string table_cell(std::string_view text) {
-    std::string out(text);
-    std::replace(out.begin(), out.end(), '|', '/');
-    return out;
-}
-
 std::string row_text(const Entry& e, const std::string& picture, const Judgement& judged, const TimeMeasurement& time) {
     const ErrorMetrics& m = judged.error;
     const Spread& t = time.total_ms;
     return fmt::format(
         "| ![{}]({}) | **{}** `{}`<br>{}{} | {:.4f} | {:.2f} % | {:g} | {:.1f} MiB | {:.0f} ({:.0f}-{:.0f}) |\n",
-        table_cell(e.label), picture, table_cell(e.label), e.key, table_cell(e.help),
-        e.paper.empty() ? "" : fmt::format("<br>*{}*", table_cell(e.paper)), m.mae,
-        100 * (m.false_shadow + m.false_light), judged.cost.taps_per_pixel, double(judged.cost.map_bytes) / (1 << 20),
-        t.median, t.median_low, t.median_high);
+        cell(e.label), picture, cell(e.label), e.key, cell(e.help),
+        e.paper.empty() ? "" : fmt::format("<br>*{}*", cell(e.paper)), m.mae, 100 * (m.false_shadow + m.false_light),
+        judged.cost.taps_per_pixel, double(judged.cost.map_bytes) / (1 << 20), t.median, t.median_low, t.median_high);
 }
 
 }  // namespace

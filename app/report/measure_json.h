@@ -19,6 +19,7 @@ const char* state_key(PixelState state);
 nlohmann::ordered_json truth_quality_json(const Truth& truth);
 /// What the shares and causes of an error mean; rows of different meanings are not to be compared.
 /// 1: by distance to a true edge. 2: by the change that puts a pixel right.
+/// 3: as 2, with polygon offset and contact shadows as causes of their own.
 inline constexpr int kErrorMeaning = 3;
 /// Numbers that are not finite become null.
 nlohmann::ordered_json error_json(const ErrorMetrics& metrics);

@@ -134,19 +134,16 @@ void fit_within_limits(FrameState& f) {
 void limit_moments(FrameState& f) {
     const Filter& filter = filter_of(f.settings);
     if (filter.samples != Samples::Moments) return;
-    const auto reads = [&](std::string_view key) {
-        return std::ranges::find(filter.settings, key) != filter.settings.end();
-    };
     FilterSettings& s = f.settings.filter;
     const double most = safe_exponent(f.settings);
     for (const auto& [key, value] :
          {std::pair{"filter.exponent", &s.exponent}, {"filter.negative_exponent", &s.negative_exponent}}) {
-        if (!reads(key) || *value <= most) continue;
+        if (!owns(filter, key) || *value <= most) continue;
         f.notes.push_back(fmt::format("{} {:g}: {} moments overflow beyond {:g}, which is used", key, *value,
                                       s.moment_format == int(MomentFormat::Bits32) ? "32-bit" : "16-bit", most));
         *value = most;
     }
-    if (reads("filter.anisotropy") && s.mips && s.anisotropy > f.driver.max_anisotropy) {
+    if (owns(filter, "filter.anisotropy") && s.mips && s.anisotropy > f.driver.max_anisotropy) {
         f.notes.push_back(fmt::format("filter.anisotropy {} is beyond the driver's limit; {:g} is used", s.anisotropy,
                                       f.driver.max_anisotropy));
         s.anisotropy = int(f.driver.max_anisotropy);
@@ -300,8 +297,7 @@ void arrange_panes(FrameState& f) {
     f.separate_visibility = o.visibility || f.settings.shading.separate_visibility ||
                             (f.truth.met && (o.error || o.judged || o.true_colour));
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
-        f.separate_visibility |=
-            f.gl.fitted[i].shadowed && (!source_of(f.settings, int(i)).fused || f.settings.lights[i].contact > 0);
+        f.separate_visibility |= f.has_contacts(i) || (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused);
     int shown[kMaxPanes];
     bool lacks[kMaxPanes];
     for (int i = 0; i < count; ++i) {

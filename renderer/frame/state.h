@@ -71,9 +71,10 @@ struct FrameState {
     int map_resolution = 0;
     /// As gl::Target counts layers: 0 for a single view.
     int map_layers() const { return view_count > 1 ? view_count : 0; }
-    GLenum map_format() const;  ///< as OpenGL names it
-    bool blurs_depths() const;  ///< map.blur_texels has maps to blur
-    bool paged = false;         ///< the maps are drawn by pages: there are some, and map.virtual acts
+    GLenum map_format() const;                   ///< as OpenGL names it
+    bool blurs_depths() const;                   ///< map.blur_texels has maps to blur
+    bool has_contacts(std::size_t light) const;  ///< contact shadows darken the light
+    bool paged = false;                          ///< the maps are drawn by pages: there are some, and map.virtual acts
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn
     bool filter_sampler = false;               ///< the kernel compares in a shadow sampler

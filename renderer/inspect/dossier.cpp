@@ -163,8 +163,7 @@ private:
             case Artefact::PeterPanningRaster:
                 return fmt::format(
                     "peter-panning by polygon offset: bias.raster_* let the map's depths recede by {}, past what "
-                    "stands "
-                    "before it by {}; without them it is dark, as in truth",
+                    "stands before it by {}; without them it is dark, as in truth",
                     texels(p_.account.amount(p_.account.raster)), texels(d_.occluder));
             case Artefact::PeterPanningOffset:
                 return fmt::format(
@@ -207,8 +206,7 @@ private:
                 if (truth_.evidence.place == CauseEvidence::kLedOutside)
                     return "outside the map: the normal offset leads the look-up beyond its sides";
                 return "seam: taps reach beyond the map's sides, where map.outside and map.wrap answer; with the "
-                       "truth's "
-                       "answer there it is right";
+                       "truth's answer there it is right";
             case Artefact::Undersampled:
                 return undersampled();
             case Artefact::EdgeAliasing:

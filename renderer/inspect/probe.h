@@ -33,11 +33,11 @@ struct KernelTap {
 /// What a kernel learned besides visibility; not a number where it does not say.
 struct KernelFacts {
     static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    double blocker_m = std::numeric_limits<double>::quiet_NaN();  ///< how far along the light's axis the occluder that
-                                                                  ///< it found lies before the surface, on average
-    double penumbra_texels = std::numeric_limits<double>::quiet_NaN();  ///< width of the penumbra that it made
-    double texels = 0;                                                  ///< that it fetched
-    double variance = std::numeric_limits<double>::quiet_NaN();  ///< of depths, in squares of the map's depth range
+    /// How far along the light's axis the occluder that it found lies before the surface, on average.
+    double blocker_m = kUnknown;
+    double penumbra_texels = kUnknown;  ///< width of the penumbra that it made
+    double texels = 0;                  ///< that it fetched
+    double variance = kUnknown;         ///< of depths, in squares of the map's depth range
     // Of kernels that read moments; NaN elsewhere.
     std::array<double, 4> moments{kUnknown, kUnknown, kUnknown, kUnknown};  ///< that it read, as many as it stores
     double mean = kUnknown;          ///< the depth that they say, as a share of the map's range

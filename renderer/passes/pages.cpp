@@ -26,18 +26,16 @@ struct Rect {
     bool meets(const Rect& o) const { return lo.x <= o.hi.x && lo.y <= o.hi.y && hi.x >= o.lo.x && hi.y >= o.lo.y; }
 };
 
-using Corners = std::array<glm::dvec3, 8>;
-
 /// Indices of large meshes are drawn in parts of so many.
 constexpr std::size_t kPart = 3 * 1024;
 
 /// What is drawn into maps, by instance as SceneGpu orders them.
 struct Casters {
-    std::uint64_t key = 0;                    ///< of the scene's arrangement
-    std::vector<std::uint64_t> content;       ///< of all that an instance's depths come of; 0: it never casts
-    std::vector<std::size_t> indices;         ///< how many its mesh has
-    std::vector<Corners> corners;             ///< of its box, world
-    std::vector<std::vector<Corners>> parts;  ///< of the boxes of its parts; none: it is no large mesh
+    std::uint64_t key = 0;                ///< of the scene's arrangement
+    std::vector<std::uint64_t> content;   ///< of all that an instance's depths come of; 0: it never casts
+    std::vector<std::size_t> indices;     ///< how many its mesh has
+    std::vector<Box> corners;             ///< of its box, world
+    std::vector<std::vector<Box>> parts;  ///< of the boxes of its parts; none: it is no large mesh
 };
 
 /// Where casters lie across a light.
@@ -51,7 +49,7 @@ struct Across {
         for (std::size_t i = 0; i < whole.size(); ++i) {
             if (!casters.content[i]) continue;
             whole[i] = rect_of(casters.corners[i]);
-            for (const Corners& part : casters.parts[i]) parts[i].push_back(rect_of(part));
+            for (const Box& part : casters.parts[i]) parts[i].push_back(rect_of(part));
         }
     }
     Seen seen(std::size_t i, const Rect& by, std::size_t indices, std::vector<IndexRange>& out) const {
@@ -106,14 +104,6 @@ std::uint64_t content_of(const Texture& t) {
     return key.bytes(t.rgba.data(), t.rgba.size()).value();
 }
 
-Corners corners_of(const Bounds& bounds, const glm::dmat4& world) {
-    Corners out;
-    for (std::size_t c = 0; c < 8; ++c)
-        out[c] = glm::dvec3(world * glm::dvec4(c & 1 ? bounds.hi.x : bounds.lo.x, c & 2 ? bounds.hi.y : bounds.lo.y,
-                                               c & 4 ? bounds.hi.z : bounds.lo.z, 1));
-    return out;
-}
-
 /// Boxes of the parts of a large mesh.
 std::vector<Bounds> parts_of(const Mesh& mesh) {
     std::vector<Bounds> out;
@@ -159,9 +149,9 @@ void find_casters(const FrameState& f, Casters& casters) {
                 }
             }
             casters.content[i] = content.value();
-            casters.corners[i] = corners_of(mesh.bounds, object.world);
+            casters.corners[i] = mesh.bounds.corners(object.world);
             casters.indices[i] = mesh.indices.size();
-            for (const Bounds& part : parts) casters.parts[i].push_back(corners_of(part, object.world));
+            for (const Bounds& part : parts) casters.parts[i].push_back(part.corners(object.world));
         }
     }
     casters.key = key;
@@ -202,7 +192,7 @@ public:
 
     /// Casters on the plane of a directional light.
     static Across across_light(const Casters& casters, const glm::dmat3& axes) {
-        return Across(casters, [&](const Corners& corners) {
+        return Across(casters, [&](const Box& corners) {
             Rect rect;
             std::swap(rect.lo, rect.hi);
             for (const glm::dvec3& p : corners) {
@@ -272,7 +262,7 @@ private:
     void find_in_map() {
         const glm::dmat4 uvd_from_relative =
             uvd_from_clip(view_.curve.convention) * view_.clip_from_relative(light_.map_origin);
-        across_ = Across(casters_, [&](const Corners& corners) {
+        across_ = Across(casters_, [&](const Box& corners) {
             Rect rect;
             std::swap(rect.lo, rect.hi);
             for (const glm::dvec3& p : corners) {

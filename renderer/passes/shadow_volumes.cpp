@@ -32,13 +32,10 @@ double reach_m(const FrameState& f) {
 
 /// Whether any caster may lie beyond the camera's far plane.
 bool reaches_beyond_far(const FrameState& f) {
-    const Bounds& b = f.scene.bounds;
     const glm::dmat4 clip = f.camera.clip_from_relative(f.origin);
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 corner(i & 1 ? b.hi.x : b.lo.x, i & 2 ? b.hi.y : b.lo.y, i & 4 ? b.hi.z : b.lo.z);
-        if ((clip * glm::dvec4(corner - f.origin, 1)).z <= 0) return true;  // reversed: 0 is far
-    }
-    return false;
+    return std::ranges::any_of(f.scene.bounds.corners(), [&](const glm::dvec3& corner) {
+        return (clip * glm::dvec4(corner - f.origin, 1)).z <= 0;  // reversed: 0 is far
+    });
 }
 
 }  // namespace

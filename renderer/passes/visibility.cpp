@@ -31,10 +31,6 @@ std::string_view source_file(const FrameState& f, std::size_t light) {
     return source.file;
 }
 
-bool has_contacts(const FrameState& f, std::size_t light) {
-    return light < f.gl.fitted.size() && f.gl.fitted[light].shadowed && f.settings.lights[light].contact > 0;
-}
-
 /// Darkens what a ray meets that is marched through the picture's depth.
 void draw_contacts(const FrameState& f, const gl::Target& visibility, int light, PassInfo& info) {
     const auto framebuffer = gl::make_framebuffer("contact shadows", &visibility, nullptr, light);
@@ -52,6 +48,10 @@ void draw_contacts(const FrameState& f, const gl::Target& visibility, int light,
 }
 
 }  // namespace
+
+bool FrameState::has_contacts(std::size_t light) const {
+    return light < gl.fitted.size() && gl.fitted[light].shadowed && settings.lights[light].contact > 0;
+}
 
 void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibility, int light) {
     const FloatImage& traced = truth.traced.truth->visibility;  // rows from the top, a pixel every `step`
@@ -88,7 +88,7 @@ void add_visibility_pass(FrameState& f) {
     pass.idle_reason = "nothing reads it: the shading pass evaluates it itself";
     Key key = f.with_settings(f.lighting_key(), ReadBy::Visibility);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
-        if (has_contacts(f, i)) {
+        if (f.has_contacts(i)) {
             pass.reads.insert(pass.reads.end(), {Result::CameraDepth, Result::SurfacesSeen});
             key.add(i).add(f.settings.lights[i].contact);
         }
@@ -114,7 +114,7 @@ void add_visibility_pass(FrameState& f) {
             } else {
                 glClearTexSubImage(t.visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, &lit);
             }
-            if (has_contacts(f, std::size_t(light))) {
+            if (f.has_contacts(std::size_t(light))) {
                 f.bind({Result::CameraDepth, Result::SurfacesSeen});
                 draw_contacts(f, t.visibility, light, info);
             }

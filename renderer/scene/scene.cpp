@@ -353,6 +353,13 @@ void drop_unplaced(std::vector<T>& things, std::string_view what, Scene& scene) 
 
 }  // namespace
 
+Box Bounds::corners(const glm::dmat4& m) const {
+    Box box;
+    for (std::size_t i = 0; i < box.size(); ++i)
+        box[i] = glm::dvec3(m * glm::dvec4(i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z, 1.0));
+    return box;
+}
+
 // Arvo, Transforming Axis-Aligned Bounding Boxes, Graphics Gems, 1990: each axis takes the lesser and the greater
 // of two products, which gives the box around the eight corners of an affine image.
 Bounds Bounds::transformed(const glm::dmat4& m) const {

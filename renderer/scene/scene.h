@@ -2,6 +2,7 @@
 // textures and placed objects. Positions in metres, y up, right-handed; transforms in double.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
@@ -12,6 +13,9 @@
 
 namespace si {
 
+/// Eight corners of a box.
+using Box = std::array<glm::dvec3, 8>;
+
 struct Bounds {
     glm::dvec3 lo{std::numeric_limits<double>::infinity()};
     glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
@@ -21,6 +25,8 @@ struct Bounds {
     double radius() const { return empty() ? 0 : 0.5 * glm::length(hi - lo); }
     void add(const glm::dvec3& p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
     void add(const Bounds& b) { lo = glm::min(lo, b.lo), hi = glm::max(hi, b.hi); }
+    /// The eight corners moved by `m`; corner i has hi instead of lo of x, y, z where bit 0, 1, 2 of i is set.
+    Box corners(const glm::dmat4& m = glm::dmat4(1.0)) const;
     /// The box around this box's eight corners moved by `m`; empty stays empty.
     Bounds transformed(const glm::dmat4& m) const;
 };

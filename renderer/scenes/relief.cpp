@@ -38,8 +38,7 @@ Scene make_relief_scene() {
     scene.name = "relief";
     scene.about =
         "A floor and a block whose cobbles are a normal map only, under the shadows of a rail and a sphere: what "
-        "happens "
-        "when a bias follows normals that the triangles do not have.";
+        "happens when a bias follows normals that the triangles do not have.";
     scene.textures.push_back(make_cobbles());
     const int cobbles = add_material(scene, "Cobbles", {0.46f, 0.43f, 0.38f});
     scene.materials[std::size_t(cobbles)].normal_texture = 0;

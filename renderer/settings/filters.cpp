@@ -369,9 +369,12 @@ FilterCost Filter::square_cost(const Filter& row, const Settings& settings) {
     return {gathers, taps, by_gathers ? 4 * gathers : (bilinear ? 4 : 1) * taps};
 }
 
+bool owns(const Filter& row, std::string_view key) {
+    return std::ranges::find(row.settings, key) != row.settings.end();
+}
+
 int disk_places(const Filter& row, const Settings& settings, int places) {
-    const bool may_choose = std::ranges::find(row.settings, "filter.disk") != row.settings.end();
-    const bool spiral = may_choose && settings.filter.disk == int(Disk::Spiral);
+    const bool spiral = owns(row, "filter.disk") && settings.filter.disk == int(Disk::Spiral);
     return row.takes_table && !spiral ? std::min(places, kDiskTable) : places;
 }
 
@@ -380,8 +383,7 @@ int taps_across(const Filter& row, const Settings& settings) {
 }
 
 bool is_bilinear(const Filter& row, const Settings& settings) {
-    const bool may_point = std::ranges::find(row.settings, "filter.point") != row.settings.end();
-    return row.bilinear && !(may_point && settings.filter.point);
+    return row.bilinear && !(owns(row, "filter.point") && settings.filter.point);
 }
 
 std::string kernel_label(const Settings& settings) {

@@ -86,6 +86,9 @@ struct Filter {
     static FilterCost square_cost(const Filter& row, const Settings& settings);
 };
 
+/// Whether a setting is one of the row's own.
+bool owns(const Filter& row, std::string_view key);
+
 /// Taps per axis of a square kernel, the define KERNEL_SIZE.
 int taps_across(const Filter& row, const Settings& settings);
 /// Whether each tap weighs 2x2 texels.

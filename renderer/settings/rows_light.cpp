@@ -46,8 +46,7 @@ constexpr Choice kCascadeChoices[] = {
     {"interval", "by depth", "By the interval of the camera's depth that the point lies in."},
     {"map", "first that holds it",
      "The first, finest map that holds the point, which is often finer than that of its interval. The band of the "
-     "blend "
-     "is then at the map's rim."},
+     "blend is then at the map's rim."},
 };
 
 const LightSettings& of(const Settings& s, int i) {

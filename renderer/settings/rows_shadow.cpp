@@ -48,8 +48,7 @@ constexpr Choice kTransforms[] = {
      "precision."},
     {"eye", "from the eye",
      "The place before the camera times T = B * P_light * V_light * inverse(V_camera), multiplied in single precision, "
-     "as "
-     "texture matrices of fixed-function OpenGL were."},
+     "as texture matrices of fixed-function OpenGL were."},
 };
 
 /// map.outside also answers for what lies behind the far plane or behind a light with a place.
@@ -178,8 +177,7 @@ constexpr Choice kNormals[] = {
      "The interpolated vertex normal, as the lectures do; wrong where it leaves the triangle's plane."},
     {"mapped", "normal-mapped",
      "The interpolated normal with its normal map (shading.textures): bumps that the shadow map does not hold change "
-     "the "
-     "bias from pixel to pixel, and the shadow test with it."},
+     "the bias from pixel to pixel, and the shadow test with it."},
 };
 constexpr Choice kMethods[] = {
     {"auto", "automatic", "Gather: the quicker one where it was measured."},
@@ -250,8 +248,7 @@ constexpr auto kBias = of_map(std::to_array<Param>({
      .shader = true},
     {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "texels", .min = 0, .max = 100, .logarithmic = true,
      .help = "Moves the point that is looked up along its normal by this many texels (normal-offset shadows). Cures "
-             "acne at "
-             "any angle of light; too much lets light in at inner edges.",
+             "acne at any angle of light; too much lets light in at inner edges.",
      .shader = true},
     {SI_FIELD(bias.normal_source), .label = "Normal", .unit = "", .cost = Cost::Program, SI_CHOICES(kNormals),
      SI_IDLE(!slope_acts(s) && s.bias.normal == 0, "without effect: neither slope nor normal offset acts"),

@@ -9,12 +9,10 @@ using namespace rows;
 constexpr Choice kCompositions[] = {
     {"ambient", "ambient and visibility",
      "colour = (ambient + visibility * (diffuse + specular)) * base colour, in one pass: shadows soften as their "
-     "filter "
-     "does."},
+     "filter does."},
     {"dim-lit", "dim pass, then lit pass",
      "The whole picture is drawn by dimmed lights first. Then it is drawn again where the comparison finds light, by "
-     "an "
-     "alpha test of 0.99: whatever the filter, a pixel is lit or it is not. Blended surfaces take one pass."},
+     "an alpha test of 0.99: whatever the filter, a pixel is lit or it is not. Blended surfaces take one pass."},
 };
 
 constexpr auto kShading = std::to_array<Param>({
@@ -121,8 +119,7 @@ std::string_view area_idle(const Settings& s, int) {
 constexpr auto kTruth = std::to_array<Param>({
     {SI_FIELD(truth.area), .label = "Light with its size", .unit = "",
      .help = "Compare with a light of its size (light.size), which casts penumbras. Off: with a point or a direction, "
-             "which "
-             "casts hard shadows."},
+             "which casts hard shadows."},
     {SI_FIELD(truth.samples), .label = "Most rays", .unit = "", .min = 1, .max = 1 << 20, .logarithmic = true,
      .idle = area_idle,
      .help =

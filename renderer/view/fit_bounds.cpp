@@ -11,14 +11,6 @@ namespace {
 
 constexpr std::size_t kMaxFitObjects = 20000;
 
-Box corners(const Bounds& b, const glm::dmat4& m) {
-    Box box;
-    for (int i = 0; i < 8; ++i)
-        box[i] =
-            glm::dvec3(m * glm::dvec4(i & 1 ? b.hi.x : b.lo.x, i & 2 ? b.hi.y : b.lo.y, i & 4 ? b.hi.z : b.lo.z, 1.0));
-    return box;
-}
-
 bool finite(const Box& box) {
     return std::all_of(box.begin(), box.end(), [](const glm::dvec3& p) {
         return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -61,7 +53,7 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
         s.casters = s.casters || own.cast;
         s.receivers = s.receivers || own.receive;
         if (scene.objects.size() > kMaxFitObjects) continue;
-        const Box box = corners(mesh.bounds, o.world);
+        const Box box = mesh.bounds.corners(o.world);
         if (!finite(box)) continue;
         auto& known = planes[std::size_t(o.mesh)];
         if (!known) known = plane_of(mesh);
@@ -76,7 +68,7 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
     }
     if (bounds.empty()) bounds = {glm::dvec3(-1), glm::dvec3(1)};
     s.one_box = s.boxes.empty();
-    if (s.one_box) add_box(s, corners(bounds, glm::dmat4(1.0)), s.casters, s.receivers, 0, std::nullopt);
+    if (s.one_box) add_box(s, bounds.corners(), s.casters, s.receivers, 0, std::nullopt);
     s.centre = bounds.centre();
     // A single point still needs a size: what a double resolves at its distance from the origin.
     s.radius = std::max({bounds.radius(), 1e-7, glm::length(s.centre) * 0x1p-38});

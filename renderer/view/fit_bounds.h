@@ -15,14 +15,11 @@
 
 namespace si {
 
-/// Eight corners of one object's box (or of the scene's), in world space.
-using Box = std::array<glm::dvec3, 8>;
-
 struct SceneShape {
     glm::dvec3 centre{0};
     double radius = 1;            ///< of the sphere around the bounds; never 0
     bool one_box = false;         ///< it stands for all objects
-    std::vector<Box> boxes;       ///< never empty
+    std::vector<Box> boxes;       ///< of one object each (or of the scene), world; never empty
     std::vector<bool> box_casts;  ///< as long as `boxes`, like all that begins so
     std::vector<bool> box_receives;
     std::vector<std::size_t> box_objects;  ///< of Scene::objects

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kLeastTick = 3;  // pixels at scale 1: a shorter normal offset is not drawn
 
-void box(const PicturePainter& p, const std::array<glm::dvec3, 8>& corners, ImU32 colour, bool thin) {
+void box(const PicturePainter& p, const Box& corners, ImU32 colour, bool thin) {
     for (int i = 0; i < 8; ++i)
         for (int bit = 1; bit < 8; bit <<= 1) {
             if (i & bit) continue;

@@ -22,18 +22,12 @@ Bounds local_bounds(const Scene& scene, int node) {
 
 }  // namespace
 
-std::optional<std::array<glm::dvec3, 8>> box_of(const Scene& scene, const std::string& path) {
+std::optional<Box> box_of(const Scene& scene, const std::string& path) {
     const int node = node_of(scene, path);
     if (node < 0) return {};
     const Bounds local = local_bounds(scene, node);
     if (local.empty() || !std::isfinite(local.radius())) return {};
-    std::array<glm::dvec3, 8> corners;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec4 p(i & 1 ? local.hi.x : local.lo.x, i & 2 ? local.hi.y : local.lo.y,
-                           i & 4 ? local.hi.z : local.lo.z, 1);
-        corners[std::size_t(i)] = glm::dvec3(scene.nodes[std::size_t(node)].world * p);
-    }
-    return corners;
+    return local.corners(scene.nodes[std::size_t(node)].world);
 }
 
 Bounds bounds_of(const Scene& scene, const std::string& path) {

@@ -14,6 +14,6 @@ Bounds bounds_of(const Scene& scene, const std::string& path);
 
 /// Eight world corners of the box around what the node places, in the node's own axes; bit 0 of the index is x, bit 1
 /// y, bit 2 z. Nothing when it places nothing.
-std::optional<std::array<glm::dvec3, 8>> box_of(const Scene& scene, const std::string& path);
+std::optional<Box> box_of(const Scene& scene, const std::string& path);
 
 }  // namespace si

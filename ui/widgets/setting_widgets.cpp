@@ -57,13 +57,19 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     ImGui::EndTooltip();
 }
 
+/// Sets a value, and moves what may not overlap with it.
+void change(Settings& settings, const SettingRef& ref, const Value& value) {
+    set_value(settings, ref, value);
+    push_splits(settings, ref);
+}
+
 bool reset_menu(Settings& settings, const SettingRef& ref) {
     bool changed = false;
     if (!ImGui::BeginPopup("row menu")) return false;
     const Value preset = default_value(ref);
     const std::string label = fmt::format("Reset to {}", shown_value(settings, *ref.param, preset));
     if (ImGui::MenuItem(label.c_str(), nullptr, false, setting_changed(settings, ref)))
-        set_value(settings, ref, preset), push_splits(settings, ref), changed = true;
+        change(settings, ref, preset), changed = true;
     if (ImGui::MenuItem("Copy as --set")) {
         const std::string text =
             fmt::format("--set {}={}", setting_key(ref), value_text(*ref.param, get_value(settings, ref)));
@@ -155,7 +161,7 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, con
     else
         changed = real(p, std::get<double>(value), unit);
     if (idle) ImGui::PopStyleVar();
-    if (changed) set_value(settings, ref, value), push_splits(settings, ref);
+    if (changed) change(settings, ref, value);
     ImGui::OpenPopupOnItemClick("row menu", ImGuiPopupFlags_MouseButtonRight);
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
         if (ImGui::GetIO().MouseDownDuration[0] < 0) tooltip(settings, ref);
