@@ -383,7 +383,10 @@ void draw_into_pool(FrameState& f, PageTargets& t, const std::vector<PagedLayer>
     for (const PlacedPage* page : pages) {
         const PagedLayer& layer = layers[std::size_t(page->layer)];
         const glm::ivec2 at = layer.place_in_block(*page);
-        if (std::any_of(drawn.begin(), drawn.end(), [&](const Copy& c) { return c.from == at; })) copy();
+        if (std::any_of(drawn.begin(), drawn.end(), [&](const Copy& c) { return c.from == at; })) {
+            copy();
+            glFlush();  // else zink of Mesa 22.3 at times mixes this page with the one drawn there next
+        }
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
         glEnable(GL_SCISSOR_TEST);
         layer.draw(f, *page, framebuffer.id(), unfiltered, info);
