@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/base/interrupt.h"
 #include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
@@ -46,6 +47,8 @@ struct Entry {
     std::string label;
     std::string_view help, paper;
     Settings settings;
+    std::string sets = {};  ///< KEY=VALUE of a row that is not the section's; then `key` is empty
+    std::string shown_key() const { return sets.empty() ? std::string(key) : sets; }
 };
 
 struct Section {
@@ -91,13 +94,74 @@ std::vector<Entry> bias_entries(Renderer& renderer, const Scene& scene, const Se
     return out;
 }
 
+/// Each choice of a setting that is no table of techniques.
+std::vector<Entry> choices_of(const Settings& base, std::string_view setting) {
+    std::vector<Entry> out;
+    for (const Choice& c : find_setting(setting)->param->choices()) {
+        out.push_back({c.key, std::string(c.label), c.help, {}, base});
+        set_setting(out.back().settings, setting, c.key);
+    }
+    return out;
+}
+
+/// One setting at a value, as a row of its own: "map.reversed_z=true".
+Entry with(const Settings& base, std::string_view setting, std::string_view value) {
+    const Param& p = *find_setting(setting)->param;
+    Entry e{{}, std::string(p.label), p.help, {}, base};
+    e.sets = fmt::format("{}={}", setting, value);
+    set_setting(e.settings, setting, value);
+    return e;
+}
+
+Settings changed(Settings s, std::initializer_list<std::pair<std::string_view, std::string_view>> sets) {
+    for (const auto& [key, value] : sets) set_setting(s, key, value);
+    return s;
+}
+
+std::vector<Entry> storage_entries(const Settings& base) {
+    std::vector<Entry> out = choices_of(base, "map.format");
+    out.push_back(with(base, "map.reversed_z", "true"));
+    out.push_back(with(changed(base, {{"filter.kernel", "vsm"}}), "filter.moment_format", "16-bit"));
+    out.push_back(with(base, "map.transform", "eye"));
+    out.push_back(with(base, "map.virtual", "true"));
+    return out;
+}
+
+std::vector<Entry> cascade_entries(const Settings& base) {
+    const Settings four = changed(base, {{"light.cascades", "4"}, {"light.fit", "view"}});
+    std::vector<Entry> out = choices_of(four, "light.split");
+    out.push_back(with(four, "light.cascade_choice", "map"));
+    out.push_back(with(four, "light.depth_bounds", "sdsm"));
+    out.push_back(with(four, "light.fit", "stabilised"));
+    return out;
+}
+
+std::vector<Entry> lighting_entries(const Settings& base) {
+    std::vector<Entry> out = choices_of(base, "shading.composition");
+    out.push_back(with(base, "light.contact", "0.3"));
+    return out;
+}
+
 std::vector<Section> all_sections(Renderer& renderer, const Scene& scene, const Settings& base) {
     return {
         {"Filter kernels", "filter.kernel", "How the shadow test is filtered.", kernel_entries(base)},
         {"Biases", "bias.kind", "Each alone, at the least numbers that leave no acne by its own theory.",
          bias_entries(renderer, scene, base)},
         {"Sources", "light.source", "Where a light's shadows come from.", entries_of(sources(), base, "light.source")},
-        {"Fits", "light.fit", "What a map covers.", entries_of(fits(), base, "light.fit")}};
+        {"Fits", "light.fit", "What a map covers.", entries_of(fits(), base, "light.fit")},
+        {"Between which depths", "light.near_far", "What a map stores along the light.",
+         choices_of(base, "light.near_far")},
+        {"Cascades", "light.split", "Four maps of what the camera sees, by where they part; then as the rows say.",
+         cascade_entries(base)},
+        {"Storage", "map.format", "How depths are stored; then one setting changed, as the rows say.",
+         storage_entries(base)},
+        {"Composition", "shading.composition", "How light and shadow meet in the picture.", lighting_entries(base)}};
+}
+
+std::string picture_name(const Section& s, const Entry& e) {
+    std::string name = e.sets.empty() ? fmt::format("{}.{}", s.setting, e.key) : e.sets;
+    std::ranges::replace(name, '.', '-'), std::ranges::replace(name, '=', '-');
+    return name + ".png";
 }
 
 std::string row_text(const Entry& e, const std::string& picture, const Judgement& judged, const TimeMeasurement& time) {
@@ -105,7 +169,7 @@ std::string row_text(const Entry& e, const std::string& picture, const Judgement
     const Spread& t = time.total_ms;
     return fmt::format(
         "| ![{}]({}) | **{}** `{}`<br>{}{} | {:.4f} | {:.2f} % | {:g} | {:.1f} MiB | {:.0f} ({:.0f}-{:.0f}) |\n",
-        cell(e.label), picture, cell(e.label), e.key, cell(e.help),
+        cell(e.label), picture, cell(e.label), e.shown_key(), cell(e.help),
         e.paper.empty() ? "" : fmt::format("<br>*{}*", cell(e.paper)), m.mae, 100 * (m.false_shadow + m.false_light),
         judged.cost.taps_per_pixel, double(judged.cost.map_bytes) / (1 << 20), t.median, t.median_low, t.median_high);
 }
@@ -126,16 +190,18 @@ void run_docs_techniques(const std::string& output) {
     std::size_t count = 0, done = 0;
     for (const Section& s : sections) count += s.entries.size();
     ProgressLine line;
+    InterruptGuard interrupt;
     std::string text;
     for (const Section& s : sections) {
         text += fmt::format("\n## {}\n\n`{}`. {}\n\n", s.title, s.setting, s.about) +
                 "| picture, what is wrong | technique | error | wrong | taps | maps | ms a frame |\n"
                 "|---|---|---|---|---|---|---|\n";
         for (const Entry& e : s.entries) {
+            if (interrupt.asked()) interrupt.end();
             line.show(fmt::format("{} of {}  {}", ++done, count, e.label), false);
             const Judgement judged = measurer.judge(scene, e.settings);
             const TimeMeasurement time = measurer.time(scene, e.settings, {.least = 5, .most = 15, .bursts = 3});
-            const std::string file = fmt::format("{}-{}.png", s.setting.substr(s.setting.find('.') + 1), e.key);
+            const std::string file = picture_name(s, e);
             write_png(pictures / file,
                       side_by_side(shrunk(judged.picture, kShownWidth), shrunk(judged.artefacts, kShownWidth)));
             text += row_text(e, (pictures.filename() / file).generic_string(), judged, time);
