@@ -8,6 +8,7 @@
 #include "renderer/frame/driver.h"
 #include "renderer/gl/program_cache.h"
 #include "renderer/gl/target.h"
+#include "renderer/settings/map_storage.h"
 #include "renderer/settings/settings.h"
 
 namespace si {
@@ -81,7 +82,7 @@ constexpr int kTile = 8;  ///< pixels that a plane covers, each way
 /// How far each probe's offset moves the stored depth in the middle of its plane.
 std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& probes) {
     const KeptState kept;
-    const bool colour = format == MapFormat::Colour;
+    const bool colour = is_colour(int(format));
     const int width = int(probes.size()) * kTile, height = 2 * kTile;  // below without, above with the offset
     gl::Target stored, beside;
     stored.ensure("polygon offset calibration", map_internal_format(format), width, height);
@@ -90,9 +91,10 @@ std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& pr
                                     : gl::make_framebuffer("polygon offset calibration", nullptr, &stored);
     const auto vao = gl::VertexArray::create("polygon offset calibration");
     gl::ProgramCache programs;
-    const GLuint program = programs.get({.vertex = "passes/offset_probe.vert.glsl",
-                                         .fragment = "passes/depth.frag.glsl",
-                                         .defines = {{"map_format_colour", "1"}, {"map_format", colour ? "1" : "0"}}});
+    const GLuint program =
+        programs.get({.vertex = "passes/offset_probe.vert.glsl",
+                      .fragment = "passes/depth.frag.glsl",
+                      .defines = {{"MAP_IS_COLOUR", colour ? "1" : "0"}, {"MAP_HOLDS_DISTANCES", "0"}}});
     const GLint plane = glGetUniformLocation(program, "plane");
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     for (const GLenum off :
@@ -143,6 +145,7 @@ double PolygonOffset::slope(const glm::dvec2& per_texel) const {
 }
 
 PolygonOffset measure_polygon_offset(int map_format) {
+    if (holds_distances(map_format)) return {.measured = true, .unit_steps = 0, .slope_gain = 0};
     const auto format = MapFormat(map_format);
     // Units for some hundredths of depth in fixed-point formats, and for thousands of steps in float ones.
     const float units = format == MapFormat::D16 ? 0x1p10f : format == MapFormat::D24 ? 0x1p16f : 0x1p12f;

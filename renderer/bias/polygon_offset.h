@@ -6,7 +6,7 @@
 
 namespace si {
 
-inline constexpr std::size_t kMapFormats = 4;
+inline constexpr std::size_t kMapFormats = 6;
 
 /// How far the two parameters of glPolygonOffset(factor, units) move a plane's depth, as measured in maps of one
 /// format. OpenGL 4.5, 14.6.5: offset = m factor + r units, where m lies between the larger of |dz/dx| and |dz/dy| and

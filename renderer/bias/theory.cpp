@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/settings/map_storage.h"
 #include "renderer/view/projection.h"
 #include "shaders/shared/facing.h"
 
@@ -38,6 +39,16 @@ double depth_quantum(MapFormat format, double depth) {
     const float d = std::clamp(float(depth), 0.0f, 1.0f);
     if (d == 0) return 0x1p-149;
     return std::ldexp(1.0, std::max(std::ilogb(d), -126) - 23);
+}
+
+double depth_quantum(MapFormat format, const DepthCurve& curve, double depth) {
+    if (!holds_distances(int(format))) return depth_quantum(format, depth);
+    const double z = curve.distance(depth), range = curve.far - curve.near;
+    const double share = (curve.convention.reversed ? curve.far - z : z - curve.near) / range;
+    const double step =
+        format == MapFormat::Linear16 ? depth_quantum(MapFormat::D16, share) : depth_quantum(MapFormat::D32F, share);
+    // Besides, shaders make it a depth in single precision.
+    return step * range * curve.slope(z) + (curve.perspective ? 4 * depth_quantum(MapFormat::D32F, depth) : 0);
 }
 
 LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum, int subpixel_bits,

@@ -29,6 +29,8 @@ ReceiverPlane receiver_plane(const LightView& view, const glm::dvec3& point_ws, 
 
 /// The smallest step of a map format at a depth in [0,1]: 1 / (2^n - 1) for n-bit formats, one ulp for floats.
 double depth_quantum(MapFormat format, double depth);
+/// The same of maps that hold distances, too, whose steps are depths by the curve of their view.
+double depth_quantum(MapFormat format, const DepthCurve& curve, double depth);
 
 /// The parts of the least bias, in depth-buffer units.
 struct LeastBias {

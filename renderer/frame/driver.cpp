@@ -61,7 +61,10 @@ GLenum map_internal_format(MapFormat format) {
         case MapFormat::D32F:
             return GL_DEPTH_COMPONENT32F;
         case MapFormat::Colour:
+        case MapFormat::Linear:
             return GL_R32F;
+        case MapFormat::Linear16:
+            return GL_R16;
     }
     return GL_DEPTH_COMPONENT32F;
 }

@@ -143,6 +143,7 @@ struct FrameResult {
     std::vector<TruthNeed> traced;           ///< by light, of those whose source is ray traced; empty where none is
     std::shared_ptr<const LiveError> error;  ///< null unless asked for and truth.met
     int map_resolution = 0;
+    bool map_holds_distances = false;        ///< see holds_distances()
     std::optional<PageFacts> pages;          ///< of virtual maps; empty: maps are whole
     float overlay_min = 0, overlay_max = 1;  ///< the first pane's colour scale
     Image map_view;                          ///< RGBA8: the depth image of view.map_source as view.map shows it

@@ -11,6 +11,7 @@
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
+#include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
@@ -195,7 +196,7 @@ void choose_kernel(FrameState& f) {
     if (f.settings.filter.method == int(FilterMethod::Sampler) && !f.filter_sampler)
         f.notes.push_back(
             draws_pages(f.settings) ? "filter.method sampler cannot find pages of map.virtual; gather is used"
-            : f.settings.map.format == int(MapFormat::Colour)
+            : is_colour(f.settings.map.format)
                 ? "filter.method sampler cannot compare a colour map; gather is used"
                 : fmt::format("filter.method sampler compares 2x2 texels with one depth, and bias.kind {} "
                               "has one for each; gather is used",
@@ -218,6 +219,8 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"MOMENTS_QUANTISED", filter.moments.quantised && integers ? "1" : "0"});
     f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
     f.paged = draws_pages(f.settings) && f.view_count > 0;
+    f.defines.push_back({"MAP_IS_COLOUR", is_colour(f.settings.map.format) ? "1" : "0"});
+    f.defines.push_back({"MAP_HOLDS_DISTANCES", holds_distances(f.settings.map.format) ? "1" : "0"});
     f.defines.push_back({"MAP_PAGED", f.paged ? "1" : "0"});
     f.defines.push_back({"PAGE_SIZE", std::to_string(page_texels(f.settings))});
     const bool blend = std::any_of(f.gl.fitted.begin(), f.gl.fitted.end(), [](const FittedLight& light) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
+#include "renderer/frame/map_depths.h"
 #include "renderer/frame/renderer_impl.h"
-#include "renderer/passes/pages.h"
 
 namespace si {
 namespace {
@@ -84,21 +84,11 @@ FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int fa
     }
     if (!found) throw Error(fmt::format("light {} has no shadow map image {}", light, face));
     const gl::Target& map = require(frame, impl_->number, impl_->resources, Result::ShadowMaps);
-    const int n = map.width;
-    if (frame.pages) {
-        const int side = frame.map_resolution;
-        const DepthCurve& curve = frame.lights[std::size_t(light)].views[std::size_t(face)].curve;
-        FloatImage paged{
-            side, side, 1,
-            read_paged_depths(impl_->resources, layer, {0, 0}, {side, side}, float(curve.convention.far_depth()))};
-        flip_rows(paged.data, side, side, 1);
-        return paged;
-    }
-    FloatImage out{n, n, 1, std::vector<float>(std::size_t(n) * std::size_t(n))};
-    gl::begin_reading();
-    const GLenum format = map.format == GL_R32F ? GL_RED : GL_DEPTH_COMPONENT;
-    glGetTextureSubImage(map.texture.id(), 0, 0, 0, layer, n, n, 1, format, GL_FLOAT,
-                         GLsizei(out.data.size() * sizeof(float)), out.data.data());
+    const int n = frame.map_resolution;
+    const DepthCurve& curve = frame.lights[std::size_t(light)].views[std::size_t(face)].curve;
+    FloatImage out{n, n, 1,
+                   read_map_depths(impl_->resources, map,
+                                   {curve, layer, frame.pages.has_value(), frame.map_holds_distances}, {0, 0}, {n, n})};
     flip_rows(out.data, n, n, 1);
     return out;
 }

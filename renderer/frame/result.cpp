@@ -6,6 +6,7 @@
 
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/passes/pages.h"
+#include "renderer/settings/map_storage.h"
 
 namespace si {
 namespace {
@@ -83,6 +84,7 @@ void describe_frame(FrameState& f, FrameResult& result) {
     result.lights = f.gl.fitted;
     result.notes = std::move(f.notes);
     result.map_resolution = f.map_resolution;
+    result.map_holds_distances = holds_distances(f.settings.map.format);
 }
 
 }  // namespace si

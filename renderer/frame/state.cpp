@@ -6,6 +6,7 @@
 #include "renderer/frame/settings_block.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/map_storage.h"
 
 namespace si {
 
@@ -56,7 +57,7 @@ GLenum FrameState::map_format() const {
 }
 
 bool FrameState::draws_unfiltered() const {
-    return settings.bias.raster_slope != 0 || settings.bias.raster_units != 0 || mask_levels;
+    return offsets_polygons(settings) || mask_levels;
 }
 
 Key FrameState::surfaces_key() const {

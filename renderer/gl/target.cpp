@@ -93,6 +93,10 @@ Framebuffer make_layers_framebuffer(std::string_view label, const Target& colour
     return fb;
 }
 
+GLenum one_channel(GLenum internal_format) {
+    return internal_format == GL_R32F || internal_format == GL_R16 ? GL_RED : GL_DEPTH_COMPONENT;
+}
+
 void begin_reading() {
     glFinish();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

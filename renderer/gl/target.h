@@ -39,6 +39,9 @@ Framebuffer make_framebuffer(std::string_view label, std::span<const Target> col
 /// Each layer of an array texture as a colour attachment of its own.
 Framebuffer make_layers_framebuffer(std::string_view label, const Target& colours);
 
+/// What images of one number a pixel are read back as: GL_RED, or GL_DEPTH_COMPONENT.
+GLenum one_channel(GLenum internal_format);
+
 /// Before pixels are read back into memory: rows without gaps, and what is drawn is there. OpenGL promises the latter,
 /// but llvmpipe of Mesa 22.3 now and then hands out what a target held before, where all that is under way is a clear.
 void begin_reading();

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "renderer/settings/filters.h"
+#include "renderer/settings/map_storage.h"
 
 namespace si {
 
@@ -134,10 +135,8 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
     if (frame.pages) cost.map_texels = frame.pages->read_texels();
     if (casting == 0) cost.taps_per_pixel = 0;
     // Drivers store 24-bit depth in 32 bits; a colour map has a depth buffer beside it.
-    const std::uint64_t bytes = settings.map.format == int(MapFormat::D16)      ? 2
-                                : settings.map.format == int(MapFormat::Colour) ? 8
-                                                                                : 4;
-    const std::uint64_t fetched = settings.map.format == int(MapFormat::Colour) ? 4 : bytes;
+    const auto bytes = std::uint64_t(drawn_texel_bytes(settings.map.format));
+    const auto fetched = std::uint64_t(texel_bytes(settings.map.format));
     cost.map_bytes = cost.map_texels * bytes;
     if (casting > 0) {
         const PrefilterBytes prefilter = prefilter_bytes(settings);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "renderer/frame/driver.h"
+#include "renderer/settings/map_storage.h"
 
 namespace si {
 namespace {
@@ -23,7 +24,7 @@ void set_cull(const FrameState& f, const Batch& batch) {
 
 void set_raster_bias(const FrameState& f, bool reversed) {
     const BiasSettings& b = f.settings.bias;
-    if (b.raster_slope == 0 && b.raster_units == 0) {
+    if (!offsets_polygons(f.settings)) {
         glDisable(GL_POLYGON_OFFSET_FILL);
         return;
     }
@@ -89,14 +90,14 @@ void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConventio
     glDepthMask(GL_TRUE);
     const float far_depth = float(convention.far_depth());
     glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far_depth);
-    if (f.settings.map.format == int(MapFormat::Colour)) {
+    if (is_colour(f.settings.map.format)) {
         const glm::vec4 clear(far_depth);
         glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, &clear.x);
     }
 }
 
 void draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info) {
-    const DepthConvention& convention = view.convention;
+    const DepthConvention& convention = view.curve.convention;
     glClipControl(GL_LOWER_LEFT, convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
@@ -122,6 +123,8 @@ void draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, Pas
         if (id != current) {
             glUseProgram(current = id);
             glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
+            glUniform4f(glGetUniformLocation(id, "curve"), float(view.curve.near), float(view.curve.far),
+                        view.curve.perspective, convention.reversed);
         }
         const GLuint mask = view.unfiltered ? batch.finest_texture : batch.texture;
         if (batch.masked && mask && mask != texture) glBindTextureUnit(shared::UNIT_BASE_COLOUR, texture = mask);
@@ -139,10 +142,9 @@ void draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, c
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);
     clear_casters(f, framebuffer, view.curve.convention);
-    draw_casters(f,
-                 {view.clip_from_relative(light.map_origin), view.curve.convention, light.map_origin, unfiltered,
-                  view.clamps_near},
-                 {}, info);
+    draw_casters(
+        f, {view.clip_from_relative(light.map_origin), view.curve, light.map_origin, unfiltered, view.clamps_near}, {},
+        info);
 }
 
 }  // namespace si

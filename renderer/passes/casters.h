@@ -10,7 +10,7 @@ namespace si {
 
 struct CasterView {
     glm::dmat4 clip_from_relative{1.0};  ///< from positions relative to `origin`
-    DepthConvention convention;
+    DepthCurve curve;
     glm::dvec3 origin{0};
     bool unfiltered = false;   ///< without polygon offset, masks at their finest level
     bool clamps_near = false;  ///< what lies before the near plane is drawn at it

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/frame/state.h"
+#include "renderer/settings/map_storage.h"
 
 namespace si {
 namespace {
@@ -14,7 +15,7 @@ struct BlurredMaps {
 /// Both axes of one layer: rows of the map into `rows`, columns of that into the blurred map.
 void blur_layer(FrameState& f, const BlurredMaps& t, const gl::Framebuffer& rows, int layer, PassInfo& info) {
     const int n = f.map_resolution;
-    const bool colour = t.maps.format == GL_R32F;
+    const bool colour = is_colour(f.settings.map.format);
     const auto draw = [&](GLuint framebuffer, const char* columns) {
         f.begin_fullscreen_pass(framebuffer, n, n);
         if (columns[0] == '1' && !colour) {

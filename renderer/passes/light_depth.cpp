@@ -5,6 +5,7 @@
 
 #include "renderer/passes/casters.h"
 #include "renderer/passes/pages.h"
+#include "renderer/settings/map_storage.h"
 
 namespace si {
 namespace {
@@ -29,7 +30,7 @@ void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const L
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
     const gl::Target& map = unfiltered ? t.unfiltered : t.maps;
     if (map.layers == 0) layer = -1;  // a plain texture
-    const bool colour = f.settings.map.format == int(MapFormat::Colour);
+    const bool colour = is_colour(f.settings.map.format);
     if (colour)
         t.depth.ensure("depth beside the colour map", GL_DEPTH_COMPONENT32F, f.map_resolution, f.map_resolution);
     else
@@ -47,7 +48,7 @@ bool FrameState::blurs_depths() const {
 
 void place_compared_maps(FrameState& f, const gl::Target& maps) {
     f.plan.place(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
-    if (f.settings.map.format != int(MapFormat::Colour))
+    if (!is_colour(f.settings.map.format))
         f.plan.place(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP_COMPARE, &f.gl.map_compare});
 }
 

@@ -8,6 +8,7 @@
 #include "renderer/frame/driver.h"
 #include "renderer/passes/casters.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/map_storage.h"
 
 namespace si {
 namespace {
@@ -124,7 +125,7 @@ private:
     }
 
     void draw_samples(const FittedLight& light, const LightView& view) {
-        const bool colour = f_.settings.map.format == int(MapFormat::Colour);
+        const bool colour = is_colour(f_.settings.map.format);
         t_.samples.ensure("samples of a map", colour ? GLenum(GL_DEPTH_COMPONENT32F) : f_.map_format(),
                           f_.map_resolution, f_.map_resolution, 0, {.samples = f_.settings.map.samples});
         const gl::Framebuffer into = gl::make_framebuffer("samples of a map", nullptr, &t_.samples);

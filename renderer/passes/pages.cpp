@@ -11,6 +11,7 @@
 #include "renderer/frame/page_cache.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/casters.h"
+#include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
 #include "renderer/view/projection.h"
 #include "shaders/shared/pages.h"
@@ -234,8 +235,7 @@ public:
         const Rect rect = rect_of(page.page);
         draw_casters(
             f,
-            {view.clip_from_relative(light_.map_origin), view_.curve.convention, light_.map_origin, unfiltered,
-             view_.clamps_near},
+            {view.clip_from_relative(light_.map_origin), view_.curve, light_.map_origin, unfiltered, view_.clamps_near},
             [&](std::size_t i, std::vector<IndexRange>& parts) {
                 return across_.seen(i, rect, casters_.indices[i], parts);
             },
@@ -305,7 +305,7 @@ int pages_per_side(const FrameState& f) {
 
 /// Most pages of the pool, by the setting and what the driver and the budget hold.
 int most_pages(const FrameState& f) {
-    const double page = page_texels(f.settings), bytes = f.settings.map.format == int(MapFormat::Colour) ? 8 : 4;
+    const double page = page_texels(f.settings), bytes = drawn_texel_bytes(f.settings.map.format);
     const double side = std::floor(f.driver.max_texture_size / page);
     const double most = std::min(side * side, std::floor(kPoolBudgetBytes / (page * page * bytes)));
     return int(std::clamp(double(f.settings.map.page_pool), 1.0, std::max(most, 1.0)));
@@ -360,7 +360,7 @@ Pass wanted_pass(FrameState& f, PageTargets& t) {
 /// Draws pages into a pool as large as the cache says, by way of a block of pages.
 void draw_into_pool(FrameState& f, PageTargets& t, const std::vector<PagedLayer>& layers, gl::Target& pool,
                     const std::vector<const PlacedPage*>& pages, bool unfiltered, PassInfo& info) {
-    const bool colour = f.settings.map.format == int(MapFormat::Colour);
+    const bool colour = is_colour(f.settings.map.format);
     const int width = t.cache.side() * t.page, block = kBlockPages * t.page;
     pool.ensure(unfiltered ? "pool of unfiltered pages" : "pool of pages", f.map_format(), width, width);
     t.block.ensure("block of pages", f.map_format(), block, block);
@@ -549,7 +549,7 @@ PageFacts page_facts(Resources& resources, bool drawn) {
 std::vector<float> read_paged_depths(Resources& resources, int layer, glm::ivec2 first, glm::ivec2 size,
                                      float empty_depth) {
     const PageTargets& t = resources.owned.get<PageTargets>();
-    const GLenum format = t.pool.format == GL_R32F ? GL_RED : GL_DEPTH_COMPONENT;
+    const GLenum format = gl::one_channel(t.pool.format);
     std::vector<float> out(std::size_t(size.x) * std::size_t(size.y), empty_depth);
     std::vector<float> depths(std::size_t(t.page) * std::size_t(t.page));
     gl::begin_reading();

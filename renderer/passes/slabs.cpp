@@ -1,9 +1,10 @@
 // Texels of the shown light's map as quads in the scene, over a pane's picture.
 #include <algorithm>
 
+#include "renderer/frame/map_depths.h"
 #include "renderer/frame/texel_slabs.h"
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/pages.h"
+#include "renderer/settings/map_storage.h"
 
 namespace si {
 namespace {
@@ -30,18 +31,8 @@ void read_depths(const FrameState& f, SlabTargets& s, int layer, const TexelRegi
     key.add(f.plan.key_of(Result::ShadowMaps)).add(layer).add(region);
     if (s.depths_key == key.value()) return;
     s.depths_key = key.value();
-    if (f.paged) {
-        s.depths = read_paged_depths(f.gl, layer, region.first, region.size,
-                                     float(f.shown_view()->curve.convention.far_depth()));
-        return;
-    }
-    s.depths.resize(std::size_t(region.size.x) * std::size_t(region.size.y));
-    gl::begin_reading();
-    const gl::Target& map = f.result(Result::ShadowMaps);
-    const GLenum format = map.format == GL_R32F ? GL_RED : GL_DEPTH_COMPONENT;
-    if (!s.depths.empty())
-        glGetTextureSubImage(map.texture.id(), 0, region.first.x, region.first.y, layer, region.size.x, region.size.y,
-                             1, format, GL_FLOAT, GLsizei(s.depths.size() * sizeof(float)), s.depths.data());
+    const MapLayer of{f.shown_view()->curve, layer, f.paged, holds_distances(f.settings.map.format)};
+    s.depths = read_map_depths(f.gl, f.result(Result::ShadowMaps), of, region.first, region.size);
 }
 
 /// Farthest from the camera first, so that they blend as they lie.

@@ -1,5 +1,6 @@
 #include "renderer/reference/error_task.h"
 
+#include "renderer/settings/map_storage.h"
 #include "renderer/view/kernel_reach.h"
 
 namespace si {
@@ -7,7 +8,7 @@ namespace si {
 CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels) {
     return {.has_map = light.casts,
             .edge_reach_texels = reach_under(settings, light, map_resolution).edge,
-            .raster_bias = settings.bias.raster_slope != 0 || settings.bias.raster_units != 0,
+            .raster_bias = offsets_polygons(settings),
             .mask_levels = mask_levels,
             .depth_blur = settings.map.blur_texels > 0};
 }

@@ -8,6 +8,7 @@
 
 #include "renderer/settings/biases.h"
 #include "renderer/settings/choices_of.h"
+#include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
 
 namespace si {
@@ -399,8 +400,7 @@ bool compares_per_texel(const Settings& settings) {
 }
 
 bool uses_sampler(const Settings& settings) {
-    if (draws_pages(settings) || settings.filter.method != int(FilterMethod::Sampler) ||
-        settings.map.format == int(MapFormat::Colour))
+    if (draws_pages(settings) || settings.filter.method != int(FilterMethod::Sampler) || is_colour(settings.map.format))
         return false;
     return !(compares_per_texel(settings) && is_bilinear(filter_of(settings), settings));
 }

@@ -1,6 +1,7 @@
 // Rows of the shadow technique: map, caster, bias and filter.
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
 #include "renderer/settings/rows.h"
 
@@ -16,6 +17,13 @@ constexpr Choice kFormats[] = {
     {"colour", "depth as colour",
      "The depth written to a 32-bit float colour target by the fragment shader, as before depth "
      "textures were common. The sampler cannot compare it."},
+    {"linear", "distance, 32 bits",
+     "The distance along the light's axis between near and far, written to a 32-bit float colour target and made a "
+     "depth where it is read. Under parallel light it is the depth. The sampler cannot compare it, and polygon offset "
+     "does not move it."},
+    {"linear16", "distance, 16 bits",
+     "The same in 65536 equal steps of distance: a spot light's far half keeps the steps that d16 spends near the "
+     "light."},
 };
 constexpr Choice kWraps[] = {
     {"border", "clamp to border", "Texels outside of the map count as map.outside says."},
@@ -72,9 +80,12 @@ std::string_view compare_idle(const Settings& s, int) {
 
 std::string_view method_idle(const Settings& s, int light) {
     if (draws_pages(s)) return "without effect: with map.virtual the shader finds each texel's page and compares";
-    if (s.map.format == at(MapFormat::Colour)) return "without effect: the sampler cannot compare map.format colour";
+    if (is_colour(s.map.format)) return "without effect: the sampler cannot compare a map that is a colour image";
     return compare_idle(s, light);
 }
+
+constexpr std::string_view kNoOffset =
+    "without effect: polygon offset does not move the distances that map.format stores";
 
 constexpr auto kMap = of_map(std::to_array<Param>({
     {SI_FIELD(map.resolution), .label = "Resolution", .unit = "texels", .min = 1, .max = 16384, .logarithmic = true,
@@ -254,17 +265,19 @@ constexpr auto kBias = of_map(std::to_array<Param>({
      SI_IDLE(!slope_acts(s) && s.bias.normal == 0, "without effect: neither slope nor normal offset acts"),
      .help = "The normal that slope bias and normal offset use.", .shader = true, .read_by = ReadBy::SurfacesSeen},
     {SI_FIELD(bias.raster_slope), .label = "Raster slope", .unit = "x depth slope", .min = -100, .max = 100,
+     SI_IDLE(holds_distances(s.map.format), kNoOffset),
      .help = "glPolygonOffset factor while the map is drawn: depth per texel of the triangle's own slope, times this. "
              "Towards the far plane when positive, under reversed depth too.",
      .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(bias.raster_units), .label = "Raster units", .unit = "depth steps", .min = -1e7, .max = 1e7,
-     .logarithmic = true,
+     .logarithmic = true, SI_IDLE(holds_distances(s.map.format), kNoOffset),
      .help = "glPolygonOffset units while the map is drawn: smallest steps of the depth format, as the driver defines "
              "them. Towards the far plane when positive, under reversed depth too.",
      .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(bias.raster_clamp), .label = "Raster clamp", .unit = "depth", .min = 0, .max = 1,
-     SI_IDLE(s.bias.raster_slope == 0 && s.bias.raster_units == 0,
-             "without effect: bias.raster_slope and bias.raster_units are 0"),
+     SI_IDLE(!offsets_polygons(s), holds_distances(s.map.format)
+                                       ? kNoOffset
+                                       : "without effect: bias.raster_slope and bias.raster_units are 0"),
      .help = "Largest offset that raster slope and units may add, in depth [0,1]; 0 is no limit. Needs "
              "glPolygonOffsetClamp.",
      .needs = DriverFeature::PolygonOffsetClamp, .shader = true, .read_by = ReadBy::Maps},

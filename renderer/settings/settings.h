@@ -21,7 +21,7 @@ enum class DepthBounds { Boxes, Sdsm };
 enum class CascadeChoice { Interval, Map };
 enum class LightProjection { Automatic, Orthographic, Perspective };
 enum class CameraSource { Automatic, Manual, Light };
-enum class MapFormat { D16, D24, D32F, Colour };
+enum class MapFormat { D16, D24, D32F, Colour, Linear, Linear16 };
 enum class MapWrap { Border, Clamp, Repeat, Range };
 enum class Outside { Lit, Unlit };
 enum class Compare { Less, LessEqual };

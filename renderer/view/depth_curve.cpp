@@ -29,6 +29,12 @@ double DepthCurve::distance(double d) const {
     return near * far / (far * from_far + near * from_near);
 }
 
+double DepthCurve::depth_of_share(double share) const {
+    if (!perspective || !(share > 0 && share < 1)) return share;
+    const double z = convention.reversed ? far - share * (far - near) : near + share * (far - near);
+    return (convention.reversed ? near : far) * share / z;
+}
+
 double DepthCurve::slope(double z) const {
     if (!perspective) return 1 / (far - near);
     return near / z * (far / z) / (far - near);

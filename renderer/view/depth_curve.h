@@ -22,6 +22,9 @@ struct DepthCurve {
     double depth(double z) const;
     /// Metres along the axis at depth-buffer value d. Inverse of depth().
     double distance(double d) const;
+    /// Depth where a share of the range lies, counted from `near`, reversed from `far`; of a parallel projection it is
+    /// the share. What is no share between 0 and 1 stays as it is.
+    double depth_of_share(double share) const;
     /// |d depth / d z| at distance z, per metre.
     double slope(double z) const;
     /// By how much the depth of a point at distance z changes when it comes that many metres along the axis nearer to

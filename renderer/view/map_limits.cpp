@@ -37,7 +37,7 @@ Held held_by(const LightView& view, const SceneShape& shape) {
 double step_m(const DepthCurve& curve, MapFormat format, double nearest, double farthest) {
     double coarsest = 0;
     for (const double z : {nearest, farthest})
-        coarsest = std::max(coarsest, depth_quantum(format, curve.depth(z)) / curve.slope(z));
+        coarsest = std::max(coarsest, depth_quantum(format, curve, curve.depth(z)) / curve.slope(z));
     return coarsest;
 }
 
@@ -52,7 +52,8 @@ MapLimits map_limits(const SceneShape& shape, const std::vector<LightView>& view
         if (!(deep > kFlat * shape.radius)) continue;
         any = true;
         const double from = view.curve.depth(held.nearest), to = view.curve.depth(held.farthest);
-        one_step &= std::abs(to - from) <= std::max(depth_quantum(format, from), depth_quantum(format, to));
+        one_step &= std::abs(to - from) <=
+                    std::max(depth_quantum(format, view.curve, from), depth_quantum(format, view.curve, to));
         const double centre_m = glm::dot(view.axes[2], view.eye - shape.centre);
         const double texel = view.texel_size(std::clamp(centre_m, held.nearest, held.farthest), resolution);
         one_texel &= texel >= held.across;

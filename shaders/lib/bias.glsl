@@ -25,14 +25,27 @@ vec2 plane_gradient(Receiver r) {
     return gradient_along(r, along, cross(n, along));
 }
 
-/// One step of the stored depth at r.
+/// One step of a 32-bit float between 0 and 1.
+float float_step(float v) { return exp2(floor(log2(clamp(v, 1.17549435e-38, 1.0))) - 23.0); }
+
+/// One step of the stored depth at r; as renderer/bias/theory.h has it.
 float depth_quantum(Receiver r) {
 #if map_format == map_format_d16
     return 1.0 / 65535.0;
 #elif map_format == map_format_d24
     return 1.0 / 16777215.0;
+#elif MAP_HOLDS_DISTANCES
+    vec4 curve = frame.views[r.layer].curve;
+    float range = curve.y - curve.x, steps = 1.0 / 65535.0;
+    bool perspective = LIGHT_PERSPECTIVE[r.light] != 0;
+    float z = perspective ? r.z : metres_from_depth(r.uvd.z, curve.x, curve.y, false);
+    float share = (map_reversed_z != 0 ? curve.y - z : z - curve.x) / range;
+#if map_format == map_format_linear
+    steps = float_step(share);
+#endif
+    return steps * range * r.depth_per_m + (perspective ? 4.0 * float_step(r.uvd.z) : 0.0);
 #else
-    return exp2(floor(log2(clamp(r.uvd.z, 1.17549435e-38, 1.0))) - 23.0);
+    return float_step(r.uvd.z);
 #endif
 }
 

@@ -1,6 +1,7 @@
 // The shadow maps: one picture is a plain texture, several are the layers of an array.
 #include "shared/units.h"
 #include "lib/depth.glsl"
+#include "lib/frame.glsl"
 #include "lib/pages.glsl"
 #if MAP_PAGED
 #define MAPS sampler2D
@@ -26,9 +27,31 @@ float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map
 #define MAP_GATHER(map, at, layer) textureGather(map, IN_LAYER(at, layer))
 #endif
 layout(binding = UNIT_SHADOW_MAP) uniform MAPS shadow_map;  // nearest, no comparison
-float stored_depth(vec2 at, int layer) { return MAP_AT(shadow_map, at, layer); }
-vec4 stored_gather(vec2 at, int layer) { return MAP_GATHER(shadow_map, at, layer); }
-float stored_texel(ivec2 texel, int layer) { return MAP_TEXEL(shadow_map, texel, layer); }
+
+#if MAP_HOLDS_DISTANCES
+/// Depths of stored shares of a view's range: see DepthCurve::depth_of_share().
+vec4 depth_of_stored(vec4 share, int layer) {
+    ViewBlock view = frame.views[layer];
+    if (is_parallel(view)) return share;
+    float near = view.curve.x, far = view.curve.y;
+    // As stored at both ends, and where there is no page.
+    bvec4 between = bvec4(ivec4(greaterThan(share, vec4(0.0))) * ivec4(lessThan(share, vec4(1.0))));
+#if map_reversed_z
+    return mix(share, near * share / (far - share * (far - near)), between);
+#else
+    return mix(share, far * share / (near + share * (far - near)), between);
+#endif
+}
+#else
+vec4 depth_of_stored(vec4 depth, int layer) { return depth; }
+#endif
+float depth_of_stored(float stored, int layer) { return depth_of_stored(vec4(stored), layer).x; }
+
+/// A texel as it is stored.
+float kept_texel(ivec2 texel, int layer) { return MAP_TEXEL(shadow_map, texel, layer); }
+float stored_texel(ivec2 texel, int layer) { return depth_of_stored(kept_texel(texel, layer), layer); }
+float stored_depth(vec2 at, int layer) { return depth_of_stored(MAP_AT(shadow_map, at, layer), layer); }
+vec4 stored_gather(vec2 at, int layer) { return depth_of_stored(MAP_GATHER(shadow_map, at, layer), layer); }
 
 /// A depth that every comparison finds lit, or dark.
 float depth_of(bool lit) { return lit == (map_reversed_z == 0) ? 3e38 : -3e38; }
@@ -52,13 +75,15 @@ vec4 answered(vec4 depth, vec4 u, vec4 v) {
 }
 
 float map_depth(vec2 at, int layer) {
-    float depth = map_is_unfiltered ? MAP_AT(unfiltered_map, at, layer) : stored_depth(at, layer);
+    float depth =
+        map_is_unfiltered ? depth_of_stored(MAP_AT(unfiltered_map, at, layer), layer) : stored_depth(at, layer);
     return answered(vec4(depth), at.xxxx, at.yyyy).x;
 }
 
 /// @param at where four texels meet
 vec4 map_gather(vec2 at, int layer) {
-    vec4 depth = map_is_unfiltered ? MAP_GATHER(unfiltered_map, at, layer) : stored_gather(at, layer);
+    vec4 depth =
+        map_is_unfiltered ? depth_of_stored(MAP_GATHER(unfiltered_map, at, layer), layer) : stored_gather(at, layer);
     vec2 half_texel = vec2(0.5 / float(map_resolution));
     vec4 u = at.x + vec4(-1.0, 1.0, 1.0, -1.0) * half_texel.x, v = at.y + vec4(1.0, 1.0, -1.0, -1.0) * half_texel.y;
     return answered(depth, u, v);

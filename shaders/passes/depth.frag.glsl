@@ -1,15 +1,23 @@
 #ifdef MASKED
 #include "lib/alpha.glsl"
 #endif
-#if map_format == map_format_colour
-layout(location = 0) out float depth_out;
+#if MAP_IS_COLOUR
+layout(location = 0) out float stored_out;
+#endif
+#if MAP_HOLDS_DISTANCES
+uniform vec4 curve;  // near, far, 1 perspective, 1 reversed: near at 1
 #endif
 
 void main() {
 #ifdef MASKED
     if (masked_out()) discard;
 #endif
-#if map_format == map_format_colour
-    depth_out = gl_FragCoord.z;
+#if MAP_IS_COLOUR
+    stored_out = gl_FragCoord.z;
+#endif
+#if MAP_HOLDS_DISTANCES
+    // 1 / w is what the rasteriser interpolates: of a depth the far part of the range would have lost its last bits.
+    float z = 1.0 / gl_FragCoord.w;
+    if (curve.z > 0.5) stored_out = (curve.w > 0.5 ? curve.y - z : z - curve.x) / (curve.y - curve.x);
 #endif
 }

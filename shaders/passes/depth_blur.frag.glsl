@@ -6,11 +6,11 @@ float stored(ivec2 at) { return texelFetch(rows, at, 0).r; }
 #else
 #include "lib/shadow_map.glsl"
 uniform int layer;
-float stored(ivec2 at) { return stored_texel(at, layer); }
+float stored(ivec2 at) { return kept_texel(at, layer); }
 #endif
 #include "lib/blur_axis.glsl"
 
-#if BLUR_COLUMNS && map_format != map_format_colour
+#if BLUR_COLUMNS && !MAP_IS_COLOUR
 #define TO_DEPTH_BUFFER
 #else
 layout(location = 0) out float depth_out;

@@ -65,6 +65,7 @@ TEST_F(DossierTest, TapsAddUpToWhatTheGpuFound) {
         for (const auto& [format, kind] : {std::pair{"d16", "receiver-plane"},
                                            {"d32f", "slope"},
                                            {"colour", "constant"},
+                                           {"linear16", "constant"},
                                            {"d32f", "receiver-plane"}}) {
             if (!filter.linear) continue;
             Settings s = plain(std::string(filter.key).c_str(), 0.7);

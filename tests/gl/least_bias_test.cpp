@@ -61,7 +61,7 @@ TEST_F(LeastBiasTwins, AreEqualOnRandomPlanes) {
     int compared = 0, perspective = 0, grazing = 0, exponent = 0;
     double worst = 0;
     for (const LightType type : test::kLightTypes)
-        for (const char* format : {"d16", "d24", "d32f", "colour"})
+        for (const char* format : {"d16", "d24", "d32f", "colour", "linear", "linear16"})
             for (const Filter& filter : filters())
                 for (const Choice& kind : bias_choices()) {
                     const Sight sight = random_sight(type);

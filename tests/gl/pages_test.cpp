@@ -43,6 +43,7 @@ TEST_F(PagesTest, AreTheWholeMapsTexels) {
                           {{"filter.kernel", "pcf5"}, {"map.reversed_z", "true"}, {"light.azimuth", "90"}},
                           {{"filter.kernel", "poisson"}, {"light.type", "spot"}, {"map.format", "d16"}},
                           {{"filter.kernel", "pcf3"}, {"light.type", "point"}, {"map.format", "colour"}},
+                          {{"filter.kernel", "pcf3"}, {"light.type", "spot"}, {"map.format", "linear16"}},
                           {{"filter.kernel", "pcf3_nearest"}, {"light.cascades", "3"}, {"light.cascade_blend", "0.5"}},
                           {{"filter.kernel", "pcss"}, {"light.fit", "manual"}, {"map.wrap", "repeat"}},
                           {{"filter.kernel", "tent3"}, {"light.fit", "manual"}, {"map.wrap", "clamp"}}};

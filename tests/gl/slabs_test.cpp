@@ -60,7 +60,7 @@ TEST_F(SlabsTest, StandWhereTheStoredDepthLies) {
     const Scene scene = load_scene("boxes");
     const FrameRequest size{.width = 640, .height = 360};
     for (const char* type : {"directional", "spot", "point"})
-        for (const char* format : {"d16", "d32f", "colour"})
+        for (const char* format : {"d16", "d32f", "colour", "linear16"})
             for (const char* reversed : {"false", "true"}) {
                 const Settings plain = settings_for(scene, {{"light.type", type},
                                                             {"light.fit", "scene"},

@@ -34,7 +34,7 @@ LeastBias predicted(const Shot& shot, const Settings& s) {
         for (double z : {-5.0, 0.0, 5.0}) {
             const ReceiverPlane plane = receiver_plane(view, {x, 0, z}, {0, 1, 0});
             const LeastBias b = least_bias(plane.gradient, reach_of(s).bias, shot.frame.map_resolution,
-                                           depth_quantum(MapFormat(s.map.format), plane.uvd.z),
+                                           depth_quantum(MapFormat(s.map.format), view.curve, plane.uvd.z),
                                            hard_renderer().driver().subpixel_bits, rounding_bias(view, {x, 0, z}, 10));
             if (b.total() > worst.total()) worst = b;
         }
@@ -87,7 +87,9 @@ TEST_P(HardCase1, GrazingSweep) {
 INSTANTIATE_TEST_SUITE_P(All, HardCase1,
                          testing::Values(GrazingCase{MapFormat::D16, "hard"}, GrazingCase{MapFormat::D24, "hard"},
                                          GrazingCase{MapFormat::D32F, "hard"}, GrazingCase{MapFormat::Colour, "hard"},
-                                         GrazingCase{MapFormat::D24, "hw2x2"}, GrazingCase{MapFormat::D32F, "hw2x2"},
+                                         GrazingCase{MapFormat::Linear, "hard"},
+                                         GrazingCase{MapFormat::Linear16, "hard"}, GrazingCase{MapFormat::D24, "hw2x2"},
+                                         GrazingCase{MapFormat::D32F, "hw2x2"},
                                          GrazingCase{MapFormat::D32F, "pcf3_nearest"},
                                          GrazingCase{MapFormat::D32F, "pcf5"}),
                          [](const auto& named) { return format_name(named.param.format) + "_" + named.param.filter; });

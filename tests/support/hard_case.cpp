@@ -154,7 +154,7 @@ Scene floor_and_box(double size, const glm::dvec3& box, double gap) {
 }
 
 std::string format_name(MapFormat format) {
-    const char* names[] = {"d16", "d24", "d32f", "colour"};
+    const char* names[] = {"d16", "d24", "d32f", "colour", "linear", "linear16"};
     return names[int(format)];
 }
 

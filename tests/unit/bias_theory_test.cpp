@@ -176,6 +176,23 @@ TEST(BiasTheory, Quanta) {
     EXPECT_EQ(depth_quantum(MapFormat::D32F, 0.3), 0x1p-25);
     EXPECT_EQ(depth_quantum(MapFormat::Colour, 1.0), 0x1p-23);
     EXPECT_GT(depth_quantum(MapFormat::D32F, 0.0), 0);
+    // Equal steps of distance, as depths by the curve, and what making depths of them rounds off.
+    for (const bool reversed : {false, true}) {
+        const DepthCurve curve{true, 0.5, 20, {true, reversed}};
+        for (const double z : {0.6, 5.0, 19.0}) {
+            const double step_m = depth_quantum(MapFormat::Linear16, curve, curve.depth(z)) / curve.slope(z);
+            EXPECT_NEAR(step_m, 19.5 / 65535, 1e-5 + 4 * 0x1p-23 * z * z);
+            // What a 16-bit map at that distance holds is no farther than half a step.
+            const double share = (reversed ? 20 - z : z - 0.5) / 19.5, kept = std::round(share * 65535) / 65535;
+            EXPECT_LE(std::abs(curve.distance(curve.depth_of_share(kept)) - z), 0.5 * step_m);
+        }
+        EXPECT_EQ(curve.depth_of_share(0), 0);
+        EXPECT_EQ(curve.depth_of_share(1), 1);
+        EXPECT_TRUE(std::isnan(curve.depth_of_share(std::nan(""))));
+    }
+    const DepthCurve parallel{false, 0, 10, {}};
+    EXPECT_EQ(parallel.depth_of_share(0.3), 0.3);
+    EXPECT_EQ(depth_quantum(MapFormat::Linear16, parallel, 0.3), 1.0 / 65535);
 }
 
 // Gaps measured by users of another engine at 52 degrees for four biases.

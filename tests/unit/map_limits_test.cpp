@@ -27,7 +27,7 @@ bool tells(const FittedLight& light, const char* what) {
 
 TEST(MapLimits, OrdinaryMapsHaveNone) {
     for (const char* type : {"directional", "spot", "point"})
-        for (const char* format : {"d16", "d24", "d32f", "colour"})
+        for (const char* format : {"d16", "d24", "d32f", "colour", "linear", "linear16"})
             for (const char* azimuth : {"-40", "0", "90"}) {
                 const FittedLight light =
                     fitted({{"light.type", type}, {"map.format", format}, {"light.azimuth", azimuth}});

@@ -156,7 +156,7 @@ TEST(SettingsText, RefusesWhatNoSettingCanBe) {
     EXPECT_TRUE(mentions(refusal("map.resolution", "1024.5"), "whole number"));
     EXPECT_TRUE(mentions(refusal("map.reversed_z", "yes"), "true"));
     EXPECT_TRUE(mentions(refusal("map.format", "d23"), "did you mean d24?"));
-    EXPECT_TRUE(mentions(refusal("map.format", "2"), "none of d16, d24, d32f, colour"));
+    EXPECT_TRUE(mentions(refusal("map.format", "2"), "none of d16, d24, d32f, colour, linear, linear16"));
 }
 
 TEST(SettingsText, BooleansInAllSpellings) {

@@ -1,0 +1,33 @@
+// What shadow maps are kept in.
+#pragma once
+
+#include "renderer/settings/settings.h"
+
+namespace si {
+
+/// Whether a map is a colour image that the fragment shader writes, with a depth buffer beside it while it is drawn.
+constexpr bool is_colour(int map_format) {
+    return map_format >= int(MapFormat::Colour);
+}
+
+/// Whether a map holds distances along the light's axis as shares of its range, not depths.
+constexpr bool holds_distances(int map_format) {
+    return map_format == int(MapFormat::Linear) || map_format == int(MapFormat::Linear16);
+}
+
+/// Bytes of a texel.
+constexpr int texel_bytes(int map_format) {
+    return map_format == int(MapFormat::D16) || map_format == int(MapFormat::Linear16) ? 2 : 4;
+}
+
+/// Bytes of a texel with the depth buffer beside it.
+constexpr int drawn_texel_bytes(int map_format) {
+    return texel_bytes(map_format) + (is_colour(map_format) ? 4 : 0);
+}
+
+/// Whether polygon offset moves what is stored.
+inline bool offsets_polygons(const Settings& s) {
+    return (s.bias.raster_slope != 0 || s.bias.raster_units != 0) && !holds_distances(s.map.format);
+}
+
+}  // namespace si
