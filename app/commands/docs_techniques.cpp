@@ -121,7 +121,8 @@ Settings changed(Settings s, std::initializer_list<std::pair<std::string_view, s
 std::vector<Entry> storage_entries(const Settings& base) {
     std::vector<Entry> out = choices_of(base, "map.format");
     out.push_back(with(base, "map.reversed_z", "true"));
-    out.push_back(with(changed(base, {{"filter.kernel", "vsm"}}), "filter.moment_format", "16-bit"));
+    const auto moments = std::ranges::find(filters(), Samples::Moments, &Filter::samples);
+    out.push_back(with(changed(base, {{"filter.kernel", moments->key}}), "filter.moment_format", "16-bit"));
     out.push_back(with(base, "map.transform", "eye"));
     out.push_back(with(base, "map.virtual", "true"));
     return out;

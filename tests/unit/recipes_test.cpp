@@ -137,6 +137,7 @@ const std::set<std::string> kOtherWords = {
     "slope",       // a bias setting, and a term of the account
     "taps",        // a field of probes
     "truth",       // a command, an output, a pass
+    "cascade",     // one of a light's maps
     "visibility",  // a view, an output, a pass
 };
 
