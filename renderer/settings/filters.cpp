@@ -447,6 +447,12 @@ PrefilterBytes prefilter_bytes(const Settings& settings) {
     return bytes;
 }
 
+int shown_channel(const Settings& settings) {
+    const Filter& row = filter_of(settings);
+    if (row.samples != Samples::Moments || settings.view.map_source == int(MapSource::Camera)) return 0;
+    return settings.view.map_channel <= int(row.moments.names.size()) ? settings.view.map_channel : 0;
+}
+
 double safe_exponent(const Settings& settings) {
     const int power = filter_of(settings).moments.power;
     if (power == 0) return std::numeric_limits<double>::infinity();

@@ -81,6 +81,7 @@ void header(EditorState& state, const FrameResult* result, EditorActions& action
             flow(em * 9);
             setting_widget(s, *find_setting("view.face"), em * 9, names);
         }
+        if (filter_of(s).samples == Samples::Moments) labelled("Channel", "view.map_channel", em * 7);
     }
     const bool bands = s.view.map == int(MapView::Bands);
     const float end = em * 4.2f;
@@ -307,9 +308,11 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         if (rect.holds(texel)) {
             state.hovered_texel = texel;
             outline_texels(rect, texel, {1, 1}, IM_COL32_WHITE);
-            text = texel_readout(texel, n, frame.map_values, result.map_view_curve, shown_usage(state, frame),
-                                 state.frozen.has_value());
-            if (frame.map_values && frame.map_values->width == n.x && frame.map_values->height == n.y)
+            text =
+                texel_readout(texel, n, frame.map_values, result.map_view_curve, shown_usage(state, frame),
+                              state.frozen.has_value(), result.shown_map, state.settings.view.map != int(MapView::Raw));
+            if (result.shown_map.channel == 0 && frame.map_values && frame.map_values->width == n.x &&
+                frame.map_values->height == n.y)
                 marked_m = result.map_view_curve.distance(frame.map_values->at(texel.x, n.y - 1 - texel.y));
         }
     }
