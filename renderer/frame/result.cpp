@@ -37,13 +37,15 @@ void describe_map_view(FrameState& f, FrameResult& result) {
     const ViewSettings& v = f.settings.view;
     const bool camera = v.map_source == int(MapSource::Camera);
     const int faces = camera ? 1 : int(f.gl.fitted[std::size_t(v.light)].views.size());
-    result.shown_map = {MapSource(v.map_source), v.light, std::clamp(v.face, 0, faces - 1), 0, {}};
+    result.shown_map = {MapSource(v.map_source), v.light, std::clamp(v.face, 0, faces - 1)};
     if (const int channel = shown_channel(f.settings); channel > 0) {
         result.shown_map.channel = channel;
         result.shown_map.name = filter_of(f.settings).moments.names[std::size_t(channel - 1)];
+        result.shown_map.mip = f.shown_mip();
     }
     result.map_view = image_of(f.result(Result::MapView));
     result.map_view_size = camera ? glm::ivec2(f.request.width, f.request.height) : glm::ivec2(f.map_resolution);
+    result.shown_map.texels = glm::max(result.map_view_size >> result.shown_map.mip, 1);
     result.map_view_curve = *f.shown_curve();
     const glm::vec2 greys = f.grey_range();
     result.map_black = greys.x, result.map_white = greys.y;

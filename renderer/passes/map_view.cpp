@@ -45,13 +45,14 @@ Pass channel_pass(FrameState& f, MapViewTargets& t, Key key, int layer) {
     pass.key = key.add(f.settings.view.map).add(f.settings.filter.kernel).value();
     pass.cached = &t.channel.key;
     pass.run = [&f, &t, layer](PassInfo& info) {
-        const int n = f.map_resolution;
+        const int mip = f.shown_mip(), n = std::max(f.map_resolution >> mip, 1);
         t.channel.ensure("map channel", GL_R32F, n, n);
         const gl::Framebuffer framebuffer = gl::make_framebuffer("map channel", &t.channel, nullptr);
         f.begin_fullscreen_pass(framebuffer.id(), n, n);
         const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/map_channel.frag.glsl");
         glUseProgram(id);
         glUniform1i(glGetUniformLocation(id, "layer"), layer);
+        glUniform1i(glGetUniformLocation(id, "mip"), mip);
         glUniform1i(glGetUniformLocation(id, "channel"), shown_channel(f.settings) - 1);
         glUniform1i(glGetUniformLocation(id, "as_share"), f.settings.view.map != int(MapView::Raw));
         FrameState::draw_fullscreen(info);
@@ -92,6 +93,10 @@ const DepthCurve* FrameState::shown_curve() const {
     if (settings.view.map_source == int(MapSource::Camera)) return &camera.curve;
     const LightView* view = shown_view();
     return view ? &view->curve : nullptr;
+}
+
+int FrameState::shown_mip() const {
+    return std::min(asked_mip(settings), gl::mip_levels(map_resolution) - 1);
 }
 
 bool FrameState::fits_greys() const {

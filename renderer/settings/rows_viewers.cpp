@@ -64,6 +64,13 @@ std::string_view channel_idle(const Settings& s, int) {
                                                               : "";
 }
 
+std::string_view mip_idle(const Settings& s, int i) {
+    if (const std::string_view reason = channel_idle(s, i); !reason.empty()) return reason;
+    if (s.view.map_channel == 0) return "without effect: view.map_channel is depth, which has no mip levels";
+    if (filter_of(s).moments.summed) return "without effect: a table of sums has no mip levels";
+    return keeps_mips(s) ? "" : "without effect: filter.mips is off";
+}
+
 std::string_view grey_idle(const Settings& s, int) {
     if (is_bands(s)) return kBandColours;
     return s.view.map_fit ? "without effect: view.map_fit is on" : "";
@@ -111,6 +118,10 @@ constexpr auto kView = std::to_array<Param>({
      .help = "What of the light's map is shown: depth, or one of the numbers that filter.kernel has prepared. Raw: the "
              "number itself, from 0 black to 1 white (fit the greys for exponentials). Linear: the depth that alone "
              "would have it.",
+     .read_by = ReadBy::MapRange | ReadBy::MapView},
+    {SI_FIELD(view.map_mip), .label = "Mip level", .unit = "", .min = 0, .max = 15, .idle = mip_idle,
+     .help = "Which mip level of the channel is shown: 0 the map's own texels, each further one has half as many "
+             "across; numbers past the coarsest mean that one. The saved floats are the level's own.",
      .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map_fit), .label = "Fit greys to what is drawn", .unit = "", SI_IDLE(is_bands(s), kBandColours),
      .help = "Black and white lie at the smallest and the largest depth that was drawn, the empty background left out, "

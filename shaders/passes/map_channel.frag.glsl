@@ -2,7 +2,7 @@
 // would have it.
 #include "lib/visibility.glsl"
 layout(location = 0) out float channel_out;
-uniform int layer, channel;
+uniform int layer, channel, mip;
 uniform bool as_share;
 
 #if MOMENTS_SUMMED
@@ -17,9 +17,9 @@ float number_at(ivec2 at) {
 #else
 float number_at(ivec2 at) {
 #if MAP_LAYERS > 1
-    return restored(texelFetch(moments_map, ivec3(at, layer), 0))[channel];
+    return restored(texelFetch(moments_map, ivec3(at, layer), mip))[channel];
 #else
-    return restored(texelFetch(moments_map, at, 0))[channel];
+    return restored(texelFetch(moments_map, at, mip))[channel];
 #endif
 }
 #endif

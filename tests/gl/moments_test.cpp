@@ -653,6 +653,52 @@ TEST(Moments, AreShownByTheMapViewer) {
     }
 }
 
+// Of a mip level each texel has the mean of the four below it, in the number itself.
+TEST(Moments, AreShownByMipLevels) {
+    const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
+    Renderer& renderer = hard_renderer();
+    const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
+    for (const Filter* row : moment_rows()) {
+        Settings s = texel_settings(row->key, 64, 1);
+        s.filter.mips = true, s.filter.moment_format = int(MomentFormat::Bits32);
+        s.view.map = int(MapView::Raw), s.view.map_channel = 1;
+        FloatImage finer;
+        for (const int level : {0, 1, 2, 3, 6}) {
+            s.view.map_mip = level;
+            const FrameResult frame = renderer.render(scene, s, maps);
+            const FloatImage numbers = renderer.read_map_view_depth(frame);
+            EXPECT_EQ(frame.map_view_size, glm::ivec2(64)) << "the picture has the map's place";
+            EXPECT_EQ(frame.shown_map.texels, glm::ivec2(numbers.width, numbers.height));
+            if (row->moments.summed) {
+                EXPECT_EQ(frame.shown_map.mip, 0);
+                EXPECT_EQ(numbers.width, 64);
+                continue;
+            }
+            ASSERT_EQ(frame.shown_map.mip, level);
+            ASSERT_EQ(numbers.width, 64 >> level) << row->key;
+            if (level > 0 && level < 6) {
+                double most = 0, least = 1e30;
+                for (int y = 0; y < numbers.height; ++y)
+                    for (int x = 0; x < numbers.width; ++x) {
+                        const double mean = 0.25 * (double(finer.at(2 * x, 2 * y)) + finer.at(2 * x + 1, 2 * y) +
+                                                    finer.at(2 * x, 2 * y + 1) + finer.at(2 * x + 1, 2 * y + 1));
+                        ASSERT_NEAR(numbers.at(x, y), mean, 1e-5 * std::abs(mean)) << row->key << " level " << level;
+                        most = std::max(most, mean), least = std::min(least, mean);
+                    }
+                EXPECT_GT(most, least * 1.05) << "all alike, so this says little";
+            }
+            finer = numbers;
+        }
+        if (row->moments.summed) continue;
+        s.view.map_mip = 15;
+        const FrameResult coarsest = renderer.render(scene, s, maps);
+        EXPECT_EQ(coarsest.shown_map.mip, 6) << "past the coarsest";
+        s.filter.mips = false;
+        EXPECT_EQ(renderer.render(scene, s, maps).shown_map.mip, 0);
+        EXPECT_EQ(idle_reason(s, *find_setting("view.map_mip")), "without effect: filter.mips is off");
+    }
+}
+
 // What is prepared is kept while only the camera moves, whatever is prepared.
 TEST(Moments, AreKeptWhileOnlyTheCameraMoves) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);

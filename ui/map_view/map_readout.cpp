@@ -20,6 +20,11 @@ std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 s
     std::string where = fmt::format("texel {}, {}", texel.x, texel.y);
     if (usage && usage->resolution() == size.x)
         where += fmt::format("   read by {} {}pixels", usage->pixels(texel), frozen ? "frozen " : "");
+    if (shown.mip > 0) {
+        texel = (2 * texel + 1) * shown.texels / (2 * size);  // the one under its middle
+        where += fmt::format("   in mip level {} texel {}, {}", shown.mip, texel.x, texel.y);
+        size = shown.texels;
+    }
     if (!values || values->width != size.x || values->height != size.y) return {where, {}};
     const double stored = values->at(texel.x, size.y - 1 - texel.y);
     if (shown.channel > 0 && linear)
