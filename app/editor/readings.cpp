@@ -89,7 +89,9 @@ bool EditorReadings::update_map(Renderer& renderer, const EditorState& state, co
         map_of_ = frame_;
         changed = true;
     }
-    if (actions.want_map_facts && facts_of_ != frame_) {
+    // Moments are no depths, of which the plots are.
+    if (result.shown_map.channel > 0) facts_.reset();
+    if (actions.want_map_facts && result.shown_map.channel == 0 && facts_of_ != frame_) {
         facts_ = MapFacts{depth_statistics(map_values_, result.map_view_curve),
                           histogram_of(map_values_, state.settings.view, result)};
         facts_of_ = frame_;

@@ -29,7 +29,7 @@ void require_map(const Settings& settings, const FrameResult& frame) {
 void write_depth(Renderer& renderer, const Settings& settings, const FrameResult& frame, const std::string& path) {
     if (lower_extension(path) == ".png") return write_png(path, renderer.read_colour(frame.map_view));
     FloatImage depth = renderer.read_map_view_depth(frame);
-    if (settings.view.map == static_cast<int>(MapView::Linear)) {
+    if (frame.shown_map.channel == 0 && settings.view.map == static_cast<int>(MapView::Linear)) {
         for (float& v : depth.data) v = float(frame.map_view_curve.distance(v));
     }
     write_pfm(path, depth);
@@ -70,7 +70,7 @@ std::vector<View> views() {
          true, 0},
         {"shadow-map", "Shadow map",
          "The depth map of view.light as view.map shows it; as floats the stored depth, or "
-         "metres when view.map is linear.",
+         "metres when view.map is linear; or the moment that view.map_channel chooses.",
          true, 0},
         {"camera-depth", "Camera depth",
          "The camera's own depth as view.map shows it; as floats the stored depth (reversed: 1 near, 0 far and where "

@@ -117,6 +117,10 @@ struct FrameContents {
 struct ShownMap {
     MapSource source = MapSource::Light;
     int light = -1, face = 0;  ///< light -1: none is shown
+    int channel = 0;           ///< 0 depth, else 1 + channel of the kernel's moments
+    std::string_view name;     ///< of that moment
+    int mip = 0;               ///< level of it
+    glm::ivec2 texels{0};      ///< across what is shown: of the level
 };
 
 struct FrameResult {

@@ -55,6 +55,8 @@ std::string_view result_name(Result result) {
             return "map coordinates";
         case Result::TexelsRead:
             return "texels read";
+        case Result::MapChannel:
+            return "map channel";
         case Result::DepthRange:
             return "depth range";
         case Result::MapView:

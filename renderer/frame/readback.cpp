@@ -96,6 +96,10 @@ FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int fa
 FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
     const ShownMap& shown = frame.shown_map;
     if (shown.light < 0) throw Error("the frame drew no map view to read from");
+    if (shown.channel > 0) {
+        const gl::Target& t = require(frame, impl_->number, impl_->resources, Result::MapChannel);
+        return read_float({t.texture.id(), t.width, t.height}, 1);
+    }
     if (shown.source == MapSource::Light) return read_shadow_map(frame, shown.light, shown.face);
     const gl::Target& t = require(frame, impl_->number, impl_->resources, Result::CameraDepth);
     FloatImage out{t.width, t.height, 1, std::vector<float>(std::size_t(t.width) * std::size_t(t.height))};

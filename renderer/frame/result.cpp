@@ -6,6 +6,7 @@
 
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/passes/pages.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 
 namespace si {
@@ -38,8 +39,14 @@ void describe_map_view(FrameState& f, FrameResult& result) {
     const bool camera = v.map_source == int(MapSource::Camera);
     const int faces = camera ? 1 : int(f.gl.fitted[std::size_t(v.light)].views.size());
     result.shown_map = {MapSource(v.map_source), v.light, std::clamp(v.face, 0, faces - 1)};
+    if (const int channel = shown_channel(f.settings); channel > 0) {
+        result.shown_map.channel = channel;
+        result.shown_map.name = filter_of(f.settings).moments.names[std::size_t(channel - 1)];
+        result.shown_map.mip = f.shown_mip();
+    }
     result.map_view = image_of(f.result(Result::MapView));
     result.map_view_size = camera ? glm::ivec2(f.request.width, f.request.height) : glm::ivec2(f.map_resolution);
+    result.shown_map.texels = glm::max(result.map_view_size >> result.shown_map.mip, 1);
     result.map_view_curve = *f.shown_curve();
     const glm::vec2 greys = f.grey_range();
     result.map_black = greys.x, result.map_white = greys.y;

@@ -30,6 +30,7 @@ enum class Result {
     Slabs,           ///< a pane's picture with texels as slabs in it
     MapCoordinates,  ///< where in the map each pixel's kernel is centred
     TexelsRead,      ///< which texels of the map some kernel fetches
+    MapChannel,      ///< one of the moments of the map that the viewer shows
     DepthRange,      ///< smallest and largest depth of what the map viewer shows
     MapView,         ///< the map viewer's picture
 };

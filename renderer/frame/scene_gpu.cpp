@@ -193,7 +193,7 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
             continue;
         }
         auto texture = gl::Texture::create(t.name.empty() ? "texture" : t.name, GLenum(GL_TEXTURE_2D));
-        const int levels = t.mipmaps ? int(std::floor(std::log2(std::max(t.width, t.height)))) + 1 : 1;
+        const int levels = t.mipmaps ? gl::mip_levels(std::max(t.width, t.height)) : 1;
         glTextureStorage2D(texture.id(), levels, t.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, t.width, t.height);
         glTextureSubImage2D(texture.id(), 0, 0, 0, t.width, t.height, GL_RGBA, GL_UNSIGNED_BYTE, t.rgba.data());
         if (levels > 1) glGenerateTextureMipmap(texture.id());

@@ -109,6 +109,8 @@ struct FrameState {
     const LightView* shown_view(int* layer = nullptr) const;
     /// The depth curve of what the map viewer shows, or null when there is nothing to show.
     const DepthCurve* shown_curve() const;
+    /// The mip level of the moment that the map viewer shows.
+    int shown_mip() const;
     /// Whether the map viewer's greys follow what is drawn (view.map_fit), and which greys it uses.
     bool fits_greys() const;
     glm::vec2 grey_range() const;

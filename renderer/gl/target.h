@@ -1,12 +1,18 @@
 // Textures one can draw into.
 #pragma once
 
+#include <bit>
 #include <span>
 #include <string>
 
 #include "renderer/gl/handle.h"
 
 namespace si::gl {
+
+/// How many mip levels a texture of so many texels across has, down to a single texel.
+constexpr int mip_levels(int texels) {
+    return std::bit_width(unsigned(texels));
+}
 
 /// What else a target's texture may have.
 struct TargetExtent {

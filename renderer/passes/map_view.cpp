@@ -3,12 +3,13 @@
 
 #include "renderer/frame/state.h"
 #include "renderer/inspect/depth_histogram.h"
+#include "renderer/settings/filters.h"
 
 namespace si {
 namespace {
 
 struct MapViewTargets {
-    gl::Target picture, range;
+    gl::Target picture, range, channel;
     glm::vec2 drawn{0, 1};  ///< smallest and largest drawn depth, as `range` has them
 };
 
@@ -19,14 +20,44 @@ constexpr int kBlocks = 64;  ///< per axis, of which the GPU finds the range
 GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
     const bool camera = f.settings.view.map_source == int(MapSource::Camera);
     std::vector<gl::Define> extra;
+    const int channel = shown_channel(f.settings);
     if (camera) extra.push_back({"FROM_CAMERA", "1"});
+    if (channel > 0) extra.push_back({"FROM_CHANNEL", "1"});
     const GLuint id = f.program("passes/fullscreen.vert.glsl", fragment, std::move(extra));
     glUseProgram(id);
     if (!camera) glUniform1i(glGetUniformLocation(id, "layer"), layer);
     const DepthCurve& curve = *f.shown_curve();
     glUniform4f(glGetUniformLocation(id, "curve"), float(curve.near), float(curve.far), curve.perspective ? 1.f : 0.f,
-                curve.convention.reversed ? 1.f : 0.f);
+                curve.convention.reversed && channel == 0 ? 1.f : 0.f);
     return id;
+}
+
+/// One moment of the map shown as a number a texel, or the share of the range that alone would have it.
+Pass channel_pass(FrameState& f, MapViewTargets& t, Key key, int layer) {
+    f.plan.place(Result::MapChannel, {&t.channel, shared::UNIT_MAP_CHANNEL, nullptr});
+    Pass pass;
+    pass.name = "map channel";
+    pass.category = PassCategory::Tool;
+    pass.reads = {Result::Moments};
+    pass.writes = {Result::MapChannel};
+    pass.idle_reason = "the map viewer is closed";
+    if (shown_channel(f.settings) == 0) pass.unneeded = "view.map_channel asks for depth";
+    pass.key = key.add(f.settings.view.map).add(f.settings.filter.kernel).value();
+    pass.cached = &t.channel.key;
+    pass.run = [&f, &t, layer](PassInfo& info) {
+        const int mip = f.shown_mip(), n = std::max(f.map_resolution >> mip, 1);
+        t.channel.ensure("map channel", GL_R32F, n, n);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("map channel", &t.channel, nullptr);
+        f.begin_fullscreen_pass(framebuffer.id(), n, n);
+        const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/map_channel.frag.glsl");
+        glUseProgram(id);
+        glUniform1i(glGetUniformLocation(id, "layer"), layer);
+        glUniform1i(glGetUniformLocation(id, "mip"), mip);
+        glUniform1i(glGetUniformLocation(id, "channel"), shown_channel(f.settings) - 1);
+        glUniform1i(glGetUniformLocation(id, "as_share"), f.settings.view.map != int(MapView::Raw));
+        FrameState::draw_fullscreen(info);
+    };
+    return pass;
 }
 
 Pass range_pass(FrameState& f, MapViewTargets& t, const Key& shown, int layer) {
@@ -64,6 +95,10 @@ const DepthCurve* FrameState::shown_curve() const {
     return view ? &view->curve : nullptr;
 }
 
+int FrameState::shown_mip() const {
+    return std::min(asked_mip(settings), gl::mip_levels(map_resolution) - 1);
+}
+
 bool FrameState::fits_greys() const {
     return settings.view.map_fit && settings.view.map != int(MapView::Bands) && shown_curve();
 }
@@ -74,6 +109,7 @@ glm::vec2 FrameState::grey_range() const {
     const auto view = MapView(settings.view.map);
     double lo = shown_depth(drawn.x, *shown_curve(), view), hi = shown_depth(drawn.y, *shown_curve(), view);
     if (lo > hi) std::swap(lo, hi);
+    if (shown_channel(settings) > 0) lo = drawn.x, hi = drawn.y;
     const double least = 1e-6;  // one depth alone is shown in the middle of the greys
     if (hi - lo < least) lo = 0.5 * (lo + hi - least), hi = lo + least;
     return {lo, hi};
@@ -89,7 +125,8 @@ void add_map_view_passes(FrameState& f) {
     Pass pass;
     pass.name = "map viewer";
     pass.category = PassCategory::Tool;
-    pass.reads = {camera ? Result::CameraDepth : Result::ShadowMaps};
+    const bool channel = shown_channel(f.settings) > 0;
+    pass.reads = {camera ? Result::CameraDepth : channel ? Result::MapChannel : Result::ShadowMaps};
     pass.writes = {Result::MapView};
     pass.idle_reason = "the map viewer is closed";
     if (!camera && !view) {
@@ -100,6 +137,7 @@ void add_map_view_passes(FrameState& f) {
     }
     Key shown;
     shown.add(camera ? -1 : layer).add(f.gl.programs.source().generation());
+    if (!camera) f.plan.add(channel_pass(f, t, f.with_settings(shown, ReadBy::MapRange), layer));
     Pass range = range_pass(f, t, f.with_settings(shown, ReadBy::MapRange), layer);
     range.reads = pass.reads;
     range.idle_reason = pass.idle_reason;

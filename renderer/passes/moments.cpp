@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "renderer/frame/driver.h"
@@ -146,7 +145,7 @@ std::string description(const FrameState& f) {
     std::string out = row.moments.summed ? fmt::format("; sums of {}", names)
                                          : fmt::format("; means of {} over {} x {} texels", names, width, width);
     if (LayerMaker::sampled(f)) out += fmt::format(", {} samples each", f.settings.map.samples);
-    if (f.settings.filter.mips && !row.moments.summed) out += ", with mip levels";
+    if (keeps_mips(f.settings)) out += ", with mip levels";
     const PrefilterBytes bytes = prefilter_bytes(f.settings);
     return out + fmt::format("; {:.3g} bytes a texel", bytes.kept);
 }
@@ -178,10 +177,10 @@ void add_moments_pass(FrameState& f) {
     f.plan.place(Result::Moments, {&t.moments, shared::UNIT_MOMENTS, summed ? nullptr : &f.gl.map_blended});
     pass.key = f.with_settings(Key().add(filter_of(f.settings).key), ReadBy::Moments).value();
     pass.cached = &t.moments.key;
-    pass.run = [&f, &t, summed](PassInfo& info) {
+    pass.run = [&f, &t](PassInfo& info) {
         const int n = f.map_resolution;
-        const bool mips = f.settings.filter.mips && !summed;
-        const int levels = mips ? int(std::bit_width(unsigned(n))) : 1;
+        const bool mips = keeps_mips(f.settings);
+        const int levels = mips ? gl::mip_levels(n) : 1;
         t.moments.ensure("moments", stored_format(f), n, n, f.map_layers(), {.levels = levels});
         if (!LayerMaker::sampled(f)) t.samples = {};
         LayerMaker maker(f, t, info);

@@ -437,7 +437,7 @@ PrefilterBytes prefilter_bytes(const Settings& settings) {
     if (row.samples != Samples::Moments) return {};
     const double channels = double(row.moments.names.size());
     const bool wide = row.moments.summed || settings.filter.moment_format == int(MomentFormat::Bits32);
-    const double levels = settings.filter.mips && !row.moments.summed ? 4 / 3.0 : 1;
+    const double levels = keeps_mips(settings) ? 4 / 3.0 : 1;
     PrefilterBytes bytes{channels * (wide ? 4 : 2) * levels, 0};
     if (row.moments.summed)
         bytes.scratch = 2 * 4 * channels;
@@ -447,6 +447,21 @@ PrefilterBytes prefilter_bytes(const Settings& settings) {
         bytes.scratch +=
             4 * settings.map.samples + (settings.filter.blur > 0 && !row.moments.summed ? 4 * channels : 0);
     return bytes;
+}
+
+int shown_channel(const Settings& settings) {
+    const Filter& row = filter_of(settings);
+    if (row.samples != Samples::Moments || settings.view.map_source == int(MapSource::Camera)) return 0;
+    return settings.view.map_channel <= int(row.moments.names.size()) ? settings.view.map_channel : 0;
+}
+
+bool keeps_mips(const Settings& settings) {
+    const Filter& row = filter_of(settings);
+    return row.samples == Samples::Moments && settings.filter.mips && !row.moments.summed;
+}
+
+int asked_mip(const Settings& settings) {
+    return shown_channel(settings) > 0 && keeps_mips(settings) ? settings.view.map_mip : 0;
 }
 
 double safe_exponent(const Settings& settings) {

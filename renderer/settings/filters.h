@@ -107,6 +107,14 @@ struct PrefilterBytes {
 };
 PrefilterBytes prefilter_bytes(const Settings& settings);
 
+/// Which of its moments the map viewer shows, counted from 1; 0: depth, as view.map_channel asks for none that there
+/// is.
+int shown_channel(const Settings& settings);
+/// Whether mip levels of the moments are made.
+bool keeps_mips(const Settings& settings);
+/// Which mip level of the shown moment is asked for, past the coarsest too; 0 where there are none.
+int asked_mip(const Settings& settings);
+
 /// The highest of the kernel's exponents whose warped depths, and their powers that are stored, are numbers of the
 /// format: neither too large nor so small that a 32-bit float is flushed to zero. Infinite where none is stored.
 double safe_exponent(const Settings& settings);

@@ -1,4 +1,5 @@
 // Rows of what is looked at: the map viewer, the panes with their overlays, the texel slabs.
+#include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/rows.h"
 
@@ -19,6 +20,13 @@ constexpr Choice kMapViews[] = {
     {"bands", "bands",
      "Depth bands: red below view.band_low, green from there, blue above view.band_high. Most of a "
      "perspective map's depth is spent close to the near plane (the 90/10 rule)."},
+};
+constexpr Choice kMapChannels[] = {
+    {"depth", "depth", "The depth that the map stores."},
+    {"moment-1", "moment 1", "The first number that the kernel reads in place of depths."},
+    {"moment-2", "moment 2", "The second one."},
+    {"moment-3", "moment 3", "The third one."},
+    {"moment-4", "moment 4", "The fourth one."},
 };
 constexpr Choice kPanes[] = {
     {"one", "one", "The picture with view.overlay over it."},
@@ -47,6 +55,21 @@ bool is_bands(const Settings& s) {
     return s.view.map == at(MapView::Bands);
 }
 constexpr std::string_view kBandColours = "without effect: the band view has colours of its own";
+
+std::string_view channel_idle(const Settings& s, int) {
+    if (s.view.map_source == at(MapSource::Camera)) return "without effect: view.map_source is camera";
+    const Filter& row = filter_of(s);
+    if (row.samples != Samples::Moments) return "without effect: filter.kernel stores no moments";
+    return s.view.map_channel > int(row.moments.names.size()) ? "without effect: filter.kernel stores fewer moments"
+                                                              : "";
+}
+
+std::string_view mip_idle(const Settings& s, int i) {
+    if (const std::string_view reason = channel_idle(s, i); !reason.empty()) return reason;
+    if (s.view.map_channel == 0) return "without effect: view.map_channel is depth, which has no mip levels";
+    if (filter_of(s).moments.summed) return "without effect: a table of sums has no mip levels";
+    return keeps_mips(s) ? "" : "without effect: filter.mips is off";
+}
 
 std::string_view grey_idle(const Settings& s, int) {
     if (is_bands(s)) return kBandColours;
@@ -91,6 +114,15 @@ constexpr auto kView = std::to_array<Param>({
      .help = "Whose depth the map viewer shows.", .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map), .label = "Map view", .unit = "", SI_CHOICES(kMapViews),
      .help = "How the map viewer shows depth.", .read_by = ReadBy::MapView},
+    {SI_FIELD(view.map_channel), .label = "Channel", .unit = "", SI_CHOICES(kMapChannels), .idle = channel_idle,
+     .help = "What of the light's map is shown: depth, or one of the numbers that filter.kernel has prepared. Raw: the "
+             "number itself, from 0 black to 1 white (fit the greys for exponentials). Linear: the depth that alone "
+             "would have it.",
+     .read_by = ReadBy::MapRange | ReadBy::MapView},
+    {SI_FIELD(view.map_mip), .label = "Mip level", .unit = "", .min = 0, .max = 15, .idle = mip_idle,
+     .help = "Which mip level of the channel is shown: 0 the map's own texels, each further one has half as many "
+             "across; numbers past the coarsest mean that one. The saved floats are the level's own.",
+     .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map_fit), .label = "Fit greys to what is drawn", .unit = "", SI_IDLE(is_bands(s), kBandColours),
      .help = "Black and white lie at the smallest and the largest depth that was drawn, the empty background left out, "
              "instead of at view.map_black and view.map_white.",

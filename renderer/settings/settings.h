@@ -205,8 +205,10 @@ struct ShadingSettings {
 };
 
 struct ViewSettings {
-    int map_source = 0;  ///< MapSource
-    int map = 1;         ///< MapView
+    int map_source = 0;   ///< MapSource
+    int map = 1;          ///< MapView
+    int map_channel = 0;  ///< 0 depth, else 1 + channel of the kernel's moments
+    int map_mip = 0;
     bool map_fit = false;
     double map_black = 0, map_white = 1;
     double band_low = 0.9, band_high = 0.925;

@@ -1,7 +1,11 @@
-// The depth image that the map viewer shows: a layer of the shadow maps, or the camera's own depth.
+// The depth image that the map viewer shows: a layer of the shadow maps, one of its moments, or the camera's own depth.
 #include "shared/units.h"
 #ifdef FROM_CAMERA
 layout(binding = UNIT_CAMERA_DEPTH) uniform sampler2D shown_map;
+float shown_depth(ivec2 texel) { return texelFetch(shown_map, texel, 0).r; }
+ivec2 shown_size() { return textureSize(shown_map, 0); }
+#elif defined(FROM_CHANNEL)
+layout(binding = UNIT_MAP_CHANNEL) uniform sampler2D shown_map;  // one of the kernel's moments
 float shown_depth(ivec2 texel) { return texelFetch(shown_map, texel, 0).r; }
 ivec2 shown_size() { return textureSize(shown_map, 0); }
 #else

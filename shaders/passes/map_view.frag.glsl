@@ -16,8 +16,10 @@ void main() {
     float near = curve.x, far = curve.y;
     bool reversed = curve.w > 0.5;
     float value = stored;
+#ifndef FROM_CHANNEL
     if (mode == 1)  // black at the near plane, white at the far plane
         value = (metres_from_depth(stored, near, far, curve.z > 0.5, reversed) - near) / (far - near);
+#endif
     if (mode == 2) {
         // Thresholds are on standard depth, 0 near and 1 far.
         if (reversed) stored = 1.0 - stored;

@@ -22,6 +22,7 @@ const int UNIT_VOLUMES = 15;
 const int UNIT_CAMERA_DEPTH = 16;
 const int UNIT_BLURRED_ROWS = 17;  // what a blur has summed along x
 const int UNIT_MAP_SAMPLES = 18;   // of a multisampled map
+const int UNIT_MAP_CHANNEL = 19;   // what the map viewer shows in place of depth
 const int UNIT_PAGE_TABLE = 20;
 const int UNIT_BLOBS = 23;
 const int UNIT_SEEN_SURFACES = 24;  // and four after it

@@ -614,6 +614,91 @@ TEST(Moments, OfMipLevelsAreSharperWithAnisotropy) {
     EXPECT_LT(off(sharp), 0.8 * off(plain)) << "nearer to what no level blurs";
 }
 
+// The map viewer shows each moment: raw as the number itself, linear as the depth that alone would have it.
+TEST(Moments, AreShownByTheMapViewer) {
+    const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
+    Renderer& renderer = hard_renderer();
+    const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
+    for (const Filter* row : moment_rows()) {
+        Settings s = texel_settings(row->key, 64, 1);
+        s.map.reversed_z = true;
+        s.filter.exponent = 4, s.filter.negative_exponent = 3, s.filter.blur = row->moments.summed ? 0 : 2;
+        const FrameResult plain = renderer.render(scene, s, maps);
+        EXPECT_EQ(plain.shown_map.channel, 0);
+        const Shares shares(renderer.read_shadow_map(plain, 0, 0), plain.lights[0].views[0].curve);
+        for (int channel = 1; channel <= int(row->moments.names.size()); ++channel) {
+            s.view.map_channel = channel, s.view.map = int(MapView::Raw), s.filter.blur = 2;
+            const FrameResult raw = renderer.render(scene, s, maps);
+            ASSERT_EQ(raw.shown_map.channel, channel);
+            EXPECT_EQ(raw.shown_map.name, row->moments.names[std::size_t(channel - 1)]);
+            const FloatImage numbers = renderer.read_map_view_depth(raw);
+            s.view.map = int(MapView::Linear), s.filter.blur = 0;
+            const FloatImage alone = renderer.read_map_view_depth(renderer.render(scene, s, maps));
+            double sum = 0;
+            for (int x = 3; x < 61; x += 3) {
+                const int y = 30;
+                const auto of = [&](double z) { return moments_of(row->key, s.filter, z); };
+                const double number = numbers.at(x, 63 - y), z = shares.at(x, y);
+                if (!row->moments.summed) {
+                    const double wanted = shares.mean(x, y, 2, false, of)[std::size_t(channel - 1)];
+                    EXPECT_NEAR(number, wanted, 1e-3 * std::abs(wanted) + 1e-6) << row->key << " " << channel;
+                }
+                EXPECT_NEAR(alone.at(x, 63 - y), z, 1e-4) << row->key << " " << channel;
+                sum += std::abs(z - shares.at(3, y));
+            }
+            EXPECT_GT(sum, 0.1) << "all alike, so this says little";
+        }
+        s.view.map_channel = int(row->moments.names.size()) + 1;
+        if (s.view.map_channel < 5) EXPECT_EQ(renderer.render(scene, s, maps).shown_map.channel, 0);
+    }
+}
+
+// Of a mip level each texel has the mean of the four below it, in the number itself.
+TEST(Moments, AreShownByMipLevels) {
+    const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
+    Renderer& renderer = hard_renderer();
+    const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
+    for (const Filter* row : moment_rows()) {
+        Settings s = texel_settings(row->key, 64, 1);
+        s.filter.mips = true, s.filter.moment_format = int(MomentFormat::Bits32);
+        s.view.map = int(MapView::Raw), s.view.map_channel = 1;
+        FloatImage finer;
+        for (const int level : {0, 1, 2, 3, 6}) {
+            s.view.map_mip = level;
+            const FrameResult frame = renderer.render(scene, s, maps);
+            const FloatImage numbers = renderer.read_map_view_depth(frame);
+            EXPECT_EQ(frame.map_view_size, glm::ivec2(64)) << "the picture has the map's place";
+            EXPECT_EQ(frame.shown_map.texels, glm::ivec2(numbers.width, numbers.height));
+            if (row->moments.summed) {
+                EXPECT_EQ(frame.shown_map.mip, 0);
+                EXPECT_EQ(numbers.width, 64);
+                continue;
+            }
+            ASSERT_EQ(frame.shown_map.mip, level);
+            ASSERT_EQ(numbers.width, 64 >> level) << row->key;
+            if (level > 0 && level < 6) {
+                double most = 0, least = 1e30;
+                for (int y = 0; y < numbers.height; ++y)
+                    for (int x = 0; x < numbers.width; ++x) {
+                        const double mean = 0.25 * (double(finer.at(2 * x, 2 * y)) + finer.at(2 * x + 1, 2 * y) +
+                                                    finer.at(2 * x, 2 * y + 1) + finer.at(2 * x + 1, 2 * y + 1));
+                        ASSERT_NEAR(numbers.at(x, y), mean, 1e-5 * std::abs(mean)) << row->key << " level " << level;
+                        most = std::max(most, mean), least = std::min(least, mean);
+                    }
+                EXPECT_GT(most, least * 1.05) << "all alike, so this says little";
+            }
+            finer = numbers;
+        }
+        if (row->moments.summed) continue;
+        s.view.map_mip = 15;
+        const FrameResult coarsest = renderer.render(scene, s, maps);
+        EXPECT_EQ(coarsest.shown_map.mip, 6) << "past the coarsest";
+        s.filter.mips = false;
+        EXPECT_EQ(renderer.render(scene, s, maps).shown_map.mip, 0);
+        EXPECT_EQ(idle_reason(s, *find_setting("view.map_mip")), "without effect: filter.mips is off");
+    }
+}
+
 // What is prepared is kept while only the camera moves, whatever is prepared.
 TEST(Moments, AreKeptWhileOnlyTheCameraMoves) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);

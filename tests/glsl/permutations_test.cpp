@@ -213,6 +213,7 @@ std::vector<Axis> axes() {
     out.push_back({{"BLUR_COLUMNS"}, {{}, {{"map.blur_texels", "3"}}}});
     out.push_back({{"HAS_CONTACTS"}, {{}, {{"light.contact", "1"}}}});
     out.push_back({{"MOMENTS_FROM"}, {{}, {{"map.samples", "4"}}}});
+    out.push_back({{"FROM_CHANNEL"}, {{}, {{"view.map_channel", "moment-1"}}}});
     out.push_back({{"FROM_CAMERA"}, {{}, {{"view.map_source", "camera"}}}});
     out.push_back({{}, {{}, {{"caster.blend", "mask"}}}});
     out.push_back({{}, {{}, {{"view.slabs", "both"}}}});

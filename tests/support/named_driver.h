@@ -8,6 +8,9 @@ namespace si::test {
 /// The driver that this run is meant to be on (SI_TEST_DRIVER, a part of GL_RENDERER); empty when any will do.
 std::string named_driver();
 
+/// GL_RENDERER of the current context.
+std::string driver_at_hand();
+
 /// Fails the running test when the current context is not on named_driver(): a driver that does not come up, and
 /// another that takes its place, would else pass for it.
 void expect_named_driver();

@@ -141,6 +141,11 @@ TEST(MapReadout, SaysMetresStoredAndLinear) {
     EXPECT_TRUE(empty.ends_with("nothing drawn")) << empty;
     EXPECT_NEAR(std::stod(empty), 101, 1e-3);
     EXPECT_EQ(texel_readout({2, 0}, {8, 8}, &values, curve, nullptr, false).second, "") << "of another image";
+    const FloatImage level{2, 2, 1, {0.5f, 0.125f, 0.25f, 0.75f}};
+    const ShownMap mean{.light = 0, .channel = 1, .name = "mean", .mip = 1, .texels = {2, 2}};
+    const auto [place, number] = texel_readout({2, 3}, {4, 4}, &level, curve, nullptr, false, mean, false);
+    EXPECT_EQ(place, "texel 2, 3   in mip level 1 texel 1, 1");
+    EXPECT_EQ(number, "mean   0.125");
     const FloatImage coordinates{1, 1, 4, {0.6f, 0.85f, 0, 1}};
     const TexelUsage usage(coordinates, 4, 0.5, MapWrap::Border);
     EXPECT_EQ(texel_readout({2, 3}, {4, 4}, nullptr, curve, &usage, false).first, "texel 2, 3   read by 1 pixels");

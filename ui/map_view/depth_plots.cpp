@@ -99,6 +99,9 @@ void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float markers = ImGui::GetFontSize() * kMarker * 1.5f;
     const auto [lo, hi] = frame_of_plot(size, fmt::format("Texels over {}", unit), markers);
+    if (frame.result && frame.result->shown_map.channel > 0)
+        small_text({0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y)}, "of depths only: set the channel to depth",
+                   theme::kMuted, 0.5f);
     if (frame.result && frame.map_facts && hi.x > lo.x + 8 && hi.y > lo.y + 8) {
         const DepthHistogram& h = frame.map_facts->histogram;
         std::uint64_t most = 1;

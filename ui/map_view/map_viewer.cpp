@@ -81,6 +81,8 @@ void header(EditorState& state, const FrameResult* result, EditorActions& action
             flow(em * 9);
             setting_widget(s, *find_setting("view.face"), em * 9, names);
         }
+        if (filter_of(s).samples == Samples::Moments) labelled("Channel", "view.map_channel", em * 7);
+        if (shown_channel(s) > 0 && keeps_mips(s)) labelled("Mip level", "view.map_mip", em * 4);
     }
     const bool bands = s.view.map == int(MapView::Bands);
     const float end = em * 4.2f;
@@ -117,6 +119,10 @@ std::pair<std::string, std::string> title(const Settings& s, const FrameResult& 
                                   : metres_text(far_texel);
     const std::string name =
         view_name(fitted->chooser.choice, std::size_t(shown_face(s, result)), fitted->views.size());
+    if (const ShownMap& shown = result.shown_map; shown.channel > 0) {
+        format = std::string(shown.name);
+        if (shown.mip > 0) format += fmt::format("   mip level {}, {}×{}", shown.mip, shown.texels.x, shown.texels.y);
+    }
     return {fmt::format("light {}{}{}   {}×{}   {}", shown_light(s), name.empty() ? "" : " ", name, n.x, n.y, format),
             fmt::format("texel {}   {}", texel, range)};
 }
@@ -273,9 +279,10 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(marks->texture)), rect.lo, rect_end, {0, 1}, {1, 0},
                       faded(IM_COL32_WHITE, kMarksOpacity));
     list.AddRect(rect.lo, rect_end, theme::kLine);
-    if (shows_texel_numbers(rect)) {
+    const MapRect shown{rect.lo, rect.size, result.shown_map.texels};  // a mip level's texels are larger
+    if (shows_texel_numbers(shown)) {
         actions.want_map_values = true;
-        if (frame.map_values) texel_numbers(rect, *frame.map_values, origin, end);
+        if (frame.map_values) texel_numbers(shown, *frame.map_values, origin, end);
     }
     if (camera) {
         if (state.probe_pixel)
@@ -307,9 +314,11 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         if (rect.holds(texel)) {
             state.hovered_texel = texel;
             outline_texels(rect, texel, {1, 1}, IM_COL32_WHITE);
-            text = texel_readout(texel, n, frame.map_values, result.map_view_curve, shown_usage(state, frame),
-                                 state.frozen.has_value());
-            if (frame.map_values && frame.map_values->width == n.x && frame.map_values->height == n.y)
+            text =
+                texel_readout(texel, n, frame.map_values, result.map_view_curve, shown_usage(state, frame),
+                              state.frozen.has_value(), result.shown_map, state.settings.view.map != int(MapView::Raw));
+            if (result.shown_map.channel == 0 && frame.map_values && frame.map_values->width == n.x &&
+                frame.map_values->height == n.y)
                 marked_m = result.map_view_curve.distance(frame.map_values->at(texel.x, n.y - 1 - texel.y));
         }
     }

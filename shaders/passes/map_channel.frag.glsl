@@ -1,0 +1,42 @@
+// One of the numbers that the kernel reads in place of depths, for the map viewer: as it is, or as the depth that alone
+// would have it.
+#include "lib/visibility.glsl"
+layout(location = 0) out float channel_out;
+uniform int layer, channel, mip;
+uniform bool as_share;
+
+#if MOMENTS_SUMMED
+// As stored, the sum of all texels up to this one; that texel's own by the table's differences.
+float number_at(ivec2 at) {
+    ivec2 end = at + 1;
+    SUMS sum = sum_before(end, layer);
+    if (as_share)
+        sum = sum - sum_before(ivec2(at.x, end.y), layer) - sum_before(ivec2(end.x, at.y), layer) + sum_before(at, layer);
+    return vec2(sum)[channel] * SUMS_UNIT;
+}
+#else
+float number_at(ivec2 at) {
+#if MAP_LAYERS > 1
+    return restored(texelFetch(moments_map, ivec3(at, layer), mip))[channel];
+#else
+    return restored(texelFetch(moments_map, at, mip))[channel];
+#endif
+}
+#endif
+
+void main() {
+    float number = number_at(ivec2(gl_FragCoord.xy));
+    channel_out = number;
+    if (!as_share) return;
+    // Every moment rises or falls with depth: the depth that has it lies where halving the range ends.
+    bool rises = moments_of(1.0)[channel] > moments_of(0.0)[channel];
+    float lo = 0.0, hi = 1.0;
+    for (int i = 0; i < 24; ++i) {
+        float middle = 0.5 * (lo + hi);
+        if ((moments_of(middle)[channel] < number) == rises)
+            lo = middle;
+        else
+            hi = middle;
+    }
+    channel_out = 0.5 * (lo + hi);
+}
