@@ -129,6 +129,9 @@ void add_visibility_pass(FrameState& f) {
                 info.reason +=
                     fmt::format("; light {} by {} rays, traced before the frame", light, truth->traced.truth->rays);
             } else {
+                if (light < int(f.gl.fitted.size()) && f.gl.fitted[std::size_t(light)].shadowed &&
+                    lacks_light_map(f, std::size_t(light)))
+                    info.reason += fmt::format("; light {} is lit everywhere: its light map is not baked yet", light);
                 glClearTexSubImage(t.visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, &lit);
             }
             if (has_contacts(f, std::size_t(light))) {
