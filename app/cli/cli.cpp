@@ -16,6 +16,7 @@
 #include "app/editor/editor.h"
 #include "app/session/workspace.h"
 #include "renderer/base/error.h"
+#include "renderer/reference/light_map_cache.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -49,6 +50,9 @@ void add_session_options(CLI::App& command, SessionOptions& session, bool scene_
     command.add_option("--set", session.sets, "Set one setting; may be repeated, the last one wins")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    command.add_flag_callback(
+        "--no-cache", [] { light_maps().keep_in({}); },
+        "Neither read nor keep baked light maps ($XDG_CACHE_HOME/shadow-inspector, by default below ~/.cache)");
     command.footer([] { return settings_help(); });
 }
 
@@ -237,6 +241,7 @@ void start_editor(Options& o) {
         std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe.pixel, {e.width, e.height}, "--probe");
     e.session = o.session;
     if (!e.headless && !o.no_state) e.state_folder = state_folder();
+    if (o.no_state) light_maps().keep_in({});
     if (lower_extension(o.session.preset) == ".json") e.preset = o.session.preset;
     print_notes(run_editor(e));
 }
@@ -253,7 +258,7 @@ void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_option("--sweep", o.editor.sweep, "Show the sweep in this folder in the tab frontier")->type_name("DIR");
     c->add_flag("--no-state", o.no_state,
                 "Neither read nor keep layout, recent files and autosaves "
-                "($XDG_STATE_HOME/shadow-inspector, by default below ~/.local/state)");
+                "($XDG_STATE_HOME/shadow-inspector, by default below ~/.local/state); implies --no-cache");
     c->callback([&o, &run] { run = [&o] { start_editor(o); }; });
 }
 
@@ -385,6 +390,7 @@ int run_cli(int argc, const char* const* argv) {
                          [](CLI::App& c, SessionOptions& session) { add_session_options(c, session, true); });
     add_presets(app, options, run);
     add_others(app, options, run);
+    if (const auto folder = cache_folder(); !folder.empty()) light_maps().keep_in(folder / "light-maps");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

@@ -49,17 +49,22 @@ void EditorAgainst::draw_other(const Scene& scene, const EditorState& state, con
     settings.view.panes = int(Panes::One);
     const bool same = other_ && other_drawn_ == settings && other_scene_ == scene.id && other_width_ == request.width &&
                       other_height_ == request.height && other_truth_ == request.truth &&
-                      other_traced_ == request.traced && facts_->picture.texture;
+                      other_traced_ == request.traced && other_light_maps_ == request.light_maps &&
+                      facts_->picture.texture;
     if (same) return;
     if (!other_) other_ = std::make_unique<Renderer>();
-    FrameRequest wanted{
-        .width = request.width, .height = request.height, .truth = request.truth, .traced = request.traced};
+    FrameRequest wanted{.width = request.width,
+                        .height = request.height,
+                        .truth = request.truth,
+                        .traced = request.traced,
+                        .light_maps = request.light_maps};
     facts_->picture = other_->render(scene, settings, wanted).colour;
     other_drawn_ = std::move(settings);
     other_scene_ = scene.id;
     other_width_ = request.width, other_height_ = request.height;
     other_truth_ = request.truth;
     other_traced_ = request.traced;
+    other_light_maps_ = request.light_maps;
 }
 
 void EditorAgainst::find_difference(Renderer& renderer, const FrameResult& frame) {

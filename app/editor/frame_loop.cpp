@@ -61,14 +61,16 @@ bool FrameLoop::draw(const Scene& scene, const EditorActions& actions) {
     if (state_.frozen) wanted.map_camera = MapCamera{state_.frozen->camera, state_.frozen->seen_m};
     wanted.truth = truth_.picture(state_.settings.view.light);
     wanted.traced = truth_.pictures();
+    wanted.light_maps = truth_.light_maps();
     // Held against another, the picture is one pane.
     Settings settings = state_.settings;
     if (state_.against.view != AgainstView::Off) settings.view.panes = int(Panes::One);
     const bool same = drawn_ && renderer_.holds(result_) && !shaders_changed_ && wanted.width == request_.width &&
                       wanted.height == request_.height && wanted.outputs == request_.outputs &&
                       wanted.timing == request_.timing && wanted.truth == request_.truth &&
-                      wanted.traced == request_.traced && wanted.map_camera == request_.map_camera &&
-                      drawn_settings_ == settings && drawn_scene_ == scene.id;
+                      wanted.traced == request_.traced && wanted.light_maps == request_.light_maps &&
+                      wanted.map_camera == request_.map_camera && drawn_settings_ == settings &&
+                      drawn_scene_ == scene.id;
     if (same || actions.scene_width < 1) return false;
     request_ = wanted;
     drawn_settings_ = settings;

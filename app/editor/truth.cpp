@@ -10,20 +10,26 @@
 #include "app/report/report.h"
 #include "renderer/base/error.h"
 #include "renderer/reference/error_task.h"
+#include "renderer/reference/light_map_cache.h"
 
 namespace si {
 namespace {
 
 struct LightNeed : TruthNeed {
     int light = 0;
+    bool light_map = false;  ///< else it is a truth
 };
 
-/// What of truths a frame asks for: of the light that is shown, and of those whose source is ray traced.
+/// What a frame asks for of truths, of the light that is shown and of those whose source is ray traced, and of light
+/// maps.
 std::vector<LightNeed> needs_of(const FrameResult& frame, int shown_light) {
     std::vector<LightNeed> out;
     if (frame.truth.key != 0) out.push_back({frame.truth, shown_light});
     for (std::size_t i = 0; i < frame.traced.size(); ++i)
         if (frame.traced[i].key != 0) out.push_back({frame.traced[i], int(i)});
+    for (std::size_t i = 0; i < frame.light_maps.size(); ++i)
+        if (const LightMapNeed& n = frame.light_maps[i]; n.key != 0)
+            out.push_back({TruthNeed{n.key, n.met}, int(i), true});
     return out;
 }
 
@@ -48,6 +54,7 @@ nlohmann::ordered_json saved_error(const MeasuredError& measured) {
 void EditorTruth::clear() {
     job_.drop();
     pictures_.clear();
+    light_maps_.clear();
 }
 
 std::shared_ptr<const TruthPicture> EditorTruth::picture(int light) const {
@@ -61,6 +68,11 @@ bool EditorTruth::poll() {
         if (found->picture) {
             pictures_.resize(std::max(pictures_.size(), std::size_t(found->light) + 1));
             pictures_[std::size_t(found->light)] = std::move(found->picture);
+            problem_.clear(), given_up_ = 0;
+        }
+        if (found->light_map) {
+            light_maps_.resize(std::max(light_maps_.size(), std::size_t(found->light) + 1));
+            light_maps_[std::size_t(found->light)] = std::move(found->light_map);
             problem_.clear(), given_up_ = 0;
         }
         remark_ = std::move(found->remark);
@@ -81,7 +93,15 @@ void EditorTruth::start_trace(Renderer& renderer, const Scene& scene, const Sett
         std::make_shared<TruthTask>(truth_task(renderer, scene, settings, request, light, truth_options(settings)));
     doing_ = "Tracing rays", doing_key_ = task->key;
     job_.start([this, light, task = std::move(task)](const Workers& workers, const auto&) {
-        return Found{light, truth_picture(*task, cache_.trace(*task, workers)), {}};
+        return Found{light, truth_picture(*task, cache_.trace(*task, workers)), {}, nullptr};
+    });
+}
+
+void EditorTruth::start_bake(const Scene& scene, const Settings& settings, const FrameResult& frame, int light) {
+    auto task = std::make_shared<LightMapTask>(light_map_task(scene, settings, frame, light));
+    doing_ = "Baking the light map", doing_key_ = task->key;
+    job_.start([light, task = std::move(task)](const Workers& workers, const auto&) {
+        return Found{light, nullptr, {}, si::light_maps().get(*task, workers)};
     });
 }
 
@@ -114,6 +134,8 @@ bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings&
             std::any_of(needs.begin(), needs.end(), [&](const LightNeed& n) { return n.light == int(i); });
         if (!shown && !wanted) pictures_[i].reset();
     }
+    for (std::size_t i = 0; i < light_maps_.size(); ++i)
+        if (i >= frame.light_maps.size() || frame.light_maps[i].key == 0) light_maps_[i].reset();
     const auto next = std::find_if(needs.begin(), needs.end(),
                                    [&](const LightNeed& n) { return !n.met && (wishes.cancel || n.key != given_up_); });
     if (wishes.save_error) save_next_ = wishes.save_error;
@@ -131,11 +153,16 @@ bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings&
     }
     // A picture that was found just now is drawn before it is judged what is missing.
     const auto shown = picture(settings.view.light);
-    if (drawn || changed || (shown && request.truth != shown) || request.traced != pictures_) return changed;
+    if (drawn || changed || (shown && request.truth != shown) || request.traced != pictures_ ||
+        request.light_maps != light_maps_)
+        return changed;
     if (save_next_ && frame.truth.met) {
         start_save(renderer, scene, settings, request, *std::exchange(save_next_, {}));
     } else if (next != needs.end() && next->key != given_up_) {
-        start_trace(renderer, scene, settings, request, next->light);
+        if (next->light_map)
+            start_bake(scene, settings, frame, next->light);
+        else
+            start_trace(renderer, scene, settings, request, next->light);
     } else if (save_next_) {
         remark_ = "Not saved: the truth about this view is not traced";
         save_next_.reset();
@@ -150,6 +177,8 @@ TruthFacts EditorTruth::facts(const FrameResult& frame, int shown_light) const {
     const std::vector<LightNeed> needs = needs_of(frame, shown_light);
     f.wanted = !needs.empty();
     f.current = f.wanted && std::all_of(needs.begin(), needs.end(), [](const LightNeed& n) { return n.met; });
+    f.lacks_light_map =
+        std::any_of(needs.begin(), needs.end(), [](const LightNeed& n) { return n.light_map && !n.met; });
     f.problem = problem_;
     if (job_.busy()) f.doing = doing_;
     f.progress = job_.progress().value_or(0);

@@ -1,5 +1,5 @@
 // The ray-traced truth in the editor: traced in the background while something that is shown asks for it, so that
-// numbers and overlays follow bias and kernel at once.
+// numbers and overlays follow bias and kernel at once. Light maps are baked in the same way.
 #pragma once
 
 #include <memory>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/base/job.h"
+#include "renderer/reference/light_map.h"
 #include "renderer/reference/truth_picture.h"
 #include "ui/state/editor_ui.h"
 
@@ -19,6 +20,9 @@ public:
     std::shared_ptr<const TruthPicture> picture(int light) const;
     /// The same of all lights, for FrameRequest::traced.
     const std::vector<std::shared_ptr<const TruthPicture>>& pictures() const { return pictures_; }
+
+    /// What was last baked of each light, for FrameRequest::light_maps.
+    const std::vector<std::shared_ptr<const LightMap>>& light_maps() const { return light_maps_; }
 
     struct Wishes {
         bool cancel = false;                    ///< forget it until something changes
@@ -46,21 +50,24 @@ private:
         int light = 0;
         std::shared_ptr<const TruthPicture> picture;  ///< of the light; null: as it was
         std::string remark;
+        std::shared_ptr<const LightMap> light_map;  ///< of the light; null: as it was
     };
     /// Takes what the job found. Returns whether there was one.
     bool poll();
     void start_trace(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                      int light);
+    void start_bake(const Scene& scene, const Settings& settings, const FrameResult& frame, int light);
     void start_save(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                     const std::string& path);
 
     TruthCache cache_;                                           ///< used by the job while there is one
     std::vector<std::shared_ptr<const TruthPicture>> pictures_;  ///< by light; of no longer wanted ones null
-    std::uint64_t given_up_ = 0;                                 ///< key of a truth that failed or was cancelled
+    std::vector<std::shared_ptr<const LightMap>> light_maps_;    ///< the same
+    std::uint64_t given_up_ = 0;                                 ///< key of what failed or was cancelled
     std::string problem_, remark_;
     std::optional<std::string> save_next_;
     const char* doing_ = "";
-    std::uint64_t doing_key_ = 0;  ///< of the truth that the job works on
+    std::uint64_t doing_key_ = 0;  ///< of what the job works on
     Job<Found> job_;               ///< last: joined first
 };
 

@@ -123,6 +123,12 @@ Json pages_json(const PageFacts& p) {
             {"fixed_map_texels", p.fixed_map_texels}};
 }
 
+Json light_map_json(const LightMapNeed& n) {
+    return {{"baked", n.met},       {"resolution", n.resolution}, {"texels_per_metre", n.texels_per_metre},
+            {"charts", n.charts},   {"bytes", n.bytes},           {"rays", n.rays},
+            {"bake_ms", n.bake_ms}, {"from_disk", n.from_disk}};
+}
+
 Json driver_json(const DriverInfo& d) {
     Json offsets = Json::object();
     const auto formats = find_setting("map.format")->param->choices();
@@ -162,6 +168,8 @@ Json report_json(const Session& session, const std::string& view, const FrameReq
                       {"clip_from_world", matrix_json(frame.camera.clip_from_relative(glm::dvec3(0)))}};
     json["map_resolution"] = frame.map_resolution;
     if (frame.pages) json["pages"] = pages_json(*frame.pages);
+    for (const LightMapNeed& n : frame.light_maps)
+        json["light_maps"].push_back(n.key == 0 ? Json(nullptr) : light_map_json(n));
     json["fit"] = Json::array();
     for (std::size_t i = 0; i < frame.lights.size(); ++i) json["fit"].push_back(light_json(session, frame, i));
     json["passes"] = Json::array();

@@ -79,17 +79,26 @@ std::string to_text(const WorkspaceData& d) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace
-
-fs::path state_folder() {
+/// The program's folder below a base directory of XDG. @param below_home where that is by default
+fs::path own_folder(const char* variable, const char* below_home) {
     const auto absolute = [](const char* name) -> fs::path {
         const char* value = std::getenv(name);
         // The specification has relative paths ignored.
         return value && *value == '/' ? fs::path(value) : fs::path();
     };
-    if (const fs::path state = absolute("XDG_STATE_HOME"); !state.empty()) return state / "shadow-inspector";
-    if (const fs::path home = absolute("HOME"); !home.empty()) return home / ".local/state/shadow-inspector";
+    if (const fs::path base = absolute(variable); !base.empty()) return base / "shadow-inspector";
+    if (const fs::path home = absolute("HOME"); !home.empty()) return home / below_home / "shadow-inspector";
     return {};
+}
+
+}  // namespace
+
+fs::path state_folder() {
+    return own_folder("XDG_STATE_HOME", ".local/state");
+}
+
+fs::path cache_folder() {
+    return own_folder("XDG_CACHE_HOME", ".cache");
 }
 
 LockFile::LockFile(const fs::path& path, bool wait) {

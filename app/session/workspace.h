@@ -23,6 +23,9 @@ struct WorkspaceData {
 /// empty when neither is known.
 std::filesystem::path state_folder();
 
+/// $XDG_CACHE_HOME/shadow-inspector, or ~/.cache/shadow-inspector where that is not set; empty when neither is known.
+std::filesystem::path cache_folder();
+
 /// Opened and locked by this process alone (flock), until closed. Invalid when another process holds it or the file
 /// system cannot lock.
 class LockFile {

@@ -19,6 +19,7 @@
 namespace si {
 
 struct TruthPicture;  // renderer/reference/truth_picture.h
+struct LightMap;      // renderer/reference/light_map.h
 struct LiveError;     // renderer/reference/live_error.h
 namespace gl {
 struct Target;
@@ -60,6 +61,9 @@ struct FrameRequest {
     std::shared_ptr<const TruthPicture> truth;
     /// The same by light, for those whose source is ray traced; may end early, and hold none for others.
     std::vector<std::shared_ptr<const TruthPicture>> traced;
+    /// By light, for those whose source is a light map; may end early, and hold none for others. Those of another
+    /// scene, light or setting are left unused: see FrameResult::light_maps.
+    std::vector<std::shared_ptr<const LightMap>> light_maps;
 };
 
 enum class PassState { Ran, Reused, Skipped };
@@ -99,6 +103,19 @@ struct Pane {
 struct TruthNeed {
     std::uint64_t key = 0;  ///< truth_key() of this frame; 0: nothing asks for it, or there is no light
     bool met = false;       ///< FrameRequest::truth was the one
+};
+
+/// What light map a light asks for, and whether the frame had it.
+struct LightMapNeed {
+    std::uint64_t key = 0;        ///< light_map_key() of this frame; 0: the light's source is another
+    bool met = false;             ///< FrameRequest::light_maps held it
+    int resolution = 0;           ///< texels a side that it is to have
+    std::uint64_t bytes = 0;      ///< of the one used
+    double texels_per_metre = 0;  ///< of the same
+    std::size_t charts = 0;       ///< of the same
+    std::uint64_t rays = 0;       ///< that it was baked by
+    double bake_ms = 0;           ///< wall time before the frame, of reading where it was kept on disk
+    bool from_disk = false;
 };
 
 /// What of a frame lies in the renderer's images, where a later frame may take its place: see Renderer::holds().
@@ -145,6 +162,7 @@ struct FrameResult {
     bool mask_levels = false;                     ///< of the evidence's CauseContext
     TruthNeed truth;
     std::vector<TruthNeed> traced;           ///< by light, of those whose source is ray traced; empty where none is
+    std::vector<LightMapNeed> light_maps;    ///< by light, of those whose source that is; empty where none is
     std::shared_ptr<const LiveError> error;  ///< null unless asked for and truth.met
     int map_resolution = 0;
     bool map_holds_distances = false;        ///< see holds_distances()

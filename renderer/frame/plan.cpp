@@ -23,6 +23,8 @@ std::string_view result_name(Result result) {
             return "surface ids";
         case Result::Blobs:
             return "blobs";
+        case Result::LightMap:
+            return "light map";
         case Result::ShadowVolumes:
             return "shadow volumes";
         case Result::Visibility:

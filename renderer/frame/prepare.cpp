@@ -7,6 +7,7 @@
 #include "renderer/frame/driver.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
+#include "renderer/reference/light_map.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
@@ -290,6 +291,41 @@ void find_traced(FrameState& f) {
     }
 }
 
+/// What lights need whose source is a light map, and which of it the request brings.
+void find_light_maps(FrameState& f) {
+    const std::size_t count = f.gl.fitted.size();
+    f.light_map_of_light.assign(count, nullptr);
+    if (!any_source_needs(f.settings, &SourceNeeds::light_map)) return;
+    int& side = f.settings.light_map.resolution;
+    if (side > f.driver.max_texture_size) {
+        f.notes.push_back(fmt::format("light_map.resolution {} is beyond the driver's limit; {} is used", side,
+                                      f.driver.max_texture_size));
+        side = f.driver.max_texture_size;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.light_map) continue;
+        f.light_maps.resize(count);
+        LightMapNeed& need = f.light_maps[i];
+        need.key = light_map_key(f.scene, f.settings, f.gl.fitted, int(i));
+        need.resolution = side;
+        const LightMap* map = i < f.request.light_maps.size() ? f.request.light_maps[i].get() : nullptr;
+        need.met = map && map->key == need.key;
+        if (!need.met) {
+            f.notes.push_back(
+                fmt::format("light {} has no shadow yet: its source is {}, and none was baked for this scene, pose and "
+                            "light",
+                            i, source_of(f.settings, int(i)).key));
+            continue;
+        }
+        f.light_map_of_light[i] = map;
+        f.lights_key.add(map->version);
+        need.bytes = map->texels.size(), need.rays = map->rays;
+        need.texels_per_metre = map->layout->texels_per_metre, need.charts = map->layout->charts.size();
+        need.bake_ms = map->bake_ms, need.from_disk = map->from_disk;
+        if (!map->remark.empty()) f.notes.push_back(map->remark);
+    }
+}
+
 /// Which panes there are and what they need.
 void arrange_panes(FrameState& f) {
     const ViewSettings& v = f.settings.view;
@@ -458,6 +494,7 @@ FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, 
     f.lights_key.add(draws_pages(f.settings)).add(page_texels(f.settings));
     add_shader_settings(f.lights_key, f.settings);
     find_traced(f);
+    find_light_maps(f);
     arrange_panes(f);
     choose_kernel(f);
     return f;

@@ -91,6 +91,7 @@ void plan_frame(FrameState& f) {
     add_shadow_volume_passes(f);
     if (!f.paged) add_seen_surfaces_pass(f);
     add_blob_pass(f);
+    add_light_map_pass(f);
     add_visibility_pass(f);
     add_unfiltered_map_pass(f);
     add_truth_passes(f);

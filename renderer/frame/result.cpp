@@ -87,6 +87,7 @@ void describe_frame(FrameState& f, FrameResult& result) {
     }
     result.truth = f.truth;
     result.traced = f.traced;
+    result.light_maps = f.light_maps;
     result.camera = f.camera;
     result.lights = f.gl.fitted;
     result.notes = std::move(f.notes);

@@ -14,6 +14,7 @@ enum class Result {
     CameraDepth,     ///< of the surfaces that the camera sees
     SurfaceIds,      ///< which triangle each pixel shows
     Blobs,           ///< what blobs leave of each light
+    LightMap,        ///< what rays found of lights, on all surfaces
     ShadowVolumes,   ///< where no shadow volume of a light is
     Visibility,      ///< a layer a light: 1 lit, 0 in shadow
     UnfilteredMap,   ///< the maps without polygon offset and with masks at their finest level

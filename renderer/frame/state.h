@@ -95,6 +95,9 @@ struct FrameState {
     std::vector<TruthNeed> traced;  ///< as FrameResult::traced
     /// What rays found for a light whose source is ray traced; null: its source is another, or they are not traced yet.
     std::vector<const TruthPicture*> traced_pictures;
+    std::vector<LightMapNeed> light_maps;  ///< as FrameResult::light_maps
+    /// The baked one of a light whose source it is; null: its source is another, or it is not baked yet.
+    std::vector<const LightMap*> light_map_of_light;
     std::uint64_t truth_content = 0;    ///< key of what of it is used
     Plan plan;                          ///< see plan_frame()
     bool camera_depth_renewed = false;  ///< where the request forces it: once a frame
@@ -174,6 +177,10 @@ void add_surface_ids_pass(FrameState& f);
 void add_shadow_volume_passes(FrameState& f);
 /// A soft disc below each caster, for lights whose source that is.
 void add_blob_pass(FrameState& f);
+/// Uploads what was baked, for lights whose source is a light map.
+void add_light_map_pass(FrameState& f);
+/// Binds the buffers by which shaders find a surface in it.
+void bind_light_map(const FrameState& f);
 void add_visibility_pass(FrameState& f);
 /// One light's layer of the visibility as a plain texture.
 Image visibility_image(const FrameState& f, int light);

@@ -145,7 +145,10 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
     // The blurred copy, which has no depth buffer beside it, and one map blurred along x alone as 32-bit floats.
     if (settings.map.blur_texels > 0 && casting > 0) cost.map_bytes += cost.map_texels * fetched + 4 * texels;
     const std::uint64_t pixels = std::uint64_t(frame.colour.width) * std::uint64_t(frame.colour.height);
+    std::uint64_t light_maps = 0;
+    for (const LightMapNeed& n : frame.light_maps) light_maps += n.met, cost.map_bytes += n.bytes;
     cost.bytes_touched = cost.map_bytes + casting * pixels * std::uint64_t(std::llround(cost.taps_per_pixel)) * fetched;
+    cost.bytes_touched += light_maps * pixels * 4;  // four texels of a byte
     for (const PassInfo& pass : frame.passes) {
         if (pass.state != PassState::Ran) continue;
         cost.draws += pass.draws;

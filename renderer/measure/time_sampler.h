@@ -105,8 +105,8 @@ TimeMeasurement sample_times(const TimeSampler::Limits& limits, const std::funct
 struct WorkCost {
     double taps_per_pixel = 0;     ///< texels fetched per light and lit pixel by the kernel, by gathers or a sampler
     std::uint64_t map_texels = 0;  ///< of all shadow maps
-    std::uint64_t map_bytes = 0;   ///< that they take, copies of map.blur_texels included
-    /// map_bytes, and what the kernel fetches were each pixel lit by each casting light.
+    std::uint64_t map_bytes = 0;   ///< that they take, copies of map.blur_texels included, and light maps
+    /// map_bytes, and what the kernel or the light map fetches were each pixel lit by each casting light.
     std::uint64_t bytes_touched = 0;
     std::uint64_t draws = 0, triangles = 0;  ///< of all passes that ran
 };

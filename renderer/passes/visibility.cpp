@@ -21,12 +21,26 @@ const TruthPicture* traced_picture(const FrameState& f, std::size_t light) {
     return light < f.traced_pictures.size() ? f.traced_pictures[light] : nullptr;
 }
 
+bool lacks_light_map(const FrameState& f, std::size_t light) {
+    return source_of(f.settings, int(light)).needs.light_map && !f.light_map_of_light[light];
+}
+
+/// What the source's file needs of its program besides. A light map finds surfaces by their object's number, which
+/// travels with the flags.
+std::vector<gl::Define> source_defines(const FrameState& f, std::size_t light) {
+    if (!f.light_map_of_light[light]) return {};
+    const auto own = f.light_map_of_light.begin() + std::ptrdiff_t(light);
+    const auto layer = std::count_if(f.light_map_of_light.begin(), own, [](const LightMap* m) { return m != nullptr; });
+    return {{"SURFACE_FLAGS", "1"}, {"LIGHT_MAP_LAYER", std::to_string(layer)}};
+}
+
 /// What is drawn to evaluate a light. Empty: its layer is all lit, or there already.
 std::string_view source_file(const FrameState& f, std::size_t light) {
     if (light >= f.gl.fitted.size()) return {};
     const Source& source = source_of(f.settings, int(light));
     if (source.needs.stencil && f.gl.fitted[light].shadowed && !f.gl.owned.get<ShadowVolumes>().draws(light)) return {};
-    const bool lit = !f.gl.fitted[light].shadowed || (source.file.empty() && !source.needs.truth);
+    const bool lit =
+        !f.gl.fitted[light].shadowed || (source.file.empty() && !source.needs.truth) || lacks_light_map(f, light);
     if (lit) return f.request.no_skip ? sources()[0].file : std::string_view();
     return source.file;
 }
@@ -83,7 +97,7 @@ void add_visibility_pass(FrameState& f) {
     Pass pass;
     pass.name = "visibility";
     pass.reads = lookup_reads(f);
-    pass.reads.insert(pass.reads.end(), {Result::ShadowVolumes, Result::Blobs});
+    pass.reads.insert(pass.reads.end(), {Result::ShadowVolumes, Result::Blobs, Result::LightMap});
     pass.writes = {Result::Visibility};
     pass.idle_reason = "nothing reads it: the shading pass evaluates it itself";
     Key key = f.with_settings(f.lighting_key(), ReadBy::Visibility);
@@ -103,15 +117,21 @@ void add_visibility_pass(FrameState& f) {
             const float lit = 1;
             const std::string_view file = source_file(f, std::size_t(light));
             if (!file.empty()) {
+                std::vector<gl::Define> defines = source_defines(f, std::size_t(light));
+                if (!defines.empty()) bind_light_map(f);
+                defines.push_back({"LIGHT_INDEX", std::to_string(light)});
+                defines.push_back({"SOURCE_FILE", std::string(file)});
                 CameraPass(f, "visibility", t.visibility, light)
                     .clear(glm::vec4(lit))
-                    .draw("passes/visibility.frag.glsl",
-                          {{"LIGHT_INDEX", std::to_string(light)}, {"SOURCE_FILE", std::string(file)}}, info);
+                    .draw("passes/visibility.frag.glsl", defines, info);
             } else if (const TruthPicture* truth = traced_picture(f, std::size_t(light))) {
                 put_traced_visibility(*truth, t.visibility, light);
                 info.reason +=
                     fmt::format("; light {} by {} rays, traced before the frame", light, truth->traced.truth->rays);
             } else {
+                if (light < int(f.gl.fitted.size()) && f.gl.fitted[std::size_t(light)].shadowed &&
+                    lacks_light_map(f, std::size_t(light)))
+                    info.reason += fmt::format("; light {} is lit everywhere: its light map is not baked yet", light);
                 glClearTexSubImage(t.visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, &lit);
             }
             if (f.has_contacts(std::size_t(light))) {

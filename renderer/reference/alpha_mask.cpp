@@ -57,4 +57,14 @@ bool AlphaMask::solid(std::uint32_t triangle, double u, double v) const {
     return !(alpha < cutoff_);
 }
 
+void AlphaMask::add_content(Key& key) const {
+    key.add(base_).add(cutoff_).add(uv_.size()).bytes(uv_.data(), uv_.size() * sizeof(glm::vec2));
+    key.add(vertex_alpha_.size()).bytes(vertex_alpha_.data(), vertex_alpha_.size());
+    key.add(texture_ != nullptr);
+    if (!texture_) return;
+    const AlphaTexture& t = *texture_;
+    key.add(t.width).add(t.height).add(t.wrap_s).add(t.wrap_t).add(t.nearest);
+    key.bytes(t.alpha.data(), t.alpha.size());
+}
+
 }  // namespace si

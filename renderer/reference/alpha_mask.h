@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "renderer/base/key.h"
 #include "renderer/scene/scene.h"
 
 namespace si {
@@ -29,6 +30,8 @@ public:
     AlphaMask(const Mesh& mesh, const Material& material, double cutoff, std::shared_ptr<const AlphaTexture> texture);
     /// Whether the point (1-u-v) a + u b + v c of triangle abc is solid.
     bool solid(std::uint32_t triangle, double u, double v) const;
+    /// Adds all that solid() goes by but the triangles.
+    void add_content(Key& key) const;
 
 private:
     std::vector<std::uint32_t> indices_;

@@ -88,6 +88,21 @@ UnitFrame TruthGeometry::unit_frame() const {
     return frame;
 }
 
+void TruthGeometry::add_content(Key& to) const {
+    std::map<const TruthMesh*, std::size_t> numbers;
+    to.add(objects.size()).add(bounds.lo).add(bounds.hi);
+    for (const TruthObject& o : objects) {
+        const auto [known, first] = numbers.emplace(o.mesh.get(), numbers.size());
+        to.add(known->second).add(o.world).add(o.casts);
+        if (!first) continue;
+        const TruthMesh& m = *o.mesh;
+        to.add(m.positions.size()).bytes(m.positions.data(), m.positions.size() * sizeof(m.positions[0]));
+        to.add(m.indices.size()).bytes(m.indices.data(), m.indices.size() * sizeof(m.indices[0]));
+        to.add(m.mask != nullptr);
+        if (m.mask) m.mask->add_content(to);
+    }
+}
+
 TriangleWs TruthGeometry::triangle(std::uint32_t object, std::uint32_t primitive) const {
     const TruthObject& o = objects[object];
     const std::uint32_t* i = &o.mesh->indices[3 * std::size_t(primitive)];

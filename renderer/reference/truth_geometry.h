@@ -51,6 +51,8 @@ struct TruthGeometry {
     std::size_t caster_triangles() const;
     TriangleWs triangle(std::uint32_t object, std::uint32_t primitive) const;
     UnitFrame unit_frame() const;
+    /// Adds all that rays can find of it, the same in any process.
+    void add_content(Key& key) const;
 };
 
 /// What TruthGeometry depends on: scene, the objects that cast, and what blended ones do.

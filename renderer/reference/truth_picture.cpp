@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "renderer/reference/light_map_cache.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
@@ -11,6 +12,22 @@ namespace {
 std::uint64_t next_version() {
     static std::atomic<std::uint64_t> last{0};
     return ++last;
+}
+
+/// Bakes the light maps that lights need and `request` lacks. Returns whether any needs one.
+bool bake_sources(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
+                  const Workers& workers) {
+    if (!any_source_needs(settings, &SourceNeeds::light_map)) return false;
+    FrameRequest asks = request;
+    asks.outputs = {.colour = false};
+    asks.timing = asks.force = false;
+    const FrameResult frame = renderer.render(scene, settings, asks);
+    for (std::size_t i = 0; i < frame.light_maps.size(); ++i) {
+        if (frame.light_maps[i].key == 0 || frame.light_maps[i].met) continue;
+        request.light_maps.resize(std::max(request.light_maps.size(), i + 1));
+        request.light_maps[i] = light_maps().get(light_map_task(scene, settings, frame, int(i)), workers);
+    }
+    return true;
 }
 
 }  // namespace
@@ -37,7 +54,7 @@ bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& setti
         const TruthTask task = truth_task(renderer, scene, settings, request, i, truth_options(settings));
         if (!known || known->key != task.key) known = truth_picture(task, cache.trace(task, workers));
     }
-    return any;
+    return bake_sources(renderer, scene, settings, request, workers) || any;
 }
 
 FrameResult render_with_truth(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,

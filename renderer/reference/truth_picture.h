@@ -24,7 +24,8 @@ struct TruthPicture {
 std::shared_ptr<const TruthPicture> truth_picture(const TruthTask& task, const TracedTruth& traced,
                                                   const std::optional<TruthOptions>& options = {});
 
-/// Traces what lights need whose source is ray traced, unless `request` or `cache` has it. Returns whether any does.
+/// Traces what lights need whose source is ray traced or a light map, unless `request`, `cache` or light_maps() has it.
+/// Returns whether any does.
 /// @param request keeps what was traced for the next frame @throws Cancelled, Error
 bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
                    TruthCache& cache, const Workers& workers = {});

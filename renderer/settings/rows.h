@@ -17,6 +17,7 @@ std::span<const Param> light_rows();
 std::span<const Param> volume_rows();
 std::span<const Param> contact_rows();
 std::span<const Param> blob_rows();
+std::span<const Param> light_map_rows();
 std::span<const Param> shading_rows();
 std::span<const Param> camera_rows();
 std::span<const Param> scene_rows();

@@ -192,6 +192,13 @@ struct ContactSettings {
     bool operator==(const ContactSettings&) const = default;
 };
 
+/// Of lights whose source is a light map.
+struct LightMapSettings {
+    int resolution = 1024;
+    int samples = 1;
+    bool operator==(const LightMapSettings&) const = default;
+};
+
 struct ShadingSettings {
     double ambient = 0.25;
     double diffuse = 0.75;
@@ -258,6 +265,7 @@ struct Settings {
     VolumeSettings volumes;
     ContactSettings contact;
     BlobSettings blob;
+    LightMapSettings light_map;
     ShadingSettings shading;
     ViewSettings view;
     TruthSettings truth;

@@ -58,6 +58,17 @@ constexpr Source kSourceRows[] = {
              "they are traced, the light has no shadow; on blended surfaces it never has.",
      .paper = "Appel, Some Techniques for Shading Machine Renderings of Solids, AFIPS 1968",
      .needs = {.truth = true}},
+    {.key = "light-map",
+     .label = "light map",
+     .help = "Rays are traced once, for texels that lie on all surfaces of the scene, and looked up with bilinear "
+             "filtering by whatever camera: a soft shadow at the price of a hard one. Baked on the CPU before the "
+             "frame is drawn, which is not in its time, and kept on disk; baked again when casters, light or "
+             "light_map.* change. Until then, also while an animation plays, the light has no shadow; on blended "
+             "surfaces it never has. It suits what stands still. 8 bits: visibility is off by up to 1/510 for that.",
+     .paper = "Arvo, Backward Ray Tracing, SIGGRAPH 1986 course notes; Abrash, Quake's Lighting Model, in: Graphics "
+              "Programming Black Book, 1997",
+     .needs = {.light_map = true},
+     .file = "sources/light_map.glsl"},
 };
 
 }  // namespace

@@ -17,6 +17,7 @@ struct SourceNeeds {
     bool camera_depth = false;  ///< the depth that the camera sees
     bool truth = false;         ///< FrameRequest::traced
     bool blobs = false;         ///< a blob below each caster
+    bool light_map = false;     ///< FrameRequest::light_maps
 };
 
 /// Where a light's visibility comes from: 1 lit to 0 in shadow, a layer of the visibility texture a light.

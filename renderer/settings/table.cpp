@@ -4,15 +4,15 @@
 namespace si {
 
 // A group added to Settings needs its rows in the list below: scene, map, caster, bias, filter, light_count, lights,
-// volumes, contact, blob, shading, camera, view, truth, objects.
-static_assert(rows::members<Settings>() == 15, "Settings has a member without rows: add them to params()");
+// volumes, contact, blob, light_map, shading, camera, view, truth, objects.
+static_assert(rows::members<Settings>() == 16, "Settings has a member without rows: add them to params()");
 
 std::span<const Param> params() {
     static const std::vector<Param> table = [] {
         std::vector<Param> all;
         for (const auto group :
-             {map_rows(), bias_rows(), light_rows(), volume_rows(), contact_rows(), blob_rows(), shading_rows(),
-              camera_rows(), scene_rows(), view_rows(), truth_rows(), object_rows()}) {
+             {map_rows(), bias_rows(), light_rows(), volume_rows(), contact_rows(), blob_rows(), light_map_rows(),
+              shading_rows(), camera_rows(), scene_rows(), view_rows(), truth_rows(), object_rows()}) {
             all.insert(all.end(), group.begin(), group.end());
         }
         for (Param& p : all) {

@@ -18,6 +18,7 @@ const int UNIT_MORE_TRUTH = 8;
 const int UNIT_JUDGED = 9;
 const int UNIT_UNFILTERED_MAP = 10;
 const int UNIT_MOMENTS = 14;
+const int UNIT_LIGHT_MAP = 11;
 const int UNIT_VOLUMES = 15;
 const int UNIT_CAMERA_DEPTH = 16;
 const int UNIT_BLURRED_ROWS = 17;  // what a blur has summed along x
@@ -29,6 +30,10 @@ const int UNIT_SEEN_SURFACES = 24;  // and four after it
 
 const int IMAGE_TEXELS_READ = 0;
 const int IMAGE_PAGES_WANTED = 1;
+
+const int STORAGE_LIGHT_MAP_OBJECTS = 0;
+const int STORAGE_LIGHT_MAP_TRIANGLES = 1;
+const int STORAGE_LIGHT_MAP_CHARTS = 2;
 
 const int BLOCK_FRAME = 0;
 const int BLOCK_SETTINGS = 1;

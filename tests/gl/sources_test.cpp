@@ -38,7 +38,7 @@ TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
     for (const Source& s : sources()) {
         EXPECT_FALSE(s.key.empty() || s.label.empty() || s.help.empty()) << s.key;
         EXPECT_EQ(s.paper.empty(), s.key == "none") << s.key;
-        EXPECT_FALSE(s.fused && (s.needs.stencil || s.needs.truth || s.needs.blobs))
+        EXPECT_FALSE(s.fused && (s.needs.stencil || s.needs.truth || s.needs.blobs || s.needs.light_map))
             << s.key << ": shading has neither";
     }
 }

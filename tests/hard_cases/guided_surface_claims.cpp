@@ -261,6 +261,29 @@ const Claims& guided_surface_claims() {
                                 map = Guided("blob-fails", {"light.source=map"}).error();
              EXPECT_GT(e.false_light + e.false_shadow, 5 * (map.false_light + map.false_shadow));
          }},
+        {"light-map",
+         [] {
+             const Guided g("light-map", {}, 320, 180);
+             const double mae = g.error().mae;
+             EXPECT_GT(g.grey_levels(), 80);
+             EXPECT_LT(mae, 0.004);
+             for (const char* kernel : {"pcf", "pcss", "smrt"})
+                 EXPECT_LT(mae, 0.5 * Guided("light-map", {"light.source=map", std::string("filter.kernel=") + kernel},
+                                             320, 180)
+                                          .error()
+                                          .mae)
+                     << kernel;
+             EXPECT_LT(Guided("light-map", {"camera.azimuth=200"}, 320, 180).error().mae, 0.004) << "any camera";
+         }},
+        {"light-map-coarse",
+         [] {
+             const Guided coarse("light-map-coarse", {}, 320, 180),
+                 fine("light-map-coarse", {"light_map.resolution=1024"}, 320, 180);
+             EXPECT_GT(coarse.error().mae, 4 * fine.error().mae);
+             EXPECT_GT(coarse.error().false_shadow, 10 * fine.error().false_shadow + 0.0005);
+             EXPECT_GT(coarse.wrongly_dark({"Boxes/Floor"}), 10 * fine.wrongly_dark({"Boxes/Floor"}) + 0.0005)
+                 << "fringes";
+         }},
         {"contact-shadows",
          [] {
              const Guided with("contact-shadows", {}, 320, 180),

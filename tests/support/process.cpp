@@ -55,6 +55,7 @@ ProcessResult run_program(const std::vector<std::string>& arguments, const fs::p
         ::unsetenv("DISPLAY");
         ::unsetenv("WAYLAND_DISPLAY");
         ::setenv("XDG_STATE_HOME", SI_TEST_OUTPUT_DIR "/state", 1);
+        ::setenv("XDG_CACHE_HOME", SI_TEST_OUTPUT_DIR "/cache", 1);
         ::execv(argv[0], argv.data());
         ::_exit(127);
     }

@@ -9,6 +9,7 @@
 #include "app/base/output.h"
 #include "app/editor/headless_editor.h"
 #include "renderer/reference/error_task.h"
+#include "renderer/reference/light_map_cache.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
@@ -266,6 +267,60 @@ TEST(EditorAgainst, HoldsAgainstPresetsInAllViews) {
     editor.settle();
     EXPECT_FALSE(facts()->problem.empty());
     EXPECT_EQ(facts()->picture.texture, 0u);
+}
+
+// Light maps are baked beside the frames, and one of another light is not shown.
+TEST(EditorLightMap, IsBakedInTheBackgroundAndAnewWhenTheLightMoves) {
+    HeadlessEditor editor(options({"light.source=light-map", "light_map.resolution=256", "view.frustum=false"}));
+    const auto need = [&] { return editor.model().facts().result->light_maps.at(0); };
+    editor.settle();
+    EXPECT_TRUE(need().met);
+    EXPECT_TRUE(editor.model().facts().truth->current);
+    const ByteImage first = editor.picture();
+    write_png(kOut / "editor_light_map.png", first);
+
+    EditorState& state = editor.model().state;
+    state.settings.camera.azimuth += 30;
+    editor.frame();
+    EXPECT_TRUE(need().met) << "a camera asks for nothing";
+    state.settings.camera.azimuth -= 30;
+
+    state.settings.lights[0].azimuth += 40;
+    editor.frame();
+    EXPECT_FALSE(need().met);
+    EXPECT_TRUE(editor.model().facts().truth->lacks_light_map);
+    editor.settle();
+    EXPECT_TRUE(need().met);
+    EXPECT_FALSE(editor.model().facts().truth->lacks_light_map);
+    EXPECT_NE(editor.picture().data, first.data);
+    const std::size_t baked = light_maps().counts().baked;
+    state.settings.lights[0].azimuth -= 40;
+    editor.settle();
+    EXPECT_TRUE(need().met);
+    EXPECT_EQ(light_maps().counts().baked, baked) << "the first one again";
+    expect_calm(editor);
+}
+
+TEST(EditorLightMap, CancelIsHeededUntilSomethingChanges) {
+    // More rays than can be traced before it is cancelled.
+    HeadlessEditor editor(options({"light.source=light-map", "light_map.resolution=2048", "light_map.samples=65536",
+                                   "light.size=8", "view.frustum=false"}));
+    for (int i = 0; i < 20 && !editor.model().tracing(); ++i) {
+        editor.model().finish_loading();
+        editor.frame();
+    }
+    ASSERT_TRUE(editor.model().tracing());
+    EditorActions cancel = editor.frame();
+    EXPECT_EQ(editor.model().facts().truth->doing, "Baking the light map");
+    write_png(kOut / "editor_light_map_baking.png", editor.picture());
+    cancel.cancel_truth = true;
+    editor.model().fulfil(cancel);
+    editor.settle();
+    EXPECT_EQ(editor.model().facts().truth->problem, "Cancelled");
+    EXPECT_FALSE(editor.model().facts().result->light_maps.at(0).met);
+    editor.model().state.settings.light_map = {.resolution = 128, .samples = 1};
+    editor.settle();
+    EXPECT_TRUE(editor.model().facts().result->light_maps.at(0).met);
 }
 
 }  // namespace

@@ -82,7 +82,8 @@ TEST(SettingsTable, EachRowReachesAMemberOfItsOwn) {
                   rows::members<BiasSettings>() + rows::members<FilterSettings>() + rows::members<LightSettings>() +
                   rows::members<ShadingSettings>() + rows::members<ViewSettings>() + rows::members<ObjectSettings>() +
                   rows::members<TruthSettings>() + rows::members<SceneSettings>() + rows::members<VolumeSettings>() +
-                  rows::members<ContactSettings>() + rows::members<BlobSettings>() + 1 /* light.count */);
+                  rows::members<ContactSettings>() + rows::members<BlobSettings>() + rows::members<LightMapSettings>() +
+                  1 /* light.count */);
 }
 
 TEST(SettingsTable, DefaultsLieInTheirRangesAndTakePartInNoRepair) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <optional>
+#include <tuple>
 
 #include "tests/support/process.h"
 
@@ -101,22 +102,26 @@ TEST(Workspace, NoPlaceToWriteIsARemarkAndNoMore) {
     EXPECT_TRUE(off.take_remarks().empty());
 }
 
-TEST(Workspace, TheFolderFollowsTheBaseDirectorySpecification) {
-    const auto with = [](const char* state, const char* home) {
-        const auto put = [](const char* name, const char* value) { value ? setenv(name, value, 1) : unsetenv(name); };
-        const char *old_state = std::getenv("XDG_STATE_HOME"), *old_home = std::getenv("HOME");
-        const std::optional<std::string> s = old_state ? std::optional<std::string>(old_state) : std::nullopt,
+TEST(Workspace, ItsFoldersFollowTheBaseDirectorySpecification) {
+    const auto with = [](const char* variable, const char* value, const char* home, fs::path (*folder)()) {
+        const auto put = [](const char* name, const char* to) { to ? setenv(name, to, 1) : unsetenv(name); };
+        const char *old = std::getenv(variable), *old_home = std::getenv("HOME");
+        const std::optional<std::string> o = old ? std::optional<std::string>(old) : std::nullopt,
                                          h = old_home ? std::optional<std::string>(old_home) : std::nullopt;
-        put("XDG_STATE_HOME", state), put("HOME", home);
-        const fs::path folder = state_folder();
-        put("XDG_STATE_HOME", s ? s->c_str() : nullptr), put("HOME", h ? h->c_str() : nullptr);
-        return folder;
+        put(variable, value), put("HOME", home);
+        const fs::path found = folder();
+        put(variable, o ? o->c_str() : nullptr), put("HOME", h ? h->c_str() : nullptr);
+        return found;
     };
-    EXPECT_EQ(with("/s", "/h"), "/s/shadow-inspector");
-    EXPECT_EQ(with(nullptr, "/h"), "/h/.local/state/shadow-inspector");
-    EXPECT_EQ(with("", "/h"), "/h/.local/state/shadow-inspector");
-    EXPECT_EQ(with("relative", "/h"), "/h/.local/state/shadow-inspector");
-    EXPECT_EQ(with(nullptr, nullptr), fs::path());
+    for (const auto& [variable, folder, by_default] :
+         {std::tuple{"XDG_STATE_HOME", &state_folder, "/h/.local/state/shadow-inspector"},
+          {"XDG_CACHE_HOME", &cache_folder, "/h/.cache/shadow-inspector"}}) {
+        EXPECT_EQ(with(variable, "/s", "/h", folder), "/s/shadow-inspector");
+        EXPECT_EQ(with(variable, nullptr, "/h", folder), by_default);
+        EXPECT_EQ(with(variable, "", "/h", folder), by_default);
+        EXPECT_EQ(with(variable, "relative", "/h", folder), by_default);
+        EXPECT_EQ(with(variable, nullptr, nullptr, folder), fs::path());
+    }
 }
 
 }  // namespace

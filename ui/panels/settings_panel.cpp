@@ -34,6 +34,7 @@ constexpr Group kGroups[] = {
     {"volumes", "Volumes", false},
     {"contact", "Contact shadows", false},
     {"blob", "Blobs", false},
+    {"light_map", "Light maps", false},
     {"camera", "Camera", false},
     {"scene", "Scene and time", false},
     {"shading", "Shading", false},

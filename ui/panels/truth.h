@@ -11,6 +11,7 @@ namespace si {
 struct TruthFacts {
     bool current = false;                             ///< the frame shown has all that it asks for
     bool wanted = false;                              ///< something that is shown asks for it
+    bool lacks_light_map = false;                     ///< what is missing is a light map, or that too
     std::string doing;                                ///< what runs in the background: "Tracing rays"; empty: nothing
     double progress = 0;                              ///< 0..1, of that
     std::string problem;                              ///< why there is none

@@ -32,10 +32,11 @@ bool any_overlay(const FrameResult* result) {
                                  [](const Pane& p) { return p.overlay > 0 || p.lacks_truth; });
 }
 
-/// Some light's source is ray traced, and its rays are still to be traced.
+/// Some light's source is ray traced or a light map, and its rays are still to be traced.
 bool awaits_rays(const FrameResult& result) {
-    return std::any_of(result.traced.begin(), result.traced.end(),
-                       [](const TruthNeed& n) { return n.key != 0 && !n.met; });
+    const auto awaits = [](const auto& n) { return n.key != 0 && !n.met; };
+    return std::any_of(result.traced.begin(), result.traced.end(), awaits) ||
+           std::any_of(result.light_maps.begin(), result.light_maps.end(), awaits);
 }
 
 /// A button that stays down while `on`; returns whether it was pressed.

@@ -1,0 +1,111 @@
+// Baked light maps on the GPU: an atlas with a layer a light, and where in it each triangle lies.
+#include "renderer/reference/light_map.h"
+
+#include <fmt/format.h>
+
+#include "renderer/settings/sources.h"
+
+namespace si {
+namespace {
+
+struct LightMapTargets {
+    gl::Target atlas;  ///< R8, a layer for each light that has one
+    gl::Sampler bilinear;
+    gl::Buffer objects, triangles, charts;  ///< as sources/light_map.glsl reads them
+};
+
+/// std430, see sources/light_map.glsl.
+struct ChartRow {
+    glm::vec4 u, v, reach;
+};
+
+template <typename T>
+gl::Buffer buffer_of(std::string_view label, const std::vector<T>& data) {
+    gl::Buffer buffer = gl::Buffer::create(label);
+    // OpenGL knows no empty buffers.
+    glNamedBufferData(buffer.id(), GLsizeiptr(std::max<std::size_t>(data.size(), 1) * sizeof(T)),
+                      data.empty() ? nullptr : data.data(), GL_STATIC_DRAW);
+    return buffer;
+}
+
+/// The first 16 bytes are the way from the frame's origin, which bind_light_map() fills in.
+void upload_layout(LightMapTargets& t, const LightMapLayout& layout) {
+    std::vector<glm::uvec2> objects(2);
+    for (const auto& part : layout.objects) objects.emplace_back(part.first, part.count);
+    t.objects = buffer_of("objects of the light map", objects);
+    t.triangles = buffer_of("charts of the light map's triangles", layout.chart_of);
+    std::vector<ChartRow> charts;
+    charts.reserve(layout.charts.size());
+    for (const LightMapChart& c : layout.charts) {
+        const double n = layout.texels_per_metre;
+        // No look-up reaches over the middles of the outermost texels.
+        const glm::vec4 reach(c.rect.x + 0.5, c.rect.y + 0.5, c.rect.x + c.rect.z - 0.5, c.rect.y + c.rect.w - 0.5);
+        charts.push_back({glm::vec4(glm::vec3(c.u * n), c.at.x), glm::vec4(glm::vec3(c.v * n), c.at.y), reach});
+    }
+    t.charts = buffer_of("charts of the light map", charts);
+}
+
+std::string described(const LightMap& map) {
+    const LightMapLayout& l = *map.layout;
+    const std::string made = map.from_disk
+                                 ? fmt::format("read from disk in {:.0f} ms", map.bake_ms)
+                                 : fmt::format("baked before the frame by {} rays in {:.0f} ms", map.rays, map.bake_ms);
+    return fmt::format("{}² texels of a byte, {:.3g} a metre, {} charts; {}", l.side, l.texels_per_metre,
+                       l.charts.size(), made);
+}
+
+}  // namespace
+
+void add_light_map_pass(FrameState& f) {
+    std::vector<const LightMap*> maps;
+    for (const LightMap* map : f.light_map_of_light)
+        if (map) maps.push_back(map);
+    if (maps.empty()) {
+        f.plan.release([&f] { f.gl.owned.drop<LightMapTargets>(); });
+        return;
+    }
+    LightMapTargets& t = f.gl.owned.get<LightMapTargets>();
+    if (!t.bilinear) {
+        t.bilinear = gl::Sampler::create("light map");
+        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+            glSamplerParameteri(t.bilinear.id(), filter, GL_LINEAR);
+        for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+            glSamplerParameteri(t.bilinear.id(), side, GL_CLAMP_TO_EDGE);
+    }
+    f.plan.place(Result::LightMap, {&t.atlas, shared::UNIT_LIGHT_MAP, &t.bilinear});
+    Pass pass;
+    pass.name = "light map";
+    pass.category = PassCategory::Maps;
+    pass.writes = {Result::LightMap};
+    pass.idle_reason = "nothing reads visibility";
+    Key key;
+    for (const LightMap* map : maps) key.add(map->version);
+    pass.key = key.value();
+    pass.cached = &t.atlas.key;
+    pass.run = [&t, maps](PassInfo& info) {
+        const LightMapLayout& layout = *maps[0]->layout;
+        t.atlas.ensure("light map", GL_R8, layout.side, layout.side, int(maps.size()));
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        for (std::size_t i = 0; i < maps.size(); ++i) {
+            glTextureSubImage3D(t.atlas.texture.id(), 0, 0, 0, GLint(i), layout.side, layout.side, 1, GL_RED,
+                                GL_UNSIGNED_BYTE, maps[i]->texels.data());
+            info.reason += fmt::format("; {}", described(*maps[i]));
+        }
+        upload_layout(t, layout);
+    };
+    f.plan.add(std::move(pass));
+}
+
+void bind_light_map(const FrameState& f) {
+    const LightMapTargets& t = f.gl.owned.get<LightMapTargets>();
+    glm::dvec3 centre(0);
+    for (const LightMap* map : f.light_map_of_light)
+        if (map) centre = map->layout->centre;
+    const glm::vec4 from_origin(glm::vec3(f.origin - centre), 0);
+    glNamedBufferSubData(t.objects.id(), 0, sizeof from_origin, &from_origin);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shared::STORAGE_LIGHT_MAP_OBJECTS, t.objects.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shared::STORAGE_LIGHT_MAP_TRIANGLES, t.triangles.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shared::STORAGE_LIGHT_MAP_CHARTS, t.charts.id());
+}
+
+}  // namespace si

@@ -1,0 +1,239 @@
+#include "renderer/reference/light_map_cache.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <optional>
+#include <utility>
+
+#include "renderer/base/atomic_file.h"
+#include "renderer/base/key.h"
+#include "renderer/reference/ray_scenes.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kMagic = "shadow-inspector light map\n";
+constexpr std::uint32_t kVersion = 1;  ///< of the file
+constexpr std::string_view kExtension = ".lightmap";
+
+/// What stands before the texels, after kMagic; all in the machine's order of bytes, which the version tells.
+struct Header {
+    std::uint32_t version = kVersion;
+    std::int32_t side = 0;
+    std::uint64_t content = 0, layout = 0, rays = 0;
+    std::uint64_t texels_key = 0;  ///< of the bytes that follow
+};
+static_assert(sizeof(Header) == 40);
+
+std::uint64_t key_of(const LightMapLayout& layout) {
+    Key key;
+    key.add(layout.side).add(layout.texels_per_metre).add(layout.charts.size());
+    for (const LightMapChart& c : layout.charts) key.add(c.u).add(c.v).add(c.at).add(c.rect);
+    key.bytes(layout.chart_of.data(), layout.chart_of.size() * sizeof(layout.chart_of[0]));
+    return key.value();
+}
+
+std::uint64_t key_of(const std::vector<std::uint8_t>& texels) {
+    return Key().bytes(texels.data(), texels.size()).value();
+}
+
+fs::path file_of(const fs::path& folder, std::uint64_t content) {
+    return folder / fmt::format("{:016x}{}", content, kExtension);
+}
+
+std::string_view bytes_of(const Header& header) {
+    return {reinterpret_cast<const char*>(&header), sizeof header};
+}
+
+/// Nothing where there is no such file, or it cannot be used: then `remark` says why.
+std::optional<LightMap> read_map(const fs::path& path, std::uint64_t content, const LightMapLayout& layout,
+                                 std::string& remark) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {};
+    const auto unusable = [&](std::string_view why) {
+        remark = fmt::format("{}: {}; the light map is baked again", path.string(), why);
+        return std::nullopt;
+    };
+    std::array<char, kMagic.size()> magic;
+    Header header;
+    file.read(magic.data(), magic.size());
+    if (!file || std::string_view(magic.data(), magic.size()) != kMagic) return unusable("no light map");
+    file.read(reinterpret_cast<char*>(&header), sizeof header);
+    if (!file) return unusable("cut short");
+    if (header.version != kVersion) return unusable("of another version of the program");
+    if (header.content != content || header.side != layout.side || header.layout != key_of(layout))
+        return unusable("of another scene, light or version of the program");
+    LightMap out;
+    out.texels.resize(std::size_t(layout.side) * std::size_t(layout.side));
+    file.read(reinterpret_cast<char*>(out.texels.data()), std::streamsize(out.texels.size()));
+    if (!file || file.peek() != std::ifstream::traits_type::eof()) return unusable("cut short, or too long");
+    if (key_of(out.texels) != header.texels_key) return unusable("damaged");
+    out.rays = header.rays;
+    out.from_disk = true;
+    // The oldest are removed first: by when they were used last.
+    std::error_code ignored;
+    fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+    return out;
+}
+
+/// Removes the oldest maps until all take `most` bytes at most, and what interrupted writes left.
+void make_room(const fs::path& folder, std::uint64_t most) {
+    struct Entry {
+        fs::file_time_type time;
+        fs::path path;
+        std::uint64_t bytes;
+    };
+    std::vector<Entry> entries;
+    std::uint64_t sum = 0;
+    std::error_code error;
+    for (const fs::directory_entry& e : fs::directory_iterator(folder, error)) {
+        std::error_code gone;
+        const auto bytes = e.file_size(gone);
+        const auto time = e.last_write_time(gone);
+        if (gone) continue;
+        if (e.path().extension() == ".tmp" && e.path().filename().string().find(kExtension) != std::string::npos &&
+            time < fs::file_time_type::clock::now() - std::chrono::hours(1))
+            fs::remove(e.path(), gone);
+        if (e.path().extension() != kExtension) continue;
+        entries.push_back({time, e.path(), bytes});
+        sum += bytes;
+    }
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.time < b.time; });
+    for (const Entry& e : entries) {
+        if (sum <= most) return;
+        std::error_code gone;
+        if (fs::remove(e.path, gone)) sum -= e.bytes;
+    }
+}
+
+/// Returns what hindered it; empty: nothing.
+std::string write_map(const fs::path& folder, std::uint64_t most_bytes, std::uint64_t content, const LightMap& map) {
+    try {
+        fs::create_directories(folder);
+        const Header header{.side = map.layout->side,
+                            .content = content,
+                            .layout = key_of(*map.layout),
+                            .rays = map.rays,
+                            .texels_key = key_of(map.texels)};
+        const std::uint64_t bytes = kMagic.size() + sizeof header + map.texels.size();
+        if (bytes > most_bytes) return {};
+        make_room(folder, most_bytes - bytes);
+        write_atomically(
+            file_of(folder, content),
+            {kMagic, bytes_of(header), {reinterpret_cast<const char*>(map.texels.data()), map.texels.size()}});
+        return {};
+    } catch (const std::exception& e) {
+        return fmt::format("the light map is not kept on disk: {}", e.what());
+    }
+}
+
+}  // namespace
+
+std::shared_ptr<const LightMap> LightMaps::find(std::uint64_t content, std::uint64_t key) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(known_.begin(), known_.end(), [&](const Known& k) { return k.content == content; });
+    if (found == known_.end()) return nullptr;
+    ++counts_.known;
+    known_.splice(known_.begin(), known_, found);
+    // The same content under another scene number: the frame that asks goes by its own key.
+    if (found->map->key != key) {
+        auto renamed = std::make_shared<LightMap>(*found->map);
+        renamed->key = key;
+        found->map = std::move(renamed);
+    }
+    return found->map;
+}
+
+std::shared_ptr<const LightMapLayout> LightMaps::layout_of(const LightMapTask& task, const Workers& workers) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (layout_ && layout_geometry_ == task.geometry->key && layout_->side == task.side) return layout_;
+    }
+    auto made = std::make_shared<const LightMapLayout>(light_map_layout(*task.geometry, task.side, workers));
+    const std::lock_guard lock(mutex_);
+    layout_geometry_ = task.geometry->key;
+    return layout_ = std::move(made);
+}
+
+std::shared_ptr<const LightMap> LightMaps::keep(std::uint64_t content, LightMap map) {
+    auto kept = std::make_shared<const LightMap>(std::move(map));
+    const std::lock_guard lock(mutex_);
+    std::erase_if(known_, [&](const Known& k) { return k.content == content; });
+    known_.push_front({content, kept});
+    std::uint64_t bytes = 0;
+    for (auto k = known_.begin(); k != known_.end();) {
+        bytes += k->map->texels.size();
+        k = bytes > kMostInMemory && k != known_.begin() ? known_.erase(k) : std::next(k);
+    }
+    return kept;
+}
+
+std::shared_ptr<const LightMap> LightMaps::get(const LightMapTask& task, const Workers& workers) {
+    const std::uint64_t content = light_map_content(task);
+    if (auto known = find(content, task.key)) return known;
+    fs::path folder;
+    std::uint64_t most_bytes = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        folder = folder_, most_bytes = most_bytes_;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const auto since_ms = [&] {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    };
+    const auto layout = layout_of(task, workers);
+    std::string remark;
+    if (!folder.empty())
+        if (auto read = read_map(file_of(folder, content), content, *layout, remark)) {
+            read->key = task.key;
+            read->version = next_light_map_version();
+            read->layout = layout;
+            read->bake_ms = since_ms();
+            const auto kept = keep(content, std::move(*read));
+            const std::lock_guard lock(mutex_);
+            ++counts_.read;
+            return kept;
+        }
+    const auto scene = ray_scenes().get(task.geometry, workers.part(0, 0.1));
+    LightMap baked = bake_light_map(task, layout, *scene, workers.part(0.1, 1));
+    baked.bake_ms = since_ms();
+    if (!folder.empty())
+        if (const std::string hindered = write_map(folder, most_bytes, content, baked); !hindered.empty())
+            remark += (remark.empty() ? "" : "; ") + hindered;
+    baked.remark = std::move(remark);
+    auto kept = keep(content, std::move(baked));
+    const std::lock_guard lock(mutex_);
+    ++counts_.baked;
+    return kept;
+}
+
+void LightMaps::keep_in(std::filesystem::path folder, std::uint64_t most_bytes) {
+    const std::lock_guard lock(mutex_);
+    folder_ = std::move(folder), most_bytes_ = most_bytes;
+}
+
+void LightMaps::forget() {
+    const std::lock_guard lock(mutex_);
+    known_.clear();
+    layout_.reset();
+}
+
+LightMaps::Counts LightMaps::counts() const {
+    const std::lock_guard lock(mutex_);
+    return counts_;
+}
+
+LightMaps& light_maps() {
+    static LightMaps maps;
+    return maps;
+}
+
+}  // namespace si

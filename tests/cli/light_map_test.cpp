@@ -1,0 +1,92 @@
+// Light maps on the command line: baked before the frame, kept on disk, told in the report.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class LightMapCommand : public testing::Test {
+protected:
+    fs::path folder_ = fresh_test_folder();
+    const fs::path cache_ = fs::path(SI_TEST_OUTPUT_DIR) / "cache/shadow-inspector/light-maps";
+    /// No run before had it.
+    const std::string azimuth_ = std::to_string(10 + ::getpid() % 100000 * 1e-3);
+
+    std::set<fs::path> kept() const {
+        std::set<fs::path> out;
+        std::error_code none;
+        for (const auto& e : fs::directory_iterator(cache_, none)) out.insert(e.path());
+        return out;
+    }
+    /// The report's facts of light 0. @param note stderr
+    Json draw(const std::vector<std::string>& more, std::string* note = nullptr) {
+        std::vector<std::string> arguments = {"render",   "boxes",
+                                              "-o",       "v.pfm",
+                                              "--view",   "visibility",
+                                              "--size",   "160x90",
+                                              "--report", "r.json",
+                                              "--set",    "light.source=light-map",
+                                              "--set",    "light.azimuth=" + azimuth_};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ProcessResult r = run_program(arguments, folder_);
+        EXPECT_EQ(r.code, 0) << r.err;
+        if (note)
+            *note = r.err;
+        else
+            EXPECT_EQ(r.err, "");
+        return r.code == 0 ? Json::parse(file_bytes(folder_ / "r.json"))["light_maps"][0] : Json();
+    }
+    std::string picture() const { return file_bytes(folder_ / "v.pfm"); }
+};
+
+TEST_F(LightMapCommand, BakesOnceAndKeepsItOnDisk) {
+    const std::set<fs::path> before = kept();
+    const Json uncached = draw({"--no-cache"});
+    EXPECT_TRUE(uncached["baked"]);
+    EXPECT_FALSE(uncached["from_disk"]);
+    EXPECT_EQ(uncached["bytes"], 1024 * 1024);
+    EXPECT_GT(uncached["rays"], 100000);
+    const std::string first = picture();
+    EXPECT_EQ(kept(), before) << "--no-cache writes nothing";
+
+    EXPECT_FALSE(draw({})["from_disk"]);
+    std::set<fs::path> added = kept();
+    for (const fs::path& p : before) added.erase(p);
+    ASSERT_EQ(added.size(), 1u);
+    EXPECT_TRUE(draw({})["from_disk"]);
+    EXPECT_EQ(picture(), first);
+    EXPECT_TRUE(draw({"--set", "camera.azimuth=80"})["from_disk"]);
+    EXPECT_FALSE(draw({"--no-cache"})["from_disk"]);
+
+    fs::resize_file(*added.begin(), 1000);
+    std::string note;
+    EXPECT_FALSE(draw({}, &note)["from_disk"]);
+    EXPECT_NE(note.find("note: "), std::string::npos) << note;
+    EXPECT_NE(note.find("cut short"), std::string::npos) << note;
+    EXPECT_EQ(picture(), first);
+    EXPECT_TRUE(draw({})["from_disk"]);
+    fs::remove(*added.begin());
+}
+
+TEST_F(LightMapCommand, RefusesWhatDoesNotFit) {
+    const ProcessResult r = run_program({"render", "stage", "-o", "x.png", "--no-cache", "--set",
+                                         "light.source=light-map", "--set", "light_map.resolution=32"},
+                                        folder_);
+    EXPECT_EQ(r.code, 1);
+    EXPECT_NE(r.err.find("light_map.resolution 32"), std::string::npos) << r.err;
+    EXPECT_NE(r.err.find("or more"), std::string::npos) << r.err;
+    EXPECT_FALSE(fs::exists(folder_ / "x.png"));
+}
+
+}  // namespace
+}  // namespace si
