@@ -18,12 +18,12 @@ struct StoredCase {
     double ratio;  ///< far / near; 0 leaves the fit
 };
 
-constexpr MapFormat kFormats[] = {MapFormat::D16,    MapFormat::D24,    MapFormat::D32F,
-                                  MapFormat::Colour, MapFormat::Linear, MapFormat::Linear16};
+constexpr MapFormat kStoredFormats[] = {MapFormat::D16,    MapFormat::D24,    MapFormat::D32F,
+                                        MapFormat::Colour, MapFormat::Linear, MapFormat::Linear16};
 
 std::vector<StoredCase> stored_cases() {
     std::vector<StoredCase> cases;
-    for (MapFormat format : kFormats)
+    for (MapFormat format : kStoredFormats)
         for (bool reversed : {false, true}) {
             cases.push_back({LightType::Directional, LightProjection::Automatic, format, reversed, 0});
             cases.push_back({LightType::Directional, LightProjection::Perspective, format, reversed, 0});
@@ -132,7 +132,7 @@ TEST(HardCase4, ReversedFloatResolvesEveryDistance) {
 TEST(HardCase4, ReversedMapsGiveTheSameShadows) {
     const Scene scene = floor_and_box();
     for (LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
-        for (MapFormat format : kFormats) {
+        for (MapFormat format : kStoredFormats) {
             Settings s = hard_settings();
             s.lights[0].type = int(type);
             s.map.format = int(format);
