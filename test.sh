@@ -23,12 +23,13 @@ stage() {
   times+=("$(minutes $((SECONDS - start)))  $name")
 }
 
-# tests BUILD LABELS [LAUNCHER]: runs the tests that have one of the labels, and keeps how long each label took.
+# tests BUILD LABELS [LAUNCHER [LEFT_OUT]]: runs the tests that have one of the labels and a name unlike LEFT_OUT, and
+# keeps how long each label took.
 tests() {
   local passed=0 seconds what again=()
   # Where a driver's threads end while leaks are looked for, the sanitizer itself may crash; what it finds, it finds again.
   if [ "$1" = asan ]; then again=(--repeat until-pass:2); fi
-  ${3:+"$3"} ctest --test-dir "$root/build/$1" -L "$2" -LE long --output-on-failure --no-tests=error "${again[@]}" -j "$jobs" |
+  ${3:+"$3"} ctest --test-dir "$root/build/$1" -L "$2" -LE long ${4:+-E "$4"} --output-on-failure --no-tests=error "${again[@]}" -j "$jobs" |
     tee "$log" || passed=1
   while read -r seconds what; do
     times+=("$(minutes "$seconds")      on one core: $what")
@@ -45,10 +46,16 @@ build_asan() {
   cmake -S "$root" --preset asan && cmake --build "$root/build/asan" --parallel "$jobs" --target test_unit test_gl
 }
 
-# All that draws, but for the editor: its panels and windows are the same on every driver.
+# All that draws, but for the editor and the commands, which are the same on every driver; that both draw each preset
+# alike is among the commands' tests.
 tests_on_zink() {
   local zink=$root/scripts/on_zink.sh
-  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|invariant|cli)$' "$zink"
+  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|invariant)$' "$zink"
+}
+
+# Without those that draw one thing hundreds of times over to compare numbers, and take a third of the time.
+tests_asan() {
+  tests asan '^(unit|gl)$' '' '(IdleTest|LeastBiasTwins|CuresTest)\.|EveryPermutationCompiles|AreTheSameInCxxAndOnTheGpu'
 }
 
 # By clang-format of Debian 12, whose version decides what is well formed.
@@ -61,7 +68,7 @@ stage "build in Release" build_release
 stage "tests" tests release .
 stage "drawing tests on zink over lavapipe" tests_on_zink
 stage "build under AddressSanitizer and UndefinedBehaviorSanitizer" build_asan
-stage "tests under AddressSanitizer and UndefinedBehaviorSanitizer" tests asan '^(unit|gl)$'
+stage "tests under AddressSanitizer and UndefinedBehaviorSanitizer" tests_asan
 
 say "== Times"
 printf '%s\n' "${times[@]}" >&2
