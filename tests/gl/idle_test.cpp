@@ -2,8 +2,7 @@
 // each setting at other values.
 #include <fmt/format.h>
 
-#include <set>
-
+#include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {
@@ -143,9 +142,8 @@ const std::vector<Sets>& busy_states() {
          {"view.overlay", "depth-difference"},
          {"view.overlay_range", "manual"},
          {"view.overlay_2", "visibility"},
-         {"view.overlay_3", "stored-depth"},
          {"view.slabs", "both"},
-         {"object.Stage/Ground.receive", "true"}},
+         {"object.Boxes/Floor.receive", "true"}},
         {{"light.cascades", "3"},
          {"filter.kernel", "pcss"},
          {"bias.kind", "receiver-plane"},
@@ -174,10 +172,21 @@ const std::vector<Sets>& busy_states() {
     return list;
 }
 
+/// Few materials, as each wants programs of its own for every setting that enters them: their making is what takes time
+/// here. The ball's normals are not those of its triangles.
+Scene boxes_and_ball() {
+    Scene scene = load_scene("boxes");
+    add_object(scene, "ball", -1, add_mesh(scene, "ball", make_sphere(0.6, 12, 8), 0), moved(1.5, 0.8, 1.5));
+    finalise(scene);
+    return scene;
+}
+
+class BusyStates : public IdleTest, public testing::WithParamInterface<std::size_t> {};
+
 // What is kept from frame to frame is never of other settings: each picture is held against the same drawn anew, right
 // after one that shares nothing with it.
-TEST_F(IdleTest, NoChangeOfASettingLeavesAStalePicture) {
-    const Scene scene = load_scene("stage");
+TEST_P(BusyStates, NoChangeOfASettingLeavesAStalePicture) {
+    const Scene scene = boxes_and_ball();
     const Settings apart = settings_for(scene, {{"map.resolution", "32"},
                                                 {"light.azimuth", "200"},
                                                 {"camera.source", "light"},
@@ -188,30 +197,33 @@ TEST_F(IdleTest, NoChangeOfASettingLeavesAStalePicture) {
         pictures(scene, apart, true);
         return pictures(scene, s, true);
     };
-    std::set<std::string_view> seen;
-    for (const Sets& sets : busy_states()) {
-        Settings s = settings_for(scene, {{"map.resolution", "64"}});
-        for (const auto& [key, value] : sets) set_setting(s, key, value);
-        const Bytes before = drawn_anew(s);
-        for (const SettingRef& ref : all_settings(s)) {
-            if (ref.light >= s.light_count) continue;
-            std::vector<Value> values = others(ref, get_value(s, ref));
-            values.resize(std::min<std::size_t>(values.size(), 1));
-            for (const Value& value : values) {
-                Settings changed = s;
-                set_value(changed, ref, value);
-                const std::string what = setting_key(ref) + " = " + value_text(*ref.param, value);
-                const Bytes now = pictures(scene, changed);
-                const bool fresh = now == drawn_anew(changed);  // not EXPECT_EQ, which would print them
-                EXPECT_TRUE(fresh) << what;
-                if (now != before) seen.insert(ref.param->key);
-                const bool back = pictures(scene, s) == before;
-                EXPECT_TRUE(back) << "back from " << what;
-            }
-        }
+    Settings s = settings_for(scene, {{"map.resolution", "64"}});
+    for (const auto& [key, value] : busy_states()[GetParam()]) set_setting(s, key, value);
+    const Bytes before = drawn_anew(s);
+    std::size_t seen = 0;
+    for (const SettingRef& ref : all_settings(s)) {
+        // Of several lights the last: what the first alone has is changed in states that have no other.
+        const bool of_light = ref.param->key.starts_with("light.X");
+        if (of_light && ref.light != s.light_count - 1) continue;
+        const std::vector<Value> values = others(ref, get_value(s, ref));
+        if (values.empty()) continue;
+        Settings changed = s;
+        set_value(changed, ref, values.front());
+        // The default would take longer than all else.
+        if (ref.param->key == "map.resolution") changed.map.resolution = 96;
+        const std::string what = setting_key(ref) + " = " + value_text(*ref.param, get_value(changed, ref));
+        const Bytes now = pictures(scene, changed);
+        const bool fresh = now == drawn_anew(changed);  // not EXPECT_EQ, which would print them
+        EXPECT_TRUE(fresh) << what;
+        seen += now != before;
+        const bool back = pictures(scene, s) == before;
+        EXPECT_TRUE(back) << "back from " << what;
     }
-    EXPECT_GT(seen.size(), 70u) << "settings whose change shows";
+    EXPECT_GT(seen, 30u) << "settings whose change shows";
 }
+
+// One by one, so that several are drawn at a time.
+INSTANTIATE_TEST_SUITE_P(Each, BusyStates, testing::Range(std::size_t(0), busy_states().size()));
 
 }  // namespace
 }  // namespace si
