@@ -21,7 +21,8 @@ std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 s
         where += fmt::format("   read by {} {}pixels", usage->pixels(texel), frozen ? "frozen " : "");
     if (!values || values->width != size.x || values->height != size.y) return {where, {}};
     const double stored = values->at(texel.x, size.y - 1 - texel.y);
-    const double z = curve.distance(stored), share = (z - curve.near) / (curve.far - curve.near);
+    const double row = (texel.y + 0.5) / size.y;
+    const double z = curve.at_row(row).distance(stored), share = (z - curve.near) / (curve.far - curve.near);
     // Nine digits tell any two 32-bit depths apart.
     const std::string depth = fmt::format("{}   stored {:.9g}   linear {:.6g}", exact_metres(z), stored, share);
     return {where, stored == curve.convention.far_depth() ? depth + "   nothing drawn" : depth};

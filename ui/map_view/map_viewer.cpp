@@ -111,10 +111,10 @@ std::pair<std::string, std::string> title(const Settings& s, const FrameResult& 
     std::string format = "?";
     if (const auto ref = find_setting("map.format")) format = ref->param->choices()[std::size_t(s.map.format)].label;
     const LightView& view = fitted->views[std::size_t(shown_face(s, result))];
-    const double near_texel = view.texel_size(curve.near, n.x), far_texel = view.texel_size(curve.far, n.x);
-    const std::string texel = curve.perspective
-                                  ? fmt::format("{} to {}", metres_text(near_texel), metres_text(far_texel))
-                                  : metres_text(far_texel);
+    const TexelSize sizes = view.texel_sizes(n.x);
+    const std::string texel = curve.perspective || view.warped()
+                                  ? fmt::format("{} to {}", metres_text(sizes.shortest), metres_text(sizes.longest))
+                                  : metres_text(sizes.longest);
     const std::string name =
         view_name(fitted->chooser.choice, std::size_t(shown_face(s, result)), fitted->views.size());
     return {fmt::format("light {}{}{}   {}×{}   {}", shown_light(s), name.empty() ? "" : " ", name, n.x, n.y, format),
@@ -310,7 +310,8 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
             text = texel_readout(texel, n, frame.map_values, result.map_view_curve, shown_usage(state, frame),
                                  state.frozen.has_value());
             if (frame.map_values && frame.map_values->width == n.x && frame.map_values->height == n.y)
-                marked_m = result.map_view_curve.distance(frame.map_values->at(texel.x, n.y - 1 - texel.y));
+                marked_m = result.map_view_curve.at_row((texel.y + 0.5) / n.y)
+                               .distance(frame.map_values->at(texel.x, n.y - 1 - texel.y));
         }
     }
     if (fitted && fitted->clipped_casters > 0) {
