@@ -66,9 +66,15 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
     const LightView& first = light.views.front();
     const double centre_m = glm::dot(first.axes[2], first.eye - session.scene.bounds.centre());
     const double at = first.curve.perspective ? std::clamp(centre_m, first.curve.near, first.curve.far) : centre_m;
-    json["projection"] = first.curve.perspective ? "perspective" : "orthographic";
+    json["projection"] = first.curve.perspective ? "perspective" : first.warped() ? "warped" : "orthographic";
     json["matrices"] = view_json(first);
-    json["texel_size_m"] = first.texel_size(at, frame.map_resolution);
+    if (first.warped()) {
+        const TexelSize sizes = first.texel_sizes(frame.map_resolution);
+        json["texel_sizes_m"] = {sizes.shortest, sizes.longest};
+        json["texel_size_m"] = first.texel_size_at(session.scene.bounds.centre(), frame.map_resolution).longest;
+    } else {
+        json["texel_size_m"] = first.texel_size(at, frame.map_resolution);
+    }
     json["texel_size_at_m"] = at;
     json["depth_range_m"] = {first.curve.near, first.curve.far};
     json["depth_zero_to_one"] = first.curve.convention.zero_to_one;
@@ -77,7 +83,7 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
         for (const LightView& view : light.views) json["faces"].push_back(view_json(view));
     for (std::size_t v = 0; light.is_cascaded() && v < light.views.size(); ++v) {
         Json cascade = view_json(light.views[v]);
-        cascade["texel_size_m"] = light.views[v].texel_size(1, frame.map_resolution);
+        cascade["texel_size_m"] = light.views[v].texel_sizes(frame.map_resolution).longest;
         cascade["depth_range_m"] = {light.views[v].curve.near, light.views[v].curve.far};
         const ViewSpan& span = light.chooser.spans[v];
         if (light.chooser.choice == ViewChoice::Interval)

@@ -7,6 +7,7 @@
 
 #include "app/base/output.h"
 #include "renderer/base/error.h"
+#include "renderer/inspect/depth_histogram.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
@@ -30,7 +31,10 @@ void write_depth(Renderer& renderer, const Settings& settings, const FrameResult
     if (lower_extension(path) == ".png") return write_png(path, renderer.read_colour(frame.map_view));
     FloatImage depth = renderer.read_map_view_depth(frame);
     if (frame.shown_map.channel == 0 && settings.view.map == static_cast<int>(MapView::Linear)) {
-        for (float& v : depth.data) v = float(frame.map_view_curve.distance(v));
+        for (std::size_t i = 0; i < depth.data.size(); ++i) {
+            const double row = row_of_image(depth, int(i / std::size_t(depth.width)));
+            depth.data[i] = float(frame.map_view_curve.at_row(row).distance(depth.data[i]));
+        }
     }
     write_pfm(path, depth);
 }

@@ -14,11 +14,10 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// The largest coordinate that shaders of this pixel compute with, in metres: across the map, or from what the picture
 /// and the map count positions from.
-double extent_m(const FittedLight& light, const LightView& view, const LightReceiver& r, int resolution,
-                const SurfacePoint& p) {
+double extent_m(const FittedLight& light, const LightReceiver& r, int resolution, const SurfacePoint& p) {
     const glm::dvec3 farthest =
         glm::max(glm::abs(p.position_ws - p.origin_ws), glm::abs(p.position_ws - light.map_origin));
-    const double half_map = 0.5 * view.texel_size(view.curve.perspective ? r.clip.w : 1.0, resolution) * resolution;
+    const double half_map = 0.5 * r.texel_m * resolution;
     return std::max({half_map, farthest.x, farthest.y, farthest.z});
 }
 
@@ -47,8 +46,8 @@ BiasAccount bias_account(const FittedLight& light, const Settings& settings, int
     const LightView& view = light.views[r.view];
     a.plane = receiver_plane(view, p.position_ws, p.geometric);
     a.theta_rad = std::acos(std::clamp(r.n_dot_l, -1.0, 1.0));
-    a.curve = view.curve;
-    BiasInput b{.curve = view.curve,
+    a.curve = r.curve;
+    BiasInput b{.curve = a.curve,
                 .texel_m = r.texel_m,
                 .n_dot_l = glm::dot(p.bias_normal, r.to_light),
                 .z = r.tap_m,
@@ -56,19 +55,19 @@ BiasAccount bias_account(const FittedLight& light, const Settings& settings, int
                 .per_texel = a.plane.gradient / double(resolution),
                 .quantum = depth_quantum(MapFormat(settings.map.format), view.curve, r.uvd.z)};
     const double kappa = reach_under(settings, light, resolution).bias;
-    const double extent = extent_m(light, view, r, resolution, p);
+    const double extent = extent_m(light, r, resolution, p);
     a.least = least_bias(a.plane.gradient, kappa, resolution, b.quantum, driver.subpixel_bits,
                          rounding_bias(view, p.position_ws, extent));
     a.per_texel = compares_per_texel(settings);
     if (a.per_texel) {
-        a.most_moved = bias.plane_clamp > 0 ? bias.plane_clamp * r.texel_m * view.curve.slope(r.own_m) : kNoLimit;
+        a.most_moved = bias.plane_clamp > 0 ? bias.plane_clamp * r.texel_m * a.curve.slope(r.own_m) : kNoLimit;
         a.least.kernel = a.least.kernel > a.most_moved ? a.least.kernel - a.most_moved : 0;
-        a.least.rounding += placing_bias(a.plane.gradient, extent, r.texel_m * resolution);
+        a.least.rounding += placing_bias(view, p.position_ws, a.plane.gradient, extent, resolution);
         b.rest = a.least.rest();
     }
     b.least = a.least.total();
     r.bias_depth = row.amount(bias, b);
-    r.bias_m = view.curve.metres_nearer(r.tap_m, r.bias_depth);
+    r.bias_m = a.curve.metres_nearer(r.tap_m, r.bias_depth);
     const double away = view.curve.convention.reversed ? -1 : 1;
     r.compared = r.tap.z - away * r.bias_depth;
     BiasSettings level = bias;

@@ -23,10 +23,11 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     const double w = r.clip.w;
     r.ndc = glm::dvec3(r.clip) / w;
     r.uvd = to_unit(r.ndc);
-    r.texel_m = view.texel_size(view.curve.perspective ? w : 1.0, resolution);
-    r.own_m = view.curve.distance(r.uvd.z);
+    r.texel_m = view.texel_size_at(position_ws, resolution).longest;
+    r.curve = view.curve_through(position_ws);
+    r.own_m = r.curve.distance(r.uvd.z);
     r.axis_per_ray = std::max(glm::dot(r.to_light, view.axes[2]), 1e-6);
-    r.normal_offset_m = bias_at(BiasStage::LookUp).amount(bias, {.curve = view.curve, .texel_m = r.texel_m});
+    r.normal_offset_m = bias_at(BiasStage::LookUp).amount(bias, {.curve = r.curve, .texel_m = r.texel_m});
     const glm::dvec4 moved =
         view.clip_from_relative(position_ws + bias_normal * r.normal_offset_m) * glm::dvec4(0, 0, 0, 1);
     r.tap = to_unit(glm::dvec3(moved) / moved.w);
@@ -37,12 +38,12 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     const bool sides = r.uvd.x < 0 || r.uvd.x > 1 || r.uvd.y < 0 || r.uvd.y > 1;
     const double rim = 1.0 / resolution;
     const bool shadowless = light.closed && (r.uvd.x < rim || r.uvd.x > 1 - rim || r.uvd.y < rim || r.uvd.y > 1 - rim);
-    r.place = w <= 0                      ? MapPlace::Behind
-              : shadowless                ? MapPlace::BeyondShadows
-              : beyond                    ? MapPlace::BeyondFar
-              : sides                     ? MapPlace::Sides
-              : r.own_m < view.curve.near ? MapPlace::BeforeNear
-                                          : MapPlace::Inside;
+    r.place = w <= 0                   ? MapPlace::Behind
+              : shadowless             ? MapPlace::BeyondShadows
+              : beyond                 ? MapPlace::BeyondFar
+              : sides                  ? MapPlace::Sides
+              : r.own_m < r.curve.near ? MapPlace::BeforeNear
+                                       : MapPlace::Inside;
     return r;
 }
 

@@ -26,7 +26,8 @@ struct LightReceiver {
     glm::dvec3 uvd{0};        ///< map coordinates and depth in [0,1], before any bias
     glm::dvec3 to_light{0};   ///< unit
     double n_dot_l = 0;       ///< of the geometric normal
-    double texel_m = 0;       ///< world size of a texel here
+    double texel_m = 0;       ///< world size of a texel here, along its longest direction
+    DepthCurve curve;         ///< depths along the light's ray through the point
     double own_m = 0;         ///< metres along the view's axis
     double axis_per_ray = 1;  ///< cosine between the ray to the light and the view's axis, at least 1e-6
     double bias_depth = 0;    ///< of bias.kind, depth-buffer units, >= 0 brings the compared depth nearer to the light

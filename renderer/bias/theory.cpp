@@ -64,11 +64,16 @@ LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolu
 
 double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m) {
     const double z = glm::dot(view.eye - point_ws, view.axes[2]);
-    return 4 * 0x1p-23 * std::max(extent_m * view.curve.slope(z), view.curve.depth(z));
+    const DepthCurve curve = view.curve_through(point_ws);
+    return 4 * 0x1p-23 *
+           std::max(extent_m * (curve.slope(z) + view.warp_per_m(point_ws) * curve.depth(z)), curve.depth(z));
 }
 
-double placing_bias(const glm::dvec2& gradient, double extent_m, double across_m) {
-    return 4 * 0x1p-23 * (extent_m / across_m) * (std::abs(gradient.x) + std::abs(gradient.y));
+double placing_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,
+                    int resolution) {
+    const double across_m = view.texel_size_at(point_ws, resolution).shortest * resolution;
+    return 4 * 0x1p-23 * extent_m * (1 / across_m + view.warp_per_m(point_ws)) *
+           (std::abs(gradient.x) + std::abs(gradient.y));
 }
 
 double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws,
@@ -77,7 +82,7 @@ double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, co
     const double z = -glm::dot(relative, view.axes[2]);
     // The ray to the point, one metre long along the axis.
     const glm::dvec3 ray = view.curve.perspective ? relative / z : -view.axes[2];
-    return view.curve.metres_nearer(z, b_min) * std::abs(glm::dot(glm::normalize(normal_ws), ray));
+    return view.curve_through(point_ws).metres_nearer(z, b_min) * std::abs(glm::dot(glm::normalize(normal_ws), ray));
 }
 
 double contact_gap(double bias_m, double theta_rad) {

@@ -53,15 +53,16 @@ struct LeastBias {
 LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum, int subpixel_bits,
                      double rounding = 0);
 
-/// What float roundings in the shaders are worth in depth at a point: 4 2^-23 max(|P| |d'|, d). The first is that of
-/// the coordinates (up to `extent_m` metres), the second that of the depth itself, which is what remains in a
-/// perspective map whose depths crowd at 1.
+/// What float roundings in the shaders are worth in depth at a point: 4 2^-23 max(|P| (|d'| + d |w'| / w), d). The
+/// first is that of the coordinates (up to `extent_m` metres), where a warped view divides by a w of theirs; the second
+/// that of the depth itself, which is what remains in a perspective map whose depths crowd at 1.
 double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m);
 
-/// What roundings of map coordinates are worth on a plane, 4 2^-23 (extent / across) (|g_u| + |g_v|): they count where
-/// texels are compared with the plane's depth at their place.
-/// @param across_m width of the map at the receiver
-double placing_bias(const glm::dvec2& gradient, double extent_m, double across_m);
+/// What roundings of map coordinates are worth on a plane, 4 2^-23 |P| (1 / across + |w'| / w) (|g_u| + |g_v|): they
+/// count where texels are compared with the plane's depth at their place. `across` is the width of the map at the point
+/// in its shortest texels, metres; w' that of a warped view.
+double placing_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,
+                    int resolution);
 
 /// The least offset along the normal (metres) that does the work of a depth bias `b_min`: moving a plane by h along n
 /// moves it by h / |n . r| along the light's ray r, so h is |n . r| times the metres that b_min is worth. For an

@@ -14,9 +14,9 @@ TexelRegion slab_region(const ViewSettings& view, int resolution) {
     return region;
 }
 
-std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, int resolution,
-                                        double stored) {
-    const DepthCurve& curve = view.curve;
+std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, int resolution, double stored,
+                                        const glm::dvec2& uv) {
+    const DepthCurve curve = view.curve.at_row(uv.y);
     const double c = bias.constant;
     if (bias.unit == int(BiasUnit::Depth)) {
         const double shifted = curve.convention.reversed ? stored - c : stored + c;
@@ -26,7 +26,8 @@ std::optional<double> compared_distance(const LightView& view, const BiasSetting
         return z;
     }
     const double z = curve.distance(stored);
-    if (bias.unit == int(BiasUnit::Texels)) return z + c * view.texel_size(z, resolution);
+    if (bias.unit == int(BiasUnit::Texels))
+        return z + c * view.texel_size_at(view.position_ws(uv, z), resolution).longest;
     return curve.perspective ? 0.5 * z * (1 + std::sqrt(1 + 4 * c / z)) : z + c;
 }
 
@@ -45,9 +46,10 @@ std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bi
             const double stored = depths[std::size_t(y) * std::size_t(region.size.x) + std::size_t(x)];
             if (!std::isfinite(stored) || stored == view.curve.convention.far_depth()) continue;
             const glm::ivec2 texel = region.first + glm::ivec2(x, y);
-            if (which != Slabs::Biased) add(texel, view.curve.distance(stored), false);
+            const glm::dvec2 uv = (glm::dvec2(texel) + 0.5) / double(resolution);
+            if (which != Slabs::Biased) add(texel, view.curve.at_row(uv.y).distance(stored), false);
             if (which == Slabs::Stored) continue;
-            if (const auto z = compared_distance(view, bias, resolution, stored)) add(texel, *z, true);
+            if (const auto z = compared_distance(view, bias, resolution, stored, uv)) add(texel, *z, true);
         }
     return slabs;
 }

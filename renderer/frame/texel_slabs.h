@@ -30,8 +30,10 @@ struct TexelSlab {
 ///   depth:  distance(stored + c)
 ///   metres: z0 + c,              perspective z0/2 (1 + sqrt(1 + 4 c / z0)), as b(z) = c |d depth / d z|
 ///   texels: z0 + c texel(z0),    perspective likewise z0 (1 + c texel(1 m) / 1 m), as a texel grows with z
+/// @param uv map coordinates of the texel, which count where the view is warped
 /// @return nothing when no fragment compares equal: everything that far along the ray is nearer
-std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, int resolution, double stored);
+std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, int resolution, double stored,
+                                        const glm::dvec2& uv);
 
 /// The slabs of a region as view.slabs (a Slabs value) asks; texels that hold the far plane make none.
 /// @param depths one channel, the region's stored depths, bottom row first

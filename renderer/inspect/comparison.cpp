@@ -148,7 +148,9 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     p.account = bias_account(light, settings, n, p.point, driver);
     const LightReceiver& r = p.account.receiver;
     const LightView& view = light.views[r.view];
-    const auto linear = [&](double metres) { return (metres - view.curve.near) / (view.curve.far - view.curve.near); };
+    const DepthCurve& range = view.curve;
+    const auto linear = [&](double metres) { return (metres - range.near) / (range.far - range.near); };
+    const auto row_of = [&](const glm::ivec2& texel) { return (double(texel.y) + 0.5) / double(n); };
     p.face = int(r.view);
     p.view = view_name(light.chooser.choice, r.view, light.views.size());
     if (r.blend > 0)
@@ -169,12 +171,12 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     const StoredDepths depths(map, settings, n, view.curve);
     const bool guarded = settings.map.wrap == int(MapWrap::Range) && !depths.inside(p.texel);
     p.stored = guarded ? depths.border() : depths.at(p.texel);
-    p.stored_m = view.curve.distance(p.stored), p.stored_linear = linear(p.stored_m);
+    p.stored_m = range.at_row(row_of(p.texel)).distance(p.stored), p.stored_linear = linear(p.stored_m);
     p.gap_m = (p.own_m - p.stored_m) / r.axis_per_ray;
     if (r.place != MapPlace::Behind && r.place != MapPlace::BeyondShadows) {
         for (const RecordedTap& recorded : merged(pixel.taps)) {
             KernelTap tap{.texel = recorded.texel, .weight = recorded.weight, .stored = recorded.stored};
-            tap.stored_m = view.curve.distance(tap.stored);
+            tap.stored_m = range.at_row(row_of(tap.texel)).distance(tap.stored);
             const glm::dvec2 at = (glm::dvec2(tap.texel) + 0.5) / double(n);
             tap.plane = p.account.plane.at(at);
             tap.compared = as_compared(settings, p.account.compared_at(at));

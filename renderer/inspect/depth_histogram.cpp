@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace si {
 namespace {
@@ -12,12 +13,16 @@ bool is_drawn(float stored, const DepthCurve& curve) {
 
 }  // namespace
 
-double shown_depth(double stored, const DepthCurve& curve, MapView view) {
+double row_of_image(const FloatImage& depth, int y) {
+    return (depth.height - y - 0.5) / depth.height;
+}
+
+double shown_depth(double stored, const DepthCurve& curve, MapView view, double row) {
     switch (view) {
         case MapView::Raw:
             return stored;
         case MapView::Linear:
-            return (curve.distance(stored) - curve.near) / (curve.far - curve.near);
+            return (curve.at_row(row).distance(stored) - curve.near) / (curve.far - curve.near);
         case MapView::Bands:
             return curve.convention.reversed ? 1 - stored : stored;
     }
@@ -25,26 +30,29 @@ double shown_depth(double stored, const DepthCurve& curve, MapView view) {
 }
 
 DepthStatistics depth_statistics(const FloatImage& depth, const DepthCurve& curve) {
-    DepthStatistics s;
-    float lo = 0, hi = 0;
-    for (const float d : depth.data) {
-        if (!is_drawn(d, curve)) {
-            ++s.empty;
-            continue;
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    DepthStatistics s{.stored_min = kNone, .stored_max = -kNone, .metres_min = kNone, .metres_max = -kNone};
+    for (int y = 0; y < depth.height; ++y) {
+        double lo = kNone, hi = -kNone;
+        for (int x = 0; x < depth.width; ++x) {
+            const float d = depth.at(x, y);
+            if (!is_drawn(d, curve)) {
+                ++s.empty;
+                continue;
+            }
+            lo = std::min(lo, double(d)), hi = std::max(hi, double(d));
+            ++s.drawn;
         }
-        lo = s.drawn ? std::min(lo, d) : d;
-        hi = s.drawn ? std::max(hi, d) : d;
-        ++s.drawn;
+        if (!(lo <= hi)) continue;
+        s.stored_min = std::min(s.stored_min, lo), s.stored_max = std::max(s.stored_max, hi);
+        // Depth grows or falls with distance, never both.
+        const DepthCurve row = curve.at_row(row_of_image(depth, y));
+        const double a = row.distance(lo), b = row.distance(hi);
+        s.metres_min = std::min({s.metres_min, a, b}), s.metres_max = std::max({s.metres_max, a, b});
     }
-    if (!s.drawn) return s;
-    s.stored_min = lo, s.stored_max = hi;
-    // Depth grows or falls with distance, never both.
-    const auto both = [&](auto value, double& least, double& most) {
-        least = value(double(lo)), most = value(double(hi));
-        if (least > most) std::swap(least, most);
-    };
-    both([&](double d) { return shown_depth(d, curve, MapView::Linear); }, s.linear_min, s.linear_max);
-    both([&](double d) { return curve.distance(d); }, s.metres_min, s.metres_max);
+    if (!s.drawn) return {.empty = s.empty};
+    s.linear_min = (s.metres_min - curve.near) / (curve.far - curve.near);
+    s.linear_max = (s.metres_max - curve.near) / (curve.far - curve.near);
     return s;
 }
 
@@ -52,9 +60,10 @@ DepthHistogram depth_histogram(const FloatImage& depth, const DepthCurve& curve,
                                double hi) {
     DepthHistogram h{lo, hi, std::vector<std::uint64_t>(std::size_t(std::max(bins, 1))), 0, 0};
     const double scale = hi > lo ? double(h.counts.size()) / (hi - lo) : 0;
-    for (const float d : depth.data) {
+    for (std::size_t i = 0; i < depth.data.size(); ++i) {
+        const float d = depth.data[i];
         if (!is_drawn(d, curve)) continue;
-        const double value = shown_depth(d, curve, view);
+        const double value = shown_depth(d, curve, view, row_of_image(depth, int(i / std::size_t(depth.width))));
         if (value < lo) {
             ++h.below;
         } else if (value > hi) {

@@ -32,6 +32,10 @@ DepthHistogram depth_histogram(const FloatImage& depth, const DepthCurve& curve,
                                double lo = 0, double hi = 1);
 
 /// The value that the map viewer shows of a stored depth, as view.map_black and view.map_white count it.
-double shown_depth(double stored, const DepthCurve& curve, MapView view);
+/// @param row map coordinate v, which counts where the map is warped
+double shown_depth(double stored, const DepthCurve& curve, MapView view, double row);
+
+/// Map coordinate v of a row of such an image, whose first is the map's top.
+double row_of_image(const FloatImage& depth, int y);
 
 }  // namespace si

@@ -51,7 +51,7 @@ private:
     /// The gap to the surface nearest the light, as a difference of depth.
     double occluder_depth() const {
         if (!std::isfinite(truth_.gap_m)) return kInfinite;
-        return view().curve.depth_nearer(p_.own_m, truth_.gap_m * p_.account.receiver.axis_per_ray);
+        return p_.account.curve.depth_nearer(p_.own_m, truth_.gap_m * p_.account.receiver.axis_per_ray);
     }
 
     void weigh() {

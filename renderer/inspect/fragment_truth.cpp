@@ -10,7 +10,8 @@ float depth_of_gap(const Probe::PerLight& p, double metres) {
     if (!p.casts || std::isnan(metres)) return 0;
     const LightView& view = p.fitted.views[std::size_t(p.face)];
     const double along = metres * glm::dot(p.account.receiver.to_light, view.axes[2]);
-    return float(std::abs(view.curve.depth(p.own_m) - view.curve.depth(p.own_m - along)));
+    const DepthCurve& curve = p.account.curve;
+    return float(std::abs(curve.depth(p.own_m) - curve.depth(p.own_m - along)));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // A depth image as a picture for people: a shadow map, or the camera's depth.
 #include <algorithm>
+#include <limits>
 
 #include "renderer/frame/state.h"
 #include "renderer/inspect/depth_histogram.h"
@@ -29,6 +30,9 @@ GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
     const DepthCurve& curve = *f.shown_curve();
     glUniform4f(glGetUniformLocation(id, "curve"), float(curve.near), float(curve.far), curve.perspective ? 1.f : 0.f,
                 curve.convention.reversed && channel == 0 ? 1.f : 0.f);
+    const DepthWarp warp = curve.warp.value_or(DepthWarp());
+    glUniform4f(glGetUniformLocation(id, "warp"), float(warp.middle_m), float(warp.near_m), float(warp.far_m),
+                float(warp.rise));
     return id;
 }
 
@@ -107,8 +111,13 @@ glm::vec2 FrameState::grey_range() const {
     const glm::vec2 drawn = gl.owned.get<MapViewTargets>().drawn;
     if (!fits_greys() || drawn.x > drawn.y) return {settings.view.map_black, settings.view.map_white};
     const auto view = MapView(settings.view.map);
-    double lo = shown_depth(drawn.x, *shown_curve(), view), hi = shown_depth(drawn.y, *shown_curve(), view);
-    if (lo > hi) std::swap(lo, hi);
+    // Of a warped map no less than what is drawn: in which row a depth lies is not read back.
+    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
+    for (const double row : {0.0, 1.0})
+        for (const float stored : {drawn.x, drawn.y}) {
+            const double value = shown_depth(stored, *shown_curve(), view, row);
+            lo = std::min(lo, value), hi = std::max(hi, value);
+        }
     if (shown_channel(settings) > 0) lo = drawn.x, hi = drawn.y;
     const double least = 1e-6;  // one depth alone is shown in the middle of the greys
     if (hi - lo < least) lo = 0.5 * (lo + hi - least), hi = lo + least;

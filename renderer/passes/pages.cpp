@@ -243,7 +243,7 @@ public:
     }
 
     /// Of a texel where the view is coarsest.
-    double texel_m() const { return view_.texel_size(view_.curve.far, resolution_); }
+    double texel_m() const { return view_.texel_sizes(resolution_).longest; }
     /// Metres along the side of the square that holds these pages; of other views all they hold.
     double width_m(glm::ivec2 lo, glm::ivec2 hi) const {
         if (!level_) return texel_m() * resolution_;
@@ -268,7 +268,7 @@ private:
             for (const glm::dvec3& p : corners) {
                 const glm::dvec4 h = uvd_from_relative * glm::dvec4(p - light_.map_origin, 1);
                 // Beside and behind a light's place it may be anywhere.
-                if (!(h.w > 1e-6 * view_.curve.near)) return Rect();
+                if (!(h.w > 1e-6 * (view_.warped() ? 1 : view_.curve.near))) return Rect();
                 const glm::dvec2 at = glm::dvec2(h) / h.w * double(resolution_);
                 rect.lo = glm::min(rect.lo, at), rect.hi = glm::max(rect.hi, at);
             }

@@ -224,7 +224,8 @@ private:
     double metres_to_near_plane(const glm::dvec3& point, const glm::dvec3& direction) const {
         if (query_.views.empty()) return std::numeric_limits<double>::infinity();
         const LightView& view = query_.views[query_.chooser.choose(query_.views, point).view];
-        if (view.clamps_near) return std::numeric_limits<double>::infinity();
+        // No caster stands before a warped view: no setting moves where it begins.
+        if (view.clamps_near || view.warped()) return std::numeric_limits<double>::infinity();
         const double z = glm::dot(view.eye - point, view.axes[2]), rises = glm::dot(direction, view.axes[2]);
         return rises > 0 ? (z - view.curve.near) / rises : std::numeric_limits<double>::infinity();
     }

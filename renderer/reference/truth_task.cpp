@@ -11,7 +11,8 @@ namespace {
 
 /// A view's axes and near plane and nothing else: the map's size and resolution are no part of the truth.
 void add_view(Key& key, const LightView& view) {
-    key.add(view.axes[0]).add(view.axes[2]).add(view.curve.perspective).add(view.clamps_near);
+    key.add(view.axes[0]).add(view.axes[2]).add(view.curve.perspective).add(view.clamps_near).add(view.warped());
+    if (view.warped()) return;
     if (view.curve.perspective)
         key.add(view.eye).add(view.curve.near);
     else

@@ -33,6 +33,16 @@ constexpr FitRow kFits[] = {
              "scene.",
      .paper = "Valient, Stable Rendering of Cascaded Shadow Maps, ShaderX 6, 2008",
      .reads_camera = true},
+    {.key = "lispsm",
+     .label = "light space perspective",
+     .help =
+         "For suns: what the camera sees, with texels that are small near the camera and large far away. The more "
+         "the light shines along the view, the less there is to warp; where it shines straight along it or against "
+         "it, and under an orthographic camera, nothing is. Of cascades each is warped by itself. Depths are fitted: "
+         "near and far by hand have no effect. Other lights, and suns in perspective: the whole scene.",
+     .paper = "Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004",
+     .reads_camera = true,
+     .warps = true},
 };
 
 }  // namespace

@@ -13,6 +13,7 @@ struct FitRow {
     std::string_view key, label, help;
     std::string_view paper;     ///< where it is from; empty: it is common
     bool reads_camera = false;  ///< maps change with the camera
+    bool warps = false;         ///< maps of suns get a perspective across their rays
     bool narrows = false;       ///< it may leave out of a map what is never in shadow
     Fit find = fit_scene;       ///< asked for suns without perspective, and for spot lights of one map that have it
 };

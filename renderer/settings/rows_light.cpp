@@ -71,6 +71,9 @@ std::string_view map_idle(const Settings& s, int i) {
 
 std::string_view planes_idle(const Settings& s, int i) {
     if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
+    if (fit_row(of(s, i).fit).warps && has_type(s, i, LightType::Directional) && is_orthographic(s, i) &&
+        s.camera.source != at(CameraSource::Light))
+        return "without effect: a warped map's depths are fitted";
     return takes_near_far(of(s, i)) ? "" : "without effect: set light.near_far to manual to choose it by hand";
 }
 

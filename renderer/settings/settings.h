@@ -14,7 +14,7 @@ inline constexpr int kMaxClipLevels = 8;
 
 // Enumerations are stored as the index of their choice; the choices stand in the table, in this order.
 enum class LightType { Directional, Spot, Point };
-enum class LightFit { Manual, Scene, Casters, View, Stabilised };
+enum class LightFit { Manual, Scene, Casters, View, Stabilised, Lispsm };
 enum class NearFar { Fitted, Manual, Casters, Scene, Pancaking };
 enum class Split { Uniform, Logarithmic, Practical, Manual };
 enum class DepthBounds { Boxes, Sdsm };

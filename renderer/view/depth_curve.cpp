@@ -14,6 +14,16 @@ constexpr double kNearestShare = 1e-3;  // of the near plane, as in shaders/lib/
 // A depth buffer holds the same values under both clip ranges ([-w,w] is halved and shifted by the viewport), so that
 // zero_to_one enters the matrix only. Each formula is written so that it is exact at both ends of the range.
 
+DepthCurve DepthCurve::at_row(double v) const {
+    if (!warp) return *this;
+    DepthCurve row = *this;
+    row.warp.reset();
+    const double scale = 1 / (1 + warp->rise * std::clamp(v, 0.0, 1.0));
+    row.near = warp->middle_m + warp->near_m * scale;
+    row.far = warp->middle_m + warp->far_m * scale;
+    return row;
+}
+
 double DepthCurve::depth(double z) const {
     const double range = far - near;
     const double from_near = (z - near) / range, from_far = (far - z) / range;

@@ -1,6 +1,8 @@
 // Depth as a projection stores it. Pure CPU, double precision.
 #pragma once
 
+#include <optional>
+
 namespace si {
 
 /// Depth range and direction of a projection's clip space, from which compare, clear value, linearisation
@@ -13,11 +15,23 @@ struct DepthConvention {
     double far_depth() const { return reversed ? 0.0 : 1.0; }
 };
 
+/// How the range of depths changes from row to row of a map that is warped across its rays: at map coordinate v it goes
+/// from middle_m + near_m / (1 + rise v) to middle_m + far_m / (1 + rise v), metres along the axis. Along each ray
+/// depth stays linear.
+struct DepthWarp {
+    double middle_m = 0, near_m = 0, far_m = 0;
+    double rise = 0;  ///< above -1
+    bool operator==(const DepthWarp&) const = default;
+};
+
 /// A projection's depth as a function of distance along its axis, and back.
 struct DepthCurve {
     bool perspective = false;
-    double near = 0.1, far = 100;
+    double near = 0.1, far = 100;  ///< of a warped map from the nearest to the farthest of what it holds; see at_row()
     DepthConvention convention;
+    std::optional<DepthWarp> warp;  ///< the functions below are then those of at_row(), and of no warped curve
+    /// The curve along the rays through the row of map coordinate v in [0,1] (beyond the map: its rim's).
+    DepthCurve at_row(double v) const;
     /// Depth-buffer value in [0,1] at distance z (metres along the axis).
     double depth(double z) const;
     /// Metres along the axis at depth-buffer value d. Inverse of depth().

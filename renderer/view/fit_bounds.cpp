@@ -34,6 +34,7 @@ void add_box(SceneShape& shape, const Box& box, bool casts, bool receives, std::
 }
 
 bool clipped(const Box& box, const LightView& view) {
+    if (view.warped()) return false;  // no setting moves where it begins
     const double near = view.curve.near - 1e-9 * std::abs(view.curve.near);
     if (!view.curve.perspective) return extent_within(box, view).lo.z < near;
     const ViewExtent e = extent_of(box, view);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "renderer/base/finite.h"
+#include "renderer/settings/fits.h"
 #include "renderer/settings/splits.h"
 #include "renderer/view/cascades.h"
 #include "renderer/view/fit_context.h"
@@ -11,10 +12,12 @@
 namespace si {
 namespace {
 
-constexpr double kNearestSplit = 1e-3;  // of the farthest depth: a camera within the scene sees surfaces at 0 m
-
 bool is_stabilised(const FitContext& c) {
     return c.settings.fit == int(LightFit::Stabilised);
+}
+
+bool is_warped(const FitContext& c) {
+    return fit_row(c.settings.fit).warps;
 }
 
 /// Where the cascades of camera depths end, metres; the last one is `all.to_m`.
@@ -42,7 +45,7 @@ std::vector<double> cascade_ends(FittedLight& light, const FitContext& c, const 
                  "divided evenly");
         lambda = 0;
     }
-    const double nearest = camera.orthographic ? all.from_m : std::max(all.from_m, kNearestSplit * all.to_m);
+    const double nearest = camera.orthographic ? all.from_m : std::max(all.from_m, kNearestSeen * all.to_m);
     return split_depths(nearest, all.to_m, count, lambda);
 }
 
@@ -50,13 +53,17 @@ std::vector<double> cascade_ends(FittedLight& light, const FitContext& c, const 
 /// it reaches to the first caster.
 void fit_slice(FittedLight& light, LightView view, const FitContext& c, const Camera& camera, const DepthSpan& span,
                double margin) {
-    ViewExtent seen;
+    std::vector<glm::dvec3> points;
     const CameraSlice slice(camera, span.from_m, span.to_m);
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
         if (!c.shape.box_receives[i]) continue;
-        seen.add(extent_of(slice.seen_of(c.shape.boxes[i]), view));
+        const std::vector<glm::dvec3> part = slice.seen_of(c.shape.boxes[i]);
+        points.insert(points.end(), part.begin(), part.end());
     }
-    if (!(seen.lo.x <= seen.hi.x)) seen = extent_of(c.shape, view);  // nothing will be looked up in it
+    if (points.empty())  // nothing will be looked up in it
+        for (const Box& box : c.shape.boxes) points.insert(points.end(), box.begin(), box.end());
+    if (is_warped(c)) return fit_warped(light, view, c, camera, points, margin);
+    ViewExtent seen = extent_of(points, view);
     const DepthSpan receivers{seen.lo.z, seen.hi.z};
     const glm::dvec3 middle = 0.5 * (seen.lo + seen.hi);
     view.half_width =
@@ -94,8 +101,9 @@ void fit_sphere(FittedLight& light, LightView view, const FitContext& c, const C
 }  // namespace
 
 bool is_sliced(const LightSettings& s) {
-    return (s.cascades > 1 || s.fit == int(LightFit::Stabilised)) && s.type == int(LightType::Directional) &&
-           s.fit != int(LightFit::Manual) && s.projection != int(LightProjection::Perspective);
+    return (s.cascades > 1 || s.fit == int(LightFit::Stabilised) || fit_row(s.fit).warps) &&
+           s.type == int(LightType::Directional) && s.fit != int(LightFit::Manual) &&
+           s.projection != int(LightProjection::Perspective);
 }
 
 void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "renderer/view/camera.h"
@@ -16,6 +17,7 @@ namespace si {
 inline constexpr double kMinHalfAngle = 1e-3, kMaxHalfAngle = 1.5;  // rad; tan() stays below 15
 inline constexpr double kMarginTexels = 2;    // at each side, so that a kernel at the scene's edge finds cleared texels
 inline constexpr double kNearShare = 1e-3;    // least near / far of a perspective map: D24 then resolves far / 2e4
+inline constexpr double kNearestSeen = 1e-3;  // of the farthest depth: a camera within the scene sees surfaces at 0 m
 inline constexpr double kDepthMargin = 1e-4;  // of the depth range, at each end
 
 struct FitContext {
@@ -51,7 +53,15 @@ void fit_faces(FittedLight& light, const FitContext& c);
 /// The single map of a sun or of a spot light.
 void fit_one_view(FittedLight& light, const FitContext& c);
 
-/// Whether the light's maps are made for slices of what the camera sees: several, or one that is stabilised.
+/// Adds a view that holds points and is warped towards the camera: texels near it are smaller than far ones.
+/// Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004.
+/// @param view its axes: the third one towards the light
+/// @param points that are looked up, world; at least one
+/// @param margin texels at each side
+void fit_warped(FittedLight& light, LightView view, const FitContext& c, const Camera& camera,
+                std::span<const glm::dvec3> points, double margin);
+
+/// Whether the light's maps are made for slices of what the camera sees: several, or one that is stabilised or warped.
 bool is_sliced(const LightSettings& settings);
 
 /// Maps of a directional light, each for an interval of the camera's depth.

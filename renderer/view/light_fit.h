@@ -57,6 +57,8 @@ struct FittedLight : PlacedLight {
     MapLimits limits;         ///< of lights that cast
     /// Whether its maps are drawn in perspective, all of them; false when it has none.
     bool is_perspective() const { return !views.empty() && views[0].curve.perspective; }
+    /// Whether its maps are warped across their rays, all of them.
+    bool is_warped() const { return !views.empty() && views[0].warped(); }
     /// Whether its views are for parts of what the camera sees: cascades or clip levels.
     bool is_cascaded() const {
         return chooser.choice == ViewChoice::Interval || chooser.choice == ViewChoice::Map ||

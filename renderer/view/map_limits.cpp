@@ -51,13 +51,17 @@ MapLimits map_limits(const SceneShape& shape, const std::vector<LightView>& view
         const double deep = held.farthest - held.nearest;
         if (!(deep > kFlat * shape.radius)) continue;
         any = true;
-        const double from = view.curve.depth(held.nearest), to = view.curve.depth(held.farthest);
-        one_step &= std::abs(to - from) <=
-                    std::max(depth_quantum(format, view.curve, from), depth_quantum(format, view.curve, to));
+        // Of a warped view where its steps and texels are coarsest, which is its last row.
+        const DepthCurve curve = view.curve.at_row(1);
+        const double from = curve.depth(held.nearest), to = curve.depth(held.farthest);
+        one_step &=
+            std::abs(to - from) <= std::max(depth_quantum(format, curve, from), depth_quantum(format, curve, to));
         const double centre_m = glm::dot(view.axes[2], view.eye - shape.centre);
-        const double texel = view.texel_size(std::clamp(centre_m, held.nearest, held.farthest), resolution);
+        const double texel = view.warped()
+                                 ? view.texel_sizes(resolution).longest
+                                 : view.texel_size(std::clamp(centre_m, held.nearest, held.farthest), resolution);
         one_texel &= texel >= held.across;
-        limits.step_m = std::max(limits.step_m, step_m(view.curve, format, held.nearest, held.farthest));
+        limits.step_m = std::max(limits.step_m, step_m(curve, format, held.nearest, held.farthest));
         limits.depth_m = std::max(limits.depth_m, deep);
         limits.texel_m = std::max(limits.texel_m, texel);
         limits.across_m = std::max(limits.across_m, held.across);

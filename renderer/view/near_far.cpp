@@ -29,9 +29,8 @@ bool bounds_far(const FitContext& c, std::size_t box) {
     return !receivers || c.shape.box_receives[box];
 }
 
-/// How far before the nearest receiver the near plane of a pancaked map stands: casters that are clamped to it still
-/// lie before all that is compared with them, whatever the bias.
-/// @param range_m of the depths without it
+}  // namespace
+
 double room_for_bias(const FitContext& c, double texel_m, double range_m) {
     const BiasSettings& b = c.all_settings.bias;
     const double amount = std::max({0.0, finite_or(b.constant, 0), finite_or(b.slope, 0)});
@@ -47,8 +46,6 @@ double room_for_bias(const FitContext& c, double texel_m, double range_m) {
     }
     return aside;
 }
-
-}  // namespace
 
 double reach_of_lookups(const Settings& s) {
     return reach_of(s).read + std::max(s.bias.normal, 0.0) + s.map.blur_texels + 1;

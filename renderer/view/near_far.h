@@ -11,6 +11,11 @@ namespace si {
 /// @param receivers depths of what is looked up in it; null: all receivers between the map's sides
 void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, const DepthSpan* receivers = nullptr);
 
+/// How far before the nearest receiver the near plane of a pancaked map stands: casters that are clamped to it still
+/// lie before all that is compared with them, whatever the bias.
+/// @param range_m of the depths without it
+double room_for_bias(const FitContext& c, double texel_m, double range_m);
+
 /// Sets the range of a perspective view whose width is set, from what lies inside its pyramid and the light's range.
 void set_perspective_range(LightView& view, const FitContext& c);
 

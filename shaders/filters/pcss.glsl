@@ -15,6 +15,6 @@ float filter_visibility(Receiver r) {
     float radius = radius_past(blockers, r, own_m, filter_max_radius);
     float sum = 0.0;
     for (int i = 0; i < taps; ++i)
-        sum += compares_lit(r, r.uvd_offset.xy + turned(disk_place(i, taps), turn) * (radius / float(map_resolution)));
+        sum += compares_lit(r, r.uvd_offset.xy + on_map(r, turned(disk_place(i, taps), turn)) * (radius / float(map_resolution)));
     return sum / float(taps);
 }

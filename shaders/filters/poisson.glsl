@@ -8,6 +8,6 @@ float filter_visibility(Receiver r) {
     vec2 turn = disk_turn(r);
     float sum = 0.0;
     for (int i = 0; i < taps; ++i)
-        sum += compares_lit(r, r.uvd_offset.xy + turned(POISSON_DISK[i], turn) * radius_uv);
+        sum += compares_lit(r, r.uvd_offset.xy + of_radius(r, turned(POISSON_DISK[i], turn)) * radius_uv);
     return sum / float(taps);
 }

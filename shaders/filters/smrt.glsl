@@ -4,7 +4,7 @@
 #include "lib/penumbra.glsl"
 
 float filter_visibility(Receiver r) {
-    float own_m = compared_metres(r), near = frame.views[r.layer].curve.x;
+    float own_m = compared_metres(r), near = begins_m(r, r.uvd_offset.xy);
     // Sideways a ray goes evenly with `t`, 1 where the penumbra gets widest. Towards the light it does so under parallel
     // rays; under those from a place it is the quotient of what it went and what is left that grows evenly.
     bool even = LIGHT_TYPE[r.light] == LIGHT_DIRECTIONAL || LIGHT_PERSPECTIVE[r.light] == 0;
@@ -19,9 +19,10 @@ float filter_visibility(Receiver r) {
 #endif
     float hits = 0.0, blocker_m = 0.0, taps = 1.0;
     // What is stored at the receiver's own place is the same for every ray.
-    float here_m = own_m - metres_at(r, map_depth(r.uvd_offset.xy, r.layer) - plane_within_texel(r, r.uvd_offset.xy));
+    float here_m = own_m - held_metres(r, r.uvd_offset.xy,
+                                      map_depth(r.uvd_offset.xy, r.layer) - plane_within_texel(r, r.uvd_offset.xy));
     for (int ray = 0; ray < filter_rays; ++ray) {
-        vec2 aim = turned(spiral_place(ray, filter_rays), turn) * (widest / float(map_resolution));
+        vec2 aim = on_map(r, turned(spiral_place(ray, filter_rays), turn)) * (widest / float(map_resolution));
         float begun = fract(first + float(ray) * 0.754877666);  // of the first step, spread over the rays
         float ray_m = 0.0, gap_m = here_m, below_m = 3e38;  // where the ray was when last something stood before it
         for (int i = 0; i <= filter_steps; ++i) {
@@ -29,7 +30,7 @@ float filter_visibility(Receiver r) {
                 float t = (float(i) - 1.0 + begun) / float(filter_steps);
                 ray_m = even ? t * end_m : own_m * (t * end_m) / (1.0 + t * end_m);
                 vec2 at = r.uvd_offset.xy + t * aim;
-                gap_m = own_m - metres_at(r, map_depth(at, r.layer) - plane_within_texel(r, at));
+                gap_m = own_m - held_metres(r, at, map_depth(at, r.layer) - plane_within_texel(r, at));
                 taps += 1.0;
             }
             // Up to where the next step looks for itself; beyond the last nothing does.

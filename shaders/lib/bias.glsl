@@ -11,6 +11,11 @@ vec2 gradient_along(Receiver r, vec3 u, vec3 v) {
     vec4 p = m * vec4(u, 0.0), q = m * vec4(v, 0.0);
     vec2 depth = vec2(p.z, q.z);
     vec2 a = p.xy, b = q.xy;
+    if (LIGHT_WARPED[r.light] != 0) {
+        depth = (depth - r.uvd.z * vec2(p.w, q.w)) / r.w;
+        a = (p.xy - r.uvd.xy * p.w) / r.w;
+        b = (q.xy - r.uvd.xy * q.w) / r.w;
+    }
     if (LIGHT_PERSPECTIVE[r.light] != 0) {
         depth = vec2(away(r.depth_per_m * p.w), away(r.depth_per_m * q.w));
         a = (p.xy - r.uvd.xy * p.w) / r.w;
@@ -61,13 +66,13 @@ float least_bias(Receiver r, vec2 gradient, float reach_texels) {
     float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
     float snapping = SUBPIXEL_BITS > 0 ? exp2(-float(SUBPIXEL_BITS + 1)) : 0.0;
     return (reach_texels + snapping) * per_texel + depth_quantum(r) +
-           exp2(-21.0) * max(extent_m(r) * r.depth_per_m, r.uvd.z);
+           exp2(-21.0) * max(extent_m(r) * (r.depth_per_m + r.warp_per_m * r.uvd.z), r.uvd.z);
 }
 
 /// Where every texel is compared with the plane at its centre: besides, what roundings of map coordinates are worth.
 float rest_bias(Receiver r, vec2 gradient) {
-    float across_m = r.texel_m * float(map_resolution);
-    return least_bias(r, gradient, 0.0) + exp2(-21.0) * (extent_m(r) / across_m) * (abs(gradient.x) + abs(gradient.y));
+    float per_m = 1.0 / (r.texel_short_m * float(map_resolution)) + r.warp_per_m;
+    return least_bias(r, gradient, 0.0) + exp2(-21.0) * extent_m(r) * per_m * (abs(gradient.x) + abs(gradient.y));
 }
 
 struct BiasInput {

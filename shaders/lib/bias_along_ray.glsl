@@ -2,6 +2,7 @@
 
 /// Cosine between the ray to the light and the view's axis, at least 1e-6: metres along the axis per metre along the ray.
 float axis_per_ray(Receiver r) {
+    if (LIGHT_WARPED[r.light] != 0) return 1.0;  // of parallel rays
     // The axis towards the light: perspective depth is the distance along it (w), other depth grows against it.
     mat4 m = frame.views[r.layer].uvd_from_relative;
     vec3 axis = LIGHT_PERSPECTIVE[r.light] != 0 ? -vec3(m[0][3], m[1][3], m[2][3])

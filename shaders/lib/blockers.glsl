@@ -12,10 +12,10 @@ struct Blockers {
 Blockers blockers_within(Receiver r, float own_m, vec2 turn, int places, float radius_texels, bool compares) {
     float blocker_m = 0.0, blockers = 0.0;
     for (int i = 0; i < places; ++i) {
-        vec2 at = r.uvd_offset.xy + turned(disk_place(i, places), turn) * (radius_texels / float(map_resolution));
+        vec2 at = r.uvd_offset.xy + on_map(r, turned(disk_place(i, places), turn)) * (radius_texels / float(map_resolution));
         float stored = compares ? map_depth(at, r.layer) : searched_depth(at, r.layer);
         float blocks = 1.0 - depth_test(compared_depth(r, at), stored);
-        blocker_m += blocks * metres_at(r, stored);
+        blocker_m += blocks * held_metres(r, at, stored);
         blockers += blocks;
     }
     return Blockers(blockers / float(places), blockers > 0.0 ? max(own_m - blocker_m / blockers, 0.0) : 0.0);

@@ -25,6 +25,13 @@ float metres_from_depth(float d, float near, float far, bool perspective, bool r
     return near * far / (reversed ? near + d * range : far - d * range);
 }
 
+/// The same in a row of a map that is warped, at map coordinate v.
+/// @param warp as in DepthWarp
+float metres_in_row(float d, vec4 warp, float v, bool reversed) {
+    float scale = 1.0 / (1.0 + warp.w * clamp(v, 0.0, 1.0));
+    return warp.x + metres_from_depth(d, warp.y, warp.z, false, reversed) * scale;
+}
+
 /// The same under the shadow map's convention.
 float metres_from_depth(float d, float near, float far, bool perspective) {
     return metres_from_depth(d, near, far, perspective, map_reversed_z != 0);

@@ -35,7 +35,10 @@ struct Receiver {
     vec3 uvd;           // map coordinates, depth without bias
     vec3 uvd_offset;    // the same after the normal offset
     float w;
-    float texel_m;      // world size of a texel here
+    float texel_m;      // world size of a texel here, along its longest direction
+    float texel_short_m;  // along its shortest: another where LIGHT_WARPED
+    float warp_per_m;   // what a metre across the rays changes w by, as a share of w; 0 elsewhere
+    mat2 disk;          // of LIGHT_WARPED: a disk in the map, in texel_short_m, from one across the rays
     float z;            // metres along the axis from a perspective light, kept above 0; else 1
     float depth_per_m;  // |d depth / d metres along the axis| here
     float bias_depth;   // applied, in depth-buffer units, >= 0 brings the fragment nearer to the light
@@ -87,6 +90,19 @@ float depth_nearer(bool perspective, float nearest, float own_z, float depth_per
     return moved * depth_per_m * steeper;
 }
 
+/// Metres along the light's axis at which a map holds a surface, or nothing, at a place of r's map.
+float metres_at(Receiver r, vec2 at, float depth) {
+    if (LIGHT_WARPED[r.light] != 0)
+        return metres_in_row(depth, frame.views[r.layer].warp, at.y, map_reversed_z != 0);
+    vec2 curve = frame.views[r.layer].curve.xy;
+    return metres_from_depth(depth, curve.x, curve.y, LIGHT_PERSPECTIVE[r.light] != 0);
+}
+
+/// Metres along the axis at which the map begins there.
+float begins_m(Receiver r, vec2 at) {
+    return LIGHT_WARPED[r.light] != 0 ? metres_at(r, at, float(map_reversed_z)) : frame.views[r.layer].curve.x;
+}
+
 float nearest_z(Receiver r) { return NEAREST_SHARE * frame.views[r.layer].curve.x; }
 
 /// The same of r's light.
@@ -127,6 +143,21 @@ vec4 uvd_from_eye(ViewBlock view, vec3 position) {
     return t * (frame.eye_from_relative * vec4(position, 1.0));
 }
 
+/// Of a warped view: how map coordinates and depth change about the point, by the quotient rule on its matrix.
+/// LightView::texel_size_at() and warp_per_m().
+void find_warped_texel(inout Receiver r, vec4 h, ViewBlock view) {
+    mat4 m = transpose(view.uvd_from_relative);
+    vec3 u = (m[0].xyz - h.x / h.w * m[3].xyz) / h.w, v = (m[1].xyz - h.y / h.w * m[3].xyz) / h.w;
+    float a = dot(u, u), b = dot(u, v), c = dot(v, v);
+    float larger = sqrt(0.5 * (a + c + sqrt((a - c) * (a - c) + 4.0 * b * b)));
+    vec3 up = v * inversesqrt(c), right = cross(up, r.to_light);
+    r.disk = mat2(dot(u, right), 0.0, dot(u, up), dot(v, up)) / larger;
+    r.texel_m = 1.0 / (abs(r.disk[0].x * r.disk[1].y) * larger * float(map_resolution));
+    r.texel_short_m = 1.0 / (larger * float(map_resolution));
+    r.warp_per_m = length(m[3].xyz) / h.w;
+    r.depth_per_m = abs(dot(m[2].xyz, r.to_light)) / h.w;
+}
+
 /// @param layer of the view that it is looked up in
 Receiver receiver_in(Surface s, int index, int layer) {
     Receiver r;
@@ -145,19 +176,23 @@ Receiver receiver_in(Surface s, int index, int layer) {
 #else
     vec4 h = uvd_from_world(view, s.position);
 #endif
-    if (LIGHT_PERSPECTIVE[index] == 0) h.w = 1.0;  // known, so the division below costs nothing
+    bool divides = LIGHT_PERSPECTIVE[index] != 0 || LIGHT_WARPED[index] != 0;
+    if (!divides) h.w = 1.0;  // known, so the division below costs nothing
     r.w = h.w;
     float near = view.curve.x, far = view.curve.y;
     bool perspective = LIGHT_PERSPECTIVE[index] != 0;
     r.z = perspective ? max(h.w, NEAREST_SHARE * near) : 1.0;
-    r.texel_m = 2.0 * view.curve.z * r.z * view.curve.w;
+    r.texel_m = r.texel_short_m = 2.0 * view.curve.z * r.z * view.curve.w;
+    r.warp_per_m = 0.0;
     r.depth_per_m = perspective ? near * far / ((far - near) * r.z * r.z) : 1.0 / (far - near);
+
+    if (LIGHT_WARPED[index] != 0) find_warped_texel(r, h, view);
 
     vec4 o = h;
     float offset_z = r.z;
 #if BIAS_NORMAL_OFFSET
     o += view.uvd_from_relative * vec4(normal_offset(bias_normal_ws, r.texel_m), 0.0);
-    if (!perspective) o.w = 1.0;
+    if (!divides) o.w = 1.0;
     offset_z = perspective ? max(o.w, NEAREST_SHARE * near) : 1.0;
 #endif
 

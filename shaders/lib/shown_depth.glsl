@@ -19,3 +19,9 @@ ivec2 shown_size() { return textureSize(shadow_map, 0).xy; }
 #endif
 #endif
 uniform vec4 curve;  // near, far, 1 perspective, 1 reversed: near at depth 1
+uniform vec4 warp;   // DepthWarp, all 0 where the map is none
+
+float shown_metres(float stored, float v) {
+    return any(notEqual(warp, vec4(0.0))) ? metres_in_row(stored, warp, v, curve.w > 0.5)
+                                          : metres_from_depth(stored, curve.x, curve.y, curve.z > 0.5, curve.w > 0.5);
+}

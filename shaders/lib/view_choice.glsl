@@ -23,7 +23,9 @@ int face_of(vec3 d) {
 float along_span(int light, int layer, vec3 position) {
     if (LIGHT_CHOICE[light] == CHOICE_INTERVAL) return dot(position - frame.divided_eye.xyz, frame.divided_forward.xyz);
     if (LIGHT_CHOICE[light] == CHOICE_DISTANCE) return distance(position, frame.divided_eye.xyz);
-    vec3 uvd = (frame.views[layer].uvd_from_relative * vec4(position, 1.0)).xyz;  // of parallel rays
+    vec4 h = frame.views[layer].uvd_from_relative * vec4(position, 1.0);
+    if (LIGHT_WARPED[light] != 0 && !(h.w > 0.0)) return 3e38;
+    vec3 uvd = LIGHT_WARPED[light] != 0 ? h.xyz / h.w : h.xyz;  // of parallel rays
     vec2 aside = abs(uvd.xy - 0.5);
     return uvd.z >= 0.0 && uvd.z <= 1.0 ? max(aside.x, aside.y) : 3e38;
 }

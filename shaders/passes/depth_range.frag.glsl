@@ -1,4 +1,5 @@
 // Smallest and largest drawn depth of one block of a depth image; the far plane's clear value is not drawn.
+#include "lib/depth.glsl"
 #include "lib/shown_depth.glsl"
 uniform ivec2 blocks;
 layout(location = 0) out vec2 range_out;

@@ -18,7 +18,7 @@ void main() {
     float value = stored;
 #ifndef FROM_CHANNEL
     if (mode == 1)  // black at the near plane, white at the far plane
-        value = (metres_from_depth(stored, near, far, curve.z > 0.5, reversed) - near) / (far - near);
+        value = (shown_metres(stored, picture_uv.y) - near) / (far - near);
 #endif
     if (mode == 2) {
         // Thresholds are on standard depth, 0 near and 1 far.

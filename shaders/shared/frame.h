@@ -22,23 +22,24 @@ struct LightBlock {
 
 struct ViewBlock {
     mat4 uvd_from_relative;  // homogeneous map coordinates and depth, all in [0,w]
-    vec4 curve;  // near, far, half width (orthographic: metres, perspective: tangent), 1 / map resolution
-    vec4 span;   // where the view ends, and from where on the next is blended in; see lib/view_choice.glsl
+    vec4 curve;              // near, far, half width (orthographic: metres, perspective: tangent), 1 / map resolution
+    vec4 warp;               // of LIGHT_WARPED: DepthWarp, middle_m, near_m, far_m and rise
+    vec4 span;               // where the view ends, and from where on the next is blended in; see lib/view_choice.glsl
 };
 
 struct FrameBlock {
     mat4 clip_from_relative;
-    mat4 eye_from_relative;   // x right, y up, z against the viewing direction
+    mat4 eye_from_relative;  // x right, y up, z against the viewing direction
     mat4 relative_from_eye;
-    vec4 lens;    // half width and height of the picture: tangents, or metres where eye.w is 1; z, w: see camera_z()
-    vec4 eye;       // xyz relative; w: 1 orthographic
-    vec4 forward;   // unit viewing direction
+    vec4 lens;     // half width and height of the picture: tangents, or metres where eye.w is 1; z, w: see camera_z()
+    vec4 eye;      // xyz relative; w: 1 orthographic
+    vec4 forward;  // unit viewing direction
     vec4 divided_eye;      // xyz relative; of the camera whose depth is divided among views: mostly the frame's own
     vec4 divided_forward;  // unit; of the same
-    vec4 map_origin;  // xyz relative: what the shaders that draw the maps count positions from
-    vec4 pixel;     // xy: the picture's pixel at (0, 0) of what is drawn; z: texels that the kernel fetches
-    vec4 picture;   // xy: its pixels across and up
-    vec4 offset;    // PolygonOffset of the map format: unit_depth, unit_steps, slope_gain; w: 1 slope_is_length
+    vec4 map_origin;       // xyz relative: what the shaders that draw the maps count positions from
+    vec4 pixel;            // xy: the picture's pixel at (0, 0) of what is drawn; z: texels that the kernel fetches
+    vec4 picture;          // xy: its pixels across and up
+    vec4 offset;           // PolygonOffset of the map format: unit_depth, unit_steps, slope_gain; w: 1 slope_is_length
     LightBlock lights[SI_MAX_LIGHTS];
     ViewBlock views[SI_MAX_VIEWS];
 };
@@ -46,7 +47,7 @@ struct FrameBlock {
 #ifdef __cplusplus
 }  // namespace si::shared
 static_assert(sizeof(si::shared::LightBlock) == 64);
-static_assert(sizeof(si::shared::ViewBlock) == 96);
+static_assert(sizeof(si::shared::ViewBlock) == 112);
 static_assert(offsetof(si::shared::FrameBlock, lights) == 336);
 static_assert(offsetof(si::shared::FrameBlock, views) == 336 + 64 * SI_MAX_LIGHTS);
 static_assert(sizeof(si::shared::FrameBlock) <= 16384);  // the least that OpenGL grants

@@ -59,12 +59,12 @@ protected:
     }
 };
 
-Settings lit_by(LightType type) {
+Settings lit_by(LightType type, LightFit fit = LightFit::Scene) {
     Settings s = test::hard_settings();
     s.camera.target_y = 0.6;
     s.camera.distance = 7;
     LightSettings& light = s.lights[0];
-    light.type = int(type), light.fit = int(LightFit::Scene);
+    light.type = int(type), light.fit = int(fit);
     if (type != LightType::Directional) light.distance = 6, light.cone = 80;
     s.bias.unit = int(BiasUnit::Texels);
     s.bias.constant = 0.4, s.bias.slope = 2.5, s.bias.normal = 1.3;
@@ -73,7 +73,10 @@ Settings lit_by(LightType type) {
 
 TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
     const Scene scene = hills();
-    for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
+    for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
+                                    {LightType::Directional, LightFit::Lispsm},
+                                    {LightType::Spot, LightFit::Scene},
+                                    {LightType::Point, LightFit::Scene}})
         for (const char* format : {"d16", "d24", "d32f"})
             for (const auto& [reversed, kind] : {std::pair{false, "slope"},
                                                  {true, "slope"},
@@ -81,9 +84,9 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                                                  {true, "receiver-plane"},
                                                  {true, "receiver-plane-derivatives"},
                                                  {false, "adaptive"}}) {
-                SCOPED_TRACE(testing::Message()
-                             << int(type) << " " << format << (reversed ? " reversed " : " ") << kind);
-                Settings s = lit_by(type);
+                SCOPED_TRACE(testing::Message() << int(type) << " " << int(fit) << " " << format
+                                                << (reversed ? " reversed " : " ") << kind);
+                Settings s = lit_by(type, fit);
                 set_setting(s, "bias.kind", kind);
                 set_setting(s, "map.format", format);
                 s.map.reversed_z = reversed;
@@ -136,8 +139,10 @@ TEST_F(BiasOverlays, SlackBelowZeroIsWhereAcneIs) {
 // A pixel's step in the map by central differences of exact positions.
 TEST_F(BiasOverlays, DensityIsBothSingularValues) {
     const Scene scene = hills();
-    for (const LightType type : {LightType::Directional, LightType::Spot}) {
-        const Settings s = lit_by(type);
+    for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
+                                    {LightType::Directional, LightFit::Lispsm},
+                                    {LightType::Spot, LightFit::Scene}}) {
+        const Settings s = lit_by(type, fit);
         const Pixels wide = draw(scene, s, "texels-per-pixel"), narrow = draw(scene, s, "pixels-per-texel"),
                      bands = draw(scene, s, "sampling-bands");
         const test::RayTruth rays(scene);

@@ -140,6 +140,18 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
             s.bias.normal = 1;
             agree(box, s, type == LightType::Spot ? "spot" : "point");
         }
+    for (const bool reversed : {false, true}) {
+        s = test::texel_settings("pcf3", 128, 0.4);
+        s.lights[0].fit = int(LightFit::Lispsm), s.map.reversed_z = reversed;
+        EXPECT_GT(count(agree(box, s, "warped"), Artefact::Acne), 100u);
+        s.bias.constant = 1, s.bias.normal = 20;
+        EXPECT_GT(count(agree(box, s, "much offset in a warped map"), Artefact::PeterPanningOffset), 10u);
+        s.bias.constant = s.bias.normal = 0;
+        for (const char* plane : {"receiver-plane", "receiver-plane-derivatives", "adaptive"}) {
+            set_setting(s, "bias.kind", plane);
+            EXPECT_EQ(count(agree(box, s, "the plane alone in a warped map"), Artefact::Acne), 0u);
+        }
+    }
     for (const CascadeChoice choice : {CascadeChoice::Interval, CascadeChoice::Map}) {
         s = test::texel_settings("pcf3", 64, 0.4);
         s.lights[0].cascades = 3, s.lights[0].cascade_blend = 0.3, s.lights[0].cascade_choice = int(choice);

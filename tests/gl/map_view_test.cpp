@@ -105,8 +105,8 @@ TEST_F(MapViewTest, FitsGreysToWhatIsDrawn) {
                     const ByteImage shown = renderer.read_colour(f.map_view);
                     for (int y = 0; y < depth.height; y += 13)
                         for (int x = 0; x < depth.width; x += 11) {
-                            const double value =
-                                shown_depth(double(depth.at(x, y)), f.map_view_curve, MapView(s.view.map));
+                            const double value = shown_depth(double(depth.at(x, y)), f.map_view_curve,
+                                                             MapView(s.view.map), row_of_image(depth, y));
                             const double t = (value - f.map_black) / (f.map_white - f.map_black);
                             // Near the far plane of a perspective map a step of the float is a visible distance.
                             const double step = raw ? 1e-7 / (f.map_white - f.map_black) : 1e-4;

@@ -59,11 +59,12 @@ std::vector<std::pair<glm::dvec3, TexelSlab>> points_on(const std::vector<TexelS
 TEST_F(SlabsTest, StandWhereTheStoredDepthLies) {
     const Scene scene = load_scene("boxes");
     const FrameRequest size{.width = 640, .height = 360};
-    for (const char* type : {"directional", "spot", "point"})
+    for (const auto& [type, fit] :
+         {std::pair{"directional", "scene"}, {"directional", "lispsm"}, {"spot", "scene"}, {"point", "scene"}})
         for (const char* format : {"d16", "d32f", "colour", "linear16"})
             for (const char* reversed : {"false", "true"}) {
                 const Settings plain = settings_for(scene, {{"light.type", type},
-                                                            {"light.fit", "scene"},
+                                                            {"light.fit", fit},
                                                             {"map.format", format},
                                                             {"map.reversed_z", reversed},
                                                             {"map.resolution", "64"},
@@ -95,7 +96,7 @@ TEST_F(SlabsTest, StandWhereTheStoredDepthLies) {
                         strong += blue > 45;
                     }
                 }
-                const std::string where = std::string(type) + " " + format + " " + reversed;
+                const std::string where = std::string(type) + " " + fit + " " + format + " " + reversed;
                 EXPECT_GT(visible, 200) << where;
                 EXPECT_EQ(tinted, visible) << where;
                 // Behind a surface there is a hint of it at most, but for a nearer slab at the same pixel.

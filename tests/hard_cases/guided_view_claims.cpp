@@ -120,6 +120,28 @@ const Claims& guided_view_claims() {
              EXPECT_LT(boxes.shot.light().chooser.spans[0].ends, measured.shot.frame.seen_m.value().from_m)
                  << "the nearest map of the boxes holds nothing";
          }},
+        {"lispsm",
+         [] {
+             const Drawn warped("lispsm"), even("lispsm", {"light.fit=view"});
+             const TexelSize sizes = warped.shot.view().texel_sizes(1024);
+             EXPECT_GT(sizes.longest, 100 * sizes.shortest);
+             EXPECT_LT(sizes.shortest, 0.25 * even.shot.view().texel_size(1, 1024));
+             EXPECT_LT(warped.mae(), 0.65 * even.mae());
+         }},
+        {"lispsm-duel",
+         [] {
+             // By how much w grows over the map: near texels are finer by that, and by its square.
+             const auto warps = [](const Drawn& d) { return 1 / (1 + d.shot.view().curve.warp->rise); };
+             const Drawn duel("lispsm-duel"), before("lispsm"), even("lispsm-duel", {"light.fit=view"});
+             EXPECT_LT(warps(duel), 0.5 * warps(before)) << warps(before);
+             const auto at_the_feet = [](const Drawn& d) {
+                 const LightView& view = d.shot.view();
+                 return view.texel_size_at(view.position_ws({0.5, 0}, 0), 1024).longest;
+             };
+             EXPECT_GT(at_the_feet(duel), 3 * at_the_feet(before)) << at_the_feet(before);
+             EXPECT_GT(duel.mae(), 3 * before.mae());
+             EXPECT_GT(duel.mae(), 0.65 * even.mae()) << "little is gained";
+         }},
         {"pancaking",
          [] {
              const Drawn flat("pancaking"), whole("pancaking", {"light.near_far=fitted"});

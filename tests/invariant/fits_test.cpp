@@ -26,9 +26,14 @@ std::vector<FitCase> fit_cases() {
     std::size_t turn = 0;
     for (const FitRow& row : fits())
         for (const LightType light : kLightTypes) {
-            const std::string kernel(filters()[turn++ * 5 % filters().size()].key);
-            for (const Place& place : kPlaces)
-                for (const bool part : {false, true}) out.push_back({std::string(row.key), light, kernel, place, part});
+            // Kernels that count in metres or go by depths meet texels and ranges that change over a warped map.
+            const bool all = row.warps && light == LightType::Directional;
+            const std::size_t first = turn++ * 5 % filters().size(), count = all ? filters().size() : 1;
+            for (std::size_t i = 0; i < count; ++i)
+                for (const Place& place : kPlaces)
+                    for (const bool part : {false, true})
+                        out.push_back({std::string(row.key), light,
+                                       std::string(filters()[(first + i) % filters().size()].key), place, part});
         }
     return out;
 }
@@ -85,6 +90,11 @@ TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
     const double reach = reach_under(s, wider, whole.frame.map_resolution).edge + 1.5;
     const TruthImage truth = trace_truth(RayTruth(scene), whole.frame.camera, wider, whole.width, whole.height,
                                          whole.frame.map_resolution, reach);
+    // Of a warped map some texels are wider, and some are not.
+    const TruthImage own = !shot.light().is_warped()
+                               ? truth
+                               : trace_truth(RayTruth(scene), whole.frame.camera, shot.light(), whole.width,
+                                             whole.height, whole.frame.map_resolution, reach);
     const Tolerance& tolerance = filter_of(s).tolerance;
     int lit = 0, dark = 0, beyond = 0;
     for (std::size_t i = 0; i < truth.lit.size(); ++i) {
@@ -99,7 +109,7 @@ TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
             EXPECT_NE(is, Lit::Shadow) << "pixel " << i;
             EXPECT_EQ(v, 1) << "pixel " << i;
         }
-        if (is == Lit::Boundary) continue;
+        if (is == Lit::Boundary || own.lit[i] == Lit::Boundary) continue;
         (is == Lit::Lit ? lit : dark) += 1;
         ASSERT_TRUE(is == Lit::Lit ? v >= 1 - tolerance.lit : v <= tolerance.dark)
             << v << " at pixel " << i << " of " << c.fit;
@@ -135,6 +145,45 @@ TEST_P(EachFit, LightsALonePlane) {
         ASSERT_GE(shot.visibility.data[i], 1 - filter_of(s).tolerance.lit);
     }
     EXPECT_GT(lit, 1000);
+}
+
+// A spot light may have a map of parallel rays, and a sun one in perspective. Neither has the light's own rays, but the
+// map's own are kept whatever the fit: of the sun that a spot's stand for, and of the point that a sun's come from.
+TEST(EachFitTheOtherProjection, KeepsTheTruthOfItsMapsRays) {
+    const Scene scene = covered_in_part({0, 0, 0});
+    for (const FitRow& row : fits())
+        for (const LightType type : {LightType::Directional, LightType::Spot}) {
+            SCOPED_TRACE(std::string(row.key) + (type == LightType::Spot ? ", spot" : ", sun"));
+            const bool sun = type == LightType::Directional;
+            Settings s = texel_settings("pcf3", 512, 0);
+            LightSettings& light = s.lights[0];
+            light.type = int(type), light.azimuth = 30, light.elevation = 60, light.distance = 9, light.cone = 100;
+            light.projection = int(sun ? LightProjection::Perspective : LightProjection::Orthographic);
+            set_setting(s, "light.fit", row.key);
+            s.bias.unit = int(BiasUnit::Metres), s.bias.constant = 0.4;
+            const Shot shot = shoot(scene, s);
+            ASSERT_EQ(shot.light().views.size(), 1u) << "cascades are for parallel rays";
+            EXPECT_FALSE(shot.light().closed) << "narrowed fits promise something of the light's own rays";
+            EXPECT_FALSE(shot.light().is_warped());
+            EXPECT_EQ(shot.light().is_perspective(), sun);
+            FittedLight as_mapped = shot.light();
+            as_mapped.type = sun ? LightType::Point : LightType::Directional;
+            as_mapped.position = shot.view().eye;
+            const TruthImage truth =
+                trace_truth(RayTruth(scene), shot.frame.camera, as_mapped, shot.width, shot.height,
+                            shot.frame.map_resolution, reach_under(s, shot.light(), 512).edge + 1.5);
+            int lit = 0, dark = 0;
+            for (std::size_t i = 0; i < truth.lit.size(); ++i) {
+                const Lit is = truth.lit[i];
+                if ((is != Lit::Lit && is != Lit::Shadow) || truth.hits[i]->normal.y < 0.5) continue;
+                const glm::dvec3 at = uvdw(shot.view(), truth.hits[i]->position);
+                if (std::min({at.x, at.y, 1 - at.x, 1 - at.y}) < 0.02) continue;
+                (is == Lit::Lit ? lit : dark) += 1;
+                ASSERT_NEAR(shot.visibility.data[i], is == Lit::Lit, 1e-6) << "pixel " << i;
+            }
+            EXPECT_GT(lit, 1000);
+            EXPECT_GT(dark, 150);
+        }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EachFit, testing::ValuesIn(fit_cases()), fit_name);

@@ -66,7 +66,7 @@ TEST(TexelSlabs, WithBiasStandWhereAFragmentComparesEqual) {
             bias.unit = int(unit);
             bias.constant = constant;
             for (const double stored : {0.2, 0.6, 0.9}) {
-                const auto z = compared_distance(view, bias, kTexels, stored);
+                const auto z = compared_distance(view, bias, kTexels, stored, {0.5, 0.5});
                 ASSERT_TRUE(z);
                 EXPECT_GT(*z, view.curve.distance(stored)) << "away from the light";
                 const double b = bias_at(view, bias, *z), sign = view.curve.convention.reversed ? -1 : 1;
@@ -76,7 +76,7 @@ TEST(TexelSlabs, WithBiasStandWhereAFragmentComparesEqual) {
             ASSERT_EQ(both.size(), 2u);
             EXPECT_TRUE(both[1].biased);
             EXPECT_NEAR(uvd_of(view, both[1].corners[0]).z,
-                        view.curve.depth(*compared_distance(view, bias, kTexels, 0.5)), 1e-9);
+                        view.curve.depth(*compared_distance(view, bias, kTexels, 0.5, {0.5, 0.5})), 1e-9);
             EXPECT_EQ(texel_slabs(view, bias, kTexels, {{3, 4}, {1, 1}}, {0.5f}, Slabs::Biased).size(), 1u);
         }
 }
@@ -87,8 +87,8 @@ TEST(TexelSlabs, BeyondInfinityThereIsNoSlab) {
     BiasSettings bias;
     bias.unit = int(BiasUnit::Depth);
     bias.constant = 0.5;  // the curve reaches infinity at depth 10 / 9
-    EXPECT_TRUE(compared_distance(view, bias, kTexels, 0.5));
-    EXPECT_FALSE(compared_distance(view, bias, kTexels, 0.7));
+    EXPECT_TRUE(compared_distance(view, bias, kTexels, 0.5, {0.5, 0.5}));
+    EXPECT_FALSE(compared_distance(view, bias, kTexels, 0.7, {0.5, 0.5}));
     EXPECT_TRUE(texel_slabs(view, bias, kTexels, {{0, 0}, {1, 1}}, {0.7f}, Slabs::Biased).empty());
 }
 

@@ -27,11 +27,12 @@ std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 s
     }
     if (!values || values->width != size.x || values->height != size.y) return {where, {}};
     const double stored = values->at(texel.x, size.y - 1 - texel.y);
+    const DepthCurve here = curve.at_row((texel.y + 0.5) / size.y);
     if (shown.channel > 0 && linear)
         return {where, fmt::format("{}   of a depth alone at {:.6g} of the range   {}", shown.name, stored,
-                                   exact_metres(curve.near + stored * (curve.far - curve.near)))};
+                                   exact_metres(here.near + stored * (here.far - here.near)))};
     if (shown.channel > 0) return {where, fmt::format("{}   {:.9g}", shown.name, stored)};
-    const double z = curve.distance(stored), share = (z - curve.near) / (curve.far - curve.near);
+    const double z = here.distance(stored), share = (z - curve.near) / (curve.far - curve.near);
     // Nine digits tell any two 32-bit depths apart.
     const std::string depth = fmt::format("{}   stored {:.9g}   linear {:.6g}", exact_metres(z), stored, share);
     return {where, stored == curve.convention.far_depth() ? depth + "   nothing drawn" : depth};

@@ -113,10 +113,10 @@ std::pair<std::string, std::string> title(const Settings& s, const FrameResult& 
     std::string format = "?";
     if (const auto ref = find_setting("map.format")) format = ref->param->choices()[std::size_t(s.map.format)].label;
     const LightView& view = fitted->views[std::size_t(shown_face(s, result))];
-    const double near_texel = view.texel_size(curve.near, n.x), far_texel = view.texel_size(curve.far, n.x);
-    const std::string texel = curve.perspective
-                                  ? fmt::format("{} to {}", metres_text(near_texel), metres_text(far_texel))
-                                  : metres_text(far_texel);
+    const TexelSize sizes = view.texel_sizes(n.x);
+    const std::string texel = curve.perspective || view.warped()
+                                  ? fmt::format("{} to {}", metres_text(sizes.shortest), metres_text(sizes.longest))
+                                  : metres_text(sizes.longest);
     const std::string name =
         view_name(fitted->chooser.choice, std::size_t(shown_face(s, result)), fitted->views.size());
     if (const ShownMap& shown = result.shown_map; shown.channel > 0) {
@@ -319,7 +319,8 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
                               state.frozen.has_value(), result.shown_map, state.settings.view.map != int(MapView::Raw));
             if (result.shown_map.channel == 0 && frame.map_values && frame.map_values->width == n.x &&
                 frame.map_values->height == n.y)
-                marked_m = result.map_view_curve.distance(frame.map_values->at(texel.x, n.y - 1 - texel.y));
+                marked_m = result.map_view_curve.at_row((texel.y + 0.5) / n.y)
+                               .distance(frame.map_values->at(texel.x, n.y - 1 - texel.y));
         }
     }
     if (fitted && fitted->clipped_casters > 0) {

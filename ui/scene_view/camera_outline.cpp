@@ -34,16 +34,20 @@ std::vector<std::pair<glm::dvec3, glm::dvec3>> camera_edges(const Camera& camera
 std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_outline_in_map(const Camera& camera, const LightView& view) {
     std::vector<std::pair<glm::dvec2, glm::dvec2>> lines;
     const glm::dmat3 to_view = glm::transpose(view.axes);
-    const double plane = kBeforeLight * view.curve.near;
+    // Lines end where w is as good as 0: before the light, or where a warped map reaches infinity.
+    const double least = view.warped() ? 1e-6 : kBeforeLight * view.curve.near;
+    const auto w_of = [&](const glm::dvec3& v) { return (view.projection * glm::dvec4(v, 1)).w; };
     const auto in_map = [&](const glm::dvec3& v) {
-        return 0.5 + 0.5 * glm::dvec2(v) / (view.half_width * (view.curve.perspective ? -v.z : 1.0));
+        const glm::dvec4 h = view.projection * glm::dvec4(v, 1);
+        return 0.5 + 0.5 * glm::dvec2(h) / h.w;
     };
     for (const auto& [from, to] : camera_edges(camera)) {
         glm::dvec3 a = to_view * (from - view.eye), b = to_view * (to - view.eye);
-        if (view.curve.perspective) {
-            if (-a.z < plane && -b.z < plane) continue;
-            if (-a.z < plane) a += (b - a) * ((plane + a.z) / (a.z - b.z));
-            if (-b.z < plane) b += (a - b) * ((plane + b.z) / (b.z - a.z));
+        if (view.curve.perspective || view.warped()) {
+            const double at_a = w_of(a), at_b = w_of(b);
+            if (at_a < least && at_b < least) continue;
+            if (at_a < least) a += (b - a) * ((least - at_a) / (at_b - at_a));
+            if (at_b < least) b += (a - b) * ((least - at_b) / (at_a - at_b));
         }
         if (const auto inside = clip_to_box(in_map(a), in_map(b), glm::dvec2(0), glm::dvec2(1)))
             lines.push_back(*inside);

@@ -104,10 +104,10 @@ void draw_kernel_on_surface(const PicturePainter& painter, const Probe::PerLight
     if (p.taps.empty() || std::size_t(p.face) >= p.fitted.views.size() || !faces_light(p.n_dot_l)) return;
     const LightView& view = p.fitted.views[std::size_t(p.face)];
     // One texel across is texel_m wide; the map's resolution follows from it.
-    const double n = 2 * view.half_width * (view.curve.perspective ? p.clip.w : 1.0) / p.texel_m;
+    const double n = view.texel_size_at(p.point.position_ws, 1).longest / p.texel_m;
     const auto corner = [&](const glm::ivec2& texel) {
         const glm::dvec2 uv = glm::dvec2(texel) / n;
-        return view.position_ws(uv, view.curve.distance(p.account.plane.at(uv)));
+        return view.position_ws(uv, view.curve.at_row(uv.y).distance(p.account.plane.at(uv)));
     };
     const double heaviest = heaviest_tap(p);
     for (const KernelTap& t : p.taps) {

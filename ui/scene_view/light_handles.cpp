@@ -69,7 +69,7 @@ LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, i
     pose.type = fitted.type;
     pose.has_map = fitted.casts && !fitted.views.empty();
     if (!fitted.views.empty()) pose.view = fitted.views[std::size_t(std::clamp(face, 0, int(fitted.views.size()) - 1))];
-    if (fitted.casts && fitted.is_cascaded()) pose.cascades = fitted.views;
+    if (fitted.casts && (fitted.is_cascaded() || fitted.is_warped())) pose.cascades = fitted.views;
     pose.to_light = fitted.to_light;
     pose.centre = target_origin(settings, fitted);
     pose.target = fitted.target;

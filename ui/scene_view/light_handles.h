@@ -41,7 +41,7 @@ struct LightPose {
     LightSettings settings;
     LightType type = LightType::Directional;
     LightView view;                   ///< the shown one: near, far and extent act on it
-    std::vector<LightView> cascades;  ///< all of them where the light has some; they are the fit's
+    std::vector<LightView> cascades;  ///< all of them where the light has some, or a warped map; they are the fit's
     glm::dvec3 centre{0};             ///< world; what settings.target_x, y, z count from
     glm::dvec3 target{0};             ///< world; what the light turns about or looks at
     glm::dvec3 position{0};           ///< world; where the light's mark stands

@@ -6,16 +6,17 @@
 namespace si {
 
 std::vector<Segment> frustum_edges(const LightView& view) {
-    const auto corner = [&](int i, double z) {
-        const double half = view.half_width * (view.curve.perspective ? z : 1.0);
-        return view.eye + view.axes * glm::dvec3(i & 1 ? half : -half, i & 2 ? half : -half, -z);
+    const auto corner = [&](int i, bool far) {
+        const glm::dvec2 uv(i & 1, i >> 1);
+        const DepthCurve curve = view.curve.at_row(uv.y);
+        return view.position_ws(uv, far ? curve.far : curve.near);
     };
     constexpr std::array<std::pair<int, int>, 4> sides{{{0, 1}, {1, 3}, {3, 2}, {2, 0}}};
     std::vector<Segment> edges;
     for (const auto& [a, b] : sides) {
-        edges.push_back({corner(a, view.curve.near), corner(b, view.curve.near), false});
-        edges.push_back({corner(a, view.curve.far), corner(b, view.curve.far), true});
-        edges.push_back({corner(a, view.curve.near), corner(a, view.curve.far), false});
+        edges.push_back({corner(a, false), corner(b, false), false});
+        edges.push_back({corner(a, true), corner(b, true), true});
+        edges.push_back({corner(a, false), corner(a, true), false});
     }
     return edges;
 }
