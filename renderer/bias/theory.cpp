@@ -43,12 +43,12 @@ double depth_quantum(MapFormat format, double depth) {
 
 double depth_quantum(MapFormat format, const DepthCurve& curve, double depth) {
     if (!holds_distances(int(format))) return depth_quantum(format, depth);
+    const MapFormat kept = format == MapFormat::Linear16 ? MapFormat::D16 : MapFormat::D32F;
+    if (!curve.perspective) return depth_quantum(kept, depth);
     const double z = curve.distance(depth), range = curve.far - curve.near;
     const double share = (curve.convention.reversed ? curve.far - z : z - curve.near) / range;
-    const double step =
-        format == MapFormat::Linear16 ? depth_quantum(MapFormat::D16, share) : depth_quantum(MapFormat::D32F, share);
     // Besides, shaders make it a depth in single precision.
-    return step * range * curve.slope(z) + (curve.perspective ? 4 * depth_quantum(MapFormat::D32F, depth) : 0);
+    return depth_quantum(kept, share) * range * curve.slope(z) + 4 * depth_quantum(MapFormat::D32F, depth);
 }
 
 LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum, int subpixel_bits,

@@ -41,14 +41,14 @@ float depth_quantum(Receiver r) {
     return 1.0 / 16777215.0;
 #elif MAP_HOLDS_DISTANCES
     vec4 curve = frame.views[r.layer].curve;
-    float range = curve.y - curve.x, steps = 1.0 / 65535.0;
     bool perspective = LIGHT_PERSPECTIVE[r.light] != 0;
-    float z = perspective ? r.z : metres_from_depth(r.uvd.z, curve.x, curve.y, false);
-    float share = (map_reversed_z != 0 ? curve.y - z : z - curve.x) / range;
+    float share = perspective ? (map_reversed_z != 0 ? curve.y - r.z : r.z - curve.x) / (curve.y - curve.x) : r.uvd.z;
 #if map_format == map_format_linear
-    steps = float_step(share);
+    float steps = float_step(share);
+#else
+    float steps = 1.0 / 65535.0;
 #endif
-    return steps * range * r.depth_per_m + (perspective ? 4.0 * float_step(r.uvd.z) : 0.0);
+    return perspective ? steps * (curve.y - curve.x) * r.depth_per_m + 4.0 * float_step(r.uvd.z) : steps;
 #else
     return float_step(r.uvd.z);
 #endif

@@ -6,8 +6,8 @@ layout(std140, binding = BLOCK_FRAME) uniform FrameUniforms { FrameBlock frame; 
 // and whatever no light of the scene needs costs nothing.
 const int LIGHT_DIRECTIONAL = 0, LIGHT_SPOT = 1, LIGHT_POINT = 2;
 
-/// Whether all rays of a view run one way: w is 1 everywhere.
-bool is_parallel(ViewBlock view) {
+/// Whether rays run from one point: only then does depth crowd along them. A warped view's w changes across its rays.
+bool is_perspective(ViewBlock view) {
     mat4 m = view.uvd_from_relative;
-    return m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0;
+    return any(notEqual(vec3(m[0][3], m[1][3], m[2][3]), vec3(0.0))) && all(equal(view.warp, vec4(0.0)));
 }

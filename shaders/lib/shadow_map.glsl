@@ -32,7 +32,7 @@ layout(binding = UNIT_SHADOW_MAP) uniform MAPS shadow_map;  // nearest, no compa
 /// Depths of stored shares of a view's range: see DepthCurve::depth_of_share().
 vec4 depth_of_stored(vec4 share, int layer) {
     ViewBlock view = frame.views[layer];
-    if (is_parallel(view)) return share;
+    if (!is_perspective(view)) return share;
     float near = view.curve.x, far = view.curve.y;
     // As stored at both ends, and where there is no page.
     bvec4 between = bvec4(ivec4(greaterThan(share, vec4(0.0))) * ivec4(lessThan(share, vec4(1.0))));
