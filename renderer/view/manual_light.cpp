@@ -34,20 +34,24 @@ LightSettings manual_light(const LightSettings& settings, const FittedLight& fit
     // What the cone bounds follows it still.
     if (!orthographic && fitted.closed) s.extent = view.half_width * s.distance;
     if (!orthographic) return s;
-    // A warped map's as a square map: that around its corners.
-    glm::dvec2 lo(0), hi(0);
-    for (int i = 0; i < 4; ++i) {
-        const glm::dvec2 at(glm::transpose(view.axes) * (view.position_ws({i & 1, i >> 1}, 0) - view.eye));
-        lo = i ? glm::min(lo, at) : at, hi = i ? glm::max(hi, at) : at;
+    s.extent = view.half_width;
+    glm::dvec2 middle(0);
+    if (view.warped()) {  // as a square map: that around its corners
+        glm::dvec2 lo(0), hi(0);
+        for (int i = 0; i < 4; ++i) {
+            const glm::dvec2 at(glm::transpose(view.axes) * (view.position_ws({i & 1, i >> 1}, 0) - view.eye));
+            lo = i ? glm::min(lo, at) : at, hi = i ? glm::max(hi, at) : at;
+        }
+        s.extent = 0.5 * std::max(hi.x - lo.x, hi.y - lo.y);
+        middle = 0.5 * (lo + hi);
     }
-    s.extent = 0.5 * std::max(hi.x - lo.x, hi.y - lo.y);
     if (fitted.type != LightType::Directional) {
         // The range begins at the light itself: that is what 0 finds again.
         if (s.near <= 0) s.near = 0;
         return s;
     }
     // A fit moves the map sideways to the middle of the scene; by hand it lies about the target.
-    const glm::dvec3 aside = view.eye + view.axes * glm::dvec3(0.5 * (lo + hi), 0) - fitted.position;
+    const glm::dvec3 aside = view.eye + view.axes * glm::dvec3(middle, 0) - fitted.position;
     if (glm::length(aside) > kSamePlace * s.distance) {
         s.target_x += aside.x;
         s.target_y += aside.y;

@@ -107,7 +107,7 @@ TEST_F(WarpedMapsTest, ErrsLessThanAnEvenMapAndComesToTheTruth) {
     const auto error = [&](const Scene& scene, Settings s) {
         set_setting(s, "filter.kernel", "hard");
         set_setting(s, "bias.kind", "receiver-plane");
-        s.bias.constant = s.bias.slope = s.bias.normal = 0;
+        s.bias.normal = 0;
         return measure(scene, s).metrics;
     };
     const Scene land = load_scene("landscape"), ground = long_ground({0, 0, 0});
