@@ -1,4 +1,6 @@
 // Outside of all of the light's shadow volumes, as renderer/passes/shadow_volumes.cpp counted them at this pixel.
+// Crow, Shadow Algorithms for Computer Graphics, SIGGRAPH 1977; Everitt and Kilgard, Practical and Robust Stenciled
+// Shadow Volumes for Hardware-Accelerated Rendering, 2002.
 #include "shared/units.h"
 layout(binding = UNIT_VOLUMES) uniform sampler2DArray volumes_map;  // a layer a light: 1 where the surface lies in none
 

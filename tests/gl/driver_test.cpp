@@ -1,6 +1,7 @@
 // What is measured of the driver at hand: the worth of glPolygonOffset, and which clock tells the truth.
 #include <chrono>
 #include <cmath>
+#include <set>
 
 #include "renderer/gl/timer.h"
 #include "renderer/settings/map_storage.h"
@@ -128,6 +129,40 @@ TEST_F(DriverTest, MeasuringAnOffsetLeavesTheStateAsItWas) {
         const PolygonOffset& as_usual = usual.offset[std::size_t(format)];
         EXPECT_EQ(offset.unit(0x1p-24), as_usual.unit(0x1p-24));
         EXPECT_EQ(offset.slope({1, 1}), as_usual.slope({1, 1}));
+    }
+}
+
+std::set<GLuint> linked, used;
+decltype(epoxy_glLinkProgram) real_link = nullptr;
+decltype(epoxy_glUseProgram) real_use = nullptr;
+
+// A renderer that was just made compiles what its frames draw with, when they first do, and nothing else.
+TEST_F(DriverTest, CompilesWhatAFrameUses) {
+    const GLuint program = glCreateProgram();
+    glLinkProgram(program), glUseProgram(0);  // epoxy looks a function up when it is first called
+    glDeleteProgram(program);
+    real_link = epoxy_glLinkProgram, real_use = epoxy_glUseProgram;
+    const Instead linking(
+        epoxy_glLinkProgram, +[](GLuint id) { linked.insert(id), real_link(id); });
+    const Instead using_(
+        epoxy_glUseProgram, +[](GLuint id) {
+            if (id) used.insert(id);
+            real_use(id);
+        });
+    linked.clear(), used.clear();
+    Renderer fresh;
+    EXPECT_TRUE(linked.empty()) << "before the first frame";
+    FrameRequest request = small();
+    request.outputs.shadow_map = true;
+    for (const char* kernel : {"pcf3", "pcss", "vsm", "savsm"}) {
+        const Settings s = settings_for(scene, {{"filter.kernel", kernel}});
+        // With the very first frame the new picture is there, compiled and all.
+        const ByteImage at_once = fresh.read_colour(fresh.render(scene, s, request).colour);
+        EXPECT_FALSE(linked.empty());
+        EXPECT_TRUE(std::ranges::includes(used, linked)) << kernel;
+        Renderer other;
+        EXPECT_EQ(at_once, other.read_colour(other.render(scene, s, request).colour)) << kernel;
+        linked.clear(), used.clear();
     }
 }
 

@@ -1,4 +1,6 @@
 // One frame as a function: equal inputs give equal bytes, two ways give one picture, and the plan tells the truth.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -127,27 +129,31 @@ TEST_F(FrameTest, WiderKernelsSoftenMore) {
 }
 
 TEST_F(FrameTest, EveryPermutationCompiles) {
-    const Scene scene = load_scene("stage");  // masked, textured and plain materials
     FrameRequest request{.width = 32, .height = 18};
     request.outputs = {.colour = true, .shadow_map = true};
     std::vector<const Param*> rows;
     for (const Param& p : params())
         if (p.shader && p.cost == Cost::Program && p.scope == Scope::Scene) rows.push_back(&p);
     ASSERT_GE(rows.size(), 8u);
+    const auto choices = [](const Param* p) { return p->choices ? int(p->choices().size()) : 2; };
+    const auto draw = [&](const Scene& scene, std::initializer_list<std::pair<const Param*, int>> chosen) {
+        Settings s = settings_for(scene, {{"map.resolution", "16"}, {"filter.kernel", "hard"}});
+        std::string what;
+        for (const auto& [p, v] : chosen) {
+            set_value(s, {p, 0, {}}, p->choices ? Value(v) : Value(v != 0));
+            what += fmt::format("{} {} ", p->key, v);
+        }
+        ASSERT_NO_THROW(renderer.render(scene, s, request)) << what;
+    };
+    const Scene stage = load_scene("stage");  // masked, textured and plain materials
+    for (const Param* p : rows)
+        for (int i = 0; i < choices(p); ++i) draw(stage, {{p, i}});
     // Each choice of each row under each choice of each other row: every pair of defines meets in some program.
+    const Scene boxes = load_scene("boxes");
     for (std::size_t a = 0; a < rows.size(); ++a)
         for (std::size_t b = a + 1; b < rows.size(); ++b)
-            for (int i = 0; i < (rows[a]->choices ? int(rows[a]->choices().size()) : 2); ++i)
-                for (int j = 0; j < (rows[b]->choices ? int(rows[b]->choices().size()) : 2); ++j) {
-                    Settings s = settings_for(scene, {{"map.resolution", "16"}, {"filter.kernel", "hard"}});
-                    const auto put = [&](const Param* p, int v) {
-                        set_value(s, {p, 0, {}}, p->choices ? Value(v) : Value(v != 0));
-                    };
-                    put(rows[a], i);
-                    put(rows[b], j);
-                    ASSERT_NO_THROW(renderer.render(scene, s, request))
-                        << rows[a]->key << " " << i << ", " << rows[b]->key << " " << j;
-                }
+            for (int i = 0; i < choices(rows[a]); ++i)
+                for (int j = 0; j < choices(rows[b]); ++j) draw(boxes, {{rows[a], i}, {rows[b], j}});
 }
 
 TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
