@@ -59,6 +59,8 @@ void run_overview(const OverviewOptions& options) {
         }
         // All of it once more, now that programs are compiled, for the clock.
         request.outputs = {.colour = true, .shadow_map = true, .visibility = true};
+        TruthCache truths;
+        trace_sources(renderer, session.scene, session.settings, request, truths);
         request.timing = request.force = true;
         frame = renderer.render(session.scene, session.settings, request);
         driver = renderer.driver();

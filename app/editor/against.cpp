@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "app/report/against.h"
@@ -28,6 +29,15 @@ struct EditorAgainst::Texture {
     Texture& operator=(const Texture&) = delete;
 };
 
+namespace {
+
+constexpr const char* kLacksRays =
+    "The other side's shadow is ray traced, and rays are traced for the settings shown alone: show that side itself, "
+    "or "
+    "hold them against each other by render --against";
+
+}  // namespace
+
 EditorAgainst::EditorAgainst() = default;
 EditorAgainst::~EditorAgainst() = default;
 
@@ -50,15 +60,22 @@ void EditorAgainst::draw_other(const Scene& scene, const EditorState& state, con
     const bool same = other_ && other_drawn_ == settings && other_scene_ == scene.id && other_width_ == request.width &&
                       other_height_ == request.height && other_truth_ == request.truth &&
                       other_traced_ == request.traced && other_light_maps_ == request.light_maps &&
-                      facts_->picture.texture;
-    if (same) return;
+                      (facts_->picture.texture || lacks_rays_);
+    if (same) {
+        if (lacks_rays_) facts_->problem = kLacksRays;
+        return;
+    }
     if (!other_) other_ = std::make_unique<Renderer>();
     FrameRequest wanted{.width = request.width,
                         .height = request.height,
                         .truth = request.truth,
                         .traced = request.traced,
                         .light_maps = request.light_maps};
-    facts_->picture = other_->render(scene, settings, wanted).colour;
+    const FrameResult drawn = other_->render(scene, settings, wanted);
+    const auto lacks = [](const auto& n) { return n.key != 0 && !n.met; };
+    lacks_rays_ = std::ranges::any_of(drawn.traced, lacks) || std::ranges::any_of(drawn.light_maps, lacks);
+    facts_->picture = lacks_rays_ ? Image() : drawn.colour;
+    if (lacks_rays_) facts_->problem = kLacksRays;
     other_drawn_ = std::move(settings);
     other_scene_ = scene.id;
     other_width_ = request.width, other_height_ = request.height;

@@ -68,19 +68,19 @@ bool EditorTruth::poll() {
         if (found->picture) {
             pictures_.resize(std::max(pictures_.size(), std::size_t(found->light) + 1));
             pictures_[std::size_t(found->light)] = std::move(found->picture);
-            problem_.clear(), given_up_ = 0;
+            problem_.clear(), given_up_.erase(doing_key_);
         }
         if (found->light_map) {
             light_maps_.resize(std::max(light_maps_.size(), std::size_t(found->light) + 1));
             light_maps_[std::size_t(found->light)] = std::move(found->light_map);
-            problem_.clear(), given_up_ = 0;
+            problem_.clear(), given_up_.erase(doing_key_);
         }
         remark_ = std::move(found->remark);
     }
     if (outcome->problem) try {
             std::rethrow_exception(outcome->problem);
         } catch (const std::exception& e) {
-            given_up_ = doing_key_;
+            given_up_.insert(doing_key_);
             problem_ = e.what();
             throw;
         }
@@ -137,11 +137,16 @@ bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings&
     for (std::size_t i = 0; i < light_maps_.size(); ++i)
         if (i >= frame.light_maps.size() || frame.light_maps[i].key == 0) light_maps_[i].reset();
     const auto next = std::find_if(needs.begin(), needs.end(),
-                                   [&](const LightNeed& n) { return !n.met && (wishes.cancel || n.key != given_up_); });
+                                   [&](const LightNeed& n) { return !n.met && !given_up_.contains(n.key); });
     if (wishes.save_error) save_next_ = wishes.save_error;
-    if (!needs.empty() && !wants(given_up_)) given_up_ = 0, problem_.clear();
+    if (!needs.empty()) {
+        std::erase_if(given_up_, [&](std::uint64_t key) { return !wants(key); });
+        if (given_up_.empty()) problem_.clear();
+    }
     if (wishes.cancel) {
-        given_up_ = job_.busy() ? doing_key_ : next != needs.end() ? next->key : 0;
+        if (job_.busy()) given_up_.insert(doing_key_);
+        for (const LightNeed& n : needs)
+            if (!n.met) given_up_.insert(n.key);
         problem_ = "Cancelled";
         job_.cancel();
     }
@@ -158,7 +163,7 @@ bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings&
         return changed;
     if (save_next_ && frame.truth.met) {
         start_save(renderer, scene, settings, request, *std::exchange(save_next_, {}));
-    } else if (next != needs.end() && next->key != given_up_) {
+    } else if (next != needs.end() && !given_up_.contains(next->key)) {
         if (next->light_map)
             start_bake(scene, settings, frame, next->light);
         else

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -63,7 +64,7 @@ private:
     TruthCache cache_;                                           ///< used by the job while there is one
     std::vector<std::shared_ptr<const TruthPicture>> pictures_;  ///< by light; of no longer wanted ones null
     std::vector<std::shared_ptr<const LightMap>> light_maps_;    ///< the same
-    std::uint64_t given_up_ = 0;                                 ///< key of what failed or was cancelled
+    std::set<std::uint64_t> given_up_;                           ///< keys of what failed or was cancelled
     std::string problem_, remark_;
     std::optional<std::string> save_next_;
     const char* doing_ = "";

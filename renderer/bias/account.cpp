@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "renderer/settings/biases.h"
+#include "renderer/settings/map_storage.h"
 #include "renderer/view/kernel_reach.h"
 
 namespace si {
@@ -80,7 +81,7 @@ BiasAccount bias_account(const FittedLight& light, const Settings& settings, int
     const double own = a.plane.edge_on() && row.brings_need ? 0 : r.bias_depth - a.by_itself;
     (r.bias_depth > row.amount(level, b) ? a.slope : a.constant) = own;
     if (bias.normal != 0) a.normal = a.plane.edge_on() ? kNoLimit : away * (a.plane.at(glm::dvec2(r.tap)) - r.tap.z);
-    a.raster = bias_at(BiasStage::Raster).amount(bias, b);
+    a.raster = offsets_polygons(settings) ? bias_at(BiasStage::Raster).amount(bias, b) : 0;
     a.lifts = away * (r.uvd.z - r.compared) + a.raster;
     return a;
 }

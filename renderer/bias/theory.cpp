@@ -47,8 +47,9 @@ double depth_quantum(MapFormat format, const DepthCurve& curve, double depth) {
     if (!curve.perspective) return depth_quantum(kept, depth);
     const double z = curve.distance(depth), range = curve.far - curve.near;
     const double share = (curve.convention.reversed ? curve.far - z : z - curve.near) / range;
-    // Besides, shaders make it a depth in single precision.
-    return depth_quantum(kept, share) * range * curve.slope(z) + 4 * depth_quantum(MapFormat::D32F, depth);
+    // Besides, in single precision the distance is made of w, and of it a depth again.
+    return depth_quantum(kept, share) * range * curve.slope(z) + 4 * depth_quantum(MapFormat::D32F, depth) +
+           4 * 0x1p-23 * z * curve.slope(z);
 }
 
 LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum, int subpixel_bits,

@@ -284,7 +284,7 @@ void find_traced(FrameState& f) {
             f.traced_pictures[i] = f.request.truth.get();
         need.met = f.traced_pictures[i] != nullptr;
         if (need.met)
-            f.lights_key.add(f.traced_pictures[i]->version);
+            f.lights_key.add(i).add(f.traced_pictures[i]->version);
         else
             f.notes.push_back(
                 fmt::format("light {} has no shadow yet: its source is {}, and no rays were traced for this view", i,
@@ -319,7 +319,7 @@ void find_light_maps(FrameState& f) {
             continue;
         }
         f.light_map_of_light[i] = map;
-        f.lights_key.add(map->version);
+        f.lights_key.add(i).add(map->version);
         need.bytes = map->texels.size(), need.rays = map->rays;
         need.texels_per_metre = map->layout->texels_per_metre, need.charts = map->layout->charts.size();
         need.bake_ms = map->bake_ms, need.from_disk = map->from_disk;

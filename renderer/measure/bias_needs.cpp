@@ -193,6 +193,8 @@ std::optional<BiasSettings> least_bias_by(const Bias& row, const MeasuredError& 
         pixels.push_back(std::move(at));
     });
     const auto last = std::ranges::find_if(worth_it.rbegin(), worth_it.rend(), [](double w) { return w > 0; });
+    const bool needed = std::ranges::any_of(pixels, [](const At& at) { return at.need > 0; });
+    if (needed && last == worth_it.rend()) return std::nullopt;
     for (std::size_t k = 0; k < amounts.size(); ++k) {
         if (!(worth_it[k] > 0)) continue;
         const bool is_last = &worth_it[k] == &*last;

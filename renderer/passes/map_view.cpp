@@ -45,7 +45,10 @@ Pass channel_pass(FrameState& f, MapViewTargets& t, Key key, int layer) {
     pass.reads = {Result::Moments};
     pass.writes = {Result::MapChannel};
     pass.idle_reason = "the map viewer is closed";
-    if (shown_channel(f.settings) == 0) pass.unneeded = "view.map_channel asks for depth";
+    if (shown_channel(f.settings) == 0) {
+        pass.unneeded = "view.map_channel asks for depth";
+        f.plan.release([&t] { t.channel = {}; });
+    }
     pass.key = key.add(f.settings.view.map).add(f.settings.filter.kernel).value();
     pass.cached = &t.channel.key;
     pass.run = [&f, &t, layer](PassInfo& info) {

@@ -14,7 +14,7 @@ namespace si {
 /// Light maps by what they are made of. Any thread.
 class LightMaps {
 public:
-    /// What the folder on disk may take in all, and those in memory that nobody holds.
+    /// What the folder on disk may take in all, and what is kept in memory; the longest unused goes first.
     static constexpr std::uint64_t kMostOnDisk = 512ull << 20, kMostInMemory = 256ull << 20;
 
     /// The map of that task: known, read from disk, or else baked and kept in both. A file that is damaged, or of

@@ -121,7 +121,9 @@ constexpr auto kView = std::to_array<Param>({
      .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map_mip), .label = "Mip level", .unit = "", .min = 0, .max = 15, .idle = mip_idle,
      .help = "Which mip level of the channel is shown: 0 the map's own texels, each further one has half as many "
-             "across; numbers past the coarsest mean that one. The saved floats are the level's own.",
+             "across; numbers past the coarsest mean that one. The saved floats are the level's own: of a moment its "
+             "numbers under view.map raw, else "
+             "the share of the range that alone would have it.",
      .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map_fit), .label = "Fit greys to what is drawn", .unit = "", SI_IDLE(is_bands(s), kBandColours),
      .help = "Black and white lie at the smallest and the largest depth that was drawn, the empty background left out, "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "renderer/settings/fits.h"
 #include "renderer/view/fit_context.h"
@@ -61,10 +62,9 @@ double texel_in_row(const LightView& view, double row, int resolution) {
     return std::max(longest(0), longest(1));
 }
 
-}  // namespace
-
-void fit_warped(FittedLight& light, LightView view, const FitContext& c, const Camera& camera,
-                std::span<const glm::dvec3> points, double margin) {
+/// The view with a margin of that many texels on each side of what is looked up.
+LightView warped_view(LightView view, const FitContext& c, const Camera& camera, std::span<const glm::dvec3> points,
+                      double margin) {
     const double sine = turn_to_camera(view, camera);
     const glm::dmat3 to_view = glm::transpose(view.axes);
     Extent x, y;
@@ -83,10 +83,7 @@ void fit_warped(FittedLight& light, LightView view, const FitContext& c, const C
     // The map goes on by its margin, where 1 / w falls on: to half of what it is at the farthest point, never to 0.
     const double most_ratio = 1 + (1 - kRimShare) * 2 * share / (1 - share);
     double k = 0;
-    if (camera.orthographic)
-        note(light, "light.fit lispsm: an orthographic camera sees all depths at one size, so its map is not warped");
-    else if (camera_depths.hi > 0)
-        k = rise_of_w(camera_depths, y.size(), sine, most_ratio);
+    if (!camera.orthographic && camera_depths.hi > 0) k = rise_of_w(camera_depths, y.size(), sine, most_ratio);
 
     // Across the rays: u = x / w and v = y / w, with w = 1 + k y, stretched over the map.
     const auto w_at = [&](double at_y) { return 1 + k * at_y; };
@@ -159,9 +156,32 @@ void fit_warped(FittedLight& light, LightView view, const FitContext& c, const C
     view.curve.warp = DepthWarp{middle, begin / front, end / front, behind / front - 1};
     const DepthCurve low = view.curve.at_row(0), high = view.curve.at_row(1);
     view.curve.near = std::min(low.near, high.near), view.curve.far = std::max(low.far, high.far);
+    return view;
+}
+
+}  // namespace
+
+void fit_warped(FittedLight& light, LightView view, const FitContext& c, const Camera& camera,
+                std::span<const glm::dvec3> points, double margin) {
+    LightView warped = warped_view(view, c, camera, points, margin);
+    // The normal offset goes by a texel's longest side, which a margin in texels does not hold; a wider map has longer
+    // ones.
+    const double normal = std::abs(finite_or(c.all_settings.bias.normal, 0));
+    std::vector<glm::dvec3> held;
+    for (int i = 0; i < 3 && normal > 0; ++i) {
+        held.assign(points.begin(), points.end());
+        for (const glm::dvec3& p : points) {
+            const double offset = normal * warped.texel_size_at(p, c.resolution).longest;
+            for (int axis = 0; axis < 2; ++axis)
+                for (const double by : {-offset, offset}) held.push_back(p + by * warped.axes[axis]);
+        }
+        warped = warped_view(view, c, camera, held, margin);
+    }
+    if (camera.orthographic)
+        note(light, "light.fit lispsm: an orthographic camera sees all depths at one size, so its map is not warped");
     if (takes_near_far(c.settings))
         note(light, "light.fit lispsm: near and far by hand have no effect on a warped map");
-    light.views.push_back(view);
+    light.views.push_back(warped);
 }
 
 }  // namespace si

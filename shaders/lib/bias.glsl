@@ -48,7 +48,8 @@ float depth_quantum(Receiver r) {
 #else
     float steps = 1.0 / 65535.0;
 #endif
-    return perspective ? steps * (curve.y - curve.x) * r.depth_per_m + 4.0 * float_step(r.uvd.z) : steps;
+    return perspective ? (steps * (curve.y - curve.x) + exp2(-21.0) * r.z) * r.depth_per_m + 4.0 * float_step(r.uvd.z)
+                       : steps;
 #else
     return float_step(r.uvd.z);
 #endif

@@ -18,6 +18,7 @@ void main() {
 #if MAP_HOLDS_DISTANCES
     // 1 / w is what the rasteriser interpolates: of a depth the far part of the range would have lost its last bits.
     float z = 1.0 / gl_FragCoord.w;
-    if (curve.z > 0.5) stored_out = (curve.w > 0.5 ? curve.y - z : z - curve.x) / (curve.y - curve.x);
+    // What a near plane flattens lies before it.
+    if (curve.z > 0.5) stored_out = clamp((curve.w > 0.5 ? curve.y - z : z - curve.x) / (curve.y - curve.x), 0.0, 1.0);
 #endif
 }

@@ -92,7 +92,7 @@ TEST(Lists, SettingsSayWhatTheyTake) {
     const Json& format = *row(list, "map.format");
     EXPECT_EQ(format["type"], "choice");
     EXPECT_EQ(format["default"], "d32f");
-    ASSERT_EQ(format["choices"].size(), 4u);
+    ASSERT_EQ(format["choices"].size(), 6u);
     EXPECT_EQ(format["choices"][3]["key"], "colour");
     EXPECT_EQ((*row(list, "map.reversed_z"))["type"], "bool");
 }

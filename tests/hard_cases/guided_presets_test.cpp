@@ -75,6 +75,8 @@ TEST(GuidedPresetFiles, OpenWithoutRemarksButForTheCastersTheyLose) {
         EXPECT_TRUE(session.notes.empty()) << session.notes.front();
         FrameRequest request;
         request.width = 64, request.height = 36;
+        TruthCache truths;  // what is baked or traced for a picture is there when it is shown
+        trace_sources(hard_renderer(), session.scene, session.settings, request, truths);
         const FrameResult frame = hard_renderer().render(session.scene, session.settings, request);
         for (const std::string& note : frame.notes)
             EXPECT_TRUE((p.topic == "Front-face culling" && note.find("casts no shadow") != std::string::npos) ||

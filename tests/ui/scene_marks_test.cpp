@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "renderer/view/projection.h"
 #include "tests/support/box_scene.h"
 #include "ui/scene_view/camera_outline.h"
 #include "ui/scene_view/probe_ray.h"
@@ -25,6 +26,7 @@ FittedLight from_above(double height, bool perspective) {
     view.axes = orthonormal_basis({0, 1, 0});
     view.curve = {perspective, 2, 12, {}};
     view.half_width = perspective ? 0.5 : 5;
+    view.projection = projection_matrix(view.curve, view.half_width, view.half_width);
     light.views = {view};
     return light;
 }
@@ -36,6 +38,7 @@ Probe probe_at(const glm::dvec3& position, const FittedLight& light, double stor
     Probe::PerLight l;
     l.casts = true;
     l.where = "inside";
+    l.account.curve = light.views[0].curve;
     l.own_m = light.views[0].eye.y - position.y;
     l.stored_m = stored_m;
     l.visibility = visibility;

@@ -37,6 +37,7 @@ Settings warped(const glm::dvec3& target) {
 Settings level_view(double angle_deg) {
     Settings s = warped({0, 2, 20});
     s.camera.azimuth = s.camera.elevation = 0, s.camera.distance = 10, s.camera.near = 0.5;
+    s.bias.normal = 0;  // else the map holds its offset, too
     s.lights[0].azimuth = 0, s.lights[0].elevation = angle_deg;
     return s;
 }
@@ -92,6 +93,13 @@ TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
                     for (int axis = 0; axis < 2; ++axis) {
                         EXPECT_GT(at_map[axis], 2.0 / 512) << "a kernel has room";
                         EXPECT_LT(at_map[axis], 1 - 2.0 / 512);
+                    }
+                    // Wherever the surface looks, its normal offset leads to nothing outside.
+                    const double offset = s.bias.normal * view.texel_size_at(p, 512).longest;
+                    ASSERT_GT(offset, 0);
+                    for (int i = 0; i < 4; ++i) {
+                        const glm::dvec4 moved = test::uvdw(view, p + (i & 1 ? offset : -offset) * view.axes[i >> 1]);
+                        EXPECT_GT(std::min({moved.x, moved.y, 1 - moved.x, 1 - moved.y}), 0);
                     }
                     // Receivers that no caster stands before may lie before a range that begins at the casters.
                     const double share = s.map.reversed_z ? 1 - at_map.z : at_map.z;
