@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWidth = 640, kHeight = 360, kShownWidth = 320, kResolution = 1024;
+constexpr int kWidth = 640, kHeight = 360, kShownWidth = 240, kResolution = 1024;
 
 constexpr std::string_view kTechniquesIntro =
     "# Techniques\n\n"
@@ -160,7 +160,7 @@ std::vector<Section> all_sections(Renderer& renderer, const Scene& scene, const 
 }
 
 std::string picture_name(const Section& s, const Entry& e) {
-    std::string name = e.sets.empty() ? fmt::format("{}.{}", s.setting, e.key) : e.sets;
+    std::string name = fmt::format("{}.{}", s.setting, e.sets.empty() ? e.key : std::string_view(e.sets));
     std::ranges::replace(name, '.', '-'), std::ranges::replace(name, '=', '-');
     return name + ".png";
 }
