@@ -146,7 +146,9 @@ std::vector<Entry> lighting_entries(const Settings& base) {
 std::vector<Section> all_sections(Renderer& renderer, const Scene& scene, const Settings& base) {
     return {
         {"Filter kernels", "filter.kernel", "How the shadow test is filtered.", kernel_entries(base)},
-        {"Biases", "bias.kind", "Each alone, at the least numbers that leave no acne by its own theory.",
+        {"Biases", "bias.kind",
+         "Each alone, at the least numbers that leave no acne by its own theory. A constant has to serve the steepest "
+         "lit faces, and takes the shadows of the rest with it.",
          bias_entries(renderer, scene, base)},
         {"Sources", "light.source", "Where a light's shadows come from.", entries_of(sources(), base, "light.source")},
         {"Fits", "light.fit", "What a map covers.", entries_of(fits(), base, "light.fit")},
