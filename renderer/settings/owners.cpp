@@ -8,6 +8,7 @@
 
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/sources.h"
 #include "renderer/settings/splits.h"
 
 namespace si {
@@ -38,6 +39,7 @@ std::vector<TechniqueTable> technique_tables() {
     return {table_of("filter.kernel", filters(), filters().size()),
             table_of("bias.kind", biases(), bias_choices().size()),
             table_of("light.split", splits(), splits().size()),
+            table_of("light.source", sources(), sources().size()),
             {"map.virtual", {{"off", {}}, {"on", kPageSettings}}}};
 }
 
@@ -71,9 +73,14 @@ std::string_view not_owned(const Settings& s, const SettingRef& ref) {
     const auto found = all.find(ref.param->key);
     if (found == all.end()) return {};
     const Ownership& o = found->second;
-    const Value chosen = get_value(s, {o.chooser, ref.light, ref.object});
-    const int row = std::visit([](auto v) { return int(v); }, chosen);
-    return std::ranges::find(o.rows, row) != o.rows.end() ? std::string_view() : std::string_view(o.reason);
+    // What lights share belongs to whatever any of them chooses.
+    const bool shared = o.chooser->scope == Scope::Light && ref.param->scope != Scope::Light;
+    const int first = shared ? 0 : ref.light, last = shared ? std::clamp(s.light_count, 0, kMaxLights) - 1 : ref.light;
+    for (int light = first; light <= last; ++light) {
+        const Value chosen = get_value(s, {o.chooser, light, ref.object});
+        if (std::ranges::find(o.rows, std::visit([](auto v) { return int(v); }, chosen)) != o.rows.end()) return {};
+    }
+    return o.reason;
 }
 
 }  // namespace si

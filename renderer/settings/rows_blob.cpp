@@ -1,26 +1,20 @@
 // Rows of blobs: blob.*.
 #include "renderer/settings/rows.h"
-#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
 
 using namespace rows;
 
-std::string_view no_blobs(const Settings& s, int) {
-    return any_source_needs(s, &SourceNeeds::blobs) ? "" : "without effect: no light's source are blobs (light.source)";
-}
-
 constexpr auto kBlobRows = std::to_array<Param>({
-    {SI_FIELD(blob.size), .label = "Size", .unit = "x caster", .min = 0.1, .max = 4, .idle = no_blobs,
+    {SI_FIELD(blob.size), .label = "Size", .unit = "x caster", .min = 0.1, .max = 4,
      .help = "Radius of the disc against half the caster's width across the light.", .read_by = ReadBy::Blobs},
-    {SI_FIELD(blob.softness), .label = "Softness", .unit = "", .min = 0, .max = 1, .idle = no_blobs,
+    {SI_FIELD(blob.softness), .label = "Softness", .unit = "", .min = 0, .max = 1,
      .help = "Share of the radius over which the disc fades at its rim: 0 is a hard edge, 1 fades from the middle on.",
      .read_by = ReadBy::Blobs},
-    {SI_FIELD(blob.opacity), .label = "Opacity", .unit = "", .min = 0, .max = 1, .idle = no_blobs,
+    {SI_FIELD(blob.opacity), .label = "Opacity", .unit = "", .min = 0, .max = 1,
      .help = "How much light the middle of the disc takes away.", .read_by = ReadBy::Blobs},
     {SI_FIELD(blob.reach), .label = "Reach", .unit = "radii", .min = 0, .max = 1000, .logarithmic = true,
-     .idle = no_blobs,
      .help = "Distance below the caster's middle at which the disc has faded away, in radii of the disc; 0 does not "
              "fade: it then falls through everything below.",
      .read_by = ReadBy::Blobs},

@@ -1,26 +1,19 @@
 // Rows of light maps: light_map.*.
 #include "renderer/settings/rows.h"
-#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
 
 using namespace rows;
 
-std::string_view no_light_map(const Settings& s, int) {
-    return any_source_needs(s, &SourceNeeds::light_map) ? ""
-                                                        : "without effect: no light's source is a light map "
-                                                          "(light.source)";
-}
-
 constexpr auto kLightMapRows = std::to_array<Param>({
     {SI_FIELD(light_map.resolution), .label = "Resolution", .unit = "texels", .min = 16, .max = 16384,
-     .logarithmic = true, .cost = Cost::Target, .idle = no_light_map,
+     .logarithmic = true, .cost = Cost::Target,
      .help = "Side of the square that holds all surfaces of the scene, a byte a texel and light. All surfaces have the "
              "same texels per metre: as many as fit, which the pass says. An edge of a shadow is off by up to 0.7 "
              "texels."},
     {SI_FIELD(light_map.samples), .label = "Rays per texel", .unit = "", .min = 1, .max = 1 << 20, .logarithmic = true,
-     .cost = Cost::Target, .idle = no_light_map,
+     .cost = Cost::Target,
      .help = "Most rays of a texel, over the light's area (light.size): 64 everywhere, then four times as many, and "
              "again, where the noise demands it. 1 goes to the light's middle: the shadow is hard."},
 });

@@ -1,6 +1,5 @@
 // Rows of shadow volumes: volumes.*.
 #include "renderer/settings/rows.h"
-#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
@@ -9,8 +8,6 @@ using namespace rows;
 
 constexpr auto kVolumeRows = std::to_array<Param>({
     {SI_FIELD(volumes.allow_large), .label = "Draw large ones", .unit = "",
-     SI_IDLE(!any_source_needs(s, &SourceNeeds::stencil),
-             "without effect: no light's source are shadow volumes (light.source)"),
      .help = "Draws shadow volumes also where more than 20000 triangles of casters are not of closed surfaces: each "
              "then brings faces of its own, and a picture may take minutes. Off: the light has no shadow there, and a "
              "note tells how many triangles it would take and how often they would cover the picture."},

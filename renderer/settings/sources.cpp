@@ -7,6 +7,10 @@
 namespace si {
 namespace {
 
+constexpr std::string_view kBlobSettings[] = {"blob.size", "blob.softness", "blob.opacity", "blob.reach"};
+constexpr std::string_view kVolumeSettings[] = {"volumes.allow_large"};
+constexpr std::string_view kLightMapSettings[] = {"light_map.resolution", "light_map.samples"};
+
 constexpr Source kSourceRows[] = {
     {.key = "map",
      .label = "shadow map",
@@ -28,6 +32,7 @@ constexpr Source kSourceRows[] = {
      .paper = "Blinn, Jim Blinn's Corner: Me and My (Fake) Shadow, IEEE Computer Graphics and Applications 8(1), 1988",
      .needs = {.blobs = true},
      .file = "sources/blob.glsl",
+     .settings = kBlobSettings,
      .stands_for = "a disc stands for the caster"},
     {.key = "volumes-zfail",
      .label = "shadow volumes (z-fail)",
@@ -40,7 +45,8 @@ constexpr Source kSourceRows[] = {
      .paper = "Everitt and Kilgard, Practical and Robust Stenciled Shadow Volumes for Hardware-Accelerated Rendering, "
               "2002; McGuire et al., Fast, Practical and Robust Shadows, 2003",
      .needs = {.stencil = true, .camera_depth = true},
-     .file = "sources/volumes.glsl"},
+     .file = "sources/volumes.glsl",
+     .settings = kVolumeSettings},
     {.key = "volumes-zpass",
      .label = "shadow volumes (z-pass)",
      .help =
@@ -50,7 +56,8 @@ constexpr Source kSourceRows[] = {
      .paper = "Crow, Shadow Algorithms for Computer Graphics, SIGGRAPH 1977; Heidmann, Real Shadows Real Time, IRIS "
               "Universe 18, 1991",
      .needs = {.stencil = true, .before = true, .camera_depth = true},
-     .file = "sources/volumes.glsl"},
+     .file = "sources/volumes.glsl",
+     .settings = kVolumeSettings},
     {.key = "traced",
      .label = "ray traced",
      .help = "The ray-traced truth itself, as truth.area, truth.samples, truth.noise and truth.step say. Exact and "
@@ -68,7 +75,8 @@ constexpr Source kSourceRows[] = {
      .paper = "Arvo, Backward Ray Tracing, SIGGRAPH 1986 course notes; Abrash, Quake's Lighting Model, in: Graphics "
               "Programming Black Book, 1997",
      .needs = {.light_map = true},
-     .file = "sources/light_map.glsl"},
+     .file = "sources/light_map.glsl",
+     .settings = kLightMapSettings},
 };
 
 }  // namespace

@@ -29,6 +29,7 @@ struct Source {
     /// Below shaders/, with `float source_visibility(Surface s, int light)`. Empty: nothing is drawn for it. What rays
     /// found is copied as it is, else all is lit.
     std::string_view file;
+    std::span<const std::string_view> settings = {};  ///< keys that it alone reads
     /// Why it does not tell where light reaches; empty: it does, as far as its samples do.
     std::string_view stands_for = {};
 };

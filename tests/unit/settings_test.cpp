@@ -12,6 +12,7 @@
 #include "renderer/settings/owners.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/rows.h"
+#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
@@ -299,6 +300,22 @@ TEST(SettingsIdle, EveryReasonEndsSomewhere) {
         if (ref.light == 0 && !idle_reason(Settings{}, ref).empty()) {
             EXPECT_TRUE(ends(ref)) << setting_key(ref) << " is always " << idle_reason(Settings{}, ref);
         }
+}
+
+TEST(SettingsOwned, OfASourceActWhereAnyLightHasIt) {
+    std::size_t owned = 0;
+    for (const Source& source : sources())
+        for (const std::string_view key : source.settings) {
+            const SettingRef ref = *find_setting(key);
+            Settings s;
+            EXPECT_NE(not_owned(s, ref), "") << key << " under a map";
+            set_setting(s, "light.1.source", source.key);
+            EXPECT_NE(not_owned(s, ref), "") << key << ": the second light is not there";
+            s.light_count = 2;
+            EXPECT_EQ(idle_reason(s, ref), "") << key;
+            ++owned;
+        }
+    EXPECT_GE(owned, 7u);
 }
 
 TEST(SettingsOwned, ActUnderTheKernelsThatListThemAlone) {
