@@ -301,6 +301,26 @@ TEST(EditorLightMap, IsBakedInTheBackgroundAndAnewWhenTheLightMoves) {
     expect_calm(editor);
 }
 
+// What fails for one light is not tried again because it failed for the other.
+TEST(EditorLightMap, MapsThatDoNotFitAreTriedOnceEach) {
+    HeadlessEditor editor(options({"light.count=2", "light.1.azimuth=80", "light.source=light-map",
+                                   "light.1.source=light-map", "light_map.resolution=16", "view.frustum=false"}));
+    editor.settle();
+    for (int i = 0; i < 5; ++i) {
+        editor.frame();
+        editor.settle();
+    }
+    EXPECT_NE(editor.model().facts().truth->problem.find("light_map.resolution"), std::string::npos)
+        << editor.model().facts().truth->problem;
+    EXPECT_FALSE(editor.model().tracing());
+    int said = 0;
+    for (const LogLine& line : editor.model().state.log.lines()) said += line.kind == LogKind::Error ? line.count : 0;
+    EXPECT_EQ(said, 2) << "once for each light";
+    editor.model().state.settings.light_map.resolution = 256;
+    editor.settle();
+    for (const LightMapNeed& need : editor.model().facts().result->light_maps) EXPECT_TRUE(need.met);
+}
+
 TEST(EditorLightMap, CancelIsHeededUntilSomethingChanges) {
     // More rays than can be traced before it is cancelled.
     HeadlessEditor editor(options({"light.source=light-map", "light_map.resolution=2048", "light_map.samples=65536",
