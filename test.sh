@@ -27,9 +27,8 @@ stage() {
 # keeps how long each label took.
 tests() {
   local passed=0 seconds what again=()
-  # Where a driver's threads end while leaks are looked for, the sanitizer itself may crash, at times twice running; what
-  # it finds, it finds again.
-  if [ "$1" = asan ]; then again=(--repeat until-pass:5); fi
+  # The leak sanitizer itself may crash where threads end; what it finds, it finds again.
+  if [ "$1" = asan ]; then again=(--repeat until-pass:2); fi
   ${3:+"$3"} ctest --test-dir "$root/build/$1" -L "$2" -LE long ${4:+-E "$4"} --output-on-failure --no-tests=error "${again[@]}" -j "$jobs" |
     tee "$log" || passed=1
   while read -r seconds what; do
