@@ -123,8 +123,9 @@ void draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, Pas
         if (id != current) {
             glUseProgram(current = id);
             glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
-            glUniform4f(glGetUniformLocation(id, "curve"), float(view.curve.near), float(view.curve.far),
-                        view.curve.perspective, convention.reversed);
+            if (holds_distances(f.settings.map.format))
+                glUniform4f(glGetUniformLocation(id, "curve"), float(view.curve.near), float(view.curve.far),
+                            view.curve.perspective, convention.reversed);
         }
         const GLuint mask = view.unfiltered ? batch.finest_texture : batch.texture;
         if (batch.masked && mask && mask != texture) glBindTextureUnit(shared::UNIT_BASE_COLOUR, texture = mask);
