@@ -33,8 +33,7 @@ namespace {
 
 constexpr const char* kLacksRays =
     "The other side's shadow is ray traced, and rays are traced for the settings shown alone: show that side itself, "
-    "or "
-    "hold them against each other by render --against";
+    "or hold them against each other by render --against";
 
 }  // namespace
 

@@ -65,16 +65,14 @@ bool EditorTruth::poll() {
     auto outcome = job_.poll();
     if (!outcome) return false;
     if (auto& found = outcome->value) {
-        if (found->picture) {
-            pictures_.resize(std::max(pictures_.size(), std::size_t(found->light) + 1));
-            pictures_[std::size_t(found->light)] = std::move(found->picture);
+        const auto take = [&](auto& by_light, auto& what) {
+            if (!what) return;
+            by_light.resize(std::max(by_light.size(), std::size_t(found->light) + 1));
+            by_light[std::size_t(found->light)] = std::move(what);
             problem_.clear(), given_up_.erase(doing_key_);
-        }
-        if (found->light_map) {
-            light_maps_.resize(std::max(light_maps_.size(), std::size_t(found->light) + 1));
-            light_maps_[std::size_t(found->light)] = std::move(found->light_map);
-            problem_.clear(), given_up_.erase(doing_key_);
-        }
+        };
+        take(pictures_, found->picture);
+        take(light_maps_, found->light_map);
         remark_ = std::move(found->remark);
     }
     if (outcome->problem) try {
