@@ -10,6 +10,7 @@
 
 #include "renderer/frame/page_facts.h"
 #include "renderer/frame/results.h"
+#include "renderer/frame/savings.h"
 #include "renderer/reference/causes.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
@@ -55,7 +56,7 @@ struct FrameRequest {
     Outputs outputs;
     bool timing = false;                  ///< measure each pass (costs time itself)
     bool force = false;                   ///< run every pass even when its result is cached
-    bool no_skip = false;                 ///< run passes that the scene does not call for (must not change the picture)
+    SavingSet forced;                     ///< savings not to make: the same picture by more work
     std::optional<MapCamera> map_camera;  ///< nothing: the picture's own
     /// What rays found for this very view and light; another one's is left unused. See FrameResult::truth.
     std::shared_ptr<const TruthPicture> truth;
@@ -75,6 +76,17 @@ enum class PassCategory {
     Tool,     ///< judges, measures or shows; no part of what an engine would draw
 };
 
+/// What a pass did of one thing that it could have done: a cascade, a face, the casters of a map.
+struct PartInfo {
+    std::string name;  ///< "cascade 2 of light 0"
+    PassState state = PassState::Skipped;
+    std::string reason;
+    std::uint64_t draws = 0, triangles = 0;
+    std::uint64_t left_out = 0;  ///< of what `unit` names, by `by`
+    std::string_view unit;       ///< "casters", "triangles", "taps"
+    std::optional<Saving> by;    ///< the saving that spared it, wholly or in part; nothing: none did
+};
+
 struct PassInfo {
     std::string name;
     PassState state = PassState::Skipped;
@@ -82,6 +94,7 @@ struct PassInfo {
     double gpu_ms = 0, cpu_ms = 0;  ///< 0 unless timing was asked for
     std::uint64_t draws = 0, triangles = 0;
     PassCategory category = PassCategory::Picture;
+    std::vector<PartInfo> parts;  ///< empty: the pass is one thing
 };
 
 /// A texture of the frame: a GL name that the UI shows and the renderer can read back.

@@ -68,7 +68,7 @@ std::string_view result_name(Result result) {
 }
 
 std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
-                                  bool no_skip) {
+                                  bool uncalled) {
     std::vector<PassInfo> out(passes.size());
     std::set<ResultRef> needed(wanted.begin(), wanted.end());
     for (std::size_t i = passes.size(); i-- > 0;) {
@@ -78,7 +78,7 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         info.category = pass.category;
         const bool live =
             std::any_of(pass.writes.begin(), pass.writes.end(), [&](const ResultRef& w) { return needed.contains(w); });
-        if (!pass.unneeded.empty() && !(no_skip && pass.run && live)) {
+        if (!pass.unneeded.empty() && !(uncalled && pass.run && live)) {
             info.reason = pass.unneeded;
             continue;
         }

@@ -26,9 +26,9 @@ struct Pass {
 
 /// Walks back from `wanted`: a pass lives when something wanted or read by a live pass is written by it. Dead passes
 /// and passes the scene does not call for are skipped, passes whose key is unchanged are reused, others are to run.
-/// `force` runs cached passes, `no_skip` those that the scene does not call for.
+/// `force` runs cached passes, `uncalled` those that the scene does not call for.
 std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
-                                  bool no_skip);
+                                  bool uncalled);
 
 /// An image of a result, and how shaders find it.
 struct PlacedImage {

@@ -105,7 +105,8 @@ void plan_frame(FrameState& f) {
 
 FrameResult Renderer::Impl::draw(FrameState& f) {
     FrameResult result;
-    result.passes = plan_passes(f.plan.passes(), wanted_results(f), f.request.force, f.request.no_skip);
+    result.passes =
+        plan_passes(f.plan.passes(), wanted_results(f), f.request.force, f.request.forced.contains(Saving::Uncalled));
     f.plan.give_up_what_is_unused();
     const bool draws = std::any_of(result.passes.begin(), result.passes.end(),
                                    [](const PassInfo& p) { return p.state == PassState::Ran; });

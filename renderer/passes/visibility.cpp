@@ -41,7 +41,7 @@ std::string_view source_file(const FrameState& f, std::size_t light) {
     if (source.needs.stencil && f.gl.fitted[light].shadowed && !f.gl.owned.get<ShadowVolumes>().draws(light)) return {};
     const bool lit =
         !f.gl.fitted[light].shadowed || (source.file.empty() && !source.needs.truth) || lacks_light_map(f, light);
-    if (lit) return f.request.no_skip ? sources()[0].file : std::string_view();
+    if (lit) return f.request.forced.contains(Saving::Uncalled) ? sources()[0].file : std::string_view();
     return source.file;
 }
 

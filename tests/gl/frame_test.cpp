@@ -286,7 +286,8 @@ TEST_F(FrameTest, SkippingAndCachingLeaveThePixelsAlone) {
              {{"view.panes", "four"}, {"view.overlay_2", "n-dot-l"}, {"view.overlay_range", "fitted"}}}) {
         const Settings s = settings_for(scene, extra);
         FrameRequest all = small();
-        all.force = all.no_skip = true;
+        all.force = true;
+        all.forced = SavingSet::all();
         EXPECT_EQ(pictures(scene, s, small(), renderer), pictures(scene, s, all, renderer));
         FrameRequest timed = small();
         timed.timing = timed.force = true;

@@ -649,7 +649,9 @@ TEST(Moments, AreShownByTheMapViewer) {
             EXPECT_GT(sum, 0.1) << "all alike, so this says little";
         }
         s.view.map_channel = int(row->moments.names.size()) + 1;
-        if (s.view.map_channel < 5) EXPECT_EQ(renderer.render(scene, s, maps).shown_map.channel, 0);
+        if (s.view.map_channel < 5) {
+            EXPECT_EQ(renderer.render(scene, s, maps).shown_map.channel, 0);
+        }
     }
 }
 

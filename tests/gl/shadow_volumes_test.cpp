@@ -292,7 +292,8 @@ TEST_F(ShadowVolumesTest, ThePlanCallsThemAndReusesThem) {
     f = renderer.render(scene, s, colour);
     EXPECT_EQ(state("shadow volumes 0"), PassState::Ran);
     const ByteImage kept = renderer.read_colour(f.colour);
-    colour.force = colour.no_skip = true;
+    colour.force = true;
+    colour.forced = SavingSet::all();
     EXPECT_EQ(kept.data, picture(scene, s, colour).data);
     set_setting(s, "light.source", "map");
     EXPECT_EQ(renderer.render(scene, s, small()).pass("shadow volumes 0"), nullptr);

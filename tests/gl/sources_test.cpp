@@ -130,7 +130,7 @@ TEST_F(SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives) {
         s.shading.separate_visibility = true;
         EXPECT_EQ(different_pixels(picture, this->picture(scene, s), 1), 0u);
         FrameRequest all = small();
-        all.no_skip = true;
+        all.forced = SavingSet::all();
         EXPECT_EQ(different_pixels(this->picture(scene, s), this->picture(scene, s, all)), 0u);
     }
 }

@@ -48,9 +48,9 @@ TEST(PlanTest, EachDecisionSaysWhy) {
                                 pass_of("uncalled", {}, {Result::Moments}), pass_of("unread", {}, {Result::Truth})};
     passes[2].unneeded = "no kernel reads them";
     const std::vector<ResultRef> wanted = {Result::Shaded, Result::Visibility, Result::Moments};
-    const auto told = [&](bool force, bool no_skip) {
+    const auto told = [&](bool force, bool uncalled) {
         std::vector<std::pair<PassState, std::string>> out;
-        for (const PassInfo& p : plan_passes(passes, wanted, force, no_skip)) out.emplace_back(p.state, p.reason);
+        for (const PassInfo& p : plan_passes(passes, wanted, force, uncalled)) out.emplace_back(p.state, p.reason);
         return out;
     };
     using Told = std::vector<std::pair<PassState, std::string>>;

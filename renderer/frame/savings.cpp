@@ -1,0 +1,38 @@
+#include "renderer/frame/savings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "renderer/base/error.h"
+
+namespace si {
+namespace {
+
+constexpr SavingRow kRows[] = {
+    {.key = "uncalled",
+     .label = "What nothing calls for",
+     .help = "Passes and look-ups for lights without a shadow are left out: what they would find is lit everywhere."},
+};
+static_assert(std::size(kRows) == kSavings);
+
+}  // namespace
+
+std::span<const SavingRow> savings() {
+    return kRows;
+}
+
+const SavingRow& row_of(Saving saving) {
+    return kRows[std::size_t(saving)];
+}
+
+Saving parse_saving(std::string_view key) {
+    const auto row = std::find_if(std::begin(kRows), std::end(kRows), [&](const SavingRow& r) { return r.key == key; });
+    if (row != std::end(kRows)) return Saving(row - kRows);
+    std::string known;
+    for (const SavingRow& r : kRows) known += fmt::format("{}{}", known.empty() ? "" : ", ", r.key);
+    throw Error(fmt::format("there is no saving \"{}\"; known are {}", key, known));
+}
+
+}  // namespace si

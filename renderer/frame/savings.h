@@ -1,0 +1,55 @@
+// The table of what a frame leaves out or keeps without changing a byte of its picture. Each can be forced: two ways,
+// one picture.
+#pragma once
+
+#include <bitset>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string_view>
+
+namespace si {
+
+/// In the order of savings().
+enum class Saving {
+    Uncalled,  ///< passes and look-ups that the scene does not call for
+    kCount
+};
+inline constexpr std::size_t kSavings = std::size_t(Saving::kCount);
+
+struct SavingRow {
+    std::string_view key, label;
+    std::string_view help;  ///< what is left out, when, and why the picture cannot change; a sentence
+};
+
+std::span<const SavingRow> savings();
+const SavingRow& row_of(Saving saving);
+/// @throws Error naming the known keys
+Saving parse_saving(std::string_view key);
+
+/// Some of them.
+class SavingSet {
+public:
+    SavingSet() = default;
+    SavingSet(std::initializer_list<Saving> some) {
+        for (const Saving s : some) add(s);
+    }
+    static SavingSet all() {
+        SavingSet set;
+        set.bits_.set();
+        return set;
+    }
+    SavingSet& add(Saving s) {
+        bits_.set(std::size_t(s));
+        return *this;
+    }
+    bool contains(Saving s) const { return bits_.test(std::size_t(s)); }
+    bool empty() const { return bits_.none(); }
+    std::uint64_t value() const { return bits_.to_ullong(); }  ///< for keys
+    bool operator==(const SavingSet&) const = default;
+
+private:
+    std::bitset<kSavings> bits_;
+};
+
+}  // namespace si
