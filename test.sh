@@ -47,10 +47,10 @@ build_asan() {
 }
 
 # All that draws, but for the editor and the commands, which are the same on every driver; that both draw each preset
-# alike is among the commands' tests.
+# alike is among the commands' tests; and that every pair of settings compiles, which the same compiler says of both.
 tests_on_zink() {
   local zink=$root/scripts/on_zink.sh
-  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|invariant)$' "$zink"
+  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|invariant)$' "$zink" EveryPermutationCompiles
 }
 
 # Without those that draw one thing hundreds of times over to compare numbers, and take a third of the time.
