@@ -14,7 +14,7 @@ namespace si {
 
 BottomTab tab_named(const std::string& name) {
     static const std::vector<std::pair<std::string, BottomTab>> kTabs = {
-        {"passes", BottomTab::Passes},   {"probe", BottomTab::Probe},     {"error", BottomTab::Error},
+        {"effects", BottomTab::Effects},   {"probe", BottomTab::Probe},     {"error", BottomTab::Error},
         {"objects", BottomTab::Objects}, {"compare", BottomTab::Compare}, {"frontier", BottomTab::Frontier},
         {"log", BottomTab::Log}};
     std::string names;
