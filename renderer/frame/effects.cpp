@@ -20,6 +20,7 @@ struct Facts {
     const Scene& scene;
     Settings settings;  ///< repaired
     const FrameResult& frame;
+    SavingSet forced;
     int casters = 0, masked_casters = 0;  ///< objects
 
     const Filter& filter() const { return filter_of(settings); }
@@ -159,6 +160,14 @@ void search_parts(const Facts& f, const PassInfo& pass, bool looked_up, Effects&
                              : fmt::format("kernel {} takes each light for a point or a direction", f.kernel()));
 }
 
+/// Of a light without shadows. Shading leaves it out of its program; a texture of its own is drawn where that is
+/// forced.
+Effect lit_everywhere(const Facts& f, const PassInfo& pass, std::string name, std::string reason, bool separate) {
+    if (!separate) return part_of(pass, std::move(name), false, reason);
+    const bool forced = f.forced.contains(Saving::Uncalled);
+    return part_of(pass, std::move(name), forced, forced ? "forced: " + reason : reason, Saving::Uncalled);
+}
+
 /// Of each light, where its visibility is looked up.
 void lookup_parts(const Facts& f, const PassInfo& pass, bool separate, Effects& out) {
     bool from_maps = false;
@@ -167,18 +176,16 @@ void lookup_parts(const Facts& f, const PassInfo& pass, bool separate, Effects& 
         const Source& source = source_of(f.settings, int(i));
         from_maps |= light.casts;
         const std::string name = fmt::format("look-ups of light {}", i);
+        const std::string told = fmt::format("{} is {}", light_key(i, "source"), source.key);
         if (!light.shadowed)
-            out.push_back(part_of(pass, name, false, light.reason + ": it is lit wherever it shines",
-                                  separate ? std::optional(Saving::Uncalled) : std::nullopt));
-        else if (source.needs.map)
-            out.push_back(
-                part_of(pass, name, true,
-                        fmt::format("kernel {} fetches {} texels a pixel", f.kernel(), cost_of(f.settings).texels)));
+            out.push_back(lit_everywhere(f, pass, name, light.reason + ": it is lit wherever it shines", separate));
         else if (source.file.empty() && !source.needs.truth)
-            out.push_back(part_of(pass, name, false, fmt::format("{} is {}", light_key(i, "source"), source.key),
-                                  separate ? std::optional(Saving::Uncalled) : std::nullopt));
+            out.push_back(lit_everywhere(f, pass, name, told, separate));
         else
-            out.push_back(part_of(pass, name, true, fmt::format("{} is {}", light_key(i, "source"), source.key)));
+            out.push_back(part_of(pass, name, true,
+                                  source.needs.map ? fmt::format("kernel {} fetches {} texels a pixel", f.kernel(),
+                                                                 cost_of(f.settings).texels)
+                                                   : told));
     }
     search_parts(f, pass, from_maps, out);
 }
@@ -363,8 +370,9 @@ std::string sentence(std::string_view text) {
     return out;
 }
 
-std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame) {
-    Facts facts{.scene = scene, .settings = settings, .frame = frame};
+std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,
+                                  SavingSet forced) {
+    Facts facts{.scene = scene, .settings = settings, .frame = frame, .forced = forced};
     sanitise(facts.settings);
     count_casters(facts);
     Effects out;

@@ -26,12 +26,15 @@ struct Effect {
     std::optional<Saving> saving;  ///< that spares it, wholly or in part; forced, it is simulated
     std::string pass;              ///< PassInfo::name of what does it; empty: no pass of the frame does
     bool part = false;             ///< one of several things that the pass does: its time is not this one's alone
+    bool operator==(const Effect&) const = default;
 };
 
 /// All effects of a drawn frame in the order of its passes, each pass before its parts. Every pass is the `pass` of
 /// one effect at least.
 /// @param settings that it was drawn under, repaired or not
-std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame);
+/// @param forced FrameRequest::forced of the frame
+std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,
+                                  SavingSet forced = {});
 
 /// Moving the scene's nodes, skins and morph targets, which is done before a frame, by the CPU.
 /// @param anew the scene was posed since the frame before

@@ -32,7 +32,7 @@ TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
             EXPECT_TRUE(holds(text, U"N\u00b7L0.60000"));
         }
         if (tab == BottomTab::Effects) {
-            EXPECT_TRUE(holds(text, U"shadowmap0ran"));
+            EXPECT_TRUE(holds(text, U"shadowmap0"));
         }
         if (tab == BottomTab::Error) {
             EXPECT_TRUE(holds(text, U"noise0.0031"));
