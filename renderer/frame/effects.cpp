@@ -45,6 +45,8 @@ struct EffectRow {
     void (*parts)(const Facts&, const PassInfo&, Effects&) = nullptr;
     /// Why no frame has such a pass; empty: one without it says nothing.
     std::string (*absent)(const Facts&) = nullptr;
+    /// Why a skipped pass is not called for, where the pass names one of two things that it lacks; empty: as it says.
+    std::string (*unasked)(const Facts&) = nullptr;
 };
 
 /// An effect that is a part of a pass: where the pass does its work and `reason` is empty, the pass's own state.
@@ -235,6 +237,26 @@ std::string why_visibility(const Facts& f, const PassInfo&) {
     return f.frame.truth.met ? "it is held against the truth" : "it was asked for";
 }
 
+// What is unasked for -------------------------------------------------------------------------------------------------
+
+bool skips(const Facts& f, std::string_view name) {
+    const PassInfo* pass = f.frame.pass(name);
+    return !pass || pass->state == PassState::Skipped;
+}
+
+std::string truth_unasked(const Facts& f) {
+    return f.frame.truth.key == 0 && !f.frame.lights.empty() ? "nothing that is asked for needs the truth" : "";
+}
+
+std::string viewer_unasked(const Facts& f) {
+    const PassInfo* viewer = f.frame.pass("map viewer");
+    return viewer && viewer->state == PassState::Skipped ? viewer->reason : "";
+}
+
+std::string causes_unasked(const Facts& f) {
+    return skips(f, "causes found") && skips(f, "trials of every pixel") ? "nobody asks what is wrong" : "";
+}
+
 // The table -----------------------------------------------------------------------------------------------------------
 
 #define SI_WHY(text) [](const Facts&, const PassInfo&) { return std::string(text); }
@@ -278,21 +300,34 @@ const EffectRow kRows[] = {
      .absent = SI_ABSENT("no light's source is a light map that is baked")},
     {.pass = "visibility", .name = "visibility texture", .why = why_visibility, .parts = visibility_parts},
     {.pass = "unfiltered map",
-     .why = SI_WHY("somebody asks what is wrong, and polygon offset or masks with mip levels change the map")},
-    {.pass = "truth uploaded", .name = "truth on the GPU", .why = SI_WHY("something shown needs the traced truth")},
-    {.pass = "pixels compared", .why = SI_WHY("somebody asks which pixels are wrong")},
-    {.pass = "causes found", .why = SI_WHY("somebody asks why pixels are wrong")},
-    {.pass = "errors summed up", .name = "metrics", .why = SI_WHY("somebody asks for the picture's errors")},
+     .why = SI_WHY("somebody asks what is wrong, and polygon offset or masks with mip levels change the map"),
+     .unasked = causes_unasked},
+    {.pass = "truth uploaded",
+     .name = "truth on the GPU",
+     .why = SI_WHY("something shown needs the traced truth"),
+     .unasked = truth_unasked},
+    {.pass = "pixels compared", .why = SI_WHY("somebody asks which pixels are wrong"), .unasked = truth_unasked},
+    {.pass = "causes found", .why = SI_WHY("somebody asks why pixels are wrong"), .unasked = truth_unasked},
+    {.pass = "errors summed up",
+     .name = "metrics",
+     .why = SI_WHY("somebody asks for the picture's errors"),
+     .unasked = truth_unasked},
     {.pass = "trials of every pixel", .why = SI_WHY("somebody asks for all trials")},
-    {.pass = "shading by the truth", .why = SI_WHY("the picture is held against the one that the truth lights")},
+    {.pass = "shading by the truth",
+     .why = SI_WHY("the picture is held against the one that the truth lights"),
+     .unasked = truth_unasked},
     {.pass = "shading", .why = SI_WHY("the picture was asked for"), .parts = shading_parts},
     {.pass = "overlay values", .why = SI_WHY("an overlay is shown")},
     {.pass = "overlay over picture", .why = SI_WHY("an overlay is shown over the picture")},
     {.pass = "texel slabs", .why = SI_WHY("view.slabs shows texels in the scene")},
     {.pass = "map coordinates", .why = SI_WHY("somebody asks which texels pixels read")},
     {.pass = "texels read", .why = SI_WHY("somebody asks which texels are read, exactly")},
-    {.pass = "map channel", .why = SI_WHY("view.map_channel shows a moment in place of depth")},
-    {.pass = "drawn depth range", .why = SI_WHY("view.map_fit fits the greys of the map viewer to what is drawn")},
+    {.pass = "map channel",
+     .why = SI_WHY("view.map_channel shows a moment in place of depth"),
+     .unasked = viewer_unasked},
+    {.pass = "drawn depth range",
+     .why = SI_WHY("view.map_fit fits the greys of the map viewer to what is drawn"),
+     .unasked = viewer_unasked},
     {.pass = "map viewer", .why = SI_WHY("the map viewer is open")},
 };
 
@@ -310,8 +345,10 @@ void add_pass(const Facts& f, const PassInfo& pass, Effects& out) {
     Effect effect{.name = row && !row->name.empty() ? std::string(row->name) : pass.name,
                   .state = state_of(pass.state),
                   .pass = pass.name};
-    if (row && pass.state != PassState::Skipped) effect.reason = sentence(row->why(f, pass)) + " ";
-    effect.reason += sentence(pass.reason);
+    const bool skipped = pass.state == PassState::Skipped;
+    if (row && !skipped) effect.reason = sentence(row->why(f, pass)) + " ";
+    const std::string unasked = row && row->unasked && skipped ? row->unasked(f) : std::string();
+    effect.reason += sentence(unasked.empty() ? pass.reason : unasked);
     out.push_back(std::move(effect));
     for (const PartInfo& part : pass.parts)
         out.push_back({.name = part.name,
