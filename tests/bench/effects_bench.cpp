@@ -31,7 +31,7 @@ void effects_of_a_frame(benchmark::State& state, const Scene& scene, const char*
     Renderer renderer;
     Settings settings;
     for (const auto& [key, value] : scene.suggested) set_setting(settings, key, value);
-    set_setting(settings, "lights", lights);
+    set_setting(settings, "light.count", lights);
     FrameRequest request;
     FrameResult frame = renderer.render(scene, settings, request);
     std::vector<double> frames, analyses, unchanged;

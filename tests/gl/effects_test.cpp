@@ -110,13 +110,15 @@ TEST_F(EffectsTest, WhatAReasonNamesIsWhatCallsForTheEffect) {
         {"visibility texture", {}, "shading", {{"shading.separate_visibility", "true"}}},
     };
     const Scene scene = load_scene("boxes");
+    FrameRequest cold = small();
+    cold.force = true;
     for (const Remedied& r : all) {
-        const std::vector<Effect> before = effects(scene, r.before);
+        const std::vector<Effect> before = effects(scene, r.before, cold);
         ASSERT_TRUE(effect_named(before, r.effect)) << r.effect;
         EXPECT_EQ(state_of_effect(before, r.effect), EffectState::NotCalledFor) << r.effect;
         EXPECT_NE(effect_named(before, r.effect)->reason.find(r.reason), std::string::npos)
             << effect_named(before, r.effect)->reason;
-        EXPECT_EQ(state_of_effect(effects(scene, r.after), r.effect), EffectState::Simulated) << r.effect;
+        EXPECT_EQ(state_of_effect(effects(scene, r.after, cold), r.effect), EffectState::Simulated) << r.effect;
     }
     EXPECT_EQ(state_of_effect(effects(scene, {}), "pages of shadow maps"), EffectState::NotCalledFor);
     EXPECT_EQ(state_of_effect(effects(scene, {{"map.virtual", "true"}}), "pages of shadow maps"),
@@ -192,10 +194,10 @@ TEST_F(EffectsTest, AnEmptySceneAndFarLightsHaveEffectsToo) {
     Scene empty;
     finalise(empty);
     for (const Effect& e : effects(empty, {})) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
-    const std::vector<Effect> none = effects(load_scene("boxes"), {{"lights", "0"}});
+    const std::vector<Effect> none = effects(load_scene("boxes"), {{"light.count", "0"}});
     EXPECT_EQ(state_of_effect(none, "shadow maps"), EffectState::NotCalledFor);
     const std::vector<Effect> many =
-        effects(load_scene("boxes"), {{"lights", "3"}, {"light.1.cast", "false"}, {"light.2.type", "point"}});
+        effects(load_scene("boxes"), {{"light.count", "3"}, {"light.1.cast", "false"}, {"light.2.type", "point"}});
     EXPECT_EQ(state_of_effect(many, "look-ups of light 0"), EffectState::Simulated);
     EXPECT_EQ(state_of_effect(many, "look-ups of light 1"), EffectState::NotCalledFor);
     EXPECT_EQ(state_of_effect(many, "face +x of light 2"), EffectState::Simulated);

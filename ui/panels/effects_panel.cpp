@@ -43,7 +43,7 @@ void state_cell(EffectState state) {
             ImGui::TextUnformatted("\u25cf simulated");
             break;
         case EffectState::Reused:
-            ImGui::TextUnformatted("\u25d0 reused");
+            ImGui::TextUnformatted("\u25c6 reused");
             break;
         case EffectState::NotCalledFor:
             ImGui::TextDisabled("\u25cb not called for");
