@@ -88,6 +88,28 @@ void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
     });
 }
 
+void add_plan(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, const AddSessionOptions& add_session) {
+    auto* c = app.add_subcommand("plan",
+                                 "Say what a frame simulates, what not, and why; measured, what each saving is worth");
+    add_session(*c, o.plan.session);
+    auto* measure = c->add_flag("--measure", o.plan.measure,
+                                "Draw frames that make a saving and frames that do not in turns, and tell the "
+                                "difference in milliseconds");
+    c->add_option("--rounds", o.plan.rounds, "With --measure: of these turns (default 15)")
+        ->check(CLI::Range(3, 10'000))
+        ->needs(measure);
+    c->add_flag("--waste", o.plan.waste,
+                "Leave out each map, face and cascade in turn: what changes no byte of the picture is waste");
+    c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");
+    c->add_flag("--json", o.plan.json, "As JSON");
+    c->callback([&o, &run] {
+        run = [&o] {
+            if (!o.size.empty()) o.plan.size = parse_size(o.size);
+            run_plan(o.plan);
+        };
+    });
+}
+
 }  // namespace
 
 void add_measure_commands(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
@@ -95,6 +117,7 @@ void add_measure_commands(CLI::App& app, MeasureCliOptions& o, std::function<voi
     add_sweep(app, o, run, add_session);
     add_merge(app, o, run);
     add_tune(app, o, run, add_session);
+    add_plan(app, o, run, add_session);
 }
 
 }  // namespace si

@@ -13,6 +13,7 @@ struct MeasureCliOptions {
     SweepOptions sweep;
     MergeOptions merge;
     TuneOptions tune;
+    PlanOptions plan;
     std::string size;
     bool no_time = false, area = false;
 };

@@ -54,6 +54,17 @@ struct MeasureOptions {
 /// How far the shadows of view.light are from the truth, and what they cost, in numbers.
 void run_measure(const MeasureOptions& options);
 
+struct PlanOptions {
+    SessionOptions session;
+    PictureSize size;
+    bool measure = false;  ///< what each saving is worth, in ms
+    int rounds = 15;       ///< of frames in turns
+    bool waste = false;    ///< what changes nothing when it is left out
+    bool json = false;
+};
+/// What a frame of the scene simulates, and what not and why.
+void run_plan(const PlanOptions& options);
+
 struct TuneOptions {
     SessionOptions session;
     std::string output, error;  ///< error: one of tuned_errors(); empty: the first

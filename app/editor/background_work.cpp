@@ -9,7 +9,21 @@ namespace si {
 
 bool BackgroundWork::poll(const Scene* scene) {
     const bool tuned = poll_tuning(scene);
-    return poll_cures() || tuned;
+    const bool cured = poll_cures();
+    return poll_saved() || cured || tuned;
+}
+
+bool BackgroundWork::poll_saved() {
+    std::string problem;
+    if (!saved_.poll(problem)) return false;
+    if (!problem.empty()) state_.log.add(LogKind::Warning, problem);
+    return true;
+}
+
+bool BackgroundWork::fulfil_saved(const SceneDesk& scenes, const FrameRequest& request, const EditorActions& actions) {
+    if (actions.cancel_saved) saved_.cancel();
+    if (!actions.measure_saved) return actions.cancel_saved;
+    return attempt(state_, [&] { saved_.start(scenes.require(), state_.settings, request); });
 }
 
 bool BackgroundWork::poll_tuning(const Scene* scene) {
@@ -104,6 +118,7 @@ void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) c
         f.tuned_current = tuned_->is_about(state_.settings, size.x, size.y);
     }
     f.cures = cures_.facts(scene ? scene->id : 0, state_.settings, size.x, size.y);
+    saved_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
     f.sweep = &sweep_.facts();
 }
 

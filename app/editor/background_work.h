@@ -6,6 +6,7 @@
 #include <span>
 
 #include "app/editor/cures.h"
+#include "app/editor/saved.h"
 #include "app/editor/scene_desk.h"
 #include "app/editor/sweep.h"
 #include "app/editor/tuner.h"
@@ -25,18 +26,21 @@ public:
     /// @param size of the scene's picture, pixels @param dossiers of the probed pixel
     bool fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<const Dossier> dossiers,
                 const EditorActions& actions);
+    /// Measures what savings are worth, as wished for. Returns whether anything was. @param request of the frame shown
+    bool fulfil_saved(const SceneDesk& scenes, const FrameRequest& request, const EditorActions& actions);
     /// Follows sweeps, and the present settings' place among their cases. Returns whether there are news.
     bool follow(const Scene* scene, const EditorActions& actions);
     void open_sweep(const std::filesystem::path& folder) { sweep_.open(folder, state_.sweep); }
     void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
 
-    bool busy() const { return sweep_.busy() || tuner_.running() || cures_.running(); }
-    bool moved() const { return sweep_.moved() || tuner_.moved() || cures_.moved(); }
-    void finish() const { sweep_.wait(), tuner_.wait(), cures_.wait(); }
+    bool busy() const { return sweep_.busy() || tuner_.running() || cures_.running() || saved_.running(); }
+    bool moved() const { return sweep_.moved() || tuner_.moved() || cures_.moved() || saved_.moved(); }
+    void finish() const { sweep_.wait(), tuner_.wait(), cures_.wait(), saved_.wait(); }
 
 private:
     bool poll_tuning(const Scene* scene);
     bool poll_cures();
+    bool poll_saved();
     void start_cures(const Scene& scene, glm::ivec2 size, std::span<const Dossier> dossiers, const CureWish& wish);
     void take_sweep_base();
 
@@ -45,6 +49,7 @@ private:
     EditorTuner tuner_;
     std::optional<TuningOutcome> tuned_;  ///< the last that tried families of biases
     EditorCures cures_;
+    EditorSaved saved_;
 };
 
 }  // namespace si

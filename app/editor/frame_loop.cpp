@@ -1,8 +1,10 @@
 #include "app/editor/frame_loop.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/base/output.h"
+#include "app/editor/panel_effects.h"
 #include "app/editor/wishes.h"
 #include "app/report/views.h"
 
@@ -18,6 +20,7 @@ void FrameLoop::fill(EditorFrame& f) const {
     }
     f.against = against_.facts();
     f.shader_log = shader_log_;
+    f.effects = effects_;
 }
 
 void FrameLoop::clear() {
@@ -25,6 +28,7 @@ void FrameLoop::clear() {
     readings_.clear();
     truth_.clear();
     against_.clear();
+    frame_effects_.clear(), effects_.clear();
 }
 
 bool FrameLoop::update(const Scene& scene, const EditorActions& actions, const ComparisonFacts* comparison) {
@@ -43,7 +47,28 @@ bool FrameLoop::update(const Scene& scene, const EditorActions& actions, const C
         report(state_, e.what());
         changed = true;
     }
+    changed |= follow_effects(scene, actions, drawn);
     return changed || drawn;
+}
+
+bool FrameLoop::follow_effects(const Scene& scene, const EditorActions& actions, bool drawn) {
+    if (drawn) frame_effects_.clear();
+    const bool posed = drawn && std::exchange(posed_scene_, scene.id) != scene.id;
+    if (!actions.want_effects || !drawn_) {
+        const bool had = !effects_.empty();
+        effects_.clear();
+        return had;
+    }
+    if (frame_effects_.empty()) {
+        frame_effects_ = frame_effects(scene, drawn_settings_, result_, request_.forced);
+        frame_effects_.push_back(posing_effect(scene, drawn_settings_.scene, posed));
+    }
+    std::vector<Effect> effects = frame_effects_;
+    for (Effect& effect : panel_effects(state_, actions)) effects.push_back(std::move(effect));
+    effects.push_back(truth_effect(truth_.facts(result_, drawn_settings_.view.light)));
+    if (effects == effects_) return false;
+    effects_ = std::move(effects);
+    return true;
 }
 
 bool FrameLoop::draw(const Scene& scene, const EditorActions& actions) {
@@ -58,6 +83,7 @@ bool FrameLoop::draw(const Scene& scene, const EditorActions& actions) {
     wanted.outputs.error = actions.want_error;
     wanted.outputs.true_colour = state_.against.view != AgainstView::Off && state_.against.truth;
     wanted.timing = actions.want_timing;
+    wanted.forced = state_.effects.forced;
     if (state_.frozen) wanted.map_camera = MapCamera{state_.frozen->camera, state_.frozen->seen_m};
     wanted.truth = truth_.picture(state_.settings.view.light);
     wanted.traced = truth_.pictures();
@@ -67,10 +93,10 @@ bool FrameLoop::draw(const Scene& scene, const EditorActions& actions) {
     if (state_.against.view != AgainstView::Off) settings.view.panes = int(Panes::One);
     const bool same = drawn_ && renderer_.holds(result_) && !shaders_changed_ && wanted.width == request_.width &&
                       wanted.height == request_.height && wanted.outputs == request_.outputs &&
-                      wanted.timing == request_.timing && wanted.truth == request_.truth &&
-                      wanted.traced == request_.traced && wanted.light_maps == request_.light_maps &&
-                      wanted.map_camera == request_.map_camera && drawn_settings_ == settings &&
-                      drawn_scene_ == scene.id;
+                      wanted.timing == request_.timing && wanted.forced == request_.forced &&
+                      wanted.truth == request_.truth && wanted.traced == request_.traced &&
+                      wanted.light_maps == request_.light_maps && wanted.map_camera == request_.map_camera &&
+                      drawn_settings_ == settings && drawn_scene_ == scene.id;
     if (same || actions.scene_width < 1) return false;
     request_ = wanted;
     drawn_settings_ = settings;

@@ -6,6 +6,7 @@
 #include "app/editor/against.h"
 #include "app/editor/readings.h"
 #include "app/editor/truth.h"
+#include "renderer/frame/effects.h"
 #include "renderer/frame/renderer.h"
 #include "ui/state/editor_ui.h"
 
@@ -28,6 +29,8 @@ public:
 
     /// Size of the scene's picture, in pixels.
     glm::ivec2 size() const { return {request_.width, request_.height}; }
+    /// Of the frame drawn last.
+    const FrameRequest& request() const { return request_; }
     void save_map(const Scene& scene, const std::string& path);
     /// Whether shader files were saved since the last frame.
     bool poll_shaders() { return shaders_changed_ = renderer_.shaders_changed() || shaders_changed_; }
@@ -48,6 +51,9 @@ private:
     /// Traces and compares what is shown.
     bool follow_truth(const Scene& scene, const EditorActions& actions, bool drawn, const ComparisonFacts* comparison);
 
+    /// Tells what the frame simulates while a panel shows it.
+    bool follow_effects(const Scene& scene, const EditorActions& actions, bool drawn);
+
     EditorState& state_;
     Renderer renderer_;
     FrameRequest request_;
@@ -59,6 +65,9 @@ private:
     EditorReadings readings_;
     EditorTruth truth_;
     EditorAgainst against_;
+    std::vector<Effect> frame_effects_;  ///< of the frame drawn last; empty: not asked for yet
+    std::vector<Effect> effects_;        ///< these, and what stands behind panels
+    std::uint64_t posed_scene_ = 0;      ///< Scene::id of the frame before
 };
 
 }  // namespace si

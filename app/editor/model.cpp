@@ -14,7 +14,7 @@ namespace si {
 
 BottomTab tab_named(const std::string& name) {
     static const std::vector<std::pair<std::string, BottomTab>> kTabs = {
-        {"passes", BottomTab::Passes},   {"probe", BottomTab::Probe},     {"error", BottomTab::Error},
+        {"effects", BottomTab::Effects}, {"probe", BottomTab::Probe},     {"error", BottomTab::Error},
         {"objects", BottomTab::Objects}, {"compare", BottomTab::Compare}, {"frontier", BottomTab::Frontier},
         {"log", BottomTab::Log}};
     std::string names;
@@ -100,6 +100,7 @@ bool EditorModel::fulfil(const EditorActions& actions) {
     wish(actions.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
     wish(scenes_.has_step(), [&] { scenes_.follow_step(); });
     changed |= work_.fulfil(scenes_, frames_.size(), frames_.dossiers(), actions);
+    changed |= work_.fulfil_saved(scenes_, frames_.request(), actions);
     wish(actions.save_map.has_value(), [&] { frames_.save_map(scenes_.require(), *actions.save_map); });
     wish(actions.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
     wish(scenes_.has_moved(), [&] { scenes_.follow_settings(); });

@@ -33,7 +33,7 @@ void EditorReadings::clear() {
     map_values_ = map_coordinates_ = overlay_values_ = {};
     facts_.reset(), usage_.reset(), exact_utilisation_.reset(), probe_.reset(), probed_pixel_.reset();
     lost_casters_.clear();
-    probe_of_ = map_of_ = facts_of_ = links_of_ = exact_of_ = overlay_of_ = 0;
+    probe_of_ = map_of_ = facts_of_ = links_of_ = exact_of_ = overlay_of_ = lost_of_ = 0;
 }
 
 bool EditorReadings::finish_tracing() const {
@@ -58,19 +58,23 @@ void EditorReadings::fill(EditorFrame& frame) const {
 bool EditorReadings::update(Renderer& renderer, const Scene& scene, const EditorState& state,
                             const EditorActions& actions, const FrameRequest& request, const FrameResult& result,
                             bool drawn) {
-    if (drawn) {
-        ++frame_;
-        const int light = shown_light(state.settings);
-        lost_casters_.clear();
-        if (light >= 0) lost_casters_ = lost_casters(scene, state.settings, result.lights[std::size_t(light)]);
-    }
-    bool changed = update_map(renderer, state, actions, result);
+    if (drawn) ++frame_, lost_casters_.clear();
+    bool changed = update_lost(scene, state, result);
+    changed |= update_map(renderer, state, actions, result);
     changed |= update_links(renderer, state, actions, result);
     changed |= update_exact(renderer, actions, result);
     changed |= update_overlay(renderer, state, actions, result);
     const bool probed = update_probe(renderer, scene, state, request);
     changed |= dossier_.update(probe_ ? &*probe_ : nullptr, probed, scene, state.settings, renderer.driver());
     return changed || probed;
+}
+
+bool EditorReadings::update_lost(const Scene& scene, const EditorState& state, const FrameResult& result) {
+    const int light = shown_light(state.settings);
+    if (state.tab != BottomTab::Objects || light < 0 || lost_of_ == frame_) return false;
+    lost_of_ = frame_;
+    lost_casters_ = lost_casters(scene, state.settings, result.lights[std::size_t(light)]);
+    return !lost_casters_.empty();
 }
 
 bool EditorReadings::update_map(Renderer& renderer, const EditorState& state, const EditorActions& actions,

@@ -35,6 +35,8 @@ public:
     void fill(EditorFrame& frame) const;
 
 private:
+    /// The objects that culling takes out of the map, while the list of objects is shown.
+    bool update_lost(const Scene& scene, const EditorState& state, const FrameResult& result);
     bool update_probe(Renderer& renderer, const Scene& scene, const EditorState& state, const FrameRequest& request);
     bool update_map(Renderer& renderer, const EditorState& state, const EditorActions& actions,
                     const FrameResult& result);
@@ -45,8 +47,8 @@ private:
                       const FrameResult& result);
 
     std::uint64_t frame_ = 0;  ///< number of the drawn frame
-    std::uint64_t probe_of_ = 0, map_of_ = 0, facts_of_ = 0, links_of_ = 0, exact_of_ = 0,
-                  overlay_of_ = 0;  ///< frames they belong to
+    std::uint64_t probe_of_ = 0, map_of_ = 0, facts_of_ = 0, links_of_ = 0, exact_of_ = 0, overlay_of_ = 0,
+                  lost_of_ = 0;  ///< frames they belong to
     int overlay_pane_ = 0;
     std::optional<Probe> probe_;
     EditorDossier dossier_;

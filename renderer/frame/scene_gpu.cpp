@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "renderer/gl/target.h"
 #include "renderer/scene/face_normals.h"
 
 namespace si {

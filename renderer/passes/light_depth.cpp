@@ -25,8 +25,9 @@ bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) 
     return maps.ensure(label, f.map_format(), f.map_resolution, f.map_resolution, f.map_layers());
 }
 
+/// @param emptied nothing is drawn into it
 void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const LightView& view, int layer,
-               PassInfo& info) {
+               PassInfo& info, bool emptied = false) {
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
     const gl::Target& map = unfiltered ? t.unfiltered : t.maps;
     if (map.layers == 0) layer = -1;  // a plain texture
@@ -37,7 +38,8 @@ void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const L
         t.depth = {};
     const gl::Framebuffer into = colour ? gl::make_framebuffer("shadow map", &map, &t.depth, layer)
                                         : gl::make_framebuffer("shadow map", nullptr, &map, -1, layer);
-    draw_casters(f, into, unfiltered, light, view, info);
+    if (!emptied) return draw_casters(f, into, unfiltered, light, view, info);
+    clear_casters(f, into.id(), view.curve.convention);
 }
 
 }  // namespace
@@ -80,6 +82,7 @@ void add_light_depth_passes(FrameState& f) {
                 .add(v.curve.convention.zero_to_one)
                 .add(v.clamps_near)
                 .add(v.curve.convention.reversed);
+        if (f.request.emptied && f.request.emptied->light == int(i)) key.add("emptied").add(f.request.emptied->view);
         key.add(light.map_origin).add(f.first_view[i]).add(f.gl.programs.source().generation());
         pass.key = key.value();
         pass.cached = &t.keys[i];
@@ -88,7 +91,8 @@ void add_light_depth_passes(FrameState& f) {
             if (ensure_maps(f, t.maps, "shadow maps")) t.keys = {};
             const FittedLight& l = f.gl.fitted[i];
             for (std::size_t v = 0; v < l.views.size(); ++v)
-                draw_view(f, false, l, l.views[v], f.first_view[i] + int(v), info);
+                draw_view(f, false, l, l.views[v], f.first_view[i] + int(v), info,
+                          f.request.emptied == MapOfLight{int(i), int(v)});
             const auto& batches = f.gl.scene->batches();
             const bool masks = std::any_of(batches.begin(), batches.end(),
                                            [](const Batch& b) { return b.cast && b.masked && !b.blend; });

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/frame/state.h"
 #include "renderer/settings/sources.h"
 
 namespace si {

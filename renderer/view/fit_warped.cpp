@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "renderer/base/finite.h"
 #include "renderer/settings/fits.h"
 #include "renderer/view/fit_context.h"
 #include "renderer/view/fits/convex.h"

@@ -19,6 +19,8 @@ TEST(PrintedText, OfEveryCommandIsEncodedOnce) {
          "map.resolution=512"},
         {"measure", "boxes", "--area", "--size", "96x64"},
         {"measure", "boxes", "--json", "--size", "96x64"},
+        {"plan", "boxes", "--size", "96x64", "--measure", "--rounds", "3", "--waste"},
+        {"plan", "boxes", "--size", "96x64", "--json"},
         {"truth", "boxes", "-o", "t.png", "--size", "64x64", "--report", "/dev/stdout"},
         {"render", "boxes", "-o", "r.png", "--size", "64x64", "--report", "r.json"},
         {"tune", "boxes", "-o", "p.json", "--size", "96x64", "--set", "map.resolution=256"},
@@ -35,7 +37,7 @@ TEST(PrintedText, OfEveryCommandIsEncodedOnce) {
     };
     for (const std::string& kind : list_kinds()) commands.push_back({"list", kind});
     for (const char* command :
-         {"render", "truth", "measure", "sweep", "merge", "tune", "probe", "list", "preset", "edit", "scene"})
+         {"render", "truth", "measure", "sweep", "merge", "tune", "plan", "probe", "list", "preset", "edit", "scene"})
         commands.push_back({command, "--help"});
     std::size_t printed = 0;
     for (const auto& command : commands) {

@@ -196,6 +196,9 @@ TEST(MapViewer, LostCastersAreFacts) {
     o.session.sets = {"caster.cull=front"};
     HeadlessEditor editor(o);
     editor.settle();
+    EXPECT_TRUE(editor.model().facts().lost_casters.empty()) << "sought for a panel that is hidden";
+    editor.model().state.open_tab = BottomTab::Objects;
+    editor.settle();
     ASSERT_FALSE(editor.model().facts().lost_casters.empty()) << "the floor has no back";
     const Scene& scene = *editor.model().facts().scene;
     for (const LostCaster& lost : editor.model().facts().lost_casters) {

@@ -55,7 +55,7 @@ TEST(Panels, DrawForEveryChoiceOfEveryRow) {
             ui.state.settings = Settings{};
             set_value(ui.state.settings, ref, value);
             sanitise(ui.state.settings);
-            for (const BottomTab tab : {BottomTab::Passes, BottomTab::Probe, BottomTab::Error, BottomTab::Objects,
+            for (const BottomTab tab : {BottomTab::Effects, BottomTab::Probe, BottomTab::Error, BottomTab::Objects,
                                         BottomTab::Compare, BottomTab::Frontier, BottomTab::Log}) {
                 ui.state.open_tab = tab;
                 ui.state.probe_pixel = glm::ivec2(3, 4);

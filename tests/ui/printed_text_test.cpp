@@ -22,7 +22,7 @@ TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
         .current = true, .rays = 1'000'000, .noise = "noise 0.0031, 64 samples a pixel", .width = 8, .height = 8};
     ui.error = LiveError{};
     ui.map_facts = MapFacts{};
-    for (const BottomTab tab : {BottomTab::Passes, BottomTab::Probe, BottomTab::Error, BottomTab::Objects,
+    for (const BottomTab tab : {BottomTab::Effects, BottomTab::Probe, BottomTab::Error, BottomTab::Objects,
                                 BottomTab::Compare, BottomTab::Frontier, BottomTab::Log}) {
         ui.state.open_tab = tab;
         ui.frames(4);
@@ -31,8 +31,8 @@ TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
         if (tab == BottomTab::Probe) {
             EXPECT_TRUE(holds(text, U"N\u00b7L0.60000"));
         }
-        if (tab == BottomTab::Passes) {
-            EXPECT_TRUE(holds(text, U"shadowmap0ran"));
+        if (tab == BottomTab::Effects) {
+            EXPECT_TRUE(holds(text, U"shadowmap0"));
         }
         if (tab == BottomTab::Error) {
             EXPECT_TRUE(holds(text, U"noise0.0031"));

@@ -76,7 +76,7 @@ TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     EXPECT_FALSE(editor.model().facts().truth->current);
     editor.settle();
     EXPECT_TRUE(error());
-    state.open_tab = BottomTab::Passes;
+    state.open_tab = BottomTab::Effects;
     editor.settle();
     EXPECT_FALSE(error());
     expect_calm(editor);

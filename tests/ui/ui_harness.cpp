@@ -90,6 +90,7 @@ EditorActions UiHarness::frame() {
     io.DisplaySize = {float(width_), float(height_)};
     io.DeltaTime = float(frame_seconds);
     result_ = made_up_frame(scene, frame_settings.value_or(state.settings));
+    effects_ = frame_effects(scene, frame_settings.value_or(state.settings), result_, state.effects.forced);
     probe_ = made_up_probe(state.settings.light_count);
     probe_.object = probed_object;
     if (state.probe_pixel) probe_.x = state.probe_pixel->x, probe_.y = state.probe_pixel->y;
@@ -117,12 +118,15 @@ EditorActions UiHarness::frame() {
         facts.tuned = tuned;
         facts.tuned_current = tuned_current;
         facts.cures = cures;
+        static_cast<EffectsShown&>(facts) = effects;
+        if (effects.effects.empty()) facts.effects = effects_;
     }
     ImGui::NewFrame();
     EditorActions actions = draw_editor(state, facts);
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
-    if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures || actions.forget_cures)
+    if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures || actions.forget_cures ||
+        actions.measure_saved || actions.cancel_saved)
         last_wish = actions;
     io.MouseWheel = 0;
     return actions;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame/frame.h"
+#include "renderer/frame/effects.h"
 #include "renderer/inspect/dossier.h"
 #include "renderer/reference/live_error.h"
 #include "tests/ui/drawn_text.h"
@@ -47,6 +47,7 @@ public:
     std::vector<TunedFamily> tuned;
     bool tuned_current = true;
     CureSearch cures;
+    EffectsShown effects;    ///< where its list is empty, that of the made-up frame
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
     double frame_seconds = 1.0 / 60;
@@ -77,6 +78,7 @@ public:
 private:
     int width_, height_;
     FrameResult result_;
+    std::vector<Effect> effects_;
     Probe probe_;
     DriverInfo driver_;
     std::optional<DrawnText> drawn_;

@@ -109,7 +109,7 @@ bool shows_artefacts(const Settings& settings) {
 void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     if (!ImGui::BeginTabBar("bottom")) return;
     const auto asked = state.open_tab;
-    tab(state, BottomTab::Passes, "Passes", [&] { draw_passes(frame); });
+    tab(state, BottomTab::Effects, "Effects", [&] { draw_effects(state, frame, actions); });
     tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, actions); });
     tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, actions); });
     tab(state, BottomTab::Objects, "Objects", [&] { draw_objects(state, frame); });
@@ -198,7 +198,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     draw_replace_dialog(state, actions);
     ImGui::End();
 
-    actions.want_timing = state.tab == BottomTab::Passes;
+    actions.want_timing = state.tab == BottomTab::Effects;
     actions.want_error = state.tab == BottomTab::Error || shows_artefacts(state.settings);
     const bool turning_wheel = ImGui::GetTime() < state.wheel_until;
     const bool gesture = ImGui::IsAnyItemActive() || state.dragging || turning_wheel;

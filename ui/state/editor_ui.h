@@ -14,6 +14,7 @@
 #include "ui/map_view/map_shown.h"
 #include "ui/panels/compare.h"
 #include "ui/panels/cures.h"
+#include "ui/panels/effects.h"
 #include "ui/panels/presets.h"
 #include "ui/panels/probed.h"
 #include "ui/panels/truth.h"
@@ -37,7 +38,7 @@ struct EditorLayout {
     bool operator==(const EditorLayout&) const = default;
 };
 
-enum class BottomTab { Passes, Probe, Error, Objects, Compare, Frontier, Log };
+enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Log };
 
 struct EditorState {
     Settings settings;
@@ -67,8 +68,9 @@ struct EditorState {
     std::optional<glm::ivec2> hovered_texel;  ///< under the mouse in the map viewer, y up
     Playback playback;
     SweepPanel sweep;
-    BottomTab tab = BottomTab::Passes;
-    std::optional<BottomTab> open_tab = BottomTab::Passes;  ///< brought to the front in the next frame
+    EffectsPanel effects;
+    BottomTab tab = BottomTab::Effects;
+    std::optional<BottomTab> open_tab = BottomTab::Effects;  ///< brought to the front in the next frame
     std::string object_search;
     bool only_lost = false;       ///< the object list shows lost casters only
     std::string selected_object;  ///< node path; empty: none
@@ -95,7 +97,7 @@ struct LoadingFacts {
 };
 
 /// What the last frame found out. Pointers may be null: the editor draws without them.
-struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown {
+struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown {
     const FrameResult* result = nullptr;
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
@@ -112,7 +114,7 @@ struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown {
     std::optional<AgainstFacts> against;
 };
 
-struct EditorActions : MapActions, TruthActions, PresetActions, SweepActions, TuneActions, CureActions {
+struct EditorActions : MapActions, TruthActions, PresetActions, SweepActions, TuneActions, CureActions, EffectsActions {
     int scene_width = 0, scene_height = 0;  ///< wanted size of the scene picture; 0: not shown
     bool want_overlay_values = false;       ///< a scene picture is hovered
     bool want_timing = false;

@@ -12,7 +12,8 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& a
 void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions);
-void draw_passes(const EditorFrame& frame);
+/// What the frame simulates, keeps and leaves out, each with why and what that saves; what its passes cost.
+void draw_effects(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 /// What is wrong with the shadows of the shown light, in numbers.
 void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& actions);

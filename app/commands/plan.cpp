@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/base/interrupt.h"
+#include "app/base/notes.h"
+#include "app/commands/commands.h"
+#include "app/context/headless_context.h"
+#include "app/report/effects_json.h"
+#include "app/report/report.h"
+#include "app/sweep/progress_line.h"
+#include "renderer/reference/truth_picture.h"
+#include "renderer/settings/overlays.h"
+#include "renderer/settings/sources.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool shows_truth(const Settings& s) {
+    const int shown[] = {s.view.overlay, s.view.overlay_2, s.view.overlay_3, s.view.overlay_4};
+    const int panes = s.view.panes == int(Panes::Four) ? 4 : s.view.panes == int(Panes::Two) ? 2 : 1;
+    return std::any_of(shown, shown + panes, [](int o) { return o > 0 && overlays()[std::size_t(o - 1)].reads_truth; });
+}
+
+/// What is traced before the frame, for pictures that need it.
+Effect trace_for(const Session& session, FrameRequest& request, const Workers& workers) {
+    Effect effect{.name = "rays of the truth"};
+    const bool sources = any_source_needs(session.settings, &SourceNeeds::truth) ||
+                         any_source_needs(session.settings, &SourceNeeds::light_map);
+    if (!sources && !shows_truth(session.settings)) {
+        effect.reason = "No light's source needs rays, and no overlay shows what is true.";
+        return effect;
+    }
+    Renderer renderer;  // of its own: the frame that is told about finds nothing drawn before
+    TruthCache cache;
+    if (shows_truth(session.settings))
+        render_with_truth(renderer, session.scene, session.settings, request, cache, workers);
+    else
+        trace_sources(renderer, session.scene, session.settings, request, cache, workers);
+    effect.state = EffectState::Simulated;
+    effect.reason = sources ? "A light's source is traced or baked, before the frame."
+                            : "An overlay shows what is true: its rays are traced before the frame.";
+    return effect;
+}
+
+/// Of the work that takes long, its progress on stderr; Ctrl+C ends it.
+class Steps {
+public:
+    Workers workers() {
+        return {.stop = stop_.get_token(), .progress = [this](double share) { report("rays", share); }};
+    }
+    void report(const char* what, double share) {
+        if (guard_.asked()) stop_.request_stop();
+        line_.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
+    }
+    [[noreturn]] void end() {
+        fmt::print(stderr, "shadow-inspector: interrupted; nothing was printed\n");
+        guard_.end();
+    }
+
+private:
+    InterruptGuard guard_;
+    std::stop_source stop_;
+    ProgressLine line_;
+};
+
+struct Planned {
+    std::vector<Effect> effects;
+    std::optional<SavedTimes> saved;
+    std::optional<Waste> waste;
+    std::vector<std::string> notes;
+};
+
+Planned plan_of(const Session& session, const PlanOptions& options, Renderer& renderer, Steps& steps) {
+    Planned plan;
+    FrameRequest request{.width = options.size.width, .height = options.size.height};
+    Effect rays = trace_for(session, request, steps.workers());
+    const FrameResult frame = renderer.render(session.scene, session.settings, request);
+    plan.effects.push_back(posing_effect(session.scene, session.settings.scene, true));
+    plan.effects.push_back(std::move(rays));
+    for (Effect& effect : frame_effects(session.scene, session.settings, frame))
+        plan.effects.push_back(std::move(effect));
+    plan.notes = frame.notes;
+    if (options.measure)
+        plan.saved = measure_saved(renderer, session.scene, session.settings, request, named_savings(plan.effects),
+                                   options.rounds, steps.workers(),
+                                   [&](double share) { steps.report("frames in turns", share); });
+    if (options.waste)
+        plan.waste = find_waste(renderer, session.scene, session.settings, request, steps.workers(),
+                                [&](double share) { steps.report("left out in turn", share); });
+    return plan;
+}
+
+Json plan_json(const Session& session, const PlanOptions& options, const Planned& plan, const DriverInfo& driver) {
+    const SavedTimes* saved = plan.saved ? &*plan.saved : nullptr;
+    Json json = {{"format", "shadow-inspector-plan"}, {"version", 1},
+                 {"scene", session.scene_name},       {"width", options.size.width},
+                 {"height", options.size.height},     {"measured", saved != nullptr}};
+    json["effects"] = effects_json(plan.effects, saved);
+    json["savings"] = savings_json(saved);
+    json["frame_ms"] = saved ? Json(saved->frame.total_ms.median) : Json();
+    json["rounds"] = saved ? Json(saved->rounds) : Json();
+    json["clock"] = saved ? Json(saved->frame.clock) : Json();
+    json["waste"] = plan.waste ? waste_json(*plan.waste) : Json();
+    json["driver"] = driver_json(driver);
+    return json;
+}
+
+}  // namespace
+
+void run_plan(const PlanOptions& options) {
+    const Session session = open_session(options.session);
+    const HeadlessContext context;
+    Renderer renderer;
+    Steps steps;
+    Planned plan;
+    try {
+        plan = plan_of(session, options, renderer, steps);
+    } catch (const Cancelled&) {
+        steps.end();
+    }
+    if (options.json) {
+        fmt::print("{}", json_text(plan_json(session, options, plan, renderer.driver())));
+    } else {
+        print_effects(plan.effects, plan.saved ? &*plan.saved : nullptr);
+        if (plan.saved)
+            fmt::print(
+                "\n{:.3g} ms a frame with all its passes; medians of {} rounds in turns, with their 95 % "
+                "intervals; {}\n",
+                plan.saved->frame.total_ms.median, plan.saved->rounds, plan.saved->frame.clock);
+        if (plan.waste) print_waste(*plan.waste);
+    }
+    print_notes(session.notes);
+    print_notes(plan.notes);
+}
+
+}  // namespace si

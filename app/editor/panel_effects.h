@@ -1,0 +1,17 @@
+// What stands behind the editor's panels, as effects: each panel's work is called for while it is shown.
+#pragma once
+
+#include <vector>
+
+#include "renderer/frame/effects.h"
+#include "ui/state/editor_ui.h"
+
+namespace si {
+
+/// @param actions what the panels asked for
+std::vector<Effect> panel_effects(const EditorState& state, const EditorActions& actions);
+
+/// Rays that are traced in the background, or were.
+Effect truth_effect(const TruthFacts& truth);
+
+}  // namespace si

@@ -1,0 +1,45 @@
+#include "app/editor/saved.h"
+
+#include "app/context/headless_context.h"
+
+namespace si {
+
+void EditorSaved::start(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+    job_.start(
+        [copy = std::make_shared<const Scene>(scene), settings, request](const Workers& workers, const auto& report) {
+            SavedOutcome out{
+                .times = {}, .scene = copy->id, .settings = settings, .width = request.width, .height = request.height};
+            const HeadlessContext context;
+            Renderer renderer;
+            FrameRequest unforced = request;
+            unforced.forced = {};  // what is forced is named by no effect
+            const FrameResult frame = renderer.render(*copy, settings, unforced);
+            const std::vector<Effect> effects = frame_effects(*copy, settings, frame);
+            const std::vector<Saving> named = named_savings(effects);
+            out.times =
+                measure_saved(renderer, *copy, settings, unforced, named, kSavedRounds, workers, [&](double share) {
+                    report({"frames in turns", share});
+                });
+            return out;
+        },
+        {"the first frame", 0});
+}
+
+bool EditorSaved::poll(std::string& problem) {
+    auto outcome = job_.poll();
+    if (!outcome) return false;
+    if (outcome->cancelled) problem = "Measuring what is saved was cancelled";
+    if (outcome->problem) problem = what_of(outcome->problem);
+    if (outcome->value) found_ = std::move(outcome->value);
+    return true;
+}
+
+void EditorSaved::fill(EffectsShown& shown, std::uint64_t scene, const Settings& settings, int width,
+                       int height) const {
+    shown.measuring_saved = job_.progress();
+    if (!found_ || found_->scene != scene) return;
+    shown.saved = &found_->times;
+    shown.saved_current = found_->settings == settings && found_->width == width && found_->height == height;
+}
+
+}  // namespace si

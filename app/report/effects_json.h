@@ -1,0 +1,25 @@
+// The effects of a frame, and what their savings are worth, as JSON and as text (docs/cli.md).
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "renderer/frame/effects.h"
+#include "renderer/measure/saved.h"
+#include "renderer/measure/waste.h"
+
+namespace si {
+
+/// An object an effect. @param saved null: nothing was measured, and each saved_ms is null
+nlohmann::ordered_json effects_json(std::span<const Effect> effects, const SavedTimes* saved);
+/// Every row of savings(), with what it is worth where that was measured.
+nlohmann::ordered_json savings_json(const SavedTimes* saved);
+nlohmann::ordered_json waste_json(const Waste& waste);
+
+/// "1.2 (0.9 to 1.5)", or a dash where it is not known.
+std::string saved_text(const Spread* ms);
+void print_effects(std::span<const Effect> effects, const SavedTimes* saved);
+void print_waste(const Waste& waste);
+
+}  // namespace si

@@ -1,0 +1,427 @@
+#include "renderer/frame/effects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "renderer/scene/animation.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/overlays.h"
+#include "renderer/settings/paging.h"
+#include "renderer/settings/param.h"
+#include "renderer/settings/sources.h"
+
+namespace si {
+namespace {
+
+/// What effects are told from.
+struct Facts {
+    const Scene& scene;
+    Settings settings;  ///< repaired
+    const FrameResult& frame;
+    SavingSet forced;
+    int casters = 0, masked_casters = 0;  ///< objects
+
+    const Filter& filter() const { return filter_of(settings); }
+    std::string kernel() const { return kernel_label(settings); }
+};
+
+using Effects = std::vector<Effect>;
+
+constexpr EffectState state_of(PassState state) {
+    return state == PassState::Ran      ? EffectState::Simulated
+           : state == PassState::Reused ? EffectState::Reused
+                                        : EffectState::NotCalledFor;
+}
+
+/// A kind of effect: what passes it is, what calls for it, what else those passes do.
+struct EffectRow {
+    std::string_view pass;  ///< how the names of its passes begin
+    std::string_view name;  ///< of the effect; empty: as the pass is called
+    /// What calls for it where it is simulated, a clause.
+    std::string (*why)(const Facts&, const PassInfo&);
+    /// What it consists of besides the parts that the pass reports.
+    void (*parts)(const Facts&, const PassInfo&, Effects&) = nullptr;
+    /// Why no frame has such a pass; empty: one without it says nothing.
+    std::string (*absent)(const Facts&) = nullptr;
+    /// Why a skipped pass is not called for, where the pass names one of two things that it lacks; empty: as it says.
+    std::string (*unasked)(const Facts&) = nullptr;
+};
+
+/// An effect that is a part of a pass: where the pass does its work and `reason` is empty, the pass's own state.
+Effect part_of(const PassInfo& pass, std::string name, bool called_for, std::string_view reason,
+               std::optional<Saving> saving = {}) {
+    const bool lives = pass.state != PassState::Skipped;
+    Effect effect{.name = std::move(name), .saving = saving, .pass = pass.name, .part = true};
+    effect.state = called_for ? state_of(pass.state) : EffectState::NotCalledFor;
+    effect.reason = sentence(lives || !called_for ? reason : std::string_view(pass.reason));
+    return effect;
+}
+
+/// "Shadow map 3 (point)" is about light 3.
+std::size_t number_in(std::string_view name) {
+    const auto digit = name.find_first_of("0123456789");
+    return digit == std::string_view::npos ? 0 : std::size_t(std::atoi(std::string(name.substr(digit)).c_str()));
+}
+
+std::string light_key(std::size_t light, std::string_view setting) {
+    return light == 0 ? fmt::format("light.{}", setting) : fmt::format("light.{}.{}", light, setting);
+}
+
+// Maps ----------------------------------------------------------------------------------------------------------------
+
+std::string why_map(const Facts& f, const PassInfo& pass) {
+    return fmt::format("light {} has its shadows from a map, and {} object{} cast{}", number_in(pass.name), f.casters,
+                       f.casters == 1 ? "" : "s", f.casters == 1 ? "s" : "");
+}
+
+std::string masks_text(const Facts& f) {
+    if (f.masked_casters == 0) return "no caster is masked: what is drawn into maps is drawn without its alpha";
+    return fmt::format("{} of {} casters {} masked: each of their fragments looks up the mask", f.masked_casters,
+                       f.casters, f.masked_casters == 1 ? "is" : "are");
+}
+
+void map_parts(const Facts& f, const PassInfo& pass, Effects& out) {
+    const std::size_t number = number_in(pass.name);
+    if (number >= f.frame.lights.size() || !f.frame.lights[number].casts) return;
+    const FittedLight& light = f.frame.lights[number];
+    for (std::size_t v = 0; pass.parts.empty() && light.views.size() > 1 && v < light.views.size(); ++v)
+        out.push_back(part_of(
+            pass, fmt::format("{} of light {}", view_name(light.chooser.choice, v, light.views.size()), number), true,
+            fmt::format("it is one of {} maps of the light, which are drawn together", light.views.size())));
+    out.push_back(
+        part_of(pass, fmt::format("alpha test in maps of light {}", number), f.masked_casters > 0, masks_text(f)));
+}
+
+std::string why_pages(const Facts& f, const PassInfo&) {
+    return fmt::format("map.virtual is on: {}x{} texels a map are drawn by pages, where look-ups read them",
+                       f.frame.map_resolution, f.frame.map_resolution);
+}
+
+void page_parts(const Facts& f, const PassInfo& pass, Effects& out) {
+    if (!f.frame.pages) return;
+    const PageFacts& p = *f.frame.pages;
+    const long side = p.page_texels > 0 ? f.frame.map_resolution / p.page_texels : 0;
+    long maps = 0;
+    for (const FittedLight& light : f.frame.lights) maps += light.casts ? long(light.views.size()) : 0;
+    const long unread = std::max(maps * side * side - p.wanted, 0L);
+    const auto add = [&](const char* name, EffectState state, std::string reason) {
+        out.push_back({.name = name, .state = state, .reason = std::move(reason), .pass = pass.name, .part = true});
+    };
+    if (p.drawn > 0)
+        add("pages drawn", EffectState::Simulated,
+            fmt::format("{} of {} pages that look-ups may read are drawn for this frame.", p.drawn, p.wanted));
+    if (p.kept > 0)
+        add("pages kept", EffectState::Reused,
+            fmt::format("{} of {} pages that look-ups may read were drawn before, and nothing in them changed.", p.kept,
+                        p.wanted));
+    if (unread > 0)
+        add("pages that nothing reads", EffectState::NotCalledFor,
+            fmt::format("{} of {} pages are within no visible pixel's kernel.", unread, maps * side * side));
+    out.push_back(part_of(pass, "alpha test in pages", f.masked_casters > 0, masks_text(f)));
+}
+
+std::string why_moments(const Facts& f, const PassInfo&) {
+    return fmt::format("kernel {} reads averages of functions of depth", f.kernel());
+}
+
+void moment_parts(const Facts& f, const PassInfo& pass, Effects& out) {
+    const FilterSettings& s = f.settings.filter;
+    if (f.filter().samples != Samples::Moments) return;
+    const bool summed = f.filter().moments.summed;
+    out.push_back(part_of(pass, "blur of the moments", !summed && s.blur > 0,
+                          summed        ? "the kernel averages by sums, at the look-up"
+                          : s.blur == 0 ? std::string("filter.blur is 0")
+                                        : fmt::format("filter.blur is {}: each texel is a mean of {} x {}", s.blur,
+                                                      2 * s.blur + 1, 2 * s.blur + 1)));
+    out.push_back(part_of(pass, "mip levels of the moments", keeps_mips(f.settings),
+                          keeps_mips(f.settings) ? "filter.mips is on" : "filter.mips is off, or the kernel has none"));
+    const int samples = f.settings.map.samples;
+    out.push_back(part_of(pass, "several samples a texel", samples > 1 && f.settings.map.blur_texels == 0,
+                          samples > 1 && f.settings.map.blur_texels > 0
+                              ? "map.blur_texels blurs depths, which have one sample a texel"
+                              : fmt::format("map.samples is {}", samples)));
+}
+
+// Look-ups ------------------------------------------------------------------------------------------------------------
+
+void search_parts(const Facts& f, const PassInfo& pass, bool looked_up, Effects& out) {
+    const Filter& row = f.filter();
+    const auto add = [&](const char* name, bool called_for, std::string reason) {
+        out.push_back(part_of(pass, name, called_for && looked_up,
+                              !looked_up ? std::string("no light has its shadows from a map") : std::move(reason)));
+    };
+    add("blocker search", row.searches_blockers,
+        row.searches_blockers
+            ? fmt::format("kernel {} looks for what stands before each pixel, to know how wide the penumbra is there",
+                          f.kernel())
+            : fmt::format("kernel {} is as wide everywhere: what stands before a pixel does not matter", f.kernel()));
+    add("light's size", row.reads_light_size,
+        row.reads_light_size ? "the kernel's penumbrae follow light.size"
+                             : fmt::format("kernel {} takes each light for a point or a direction", f.kernel()));
+}
+
+/// Of a light without shadows. Shading leaves it out of its program; a texture of its own is drawn where that is
+/// forced.
+Effect lit_everywhere(const Facts& f, const PassInfo& pass, std::string name, std::string reason, bool separate) {
+    if (!separate) return part_of(pass, std::move(name), false, reason);
+    const bool forced = f.forced.contains(Saving::Uncalled);
+    return part_of(pass, std::move(name), forced, forced ? "forced: " + reason : reason, Saving::Uncalled);
+}
+
+/// Of each light, where its visibility is looked up.
+void lookup_parts(const Facts& f, const PassInfo& pass, bool separate, Effects& out) {
+    bool from_maps = false;
+    for (std::size_t i = 0; i < f.frame.lights.size(); ++i) {
+        const FittedLight& light = f.frame.lights[i];
+        const Source& source = source_of(f.settings, int(i));
+        from_maps |= light.casts;
+        const std::string name = fmt::format("look-ups of light {}", i);
+        const std::string told = fmt::format("{} is {}", light_key(i, "source"), source.key);
+        if (!light.shadowed)
+            out.push_back(lit_everywhere(f, pass, name, light.reason + ": it is lit wherever it shines", separate));
+        else if (source.file.empty() && !source.needs.truth)
+            out.push_back(lit_everywhere(f, pass, name, told, separate));
+        else
+            out.push_back(part_of(pass, name, true,
+                                  source.needs.map ? fmt::format("kernel {} fetches {} texels a pixel", f.kernel(),
+                                                                 cost_of(f.settings).texels)
+                                                   : told));
+    }
+    search_parts(f, pass, from_maps, out);
+}
+
+void contact_parts(const Facts& f, const PassInfo& pass, Effects& out) {
+    for (std::size_t i = 0; i < f.frame.lights.size(); ++i) {
+        const double length = f.settings.lights[i].contact;
+        const bool shadowed = f.frame.lights[i].shadowed;
+        out.push_back(part_of(pass, fmt::format("contact shadows of light {}", i), shadowed && length > 0,
+                              length <= 0 ? light_key(i, "contact") + " is 0"
+                              : !shadowed ? f.frame.lights[i].reason
+                                          : fmt::format("{} is {:.4g} m: a ray is marched so far through the "
+                                                        "picture's depth, in {} steps",
+                                                        light_key(i, "contact"), length, f.settings.contact.steps)));
+    }
+}
+
+bool is_separate(const Facts& f) {
+    const PassInfo* visibility = f.frame.pass("visibility");
+    return visibility && visibility->state != PassState::Skipped;
+}
+
+void visibility_parts(const Facts& f, const PassInfo& pass, Effects& out) {
+    if (is_separate(f)) lookup_parts(f, pass, true, out);
+    contact_parts(f, pass, out);
+}
+
+void shading_parts(const Facts& f, const PassInfo& pass, Effects& out) {
+    if (!is_separate(f)) lookup_parts(f, pass, false, out);
+}
+
+/// What makes visibility a texture of its own, as far as the settings do.
+std::string why_visibility(const Facts& f, const PassInfo&) {
+    if (f.settings.shading.separate_visibility) return "shading.separate_visibility is on";
+    for (std::size_t i = 0; i < f.frame.lights.size(); ++i) {
+        if (!f.frame.lights[i].shadowed) continue;
+        if (f.settings.lights[i].contact > 0)
+            return fmt::format("contact shadows darken it ({})", light_key(i, "contact"));
+        if (!source_of(f.settings, int(i)).fused)
+            return fmt::format("{} is {}, which shading cannot evaluate itself", light_key(i, "source"),
+                               source_of(f.settings, int(i)).key);
+    }
+    for (const Pane& pane : f.frame.panes)
+        if (pane.overlay > 0 && (overlays()[std::size_t(pane.overlay - 1)].reads_visibility ||
+                                 overlays()[std::size_t(pane.overlay - 1)].reads_truth))
+            return fmt::format("overlay {} reads it", overlays()[std::size_t(pane.overlay - 1)].key);
+    return f.frame.truth.met ? "it is held against the truth" : "it was asked for";
+}
+
+// What is unasked for -------------------------------------------------------------------------------------------------
+
+bool skips(const Facts& f, std::string_view name) {
+    const PassInfo* pass = f.frame.pass(name);
+    return !pass || pass->state == PassState::Skipped;
+}
+
+std::string truth_unasked(const Facts& f) {
+    return f.frame.truth.key == 0 && !f.frame.lights.empty() ? "nothing that is asked for needs the truth" : "";
+}
+
+std::string viewer_unasked(const Facts& f) {
+    const PassInfo* viewer = f.frame.pass("map viewer");
+    return viewer && viewer->state == PassState::Skipped ? viewer->reason : "";
+}
+
+std::string causes_unasked(const Facts& f) {
+    return skips(f, "causes found") && skips(f, "trials of every pixel") ? "nobody asks what is wrong" : "";
+}
+
+// The table -----------------------------------------------------------------------------------------------------------
+
+#define SI_WHY(text) [](const Facts&, const PassInfo&) { return std::string(text); }
+#define SI_ABSENT(text) [](const Facts&) { return std::string(text); }
+
+/// The first row that a pass's name begins like counts.
+const EffectRow kRows[] = {
+    {.pass = "depths seen",
+     .why = SI_WHY("light.depth_bounds is sdsm where the maps follow the camera"),
+     .absent = SI_ABSENT("no map goes by the depths that the camera sees (light.depth_bounds)")},
+    {.pass = "pages requested", .why = SI_WHY("map.virtual is on: there are the pages that look-ups read")},
+    {.pass = "pages of shadow maps",
+     .why = why_pages,
+     .parts = page_parts,
+     .absent =
+         [](const Facts& f) {
+             return std::string(f.settings.map.paged ? "no light has a map that is drawn by pages"
+                                                     : "map.virtual is off");
+         }},
+    {.pass = "shadow maps", .why = why_map},
+    {.pass = "shadow map ", .why = why_map, .parts = map_parts},
+    {.pass = "depth blur",
+     .why = [](const Facts& f,
+               const PassInfo&) { return fmt::format("map.blur_texels is {}", f.settings.map.blur_texels); }},
+    {.pass = "moments", .why = why_moments, .parts = moment_parts},
+    {.pass = "camera depth", .why = SI_WHY("something reads the depth that the camera sees")},
+    {.pass = "surface ids", .why = SI_WHY("somebody asks which triangle each pixel shows")},
+    {.pass = "shadow volumes",
+     .why =
+         [](const Facts& f, const PassInfo& pass) {
+             const std::size_t light = number_in(pass.name);
+             return fmt::format("{} is {}", light_key(light, "source"), source_of(f.settings, int(light)).key);
+         },
+     .absent = SI_ABSENT("no light's source is shadow volumes")},
+    {.pass = "surfaces seen", .why = SI_WHY("pixels are evaluated again apart from the picture")},
+    {.pass = "blobs",
+     .why = SI_WHY("light.source of a light is blob"),
+     .absent = SI_ABSENT("no light's source is blob")},
+    {.pass = "light map",
+     .why = SI_WHY("light.source of a light is light-map"),
+     .absent = SI_ABSENT("no light's source is a light map that is baked")},
+    {.pass = "visibility", .name = "visibility texture", .why = why_visibility, .parts = visibility_parts},
+    {.pass = "unfiltered map",
+     .why = SI_WHY("somebody asks what is wrong, and polygon offset or masks with mip levels change the map"),
+     .unasked = causes_unasked},
+    {.pass = "truth uploaded",
+     .name = "truth on the GPU",
+     .why = SI_WHY("something shown needs the traced truth"),
+     .unasked = truth_unasked},
+    {.pass = "pixels compared", .why = SI_WHY("somebody asks which pixels are wrong"), .unasked = truth_unasked},
+    {.pass = "causes found", .why = SI_WHY("somebody asks why pixels are wrong"), .unasked = truth_unasked},
+    {.pass = "errors summed up",
+     .name = "metrics",
+     .why = SI_WHY("somebody asks for the picture's errors"),
+     .unasked = truth_unasked},
+    {.pass = "trials of every pixel", .why = SI_WHY("somebody asks for all trials")},
+    {.pass = "shading by the truth",
+     .why = SI_WHY("the picture is held against the one that the truth lights"),
+     .unasked = truth_unasked},
+    {.pass = "shading", .why = SI_WHY("the picture was asked for"), .parts = shading_parts},
+    {.pass = "overlay values", .why = SI_WHY("an overlay is shown")},
+    {.pass = "overlay over picture", .why = SI_WHY("an overlay is shown over the picture")},
+    {.pass = "texel slabs", .why = SI_WHY("view.slabs shows texels in the scene")},
+    {.pass = "map coordinates", .why = SI_WHY("somebody asks which texels pixels read")},
+    {.pass = "texels read", .why = SI_WHY("somebody asks which texels are read, exactly")},
+    {.pass = "map channel",
+     .why = SI_WHY("view.map_channel shows a moment in place of depth"),
+     .unasked = viewer_unasked},
+    {.pass = "drawn depth range",
+     .why = SI_WHY("view.map_fit fits the greys of the map viewer to what is drawn"),
+     .unasked = viewer_unasked},
+    {.pass = "map viewer", .why = SI_WHY("the map viewer is open")},
+};
+
+#undef SI_WHY
+#undef SI_ABSENT
+
+const EffectRow* effect_row(const PassInfo& pass) {
+    for (const EffectRow& row : kRows)
+        if (pass.name.starts_with(row.pass)) return &row;
+    return nullptr;
+}
+
+void add_pass(const Facts& f, const PassInfo& pass, Effects& out) {
+    const EffectRow* row = effect_row(pass);
+    Effect effect{.name = row && !row->name.empty() ? std::string(row->name) : pass.name,
+                  .state = state_of(pass.state),
+                  .pass = pass.name};
+    const bool skipped = pass.state == PassState::Skipped;
+    if (row && !skipped) effect.reason = sentence(row->why(f, pass)) + " ";
+    const std::string unasked = row && row->unasked && skipped ? row->unasked(f) : std::string();
+    effect.reason += sentence(unasked.empty() ? pass.reason : unasked);
+    out.push_back(std::move(effect));
+    for (const PartInfo& part : pass.parts)
+        out.push_back({.name = part.name,
+                       .state = state_of(part.state),
+                       .reason = sentence(part.reason),
+                       .saving = part.by,
+                       .pass = pass.name,
+                       .part = true});
+    if (row && row->parts) row->parts(f, pass, out);
+}
+
+void count_casters(Facts& f) {
+    const bool by_mask = f.settings.caster.blend == int(BlendCasters::Mask);
+    for (const Object& object : f.scene.objects) {
+        const auto own = f.settings.objects.empty()
+                             ? f.settings.objects.end()
+                             : f.settings.objects.find(f.scene.nodes[std::size_t(object.node)].path);
+        if (own != f.settings.objects.end() && !own->second.cast) continue;
+        const int material = f.scene.meshes[std::size_t(object.mesh)].material;
+        const AlphaMode alpha = material < 0 ? AlphaMode::Opaque : f.scene.materials[std::size_t(material)].alpha;
+        if (alpha == AlphaMode::Blend && !by_mask) continue;
+        ++f.casters;
+        f.masked_casters += alpha != AlphaMode::Opaque;
+    }
+}
+
+}  // namespace
+
+std::string_view state_name(EffectState state) {
+    return state == EffectState::Simulated ? "simulated" : state == EffectState::Reused ? "reused" : "not called for";
+}
+
+Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool anew) {
+    Effect effect{.name = "posing"};
+    if (!scene.rig || scene.rig->animations.empty()) {
+        effect.reason = "Nothing moves: the scene has no animation.";
+    } else if (settings.animation < 0) {
+        effect.reason = "scene.animation is -1: the scene stands as it rests.";
+    } else {
+        const auto skins =
+            std::count_if(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) { return m.deformer; });
+        effect.state = anew ? EffectState::Simulated : EffectState::Reused;
+        effect.reason =
+            fmt::format("The scene is posed at {:.4g} s, with {} skinned or morphed mesh{}, {}.", settings.time, skins,
+                        skins == 1 ? "" : "es", anew ? "once for all passes and rays" : "as before");
+    }
+    return effect;
+}
+
+std::string sentence(std::string_view text) {
+    if (text.empty()) return {};
+    std::string out(text);
+    const std::string_view first = text.substr(0, text.find_first_of(" :,;"));
+    if (first.find('.') == std::string_view::npos) out[0] = char(std::toupper(static_cast<unsigned char>(out[0])));
+    if (out.back() != '.' && out.back() != '!' && out.back() != '?') out += '.';
+    return out;
+}
+
+std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,
+                                  SavingSet forced) {
+    Facts facts{.scene = scene, .settings = settings, .frame = frame, .forced = forced};
+    sanitise(facts.settings);
+    count_casters(facts);
+    Effects out;
+    for (const PassInfo& pass : frame.passes) add_pass(facts, pass, out);
+    for (const EffectRow& row : kRows) {
+        const auto is_it = [&](const PassInfo& pass) { return pass.name.starts_with(row.pass); };
+        if (!row.absent || std::any_of(frame.passes.begin(), frame.passes.end(), is_it)) continue;
+        out.push_back({.name = std::string(row.name.empty() ? row.pass : row.name),
+                       .state = EffectState::NotCalledFor,
+                       .reason = sentence(row.absent(facts))});
+    }
+    return out;
+}
+
+}  // namespace si

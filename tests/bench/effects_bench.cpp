@@ -1,0 +1,76 @@
+// What telling the effects of a frame costs, and deciding what to leave out (an unchanged frame is nothing but that),
+// as shares of the frame, in turns with it.
+#include <benchmark/benchmark.h>
+#include <epoxy/gl.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "app/context/headless_context.h"
+#include "renderer/frame/effects.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
+#include "tests/bench/median.h"
+#include "tests/support/agreed_scene.h"
+
+namespace si {
+namespace {
+
+template <typename F>
+double effect_bench_ms(F&& work) {
+    glFinish();
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    glFinish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void effects_of_a_frame(benchmark::State& state, const Scene& scene, const char* lights) {
+    const HeadlessContext context;
+    Renderer renderer;
+    Settings settings;
+    for (const auto& [key, value] : scene.suggested) set_setting(settings, key, value);
+    set_setting(settings, "light.count", lights);
+    FrameRequest request;
+    FrameResult frame = renderer.render(scene, settings, request);
+    std::vector<double> frames, analyses, unchanged;
+    for (auto _ : state) {
+        request.force = true;
+        frames.push_back(effect_bench_ms([&] { frame = renderer.render(scene, settings, request); }));
+        analyses.push_back(effect_bench_ms([&] { benchmark::DoNotOptimize(frame_effects(scene, settings, frame)); }));
+        request.force = false;
+        renderer.render(scene, settings, request);
+        unchanged.push_back(effect_bench_ms([&] { renderer.render(scene, settings, request); }));
+        state.SetIterationTime(1e-3 * analyses.back());
+    }
+    state.counters["frame_ms"] = median(frames);
+    state.counters["effects_share"] = median(analyses) / median(frames);
+    state.counters["unchanged_share"] = median(unchanged) / median(frames);
+}
+
+void effects_agreed(benchmark::State& state) {
+    effects_of_a_frame(state, test::agreed_scene(test::AgreedSize::Triangles100k), "1");
+}
+void effects_stage_of_four_lights(benchmark::State& state) {
+    effects_of_a_frame(state, load_scene("stage"), "4");
+}
+void effects_of_ten_thousand_objects(benchmark::State& state) {
+    Scene scene = load_scene("boxes");
+    const Object last = scene.objects.back();
+    while (scene.objects.size() < 10'000) {
+        Object copy = last;
+        const auto n = double(scene.objects.size());
+        copy.instance[3] += glm::dvec4(std::fmod(n, 100) - 50, 0, n / 100 - 50, 0);
+        scene.objects.push_back(copy);
+    }
+    finalise(scene);
+    effects_of_a_frame(state, scene, "1");
+}
+
+BENCHMARK(effects_agreed)->UseManualTime()->Iterations(15)->Unit(benchmark::kMillisecond);
+BENCHMARK(effects_stage_of_four_lights)->UseManualTime()->Iterations(15)->Unit(benchmark::kMillisecond);
+BENCHMARK(effects_of_ten_thousand_objects)->UseManualTime()->Iterations(15)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,89 @@
+// `plan` as a person and as a script calls it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "renderer/frame/savings.h"
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+Json plan_of(const Words& more) {
+    Words words = {"plan", "boxes", "--size", "160x90", "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProcessResult r = run_program(words);
+    EXPECT_EQ(r.code, 0) << r.err;
+    return Json::parse(r.out);
+}
+
+const Json& effect_of(const Json& plan, const std::string& name) {
+    static const Json none;
+    for (const Json& e : plan["effects"])
+        if (e["name"] == name) return e;
+    ADD_FAILURE() << name << " is no effect";
+    return none;
+}
+
+TEST(PlanCommand, TellsEachEffectWithItsReasonAndNoTimeUnlessMeasured) {
+    const Json plan = plan_of({});
+    EXPECT_EQ(plan["format"], "shadow-inspector-plan");
+    EXPECT_GT(plan["effects"].size(), 20u);
+    for (const Json& e : plan["effects"]) {
+        const std::string state = e["state"];
+        EXPECT_TRUE(state == "simulated" || state == "reused" || state == "not called for") << state;
+        EXPECT_FALSE(e["reason"].get<std::string>().empty()) << e["name"];
+        for (const char* time : {"saved_ms", "saved_ms_low", "saved_ms_high", "ms"})
+            EXPECT_TRUE(e.at(time).is_null()) << e["name"];
+    }
+    EXPECT_EQ(effect_of(plan, "shadow map 0 (directional)")["state"], "simulated");
+    EXPECT_EQ(effect_of(plan, "contact shadows of light 0")["state"], "not called for");
+    EXPECT_EQ(plan["savings"].size(), kSavings);
+    EXPECT_TRUE(plan["waste"].is_null());
+    EXPECT_EQ(effect_of(plan_of({"--set", "light.cast=false"}), "shadow map 0 (directional)")["reason"],
+              "light.cast is off.");
+}
+
+TEST(PlanCommand, MeasuresWhatEffectsName) {
+    const Json plan = plan_of(
+        {"--measure", "--rounds", "4", "--set", "light.cast=false", "--set", "shading.separate_visibility=true"});
+    EXPECT_EQ(plan["rounds"], 4);
+    EXPECT_GT(plan["frame_ms"], 0);
+    const Json& spared = effect_of(plan, "look-ups of light 0");
+    EXPECT_EQ(spared["saving"], "uncalled");
+    ASSERT_TRUE(spared["saved_ms"].is_number());
+    EXPECT_LE(spared["saved_ms_low"], spared["saved_ms"]);
+    EXPECT_GE(spared["saved_ms_high"], spared["saved_ms"]);
+    EXPECT_GT(effect_of(plan, "shading (reads visibility)")["ms"], 0);
+    EXPECT_TRUE(effect_of(plan, "depth blur")["saved_ms"].is_null()) << "nothing spares it: never estimated";
+}
+
+TEST(PlanCommand, ListsWaste) {
+    const Json waste = plan_of({"--waste", "--set", "light.cascades=2"})["waste"];
+    EXPECT_EQ(waste["tried"].size(), 2u);
+    EXPECT_GT(waste["triangles"], 0);
+    EXPECT_LE(waste["wasted_triangles"], waste["triangles"]);
+}
+
+TEST(PlanCommand, TracesForWhatIsShown) {
+    const Json plan = plan_of({"--set", "view.overlay=artefacts", "--set", "map.resolution=256"});
+    EXPECT_EQ(effect_of(plan, "rays of the truth")["state"], "simulated");
+    EXPECT_EQ(effect_of(plan, "causes found")["state"], "simulated");
+    EXPECT_EQ(effect_of(plan_of({"--set", "light.source=traced"}), "rays of the truth")["state"], "simulated");
+}
+
+TEST(PlanCommand, PrintsADashWhereNothingWasMeasured) {
+    const ProcessResult r = run_program({"plan", "boxes", "--size", "64x48"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_NE(r.out.find("–"), std::string::npos);
+    EXPECT_NE(r.out.find("shadow map 0"), std::string::npos);
+    EXPECT_EQ(run_program({"plan", "boxes", "--rounds", "9"}).code, 2) << "rounds of nothing";
+    EXPECT_EQ(run_program({"plan", "boxes", "--measure", "--rounds", "0"}).code, 2);
+    EXPECT_EQ(run_program({"plan", "no-such-scene"}).code, 1);
+}
+
+}  // namespace
+}  // namespace si

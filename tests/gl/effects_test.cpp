@@ -1,0 +1,214 @@
+// Effects tell what the frame did. Of each reason is asked: if I do what it says, does the effect's state change?
+#include "renderer/frame/effects.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "tests/gl/frame_fixture.h"
+
+namespace si {
+namespace {
+
+class EffectsTest : public FrameTest {
+protected:
+    std::vector<Effect> effects(const Scene& scene, const Sets& sets, FrameRequest request = small()) {
+        const Settings s = settings_for(scene, sets);
+        const FrameResult frame = renderer.render(scene, s, request);
+        last = frame;
+        return frame_effects(scene, s, frame, request.forced);
+    }
+    FrameResult last;
+};
+
+const Effect* effect_named(const std::vector<Effect>& effects, std::string_view name) {
+    const auto found = std::find_if(effects.begin(), effects.end(), [&](const Effect& e) { return e.name == name; });
+    return found == effects.end() ? nullptr : &*found;
+}
+
+EffectState state_of_effect(const std::vector<Effect>& effects, std::string_view name) {
+    const Effect* effect = effect_named(effects, name);
+    EXPECT_TRUE(effect) << name;
+    return effect ? effect->state : EffectState::NotCalledFor;
+}
+
+/// A clause that nobody wrote as a sentence, or none at all.
+std::string fault_of(const Effect& effect) {
+    const std::string& text = effect.reason;
+    if (text.empty()) return "no reason";
+    if (text.back() != '.') return "no full stop";
+    const std::string first = text.substr(0, text.find(' '));
+    const bool key = first.find('.') != std::string::npos;
+    if (!key && std::islower(static_cast<unsigned char>(text[0]))) return "no capital letter";
+    if (text.find("  ") != std::string::npos || text.find("..") != std::string::npos) return "two spaces or stops";
+    return {};
+}
+
+const std::vector<Sets>& varied() {
+    static const std::vector<Sets> all = {
+        {},
+        {{"light.type", "point"}, {"light.contact", "0.4"}},
+        {{"light.cascades", "4"}, {"filter.kernel", "pcss"}, {"light.depth_bounds", "sdsm"}},
+        {{"filter.kernel", "vsm"}, {"filter.mips", "true"}, {"map.samples", "4"}},
+        {{"filter.kernel", "savsm"}, {"map.blur_texels", "2"}},
+        {{"map.virtual", "true"}},
+        {{"light.source", "volumes-zfail"}, {"view.overlay", "visibility"}},
+        {{"light.source", "blob"}, {"bias.raster_slope", "1"}},
+        {{"light.cast", "false"}, {"shading.separate_visibility", "true"}},
+        {{"light.source", "none"}, {"view.slabs", "both"}},
+    };
+    return all;
+}
+
+TEST_F(EffectsTest, EveryPassIsAnEffectOfItsStateAndEveryReasonASentence) {
+    FrameRequest request = small();
+    request.outputs.shadow_map = request.outputs.surface_ids = request.outputs.texels_read = true;
+    for (const char* name : {"stage", "boxes", "plane", "figures"}) {
+        const Scene scene = load_scene(name);
+        for (const Sets& sets : varied()) {
+            const std::vector<Effect> all = effects(scene, sets, request);
+            for (const PassInfo& pass : last.passes) {
+                const auto own = std::find_if(all.begin(), all.end(),
+                                              [&](const Effect& e) { return e.pass == pass.name && !e.part; });
+                ASSERT_NE(own, all.end()) << pass.name;
+                EXPECT_EQ(own->state == EffectState::Simulated, pass.state == PassState::Ran) << pass.name;
+                EXPECT_EQ(own->state == EffectState::Reused, pass.state == PassState::Reused) << pass.name;
+            }
+            for (const Effect& e : all) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
+            for (std::size_t i = 0; i < all.size(); ++i)
+                for (std::size_t j = i + 1; j < all.size(); ++j) EXPECT_NE(all[i].name, all[j].name);
+        }
+    }
+}
+
+/// An effect that these settings do not call for, what its reason must name, and the change that it asks for.
+struct Remedied {
+    const char* effect;
+    Sets before;
+    const char* reason;
+    Sets after;
+};
+
+TEST_F(EffectsTest, WhatAReasonNamesIsWhatCallsForTheEffect) {
+    const Remedied all[] = {
+        {"shadow map 0 (directional)", {{"light.cast", "false"}}, "light.cast", {}},
+        {"shadow map 0 (directional)", {{"light.source", "none"}}, "light.source", {{"light.source", "map"}}},
+        {"contact shadows of light 0", {}, "light.contact", {{"light.contact", "0.5"}}},
+        {"depth blur", {}, "map.blur_texels", {{"map.blur_texels", "2"}}},
+        {"moments", {}, "filter.kernel", {{"filter.kernel", "vsm"}}},
+        {"blur of the moments",
+         {{"filter.kernel", "vsm"}, {"filter.blur", "0"}},
+         "filter.blur",
+         {{"filter.kernel", "vsm"}, {"filter.blur", "3"}}},
+        {"several samples a texel",
+         {{"filter.kernel", "vsm"}},
+         "map.samples",
+         {{"filter.kernel", "vsm"}, {"map.samples", "4"}}},
+        {"blocker search", {}, "Kernel", {{"filter.kernel", "pcss"}}},
+        {"light's size", {}, "Kernel", {{"filter.kernel", "pcss"}}},
+        {"overlay values", {}, "overlay", {{"view.overlay", "visibility"}}},
+        {"texel slabs", {}, "view.slabs", {{"view.slabs", "both"}}},
+        {"visibility texture", {}, "shading", {{"shading.separate_visibility", "true"}}},
+    };
+    const Scene scene = load_scene("boxes");
+    FrameRequest cold = small();
+    cold.force = true;
+    for (const Remedied& r : all) {
+        const std::vector<Effect> before = effects(scene, r.before, cold);
+        ASSERT_TRUE(effect_named(before, r.effect)) << r.effect;
+        EXPECT_EQ(state_of_effect(before, r.effect), EffectState::NotCalledFor) << r.effect;
+        EXPECT_NE(effect_named(before, r.effect)->reason.find(r.reason), std::string::npos)
+            << effect_named(before, r.effect)->reason;
+        EXPECT_EQ(state_of_effect(effects(scene, r.after, cold), r.effect), EffectState::Simulated) << r.effect;
+    }
+    EXPECT_EQ(state_of_effect(effects(scene, {}), "pages of shadow maps"), EffectState::NotCalledFor);
+    EXPECT_EQ(state_of_effect(effects(scene, {{"map.virtual", "true"}}), "pages of shadow maps"),
+              EffectState::Simulated);
+}
+
+/// A reason that names one of two things that an effect lacks would be no remedy.
+TEST_F(EffectsTest, WhatNobodyLooksAtIsSaidToBeUnasked) {
+    const Scene scene = load_scene("boxes");
+    const std::vector<Effect> all = effects(scene, {});
+    const auto says = [&](const std::vector<Effect>& list, const char* name, const char* what) {
+        ASSERT_TRUE(effect_named(list, name)) << name;
+        EXPECT_NE(effect_named(list, name)->reason.find(what), std::string::npos) << effect_named(list, name)->reason;
+    };
+    for (const char* name : {"metrics", "pixels compared", "causes found"}) says(all, name, "asked for");
+    says(all, "drawn depth range", "closed");
+    says(all, "unfiltered map", "Nobody asks");
+    FrameRequest request = small();
+    request.outputs.shadow_map = request.outputs.error = true;
+    const std::vector<Effect> asked = effects(scene, {}, request);
+    says(asked, "metrics", "not traced");
+    says(asked, "drawn depth range", "view.map_fit");
+    EXPECT_EQ(state_of_effect(effects(scene, {{"view.map_fit", "true"}}, request), "drawn depth range"),
+              EffectState::Simulated);
+}
+
+TEST_F(EffectsTest, MasksCountAsTheSceneHasThem) {
+    EXPECT_EQ(state_of_effect(effects(load_scene("boxes"), {}), "alpha test in maps of light 0"),
+              EffectState::NotCalledFor);
+    const Scene stage = load_scene("stage");
+    EXPECT_EQ(state_of_effect(effects(stage, {}), "alpha test in maps of light 0"), EffectState::Simulated);
+    Scene opaque = stage;
+    for (Material& m : opaque.materials) m.alpha = AlphaMode::Opaque;
+    EXPECT_EQ(state_of_effect(effects(opaque, {}), "alpha test in maps of light 0"), EffectState::NotCalledFor);
+}
+
+TEST_F(EffectsTest, EachFaceAndCascadeIsOne) {
+    const Scene scene = load_scene("boxes");
+    const auto count = [](const std::vector<Effect>& all, const char* what) {
+        return std::count_if(all.begin(), all.end(), [&](const Effect& e) { return e.name.starts_with(what); });
+    };
+    EXPECT_EQ(count(effects(scene, {{"light.type", "point"}}), "face "), 6);
+    EXPECT_EQ(count(effects(scene, {{"light.cascades", "3"}}), "cascade "), 3);
+}
+
+TEST_F(EffectsTest, WhatIsKeptIsReused) {
+    const Scene scene = load_scene("boxes");
+    effects(scene, {});
+    const std::vector<Effect> again = effects(scene, {{"camera.azimuth", "80"}});
+    EXPECT_EQ(state_of_effect(again, "shadow map 0 (directional)"), EffectState::Reused);
+    EXPECT_EQ(state_of_effect(again, "alpha test in maps of light 0"), EffectState::NotCalledFor);
+    EXPECT_EQ(state_of_effect(effects(scene, {{"light.azimuth", "80"}}), "shadow map 0 (directional)"),
+              EffectState::Simulated);
+}
+
+TEST_F(EffectsTest, ForcedASpentEffectIsSimulated) {
+    const Scene scene = load_scene("boxes");
+    const Sets sets = {{"light.cast", "false"}, {"shading.separate_visibility", "true"}};
+    const Effect* spared = nullptr;
+    const std::vector<Effect> before = effects(scene, sets);
+    ASSERT_TRUE(spared = effect_named(before, "look-ups of light 0"));
+    EXPECT_EQ(spared->state, EffectState::NotCalledFor);
+    EXPECT_EQ(spared->saving, Saving::Uncalled);
+    const std::uint64_t draws = last.pass("visibility")->draws;
+    FrameRequest request = small();
+    request.forced = {Saving::Uncalled};
+    const std::vector<Effect> forced = effects(scene, sets, request);
+    EXPECT_EQ(state_of_effect(forced, "look-ups of light 0"), EffectState::Simulated);
+    EXPECT_GT(last.pass("visibility")->draws, draws) << "it is said to be simulated, and nothing more is drawn";
+}
+
+TEST_F(EffectsTest, AnEmptySceneAndFarLightsHaveEffectsToo) {
+    Scene empty;
+    finalise(empty);
+    for (const Effect& e : effects(empty, {})) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
+    const std::vector<Effect> none = effects(load_scene("boxes"), {{"light.count", "0"}});
+    EXPECT_EQ(state_of_effect(none, "shadow maps"), EffectState::NotCalledFor);
+    const std::vector<Effect> many =
+        effects(load_scene("boxes"), {{"light.count", "3"}, {"light.1.cast", "false"}, {"light.2.type", "point"}});
+    EXPECT_EQ(state_of_effect(many, "look-ups of light 0"), EffectState::Simulated);
+    EXPECT_EQ(state_of_effect(many, "look-ups of light 1"), EffectState::NotCalledFor);
+    EXPECT_EQ(state_of_effect(many, "face +x of light 2"), EffectState::Simulated);
+}
+
+TEST(Sentences, KeepKeysAndStops) {
+    EXPECT_EQ(sentence("nothing reads it"), "Nothing reads it.");
+    EXPECT_EQ(sentence("map.virtual is off"), "map.virtual is off.");
+    EXPECT_EQ(sentence("Done."), "Done.");
+    EXPECT_EQ(sentence(""), "");
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,177 @@
+// The effects panel: what it shows and asks for, what a click on a box does, and that hidden it costs nothing.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/editor/headless_editor.h"
+#include "renderer/measure/saved.h"
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+std::string letters(const UiHarness& ui) {
+    std::string out;
+    for (const char32_t c : ui.printed()) out += c < 128 ? char(c) : '?';
+    return out;
+}
+
+const std::vector<Effect>& made_up_effects() {
+    static const std::vector<Effect> all = {
+        {.name = "shadow map 0", .state = EffectState::Simulated, .reason = "It casts.", .pass = "shadow map 0"},
+        {.name = "look-ups of light 7",
+         .state = EffectState::NotCalledFor,
+         .reason = "light.7.cast is off.",
+         .saving = Saving::Uncalled,
+         .pass = "visibility",
+         .part = true},
+        {.name = "shading", .state = EffectState::Reused, .reason = "Kept.", .pass = "shading"},
+        {.name = "posing", .state = EffectState::NotCalledFor, .reason = "Nothing moves."}};
+    return all;
+}
+
+TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
+    UiHarness ui(1900, 1000);
+    ui.state.open_tab = BottomTab::Effects;
+    ui.effects.effects = made_up_effects();
+    EXPECT_TRUE(ui.frames(4).want_effects);
+    std::string text = letters(ui);
+    for (const char* part : {"simulated", "notcalledfor", "reused", "shadowmap0", "Itcasts.", "light.7.castisoff."})
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    EXPECT_EQ(text.find("3.25"), std::string::npos) << "a time that nobody measured";
+    SavedTimes saved;
+    saved.savings.push_back({Saving::Uncalled, {.median = 3.25, .median_low = 3, .median_high = 3.5, .samples = 15}});
+    ui.effects.saved = &saved, ui.effects.saved_current = true;
+    ui.frames(2);
+    EXPECT_NE(letters(ui).find("3.25"), std::string::npos);
+    EXPECT_EQ(letters(ui).find("ofothersettings"), std::string::npos);
+    ui.effects.saved_current = false;
+    ui.frames(2);
+    EXPECT_NE(letters(ui).find("ofothersettings"), std::string::npos);
+    ui.state.effects.hide_uncalled = true;
+    ui.frames(2);
+    text = letters(ui);
+    EXPECT_EQ(text.find("Nothingmoves."), std::string::npos);
+    EXPECT_NE(text.find("light.7.castisoff."), std::string::npos) << "its box must stay within reach";
+}
+
+TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
+    UiHarness ui(1900, 1000);
+    ui.state.open_tab = BottomTab::Effects;
+    ui.effects.effects = made_up_effects();
+    ui.frames(4);
+    const Settings before = ui.state.settings;
+    ui.state.effects.forced = {Saving::Uncalled};
+    ui.frames(2);
+    EXPECT_NE(letters(ui).find("1forced"), std::string::npos);
+    const auto reset = ui.find("bottom", "", "Reset##forced");
+    ASSERT_TRUE(reset);
+    ui.click(*reset);
+    EXPECT_TRUE(ui.state.effects.forced.empty());
+    // By the row's own box, which lies in the last column.
+    bool clicked = false;
+    for (float y = 680; y < 990 && !clicked; y += 6)
+        for (float x = 1400; x < 1530 && !clicked; x += 8) {
+            ui.move({x, y});
+            ui.frame();
+            if (ui.hovered() == 0) continue;
+            ui.click({x, y});
+            clicked = ui.state.effects.forced.contains(Saving::Uncalled);
+        }
+    EXPECT_TRUE(clicked);
+    EXPECT_EQ(ui.state.settings, before) << "a tool, no setting";
+}
+
+TEST(EffectsPanel, AsksForAMeasurementAndItsEnd) {
+    UiHarness ui(1900, 1000);
+    ui.state.open_tab = BottomTab::Effects;
+    ui.frames(4);
+    const auto measure = ui.find("bottom", "", "Measure what is saved");
+    ASSERT_TRUE(measure);
+    ui.click(*measure);
+    EXPECT_TRUE(ui.last_wish.measure_saved);
+    ui.effects.measuring_saved = TuneFacts{"frames in turns", 0.4};
+    ui.frames(3);
+    EXPECT_NE(letters(ui).find("40%framesinturns"), std::string::npos);
+    const auto cancel = ui.find("bottom", "", "Cancel##saved");
+    ASSERT_TRUE(cancel);
+    ui.click(*cancel);
+    EXPECT_TRUE(ui.last_wish.cancel_saved);
+}
+
+EditorOptions editor_of(const char* scene, std::vector<std::string> sets = {}) {
+    EditorOptions o;
+    o.session.scene = scene;
+    o.session.sets = std::move(sets);
+    o.width = 1280, o.height = 720;
+    o.headless = true;
+    return o;
+}
+
+const Effect* shown_effect(const EditorFrame& facts, std::string_view name) {
+    for (const Effect& e : facts.effects)
+        if (e.name == name) return &e;
+    return nullptr;
+}
+
+TEST(EditorEffects, AreMadeWhileThePanelIsShownOnly) {
+    HeadlessEditor editor(editor_of("boxes"));
+    editor.settle();
+    EXPECT_TRUE(shown_effect(editor.model().facts(), "depth blur"));
+    const Effect* objects = shown_effect(editor.model().facts(), "panel: objects lost to culling");
+    ASSERT_TRUE(objects);
+    EXPECT_EQ(objects->state, EffectState::NotCalledFor);
+    editor.model().state.open_tab = BottomTab::Log;
+    editor.settle();
+    EXPECT_TRUE(editor.model().facts().effects.empty());
+    editor.model().state.open_tab = BottomTab::Effects;
+    editor.settle();
+    EXPECT_TRUE(shown_effect(editor.model().facts(), "depth blur"));
+    EXPECT_FALSE(editor.model().fulfil(editor.frame())) << "a still editor has something to draw";
+}
+
+TEST(EditorEffects, AForcedFrameIsDrawnAnewAndLooksTheSame) {
+    HeadlessEditor editor(editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true"}));
+    editor.settle();
+    const auto spared = [&] {
+        const Effect* e = shown_effect(editor.model().facts(), "look-ups of light 0");
+        return e && e->state == EffectState::NotCalledFor;
+    };
+    EXPECT_TRUE(spared());
+    editor.model().state.effects.forced = {Saving::Uncalled};
+    editor.settle();
+    EXPECT_FALSE(spared());
+    EXPECT_GT(editor.model().facts().result->pass("visibility")->draws, 0u);
+}
+
+TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
+    HeadlessEditor editor(
+        editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true", "map.resolution=256"}));
+    editor.settle();
+    EXPECT_FALSE(editor.model().facts().saved);
+    EditorActions actions = editor.frame();
+    actions.measure_saved = true;
+    EXPECT_TRUE(editor.model().fulfil(actions));
+    EXPECT_TRUE(editor.model().measuring());
+    EXPECT_TRUE(editor.model().facts().measuring_saved);
+    editor.settle();
+    ASSERT_TRUE(editor.model().facts().saved);
+    EXPECT_TRUE(editor.model().facts().saved_current);
+    const Spread* ms = editor.model().facts().saved->of(Saving::Uncalled);
+    ASSERT_TRUE(ms) << "an effect names this saving";
+    EXPECT_EQ(ms->samples, kSavedRounds);
+    EXPECT_LE(ms->median_low, ms->median_high);
+    editor.model().state.settings.map.resolution = 512;
+    editor.settle();
+    EXPECT_FALSE(editor.model().facts().saved_current);
+    actions = editor.frame();
+    actions.measure_saved = true;
+    editor.model().fulfil(actions);
+    actions.measure_saved = false, actions.cancel_saved = true;
+    editor.model().fulfil(actions);
+    editor.settle();
+    EXPECT_FALSE(editor.model().facts().saved_current) << "a cancelled measurement tells nothing";
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,236 @@
+// What the frame did: each effect, whether it was simulated and why, what its pass cost, what its being spared saves.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "renderer/frame/effects.h"
+#include "renderer/measure/saved.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+constexpr int kColumns = 9, kTexts = 3;  ///< the first of them are texts, the last is a checkbox
+enum class Column { State, Effect, Why, Ms, CpuMs, Draws, Triangles, Saved, Force };
+
+void right_aligned(const std::string& text, ImU32 colour = theme::kText) {
+    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    if (free > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+}
+
+std::string grouped(std::uint64_t n) {
+    std::string text = fmt::format("{}", n);
+    for (int at = int(text.size()) - 3; at > 0; at -= 3) text.insert(std::size_t(at), "\u2009");
+    return text;
+}
+
+void tooltip(const std::string& text) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 30);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+/// By shape and word, so that nobody has to tell colours apart.
+void state_cell(EffectState state) {
+    switch (state) {
+        case EffectState::Simulated:
+            ImGui::TextUnformatted("\u25cf simulated");
+            break;
+        case EffectState::Reused:
+            ImGui::TextUnformatted("\u25c6 reused");
+            break;
+        case EffectState::NotCalledFor:
+            ImGui::TextDisabled("\u25cb not called for");
+            break;
+    }
+}
+
+void saved_cell(const Spread* ms, bool current) {
+    right_aligned(ms ? fmt::format("{:.2f}", ms->median) : "–", ms && current ? theme::kText : theme::kMuted);
+    if (ms)
+        tooltip(fmt::format("{:.3g} ms, 95 % interval {:.3g} to {:.3g} ms, by {} pairs of frames in turns.{}",
+                            ms->median, ms->median_low, ms->median_high, ms->samples,
+                            current ? "" : " Of other settings or another size: measure again."));
+    else
+        tooltip("Not measured, or nothing spares it. Times are never estimated.");
+}
+
+/// Whether frames are to do what a saving spares.
+void force_box(SavingSet& forced, Saving saving, const char* label) {
+    bool on = forced.contains(saving);
+    if (ImGui::Checkbox(label, &on)) {
+        SavingSet next;
+        for (std::size_t i = 0; i < kSavings; ++i)
+            if (Saving(i) == saving ? on : forced.contains(Saving(i))) next.add(Saving(i));
+        forced = next;
+    }
+    tooltip(fmt::format("Force: do the work that \"{}\" spares. The picture stays the same, byte by byte.\n{}",
+                        row_of(saving).label, row_of(saving).help));
+}
+
+void measure_button(const EditorFrame& frame, EditorActions& actions) {
+    if (frame.measuring_saved) {
+        const std::string text =
+            fmt::format("{:.0f} %  {}", 100 * frame.measuring_saved->progress, frame.measuring_saved->about);
+        progress_bar(frame.measuring_saved->progress, text, ImGui::GetFontSize() * 14);
+        ImGui::SameLine();
+        if (ImGui::Button("Cancel##saved")) actions.cancel_saved = true;
+        return;
+    }
+    if (ImGui::Button("Measure what is saved")) actions.measure_saved = true;
+    tooltip(
+        "Draws frames that make each saving and frames that do its work in turns, in the background, and tells the "
+        "difference in milliseconds with its interval.");
+}
+
+void tools(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    measure_button(frame, actions);
+    SavingSet& forced = state.effects.forced;
+    int count = 0;
+    for (std::size_t i = 0; i < kSavings; ++i) count += forced.contains(Saving(i));
+    ImGui::SameLine();
+    const std::string label =
+        fmt::format("{}###force savings", count ? fmt::format("{} forced", count) : "None forced");
+    if (ImGui::Button(label.c_str())) ImGui::OpenPopup("savings");
+    tooltip("Savings that frames are not to make. A tool: no preset holds it.");
+    if (ImGui::BeginPopup("savings")) {
+        for (std::size_t i = 0; i < kSavings; ++i)
+            force_box(forced, Saving(i), std::string(savings()[i].label).c_str());
+        ImGui::EndPopup();
+    }
+    ImGui::SameLine();
+    ImGui::BeginDisabled(forced.empty());
+    if (ImGui::Button("Reset##forced")) forced = {};
+    ImGui::EndDisabled();
+    tooltip("Make all savings again.");
+    ImGui::SameLine();
+    ImGui::Checkbox("Hide what is not called for", &state.effects.hide_uncalled);
+    if (!frame.saved || frame.saved_current) return;
+    ImGui::SameLine();
+    ImGui::TextDisabled("saved ms are of other settings");
+}
+
+void header() {
+    const float em = ImGui::GetFontSize();
+    const auto fixed = [em](const char* name, float ems) {
+        ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, em * ems);
+    };
+    ImGui::TableSetupScrollFreeze(0, 1);
+    fixed("State", 7.5f), fixed("Effect", 14);
+    ImGui::TableSetupColumn("Why", ImGuiTableColumnFlags_WidthStretch);
+    fixed("Time ms", 4), fixed("CPU ms", 4), fixed("Draws", 3.2f), fixed("Triangles", 5), fixed("Saved ms", 4.5f);
+    fixed("Force", 2.8f);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (int column = 0; column < kColumns; ++column) {
+        ImGui::TableSetColumnIndex(column);
+        ImGui::PushID(column);
+        if (column < kTexts)
+            ImGui::TextDisabled("%s", ImGui::TableGetColumnName(column));
+        else
+            right_aligned(ImGui::TableGetColumnName(column), theme::kMuted);
+        ImGui::PopID();
+    }
+}
+
+/// What passes cost, one or all.
+struct PassCost {
+    double gpu_ms = 0, cpu_ms = 0;
+    std::uint64_t draws = 0, triangles = 0;
+};
+
+void cost_cells(const PassCost& cost) {
+    const auto cell = [](Column column, bool known, const std::string& text) {
+        ImGui::TableSetColumnIndex(int(column));
+        if (known) right_aligned(text);
+    };
+    cell(Column::Ms, cost.gpu_ms > 0, fmt::format("{:.2f}", cost.gpu_ms));
+    cell(Column::CpuMs, cost.cpu_ms > 0, fmt::format("{:.2f}", cost.cpu_ms));
+    cell(Column::Draws, cost.draws > 0, grouped(cost.draws));
+    cell(Column::Triangles, cost.triangles > 0, grouped(cost.triangles));
+}
+
+void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effect, PassCost& sum) {
+    ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(int(Column::State));
+    state_cell(effect.state);
+    ImGui::TableSetColumnIndex(int(Column::Effect));
+    const bool called_for = effect.state != EffectState::NotCalledFor;
+    const float indent = effect.part ? ImGui::GetFontSize() * 0.8f : 0;
+    if (indent > 0) ImGui::Indent(indent);
+    ImGui::PushStyleColor(ImGuiCol_Text, called_for ? theme::kText : theme::kMuted);
+    ImGui::TextUnformatted(effect.name.c_str());
+    ImGui::PopStyleColor();
+    if (indent > 0) ImGui::Unindent(indent);
+    ImGui::TableSetColumnIndex(int(Column::Why));
+    ImGui::TextDisabled("%s", effect.reason.c_str());
+    if (!effect.reason.empty()) tooltip(effect.reason);
+    const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : frame.result->pass(effect.pass);
+    if (pass && pass->state == PassState::Ran) {
+        cost_cells({pass->gpu_ms, pass->cpu_ms, pass->draws, pass->triangles});
+        sum.gpu_ms += pass->gpu_ms, sum.cpu_ms += pass->cpu_ms;
+        sum.draws += pass->draws, sum.triangles += pass->triangles;
+    }
+    ImGui::TableSetColumnIndex(int(Column::Saved));
+    saved_cell(frame.saved ? frame.saved->of(effect) : nullptr, frame.saved_current);
+    if (!effect.saving) return;
+    ImGui::TableSetColumnIndex(int(Column::Force));
+    force_box(state.effects.forced, *effect.saving, "##force");
+}
+
+void sum_row(const PassCost& sum) {
+    ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(int(Column::Effect));
+    ImGui::PushFont(theme::strong());
+    ImGui::TextUnformatted("Frame");
+    cost_cells(sum);
+    ImGui::PopFont();
+}
+
+void clock_line(const EditorFrame& frame) {
+    const FrameResult& result = *frame.result;
+    if (result.pages) ImGui::TextDisabled("%s", page_text(*result.pages).c_str());
+    std::string clock = result.clock.empty() ? std::string() : fmt::format("Time by {}", result.clock);
+    if (frame.driver) {
+        clock += fmt::format("{}{}", clock.empty() ? "" : "   ", frame.driver->renderer);
+        if (frame.driver->software) clock += "   (a CPU rasteriser: times say nothing about a GPU)";
+    }
+    ImGui::TextDisabled("%s", clock.c_str());
+}
+
+}  // namespace
+
+void draw_effects(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    actions.want_effects = true;
+    if (!frame.result) {
+        ImGui::TextDisabled("No frame yet.");
+        return;
+    }
+    tools(state, frame, actions);
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
+                                      ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH |
+                                      ImGuiTableFlags_NoSavedSettings;
+    const float footer =
+        ImGui::GetTextLineHeightWithSpacing() * (frame.result->pages ? 2 : 1) + ImGui::GetFontSize() * 0.2f;
+    if (ImGui::BeginTable("effects", kColumns, flags, {0, -footer})) {
+        header();
+        PassCost sum;
+        int id = 0;
+        for (const Effect& effect : frame.effects) {
+            ImGui::PushID(id++);
+            if (!state.effects.hide_uncalled || effect.state != EffectState::NotCalledFor || effect.saving)
+                effect_row(state, frame, effect, sum);
+            ImGui::PopID();
+        }
+        sum_row(sum);
+        ImGui::EndTable();
+    }
+    clock_line(frame);
+}
+
+}  // namespace si
