@@ -340,6 +340,13 @@ const EffectRow* effect_row(const PassInfo& pass) {
     return nullptr;
 }
 
+std::string part_reason(const PartInfo& part) {
+    const std::string reason = sentence(part.reason);
+    if (part.left_out == 0) return reason;
+    return fmt::format("{}{}{} {} {} left out.", reason, reason.empty() ? "" : " ", part.left_out, part.unit,
+                       part.left_out == 1 ? "is" : "are");
+}
+
 void add_pass(const Facts& f, const PassInfo& pass, Effects& out) {
     const EffectRow* row = effect_row(pass);
     Effect effect{.name = row && !row->name.empty() ? std::string(row->name) : pass.name,
@@ -353,7 +360,7 @@ void add_pass(const Facts& f, const PassInfo& pass, Effects& out) {
     for (const PartInfo& part : pass.parts)
         out.push_back({.name = part.name,
                        .state = state_of(part.state),
-                       .reason = sentence(part.reason),
+                       .reason = part_reason(part),
                        .saving = part.by,
                        .pass = pass.name,
                        .part = true});

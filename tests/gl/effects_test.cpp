@@ -200,7 +200,32 @@ TEST_F(EffectsTest, AnEmptySceneAndFarLightsHaveEffectsToo) {
         effects(load_scene("boxes"), {{"light.count", "3"}, {"light.1.cast", "false"}, {"light.2.type", "point"}});
     EXPECT_EQ(state_of_effect(many, "look-ups of light 0"), EffectState::Simulated);
     EXPECT_EQ(state_of_effect(many, "look-ups of light 1"), EffectState::NotCalledFor);
-    EXPECT_EQ(state_of_effect(many, "face +x of light 2"), EffectState::Simulated);
+    EXPECT_EQ(
+        std::count_if(many.begin(), many.end(),
+                      [](const Effect& e) { return e.name.starts_with("face ") && e.name.ends_with(" of light 2"); }),
+        6);
+}
+
+TEST(Parts, ThatPassesReportAreEffectsWithTheirSaving) {
+    Scene scene;
+    finalise(scene);
+    FrameResult frame;
+    PassInfo pass{.name = "shadow map 0 (spot)", .state = PassState::Ran, .reason = "its inputs changed"};
+    pass.parts.push_back({.name = "casters of light 0",
+                          .state = PassState::Ran,
+                          .reason = "they lie beside what the light reaches",
+                          .left_out = 7,
+                          .unit = "casters",
+                          .by = Saving::Uncalled});
+    frame.passes.push_back(pass);
+    const std::vector<Effect> all = frame_effects(scene, {}, frame);
+    const Effect* part = effect_named(all, "casters of light 0");
+    ASSERT_TRUE(part);
+    EXPECT_EQ(part->reason, "They lie beside what the light reaches. 7 casters are left out.");
+    EXPECT_EQ(part->saving, Saving::Uncalled);
+    EXPECT_TRUE(part->part);
+    EXPECT_EQ(part->pass, pass.name);
+    EXPECT_EQ(part->state, EffectState::Simulated);
 }
 
 TEST(Sentences, KeepKeysAndStops) {
