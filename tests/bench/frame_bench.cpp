@@ -118,6 +118,30 @@ void whole_frame(benchmark::State& state, const char* file, const Row& row, int 
         rotation.ratio(state, std::string(who) + "_of_sampler", who, "sampler");
 }
 
+/// The camera moves, so that the map is kept: the picture alone, against what the bare programs take for theirs.
+void moving_camera(benchmark::State& state, const Row& row) {
+    Settings s = around_the_scene();
+    s.camera = {.source = int(CameraSource::Manual), .target_y = 0.5, .azimuth = 42, .elevation = 23.8, .distance = 31};
+    const Match match(Machine::get("100k"), s, row, 2048);
+    BareForward floor = match.bare({.kernel = row.bare, .size = row.size, .light = BareLight::Lambert});
+    BareForward like = match.bare({.kernel = row.bare, .size = row.size});
+    match.draw(floor), match.draw(like);
+    Settings moved = match.settings;
+    moved.camera.fov += 1e-3;
+    const FrameRequest kept{.width = kWidth, .height = kHeight};
+    int frames = 0;
+    Rotation rotation;
+    rotation.add_draw("ours", [&] {
+        const Settings& shown = ++frames % 2 ? moved : match.settings;
+        match.machine.renderer.render(match.machine.scene, shown, kept);
+    });
+    rotation.add_draw("like", [&] { like.draw(match.facts.camera, match.light, false); });
+    rotation.add_draw("floor", [&] { floor.draw(match.facts.camera, match.light, false); });
+    rotation.run(state);
+    rotation.ratio(state, "ratio", "ours", "like");
+    rotation.ratio(state, "like_of_floor", "like", "floor");
+}
+
 /// Mean |A - B| of the channels, 0..1, of the bare program's picture and the renderer's.
 double picture_difference(const BareForward& bare, const ByteImage& ours) {
     const std::vector<std::uint8_t> a = bare.picture();
@@ -241,6 +265,8 @@ void register_all() {
             add(fmt::format("separate/{}/2048", row.name),
                 [row](benchmark::State& s) { whole_frame(s, "100k", row, 2048, true); });
     }
+    for (const Row& row : kRows)
+        add(fmt::format("moving_camera/{}/2048", row.name), [row](benchmark::State& s) { moving_camera(s, row); });
     // The stage is always there; the forest is 10,000 trees of masked leaves.
     for (const auto& [scene, file] : {std::pair{"stage", "stage"}, {"forest", "models/gen_forest_10k/forest_10k.glb"}})
         for (const Row& row : {kRows[0], kRows[1], kRows[3]})
