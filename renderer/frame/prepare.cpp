@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "renderer/frame/driver.h"
 #include "renderer/frame/renderer_impl.h"
@@ -192,6 +193,25 @@ bool needs_surface_flags(const FrameState& f) {
     return std::any_of(f.scene.materials.begin(), f.scene.materials.end(), [](const Material& m) { return m.unlit; });
 }
 
+/// k where the exponent is 2^k; 0: it is no such power.
+int squarings(double exponent) {
+    const int k = std::ilogb(exponent);
+    return std::ldexp(1.0, k) == exponent ? k : 0;
+}
+
+/// What of the light model the frame calls for, so that shaders need not read what they would multiply by 0 or 1: a CPU
+/// rasteriser gathers each number of a uniform block anew for every eight pixels.
+void add_shading_defines(FrameState& f) {
+    const ShadingSettings& s = f.settings.shading;
+    const bool grey = std::all_of(f.gl.fitted.begin(), f.gl.fitted.end(), [](const FittedLight& light) {
+        return light.radiance.r == light.radiance.g && light.radiance.r == light.radiance.b;
+    });
+    f.defines.push_back({"CAMERA_PARALLEL", f.camera.orthographic ? "1" : "0"});
+    f.defines.push_back({"LIGHTS_GREY", grey ? "1" : "0"});
+    f.defines.push_back({"SHADES_HIGHLIGHT", s.specular != 0 ? "1" : "0"});
+    f.defines.push_back({"SHININESS_SQUARINGS", std::to_string(squarings(s.shininess))});
+}
+
 void choose_kernel(FrameState& f) {
     const Filter& filter = filter_of(f.settings);
     f.filter_sampler = uses_sampler(f.settings);
@@ -236,6 +256,8 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"BIAS_READS_PLANE", bias.brings_need ? "1" : "0"});
     f.defines.push_back({"BIAS_BY_DERIVATIVES", bias.by_derivatives ? "1" : "0"});
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
+    f.defines.push_back({"BIAS_SLOPED", f.settings.bias.slope != 0 ? "1" : "0"});
+    add_shading_defines(f);
     f.preamble = settings_block_text() + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
     const auto& batches = f.gl.scene->batches();
@@ -407,6 +429,9 @@ shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std:
     b.uvd_from_relative = glm::mat4(uvd_from_clip(v.curve.convention) * v.clip_from_relative(f.origin));
     b.curve = glm::vec4(v.curve.near, v.curve.far, v.half_width, 1.0 / f.map_resolution);
     if (const auto& warp = v.curve.warp) b.warp = glm::vec4(warp->middle_m, warp->near_m, warp->far_m, warp->rise);
+    // In single precision, as lib/receiver.glsl has them of all other views.
+    b.span.z = 2.f * b.curve.z * b.curve.w;
+    b.span.w = 1.f / (b.curve.y - b.curve.x);
     return b;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "renderer/gl/target.h"
@@ -49,6 +50,18 @@ const Material& material_of(const Scene& scene, const Mesh& mesh) {
 ObjectSettings object_settings(const Scene& scene, const Settings& settings, const Object& object) {
     const auto it = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
     return it == settings.objects.end() ? ObjectSettings{} : it->second;
+}
+
+/// Of each mesh the size of its largest object, in powers of two metres. What is large lies mostly behind what is
+/// small, a ground or a room's walls: drawn after it, most of what is hidden is never shaded. No camera is asked, so
+/// that of coplanar surfaces the same one wins wherever it stands.
+std::vector<int> mesh_sizes(const Scene& scene) {
+    std::vector<int> sizes(scene.meshes.size(), std::numeric_limits<int>::min());
+    for (const Object& o : scene.objects) {
+        const double radius_m = scene.meshes[std::size_t(o.mesh)].bounds.transformed(o.world).radius();
+        if (radius_m > 0) sizes[std::size_t(o.mesh)] = std::max(sizes[std::size_t(o.mesh)], std::ilogb(radius_m));
+    }
+    return sizes;
 }
 
 template <typename T>
@@ -233,15 +246,19 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
     struct Entry {
         std::uint32_t object;
         bool blend, masked;
+        int size;
         GLuint texture, finest_texture, normal_texture;
         int mesh, cull;
         bool cast, mirrored;
         /// What instances of one batch have in common.
-        auto batch() const { return std::tuple(blend, masked, texture, normal_texture, mesh, cull, cast, mirrored); }
+        auto batch() const {
+            return std::tuple(blend, masked, size, texture, normal_texture, mesh, cull, cast, mirrored);
+        }
         auto rank() const { return std::tuple_cat(batch(), std::tuple(object)); }
     };
     std::vector<Entry> entries;
     entries.reserve(scene.objects.size());
+    const std::vector<int> sizes = mesh_sizes(scene);
     for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
         const Object& o = scene.objects[i];
         const Mesh& mesh = scene.meshes[std::size_t(o.mesh)];
@@ -259,8 +276,8 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
         GLuint normal_texture = 0;
         if (material.normal_texture >= 0 && settings.shading.textures && !material.unlit)
             normal_texture = textures_[std::size_t(material.normal_texture)].whole.id();
-        entries.push_back({i, blend, masked, texture, finest_texture, normal_texture, o.mesh, own.cull, own.cast,
-                           glm::determinant(glm::dmat3(o.world)) < 0});
+        entries.push_back({i, blend, masked, blend ? 0 : sizes[std::size_t(o.mesh)], texture, finest_texture,
+                           normal_texture, o.mesh, own.cull, own.cast, glm::determinant(glm::dmat3(o.world)) < 0});
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank() < b.rank(); });
     order_.clear();

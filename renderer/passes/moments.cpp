@@ -100,12 +100,12 @@ private:
                                       {"MOMENTS_FROM_MOMENTS", std::to_string(int(From::Moments))},
                                       {"MOMENTS_FROM", std::to_string(int(from))},
                                       {"MOMENTS_AS_SUMS", summed ? "1" : "0"},
+                                      {"BLUR_RADIUS", std::to_string(radius)},
                                       {"MOMENTS_LAST", last ? "1" : "0"}});
         glUseProgram(id);
         if (from == From::Samples) glBindTextureUnit(shared::UNIT_MAP_SAMPLES, t_.samples.texture.id());
         const DepthCurve& curve = view_->curve;
         glUniform1i(glGetUniformLocation(id, "layer"), layer_);
-        glUniform1i(glGetUniformLocation(id, "radius"), radius);
         glUniform4f(glGetUniformLocation(id, "curve"), float(curve.near), float(curve.far),
                     curve.perspective ? 1.f : 0.f, 0.f);
         FrameState::draw_fullscreen(info_);

@@ -1,5 +1,9 @@
 // One axis of a blur over texels of a map, those beyond its sides left out.
+#ifdef BLUR_RADIUS
+const int radius = BLUR_RADIUS;  // known, so that loops over it unroll
+#else
 uniform int radius;
+#endif
 #if BLUR_COLUMNS
 const ivec2 BLUR_AXIS = ivec2(0, 1);
 #else

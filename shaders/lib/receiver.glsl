@@ -182,9 +182,9 @@ Receiver receiver_in(Surface s, int index, int layer) {
     float near = view.curve.x, far = view.curve.y;
     bool perspective = LIGHT_PERSPECTIVE[index] != 0;
     r.z = perspective ? max(h.w, NEAREST_SHARE * near) : 1.0;
-    r.texel_m = r.texel_short_m = 2.0 * view.curve.z * r.z * view.curve.w;
+    r.texel_m = r.texel_short_m = divides ? 2.0 * view.curve.z * r.z * view.curve.w : view.span.z;
     r.warp_per_m = 0.0;
-    r.depth_per_m = perspective ? near * far / ((far - near) * r.z * r.z) : 1.0 / (far - near);
+    r.depth_per_m = perspective ? near * far / ((far - near) * r.z * r.z) : view.span.w;
 
     if (LIGHT_WARPED[index] != 0) find_warped_texel(r, h, view);
 

@@ -22,17 +22,18 @@ Surface make_surface() {
 #if BIAS_BY_DERIVATIVES
     s.step_x = dFdx(position_rel), s.step_y = dFdy(position_rel);
 #endif
-    s.to_eye = frame.eye.w > 0.5 ? -frame.forward.xyz : normalize(frame.eye.xyz - position_rel);
-    // The triangle's own normal, not that of screen derivatives: of those, single precision leaves a tenth of a degree.
-    float n2 = dot(face_normal, face_normal);
-    s.geometric = n2 > 0.0 ? face_normal * inversesqrt(n2) : s.to_eye;  // the side seen is the one towards the camera
-    if (dot(s.geometric, s.to_eye) < 0.0) s.geometric = -s.geometric;
-    float length2 = dot(normal_ws, normal_ws);
-    s.vertex = length2 > 0.0 ? normal_ws * inversesqrt(length2) : s.geometric;
-    if (dot(s.vertex, s.geometric) < 0.0) s.vertex = -s.vertex;
+#if CAMERA_PARALLEL
+    s.to_eye = -frame.forward.xyz;
+#else
+    s.to_eye = normalize(frame.eye.xyz - position_rel);
+#endif
+    s.geometric = face_normal;
+    bool turned_away = dot(normal_ws, face_normal) < 0.0;
+    float length2 = dot(normal_ws, normal_ws), per_length = inversesqrt(length2);
+    s.vertex = length2 > 0.0 ? normal_ws * (turned_away ? -per_length : per_length) : s.geometric;
     s.shading = s.vertex;
 #ifdef NORMAL_MAPPED
-    s.shading = mapped_normal(s.vertex, dot(normal_ws, s.geometric) < 0.0);
+    s.shading = mapped_normal(s.vertex, turned_away);
 #endif
     return s;
 }

@@ -42,10 +42,13 @@ void main() {
     ivec2 centre = ivec2(gl_FragCoord.xy), window = blur_window(centre);
     int reach = min(-window.x, window.y);
     float weights = 0.0;
-    for (int i = -reach; i <= reach; ++i) weights += weight_of(i);
+    for (int i = -radius; i <= radius; ++i) weights += abs(i) <= reach ? weight_of(i) : 0.0;
     vec4 mean = vec4(0.0);
     // Each by its share: a sum of numbers as large as floats hold would overflow.
-    for (int i = -reach; i <= reach; ++i) mean += moments_at(centre + i * BLUR_AXIS) * (weight_of(i) / weights);
+    for (int i = -radius; i <= radius; ++i) {
+        vec4 share = moments_at(centre + clamp(i, -reach, reach) * BLUR_AXIS) * (weight_of(i) / weights);
+        mean += abs(i) <= reach ? share : vec4(0.0);
+    }
 #if MOMENTS_AS_SUMS && filter_sums == filter_sums_integer
     moments_out = uvec2(round(mean.rg * SUMS_ONE));
 #elif MOMENTS_QUANTISED && MOMENTS_LAST

@@ -30,7 +30,7 @@ out vec3 uv_scale;
 layout(location = 14) in vec3 face_os;  // of the triangle that this vertex is the last corner of
 
 out vec3 position_rel;
-flat out vec3 face_normal;  // of any length, 0 for a triangle without area
+flat out vec3 face_normal;  // unit, on the side that the camera sees
 out vec3 normal_ws;
 #ifdef TEXTURED
 out vec2 uv;
@@ -40,11 +40,25 @@ flat out vec4 surface;
 #endif
 invariant gl_Position;
 
+/// The triangle's own normal, not that of screen derivatives: of those, single precision leaves a tenth of a degree.
+/// The last corner's, which all fragments get, so that none of them has to find it.
+vec3 seen_face_normal(vec3 normal, vec3 position) {
+#if CAMERA_PARALLEL
+    vec3 to_eye = -frame.forward.xyz;
+#else
+    vec3 to_eye = frame.eye.xyz - position;
+#endif
+    float length2 = dot(normal, normal);  // 0 of a triangle without area
+    vec3 unit = length2 > 0.0 ? normal * inversesqrt(length2) : normalize(to_eye);
+    return dot(unit, to_eye) < 0.0 ? -unit : unit;
+}
+
 void main() {
     vec4 p = vec4(position_os, 1.0);
     position_rel = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
     normal_ws = vec3(dot(normal_row0, normal_os), dot(normal_row1, normal_os), dot(normal_row2, normal_os));
-    face_normal = vec3(dot(normal_row0, face_os), dot(normal_row1, face_os), dot(normal_row2, face_os));
+    face_normal = seen_face_normal(
+        vec3(dot(normal_row0, face_os), dot(normal_row1, face_os), dot(normal_row2, face_os)), position_rel);
 #ifdef TEXTURED
     uv = uv_in;
 #endif

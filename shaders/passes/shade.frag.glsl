@@ -9,16 +9,44 @@ layout(binding = UNIT_VISIBILITY) uniform sampler2DArray visibility_map;
 #endif
 layout(location = 0) out vec4 colour_out;
 
+/// Encoded as sRGB (IEC 61966-2-1), within a tenth of one of 255 steps: above the linear part the curve is 1.055 s^(5/6) - 0.055 of
+/// the root s, of which a polynomial of fifth degree has the least largest error.
 vec3 srgb(vec3 c) {
     c = clamp(c, 0.0, 1.0);
-    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+    vec3 s = sqrt(c);
+    vec3 curve = ((((0.5173020 * s - 1.6236548) * s + 2.0315693) * s - 1.4027332) * s + 1.5179501) * s - 0.0401096;
+    return mix(12.92 * c, curve, greaterThan(c, vec3(0.0031308)));
+}
+
+/// Where all lights are grey, the three channels are one.
+vec3 radiance_of(LightBlock light) {
+#if LIGHTS_GREY
+    return light.radiance.rrr;
+#else
+    return light.radiance.rgb;
+#endif
+}
+
+/// Of the highlight: the cosine to the half vector, to the power of the shininess. By squarings where that is a power of
+/// two: those spare the root, too, as the half vector's length squared is 2 + 2 l.v.
+float highlight(Surface s, vec3 l, float n_dot_l) {
+#if !SHADES_HIGHLIGHT
+    return 0.0;
+#elif SHININESS_SQUARINGS > 0
+    float across = max(n_dot_l + dot(s.shading, s.to_eye), 0.0);
+    float power = across * across / max(2.0 + 2.0 * dot(l, s.to_eye), 1e-12);
+    for (int i = 1; i < SHININESS_SQUARINGS; ++i) power *= power;
+    return power;
+#else
+    return pow(max(dot(s.shading, normalize(l + s.to_eye)), 0.0), shading_shininess);
+#endif
 }
 
 /// Radiance arriving without shadows: inverse square falloff, smooth edge of the spot's cone, and the window that
 /// KHR_lights_punctual gives a light's range.
 vec3 arriving(int index, vec3 to_light, float distance_m) {
     LightBlock light = frame.lights[index];
-    if (LIGHT_TYPE[index] == LIGHT_DIRECTIONAL) return light.radiance.rgb;
+    if (LIGHT_TYPE[index] == LIGHT_DIRECTIONAL) return radiance_of(light);
     float cone = LIGHT_TYPE[index] == LIGHT_SPOT
         ? smoothstep(light.to_light.w, max(light.radiance.w, light.to_light.w + 1e-6), dot(to_light, light.to_light.xyz))
         : 1.0;
@@ -27,7 +55,7 @@ vec3 arriving(int index, vec3 to_light, float distance_m) {
         float share = distance_m / light.position.w, squared = share * share;
         window = clamp(1.0 - squared * squared, 0.0, 1.0);
     }
-    return light.radiance.rgb * (cone * window) / max(distance_m * distance_m, 1e-12);
+    return radiance_of(light) * (cone * window) / max(distance_m * distance_m, 1e-12);
 }
 
 #if shading_composition == shading_composition_dim_lit
@@ -55,8 +83,8 @@ vec3 light_share(int i, Surface s) {
 #endif
     visibility = visibility >= LIT ? 1.0 : shading_dim;
 #endif
-    float highlight = pow(max(dot(s.shading, normalize(l + s.to_eye)), 0.0), shading_shininess);
-    float reflected = n_dot_l > 0.0 ? shading_diffuse * n_dot_l + shading_specular * highlight : 0.0;
+    float bright = shading_diffuse * n_dot_l + shading_specular * highlight(s, l, n_dot_l);
+    float reflected = n_dot_l > 0.0 ? bright : 0.0;
     return (visibility * reflected) * arriving(i, l, distance_m);
 }
 

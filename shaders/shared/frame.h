@@ -24,7 +24,9 @@ struct ViewBlock {
     mat4 uvd_from_relative;  // homogeneous map coordinates and depth, all in [0,w]
     vec4 curve;              // near, far, half width (orthographic: metres, perspective: tangent), 1 / map resolution
     vec4 warp;               // of LIGHT_WARPED: DepthWarp, middle_m, near_m, far_m and rise
-    vec4 span;               // where the view ends, and from where on the next is blended in; see lib/view_choice.glsl
+    vec4 span;               // xy: where the view ends, and from where on the next is blended in; see lib/view_choice.glsl
+                             // zw: of rays that are parallel, in a map that is not warped: a texel's size in metres, and
+                             // the depth of a metre along the rays
 };
 
 struct FrameBlock {

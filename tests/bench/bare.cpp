@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
+#include <numeric>
 #include <string>
 
 #include "renderer/base/error.h"
+#include "tests/bench/bare_shaders.h"
 
 namespace si {
 namespace {
@@ -43,59 +45,8 @@ gl::Program program(const std::string& vertex, const std::string& fragment) {
     return p;
 }
 
-constexpr const char* kShadeVertex = R"(
-layout(location=0) in vec3 p; layout(location=1) in vec3 n; layout(location=2) in vec3 c; layout(location=3) in vec2 t;
-uniform mat4 clip;
-out vec3 pos; out vec3 nor; out vec3 col; out vec2 uv;
-void main(){ pos=p; nor=n; col=c; uv=t; gl_Position=clip*vec4(p,1); })";
-constexpr const char* kDepthVertex =
-    "layout(location=0) in vec3 p; uniform mat4 clip; void main(){gl_Position=clip*vec4(p,1);}";
-constexpr const char* kMaskedDepthVertex = R"(
-layout(location=0) in vec3 p; layout(location=3) in vec2 t; uniform mat4 clip; out vec2 uv;
-void main(){ uv=t; gl_Position=clip*vec4(p,1); })";
-constexpr const char* kMaskedDepthFragment = R"(
-in vec2 uv; uniform float cutoff; layout(binding=1) uniform sampler2D base;
-void main(){ if(texture(base,uv).a<cutoff) discard; })";
-
-/// @param look "" of base colours, "TEXTURED", "MASKED"
-std::string shade_fragment(int kernel, const std::string& look) {
-    std::string out = (look.empty() ? "" : "#define TEXTURED\n#define " + (look == "MASKED" ? look : "PLAIN") + "\n") +
-                      "#define K " + std::to_string(kernel) + R"(
-in vec3 pos; in vec3 nor; in vec3 col; in vec2 uv; out vec4 o;
-layout(binding=1) uniform sampler2D base; uniform float cutoff;
-uniform mat4 uvd; uniform vec3 to_light; uniform vec3 eye; uniform float size; uniform float bias;
-layout(binding=0) uniform sampler2D map;
-float visible(vec3 s){
-#if K == 0
- return 1.0;
-#elif K < 0
- return s.z <= texture(map,s.xy).r ? 1.0 : 0.0;
-#else
- const int R=K/2; float t=1.0/size; vec2 at=s.xy*size-0.5, b=floor(at), f=at-b; float sum=0.0;
- for(int y=0;y<=K;y+=2){ float y0=y==0?1.0-f.y:1.0,y1=y==K-1?f.y:1.0;
-  for(int x=0;x<=K;x+=2){ float x0=x==0?1.0-f.x:1.0,x1=x==K-1?f.x:1.0;
-   vec4 g=step(vec4(s.z),textureGather(map,(b+vec2(x-R+1,y-R+1))*t));
-   sum+=dot(g,vec4(x0*y1,x1*y1,x1*y0,x0*y0)); } }
- return sum/float(K*K);
-#endif
-}
-void main(){
- vec3 albedo=col;
-#ifdef TEXTURED
- vec4 t=texture(base,uv); albedo*=t.rgb;
-#endif
- vec3 n=normalize(nor), v=normalize(eye-pos), h;
-#ifdef MASKED
- if(t.a<cutoff) discard;
-#endif
- if(!gl_FrontFacing) n=-n;
- h=normalize(v+to_light);
- vec3 s=(uvd*vec4(pos,1)).xyz; s.z-=bias; float nl=max(dot(n,to_light),0.0);
- float vis=visible(s);
- vec3 rgb=(0.25+vis*(0.75*nl+(nl>0.0?0.15*pow(max(dot(n,h),0.0),32.0):0.0)))*albedo;
- rgb=clamp(rgb,0.0,1.0);
- o=vec4(mix(12.92*rgb,1.055*pow(rgb,vec3(1.0/2.4))-0.055,greaterThan(rgb,vec3(0.0031308))),1); })";
-    return out;
+GLint uniform(const gl::Program& p, const char* name) {
+    return glGetUniformLocation(p.id(), name);
 }
 
 void draw_elements(std::size_t first, std::size_t count) {
@@ -125,11 +76,30 @@ gl::Texture upload(const Texture& t) {
     return texture;
 }
 
+/// The scene's objects in the order in which they are drawn.
+std::vector<const Object*> drawing_order(const Scene& scene, bool large_last) {
+    std::vector<const Object*> order;
+    for (const Object& o : scene.objects) order.push_back(&o);
+    const auto radius_m = [&](const Object* o) {
+        return scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world).radius();
+    };
+    if (large_last)
+        std::stable_sort(order.begin(), order.end(),
+                         [&](const Object* a, const Object* b) { return radius_m(a) < radius_m(b); });
+    return order;
+}
+
+gl::Buffer upload(const char* label, const void* data, std::size_t bytes) {
+    auto buffer = gl::Buffer::create(label);
+    glNamedBufferStorage(buffer.id(), GLsizeiptr(bytes), data, 0);
+    return buffer;
+}
+
 }  // namespace
 
 BareForward::Group& BareForward::group_of(const Scene& scene, const Mesh& mesh) {
     Group wanted;
-    if (mesh.material >= 0 && materials_ == BareMaterials::Textures) {
+    if (mesh.material >= 0 && options_.materials == BareMaterials::Textures) {
         const Material& m = scene.materials[std::size_t(mesh.material)];
         if (m.normal_texture >= 0 || m.alpha == AlphaMode::Blend || m.unlit)
             throw Error("the bare program draws no normal maps, no blended and no unlit materials: " + m.name);
@@ -145,20 +115,30 @@ BareForward::Group& BareForward::group_of(const Scene& scene, const Mesh& mesh) 
     return groups_.emplace_back(wanted);
 }
 
-BareForward::BareForward(const Scene& scene, int kernel_size, int map_resolution, int width, int height,
-                         BareMaterials materials)
-    : kernel_(kernel_size), resolution_(map_resolution), width_(width), height_(height), materials_(materials) {
+BareForward::BareForward(const Scene& scene, const BareOptions& options, int map_resolution, int width, int height)
+    : options_(options), resolution_(map_resolution), width_(width), height_(height) {
+    make_geometry(scene);
+    if (options_.materials == BareMaterials::Textures)
+        for (const Texture& t : scene.textures) textures_.push_back(upload(t));
+    make_programs();
+    make_targets();
+}
+
+void BareForward::make_geometry(const Scene& scene) {
     origin_ = scene.bounds.centre();
     std::vector<Vertex> vertices;
-    for (const Object& object : scene.objects) {
-        const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
-        const glm::mat3 normal(glm::transpose(glm::inverse(glm::dmat3(object.world))));
+    std::vector<glm::vec3> positions;
+    for (const Object* object : drawing_order(scene, options_.large_last)) {
+        const Mesh& mesh = scene.meshes[std::size_t(object->mesh)];
+        const glm::mat3 normal(glm::transpose(glm::inverse(glm::dmat3(object->world))));
         const glm::vec3 colour =
             mesh.material < 0 ? glm::vec3(0.8f) : glm::vec3(scene.materials[std::size_t(mesh.material)].base_colour);
         const auto base = std::uint32_t(vertices.size());
-        for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-            vertices.push_back({glm::vec3(glm::dvec3(object.world * glm::dvec4(mesh.positions[i], 1)) - origin_),
-                                normal * mesh.normals[i], colour, mesh.uv.empty() ? glm::vec2(0) : mesh.uv[i]});
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            positions.emplace_back(glm::dvec3(object->world * glm::dvec4(mesh.positions[i], 1)) - origin_);
+            vertices.push_back(
+                {positions.back(), normal * mesh.normals[i], colour, mesh.uv.empty() ? glm::vec2(0) : mesh.uv[i]});
+        }
         Group& group = group_of(scene, mesh);
         for (const std::uint32_t i : mesh.indices) group.indices.push_back(base + i);
     }
@@ -167,89 +147,150 @@ BareForward::BareForward(const Scene& scene, int kernel_size, int map_resolution
         group.first = indices.size();
         indices.insert(indices.end(), group.indices.begin(), group.indices.end());
     }
-    if (materials_ == BareMaterials::Textures)
-        for (const Texture& t : scene.textures) textures_.push_back(upload(t));
-    vertices_ = gl::Buffer::create("bare vertices");
-    indices_ = gl::Buffer::create("bare indices");
-    glNamedBufferStorage(vertices_.id(), GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(), 0);
-    glNamedBufferStorage(indices_.id(), GLsizeiptr(indices.size() * 4), indices.data(), 0);
-    vao_ = gl::VertexArray::create("bare");
-    for (GLuint a = 0; a < 4; ++a) {
-        glEnableVertexArrayAttrib(vao_.id(), a);
-        glVertexArrayAttribFormat(vao_.id(), a, a == 3 ? 2 : 3, GL_FLOAT, GL_FALSE, a * 12);
-        glVertexArrayAttribBinding(vao_.id(), a, 0);
-    }
-    glVertexArrayVertexBuffer(vao_.id(), 0, vertices_.id(), 0, sizeof(Vertex));
-    glVertexArrayElementBuffer(vao_.id(), indices_.id());
-    depth_program_ = program(kDepthVertex, "void main(){}");
-    masked_depth_program_ = program(kMaskedDepthVertex, kMaskedDepthFragment);
-    shade_program_ = program(kShadeVertex, shade_fragment(kernel_, ""));
-    textured_program_ = program(kShadeVertex, shade_fragment(kernel_, "TEXTURED"));
-    masked_program_ = program(kShadeVertex, shade_fragment(kernel_, "MASKED"));
+    vertices_ = upload("bare vertices", vertices.data(), vertices.size() * sizeof(Vertex));
+    positions_ = upload("bare positions", positions.data(), positions.size() * sizeof(glm::vec3));
+    indices_ = upload("bare indices", indices.data(), indices.size() * 4);
+    no_vertices_ = gl::VertexArray::create("bare, no vertices");
+    const auto lay_out = [&](gl::VertexArray& vao, const gl::Buffer& from, GLuint attributes, std::size_t stride) {
+        vao = gl::VertexArray::create("bare");
+        for (GLuint a = 0; a < attributes; ++a) {
+            glEnableVertexArrayAttrib(vao.id(), a);
+            glVertexArrayAttribFormat(vao.id(), a, a == 3 ? 2 : 3, GL_FLOAT, GL_FALSE, a * 12);
+            glVertexArrayAttribBinding(vao.id(), a, 0);
+        }
+        glVertexArrayVertexBuffer(vao.id(), 0, from.id(), 0, GLsizei(stride));
+        glVertexArrayElementBuffer(vao.id(), indices_.id());
+    };
+    lay_out(vao_, vertices_, 4, sizeof(Vertex));
+    lay_out(positions_vao_, positions_, 1, sizeof(glm::vec3));
+}
+
+void BareForward::make_programs() {
+    depth_program_ = program(kBareDepthVertex, "void main(){}");
+    masked_depth_program_ = program(kBareMaskedDepthVertex, kBareMaskedDepthFragment);
+    for (int axis = 0; axis < 2; ++axis) blur_program_[axis] = program(kBareFullscreenVertex, bare_blur_fragment(axis));
+    const auto make = [&](Programs& programs, BarePass pass) {
+        for (int look = 0; look < 3; ++look)
+            programs.looks[look] = program(bare_camera_vertex(options_, pass),
+                                           bare_camera_fragment(options_, pass, BareLook(look), resolution_));
+    };
+    make(shade_programs_, options_.separate_visibility ? BarePass::ReadsVisibility : BarePass::Forward);
+    if (options_.separate_visibility) make(visibility_programs_, BarePass::Visibility);
+}
+
+void BareForward::make_targets() {
     map_.ensure("bare map", GL_DEPTH_COMPONENT32F, resolution_, resolution_);
     colour_.ensure("bare colour", GL_RGBA8, width_, height_);
     depth_.ensure("bare depth", GL_DEPTH_COMPONENT32F, width_, height_);
     map_framebuffer_ = gl::make_framebuffer("bare map", nullptr, &map_);
     framebuffer_ = gl::make_framebuffer("bare", &colour_, &depth_);
+    if (options_.separate_visibility) {
+        visibility_.ensure("bare visibility", GL_R32F, width_, height_);
+        visibility_framebuffer_ = gl::make_framebuffer("bare visibility", &visibility_, &depth_);
+    }
+    for (int i = 0; i < 2 && options_.kernel == BareKernel::Vsm; ++i) {
+        moments_[i].ensure("bare moments", GL_RG32F, resolution_, resolution_);
+        moments_framebuffer_[i] = gl::make_framebuffer("bare moments", &moments_[i], nullptr);
+        glTextureParameteri(moments_[i].texture.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTextureParameteri(moments_[i].texture.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    }
+    compare_ = gl::Sampler::create("bare comparison");
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glSamplerParameteri(compare_.id(), filter, GL_LINEAR);
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glSamplerParameteri(compare_.id(), axis, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(compare_.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
 }
 
 void BareForward::use(const gl::Program& program, const Group& group, const glm::mat4& clip) {
     glUseProgram(program.id());
-    glUniformMatrix4fv(glGetUniformLocation(program.id(), "clip"), 1, GL_FALSE, glm::value_ptr(clip));
-    glUniform1f(glGetUniformLocation(program.id(), "cutoff"), group.cutoff);
-    if (group.texture >= 0) glBindTextureUnit(1, textures_[std::size_t(group.texture)].id());
+    glUniformMatrix4fv(uniform(program, "clip"), 1, GL_FALSE, glm::value_ptr(clip));
+    if (group.texture < 0) return;
+    glUniform1f(uniform(program, "cutoff"), group.cutoff);
+    glBindTextureUnit(1, textures_[std::size_t(group.texture)].id());
     glBindSampler(1, 0);
 }
 
-void BareForward::draw(const Camera& camera, const FittedLight& light, bool depth_pass, bool shade_pass) {
-    const LightView& view = light.views.front();
-    const glm::dmat4 light_clip = view.clip_from_relative(origin_);
-    const auto uniform = [](const gl::Program& p, const char* name) { return glGetUniformLocation(p.id(), name); };
-    glBindVertexArray(vao_.id());
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-    glDisable(GL_POLYGON_OFFSET_FILL);
-    if (depth_pass && kernel_ != 0) {
-        const float one = 1;
-        glBindFramebuffer(GL_FRAMEBUFFER, map_framebuffer_.id());
-        glViewport(0, 0, resolution_, resolution_);
-        glClearNamedFramebufferfv(map_framebuffer_.id(), GL_DEPTH, 0, &one);
-        glDepthFunc(GL_LESS);
-        glDisable(GL_CULL_FACE);
-        for (const Group& group : groups_) {
-            use(group.masked ? masked_depth_program_ : depth_program_, group, glm::mat4(light_clip));
-            draw_elements(group.first, group.indices.size());
-        }
+void BareForward::draw_map(const FittedLight& light) {
+    const float one = 1;
+    const glm::mat4 clip(light.views.front().clip_from_relative(origin_));
+    glBindFramebuffer(GL_FRAMEBUFFER, map_framebuffer_.id());
+    glViewport(0, 0, resolution_, resolution_);
+    glClearNamedFramebufferfv(map_framebuffer_.id(), GL_DEPTH, 0, &one);
+    glDepthFunc(GL_LESS);
+    for (const Group& group : groups_) {
+        options_.cull_casters && !group.double_sided ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
+        glBindVertexArray(group.masked ? vao_.id() : positions_vao_.id());
+        use(group.masked ? masked_depth_program_ : depth_program_, group, clip);
+        draw_elements(group.first, group.indices.size());
     }
-    if (!shade_pass) return;
-    const float zero = 0;
-    const glm::vec4 background(0.155f, 0.165f, 0.185f, 1);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    glViewport(0, 0, width_, height_);
-    glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &zero);
-    glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 0, &background.x);
-    glDepthFunc(GL_GREATER);
-    glCullFace(GL_BACK);
-    glFrontFace(GL_CCW);
+}
+
+void BareForward::draw_moments() {
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glBindVertexArray(no_vertices_.id());
+    for (int axis = 0; axis < 2; ++axis) {
+        glBindFramebuffer(GL_FRAMEBUFFER, moments_framebuffer_[axis].id());
+        glUseProgram(blur_program_[axis].id());
+        glBindTextureUnit(0, axis == 0 ? map_.texture.id() : moments_[0].texture.id());
+        glBindSampler(0, 0);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    glEnable(GL_DEPTH_TEST);
+}
+
+void BareForward::draw_from_camera(const Programs& programs, const Camera& camera, const FittedLight& light) {
+    const LightView& view = light.views.front();
     glm::dmat4 half(1.0);
     half[0][0] = half[1][1] = half[3][0] = half[3][1] = 0.5;
-    const glm::mat4 clip(camera.clip_from_relative(origin_)), uvd(half * light_clip);
+    const glm::mat4 clip(camera.clip_from_relative(origin_)), uvd(half * view.clip_from_relative(origin_));
     const glm::vec3 eye(camera.eye - origin_), to_light(light.to_light);
-    glBindTextureUnit(0, map_.texture.id());
-    glBindSampler(0, 0);
+    const double texel_m = view.texel_size(1, resolution_), per_m = view.curve.slope(1);
+    glBindVertexArray(vao_.id());
     for (const Group& group : groups_) {
-        const gl::Program& p = group.masked ? masked_program_ : group.texture >= 0 ? textured_program_ : shade_program_;
+        const gl::Program& p = programs.of(group);
         group.double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
         use(p, group, clip);
         glUniformMatrix4fv(uniform(p, "uvd"), 1, GL_FALSE, glm::value_ptr(uvd));
         glUniform3fv(uniform(p, "eye"), 1, &eye.x);
         glUniform3fv(uniform(p, "to_light"), 1, &to_light.x);
-        glUniform1f(uniform(p, "size"), float(resolution_));
-        glUniform1f(uniform(p, "bias"), float(3 * view.texel_size(1, resolution_) * view.curve.slope(1)));
+        glUniform1f(uniform(p, "bias"), float(3 * texel_m * per_m));
+        glUniform2f(uniform(p, "penumbra"), float(light.size / per_m / texel_m), 0);
         draw_elements(group.first, group.indices.size());
     }
+}
+
+void BareForward::draw(const Camera& camera, const FittedLight& light, bool depth_pass, bool shade_pass) {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glFrontFace(GL_CCW);
+    glCullFace(GL_BACK);
+    if (depth_pass && options_.kernel != BareKernel::None) {
+        draw_map(light);
+        if (options_.kernel == BareKernel::Vsm) draw_moments();
+    }
+    if (!shade_pass) return;
+    const float zero = 0, lit = 1;
+    const glm::vec4 background(0.155f, 0.165f, 0.185f, 1);
+    glViewport(0, 0, width_, height_);
+    glDepthFunc(GL_GEQUAL);
+    glBindTextureUnit(0, options_.kernel == BareKernel::Vsm ? moments_[1].texture.id() : map_.texture.id());
+    glBindSampler(0, options_.kernel == BareKernel::Sampler ? compare_.id() : 0);
+    glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &zero);
+    if (options_.separate_visibility) {
+        glBindFramebuffer(GL_FRAMEBUFFER, visibility_framebuffer_.id());
+        glClearNamedFramebufferfv(visibility_framebuffer_.id(), GL_COLOR, 0, &lit);
+        draw_from_camera(visibility_programs_, camera, light);
+        glBindTextureUnit(2, visibility_.texture.id());
+        glBindSampler(2, 0);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 0, &background.x);
+    draw_from_camera(shade_programs_, camera, light);
 }
 
 std::vector<std::uint8_t> BareForward::picture() const {

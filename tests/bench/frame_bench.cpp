@@ -1,10 +1,8 @@
-// The renderer against the least OpenGL that draws the same, frame by frame in turn, so that drift of the machine falls
-// on both alike. Read the ratio; the milliseconds hold for this machine and minute only.
+// The renderer against the least OpenGL that draws the same, frame by frame in turn.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -17,13 +15,12 @@
 #include "renderer/settings/param.h"
 #include "tests/bench/bare.h"
 #include "tests/bench/load_bench.h"
-#include "tests/bench/median.h"
+#include "tests/bench/rotation.h"
 #include "tests/support/agreed_scene.h"
 
 namespace si {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr int kWidth = 1280, kHeight = 720;
 
 /// Nothing stands in for a scene that is missing.
@@ -54,41 +51,6 @@ struct Machine {
     }
 };
 
-template <typename F>
-double finished_ms(F&& draw) {
-    glFinish();
-    const auto start = Clock::now();
-    draw();
-    glFinish();
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-/// Alternates two ways of drawing, with `between` after both; the benchmark's own time is the second's.
-template <typename A, typename B, typename C>
-void pair(benchmark::State& state, A&& bare, B&& ours, C&& between) {
-    for (int i = 0; i < 3; ++i) bare(), ours();  // first use compiles
-    std::vector<double> bare_ms, ours_ms;
-    for (auto _ : state) {
-        bare_ms.push_back(finished_ms(bare));
-        ours_ms.push_back(finished_ms(ours));
-        state.SetIterationTime(ours_ms.back() / 1000);
-        between();
-    }
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < bare_ms.size(); ++i) ratios.push_back(ours_ms[i] / bare_ms[i]);
-    std::sort(ratios.begin(), ratios.end());
-    state.counters["bare_ms"] = median(bare_ms);
-    state.counters["ours_ms"] = median(ours_ms);
-    state.counters["ratio"] = median(ratios);
-    state.counters["ratio_p25"] = ratios[ratios.size() / 4];
-    state.counters["ratio_p75"] = ratios[ratios.size() * 3 / 4];
-}
-
-template <typename A, typename B>
-void pair(benchmark::State& state, A&& bare, B&& ours) {
-    pair(state, bare, ours, [] {});
-}
-
 /// The bare program knows of no map that holds less than the scene.
 Settings around_the_scene() {
     Settings s;
@@ -98,28 +60,86 @@ Settings around_the_scene() {
 
 /// A kernel of the renderer, and what BareForward calls it.
 struct Row {
+    const char* name;
     const char* kernel;
+    BareKernel bare;
     int size;
 };
-constexpr Row kRows[] = {{"none", 0}, {"hard", -1}, {"hw2x2", 1}, {"pcf3", 3}, {"pcf5", 5}, {"pcf7", 7}};
+constexpr Row kRows[] = {{"none", "hard", BareKernel::None, 1},     {"hard", "hard", BareKernel::Nearest, 1},
+                         {"hw2x2", "hw2x2", BareKernel::Gather, 1}, {"pcf3", "pcf3", BareKernel::Gather, 3},
+                         {"pcf5", "pcf5", BareKernel::Gather, 5},   {"pcf7", "pcf7", BareKernel::Gather, 7},
+                         {"vsm", "vsm", BareKernel::Vsm, 1},        {"pcss", "pcss", BareKernel::Pcss, 1}};
+/// 1.00 of all ratios named _of_sampler: the plain way, whose kernel is 3 x 3 filtered taps.
+constexpr BareOptions kSampler{
+    .kernel = BareKernel::Sampler, .size = 3, .light = BareLight::Lambert, .large_last = false};
 
-void whole_frame(benchmark::State& state, const char* file, const char* kernel, int size, int resolution,
-                 bool separate) {
-    Machine& m = Machine::get(file);
-    Settings s = around_the_scene();
-    set_setting(s, "filter.kernel", kernel == std::string("none") ? "hard" : kernel);
-    set_setting(s, "map.resolution", std::to_string(resolution));
-    if (size == 0) s.lights[0].cast = false;
-    s.shading.separate_visibility = separate;
+/// One scene, kernel and resolution for the renderer and the bare programs beside it.
+struct Match {
+    Machine& machine;
+    Settings settings;
     FrameRequest request{.width = kWidth, .height = kHeight};
-    request.force = true;
-    const FrameResult facts = m.renderer.render(m.scene, s, request);
-    Settings casting = s;
-    casting.lights[0].cast = true;
-    const FittedLight light = fit_lights(m.scene, casting)[0];
-    BareForward bare(m.scene, size, resolution, kWidth, kHeight);
-    pair(
-        state, [&] { bare.draw(facts.camera, light); }, [&] { m.renderer.render(m.scene, s, request); });
+    FrameResult facts;  ///< of a frame of the renderer's
+    FittedLight light;  ///< as it is where it casts
+    int resolution;
+
+    Match(Machine& m, Settings base, const Row& row, int map_resolution)
+        : machine(m), settings(std::move(base)), resolution(map_resolution) {
+        set_setting(settings, "filter.kernel", row.kernel);
+        set_setting(settings, "map.resolution", std::to_string(map_resolution));
+        light = fit_lights(m.scene, settings)[0];
+        settings.lights[0].cast = row.bare != BareKernel::None;
+        request.force = true;
+        facts = m.renderer.render(m.scene, settings, request);
+    }
+    BareForward bare(const BareOptions& options) const {
+        return BareForward(machine.scene, options, resolution, kWidth, kHeight);
+    }
+    void draw(BareForward& bare) const { bare.draw(facts.camera, light); }
+    void draw_ours() const { machine.renderer.render(machine.scene, settings, request); }
+};
+
+/// The renderer against the least that any program takes ("floor"), the least that draws the same light ("like": with
+/// `separate` in the same passes), and bare PCF 3 x 3 by a shadow sampler.
+void whole_frame(benchmark::State& state, const char* file, const Row& row, int resolution, bool separate) {
+    Settings s = around_the_scene();
+    s.shading.separate_visibility = separate;
+    const Match match(Machine::get(file), s, row, resolution);
+    BareForward sampler = match.bare(kSampler);
+    BareForward floor = match.bare({.kernel = row.bare, .size = row.size, .light = BareLight::Lambert});
+    BareForward like = match.bare({.kernel = row.bare, .size = row.size, .separate_visibility = separate});
+    Rotation rotation;
+    rotation.add_draw("ours", [&] { match.draw_ours(); });
+    rotation.add_draw("like", [&] { match.draw(like); });
+    rotation.add_draw("floor", [&] { match.draw(floor); });
+    rotation.add_draw("sampler", [&] { match.draw(sampler); });
+    rotation.run(state);
+    rotation.ratio(state, "ratio", "ours", "like");
+    for (const char* who : {"ours", "like", "floor"})
+        rotation.ratio(state, std::string(who) + "_of_sampler", who, "sampler");
+}
+
+/// The camera moves, so that the map is kept: the picture alone, against what the bare programs take for theirs.
+void moving_camera(benchmark::State& state, const Row& row) {
+    Settings s = around_the_scene();
+    s.camera = {.source = int(CameraSource::Manual), .target_y = 0.5, .azimuth = 42, .elevation = 23.8, .distance = 31};
+    const Match match(Machine::get("100k"), s, row, 2048);
+    BareForward floor = match.bare({.kernel = row.bare, .size = row.size, .light = BareLight::Lambert});
+    BareForward like = match.bare({.kernel = row.bare, .size = row.size});
+    match.draw(floor), match.draw(like);
+    Settings moved = match.settings;
+    moved.camera.fov += 1e-3;
+    const FrameRequest kept{.width = kWidth, .height = kHeight};
+    int frames = 0;
+    Rotation rotation;
+    rotation.add_draw("ours", [&] {
+        const Settings& shown = ++frames % 2 ? moved : match.settings;
+        match.machine.renderer.render(match.machine.scene, shown, kept);
+    });
+    rotation.add_draw("like", [&] { like.draw(match.facts.camera, match.light, false); });
+    rotation.add_draw("floor", [&] { floor.draw(match.facts.camera, match.light, false); });
+    rotation.run(state);
+    rotation.ratio(state, "ratio", "ours", "like");
+    rotation.ratio(state, "like_of_floor", "like", "floor");
 }
 
 /// Mean |A - B| of the channels, 0..1, of the bare program's picture and the renderer's.
@@ -132,72 +152,58 @@ double picture_difference(const BareForward& bare, const ByteImage& ours) {
     return sum / double(a.size()) / 255;
 }
 
-/// A scene with textures and masks against the bare program that draws them (bare_ms, ratio) and the one that draws
-/// neither (plain_ms, plain_ratio), in turn; the depth pass by itself likewise (depth_ratio).
+/// A scene with textures and masks against the bare program that draws them ("like") and the one that draws neither
+/// ("plain"); the depth pass by itself likewise.
 void textured_frame(benchmark::State& state, const std::string& name, const Row& row, int resolution) {
     if (const std::string why = missing_file(name); !why.empty()) return state.SkipWithError(why.c_str());
     Machine& m = Machine::get(name);
     Settings s = around_the_scene();
     apply_suggested(m.scene, s);
-    set_setting(s, "filter.kernel", row.size == 0 ? "hard" : row.kernel);
-    set_setting(s, "map.resolution", std::to_string(resolution));
-    s.lights[0].cast = row.size != 0;
-    FrameRequest request{.width = kWidth, .height = kHeight};
-    request.force = true;
-    const FrameResult facts = m.renderer.render(m.scene, s, request);
-    Settings casting = s;
-    casting.lights[0].cast = true;
-    const FittedLight light = fit_lights(m.scene, casting)[0];
-    BareForward bare(m.scene, row.size, resolution, kWidth, kHeight, BareMaterials::Textures);
-    BareForward plain(m.scene, row.size, resolution, kWidth, kHeight);
-    bare.draw(facts.camera, light);
-    const double difference = picture_difference(bare, m.renderer.read_colour(facts.colour));
+    const Match match(m, s, row, resolution);
+    BareForward like =
+        match.bare({.kernel = row.bare, .size = row.size, .materials = BareMaterials::Textures, .cull_casters = false});
+    BareForward plain = match.bare({.kernel = row.bare, .size = row.size, .cull_casters = false});
+    match.draw(like);
+    const double difference = picture_difference(like, m.renderer.read_colour(match.facts.colour));
     state.counters["picture_difference"] = difference;
     // Biases differ, and so do the edges of shadows.
     if (difference > 0.02) return state.SkipWithError("the bare program draws another picture");
-    const auto draw_plain = [&] { plain.draw(facts.camera, light); };
-    for (int i = 0; i < 3; ++i) draw_plain();
-    std::vector<double> plain_ms, depth_ms, own_depth_ms;
-    FrameRequest map = request;
+    FrameRequest map = match.request;
     map.outputs = {.colour = false, .shadow_map = true};
     map.timing = true;
-    m.renderer.render(m.scene, s, map);
-    pair(
-        state, [&] { bare.draw(facts.camera, light); }, [&] { m.renderer.render(m.scene, s, request); },
-        [&] {
-            plain_ms.push_back(finished_ms(draw_plain));
-            if (row.size == 0) return;
-            depth_ms.push_back(finished_ms([&] { bare.draw(facts.camera, light, true, false); }));
-            own_depth_ms.push_back(m.renderer.render(m.scene, s, map).passes[0].gpu_ms);
-        });
-    state.counters["plain_ms"] = median(plain_ms);
-    state.counters["plain_ratio"] = state.counters["ours_ms"] / median(plain_ms);
-    if (row.size == 0) return;
-    state.counters["depth_bare_ms"] = median(depth_ms);
-    state.counters["depth_ratio"] = median(own_depth_ms) / median(depth_ms);
-}
-
-void depth_pass(benchmark::State& state, const char* file) {
-    Machine& m = Machine::get(file);
-    const Settings s = around_the_scene();
-    FrameRequest request{.width = kWidth, .height = kHeight};
-    request.outputs = {.colour = false, .shadow_map = true};
-    request.force = true;
-    request.timing = true;
-    const FrameResult facts = m.renderer.render(m.scene, s, request);
-    BareForward bare(m.scene, 1, 2048, kWidth, kHeight);
-    std::vector<double> bare_ms, ratios;
-    for (auto _ : state) {
-        bare_ms.push_back(finished_ms([&] { bare.draw(facts.camera, facts.lights[0], true, false); }));
-        const double ours = m.renderer.render(m.scene, s, request).passes[0].gpu_ms;
-        ratios.push_back(ours / bare_ms.back());
-        state.SetIterationTime(ours / 1000);
+    const bool casts = row.bare != BareKernel::None;
+    Rotation rotation;
+    rotation.add_draw("ours", [&] { match.draw_ours(); });
+    rotation.add_draw("like", [&] { match.draw(like); });
+    rotation.add_draw("plain", [&] { match.draw(plain); });
+    if (casts) {
+        rotation.add_draw("depth_like", [&] { like.draw(match.facts.camera, match.light, true, false); });
+        rotation.add("depth_ours", [&] { return m.renderer.render(m.scene, match.settings, map).passes[0].gpu_ms; });
     }
-    state.counters["bare_ms"] = median(bare_ms);
-    state.counters["ratio"] = median(ratios);
+    rotation.run(state);
+    rotation.ratio(state, "ratio", "ours", "like");
+    rotation.ratio(state, "plain_ratio", "ours", "plain");
+    if (casts) rotation.ratio(state, "depth_ratio", "depth_ours", "depth_like");
 }
 
-/// The shadow sampler (bare_ms) against gathers with own comparison (ours_ms), the same kernel and picture.
+/// The shadow map by itself against the bare program's, which leaves back faces out ("culled") or not.
+void depth_pass(benchmark::State& state, const char* file) {
+    const Match match(Machine::get(file), around_the_scene(), kRows[2], 2048);
+    BareForward culled = match.bare({}), whole = match.bare({.cull_casters = false});
+    FrameRequest map = match.request;
+    map.outputs = {.colour = false, .shadow_map = true};
+    map.timing = true;
+    Renderer& renderer = match.machine.renderer;
+    Rotation rotation;
+    rotation.add("ours", [&] { return renderer.render(match.machine.scene, match.settings, map).passes[0].gpu_ms; });
+    rotation.add_draw("culled", [&] { culled.draw(match.facts.camera, match.light, true, false); });
+    rotation.add_draw("whole", [&] { whole.draw(match.facts.camera, match.light, true, false); });
+    rotation.run(state);
+    rotation.ratio(state, "ratio", "ours", "culled");
+    rotation.ratio(state, "whole_ratio", "ours", "whole");
+}
+
+/// The shadow sampler against gathers with own comparison, the same kernel and picture.
 void gather_against_sampler(benchmark::State& state, const char* kernel) {
     Machine& m = Machine::get("100k");
     Settings sampler = around_the_scene(), gather;
@@ -207,9 +213,11 @@ void gather_against_sampler(benchmark::State& state, const char* kernel) {
     set_setting(gather, "filter.method", "gather");
     FrameRequest request{.width = kWidth, .height = kHeight};
     request.force = true;
-    pair(
-        state, [&] { m.renderer.render(m.scene, sampler, request); },
-        [&] { m.renderer.render(m.scene, gather, request); });
+    Rotation rotation;
+    rotation.add_draw("gather", [&] { m.renderer.render(m.scene, gather, request); });
+    rotation.add_draw("sampler", [&] { m.renderer.render(m.scene, sampler, request); });
+    rotation.run(state);
+    rotation.ratio(state, "ratio", "gather", "sampler");
 }
 
 void unchanged_frame(benchmark::State& state) {
@@ -217,8 +225,11 @@ void unchanged_frame(benchmark::State& state) {
     const Settings s = around_the_scene();
     FrameRequest forced{.width = kWidth, .height = kHeight}, cached = forced;
     forced.force = true;
-    pair(
-        state, [&] { m.renderer.render(m.scene, s, forced); }, [&] { m.renderer.render(m.scene, s, cached); });
+    Rotation rotation;
+    rotation.add_draw("cached", [&] { m.renderer.render(m.scene, s, cached); });
+    rotation.add_draw("forced", [&] { m.renderer.render(m.scene, s, forced); });
+    rotation.run(state);
+    rotation.ratio(state, "ratio", "cached", "forced");
 }
 
 void first_frame_of_a_scene(benchmark::State& state, const char* name) {
@@ -246,18 +257,21 @@ void register_all() {
     };
     for (const Row& row : kRows) {
         for (const int resolution : {1024, 2048, 4096})
-            add(fmt::format("fused/{}/{}", row.kernel, resolution), [row, resolution](benchmark::State& s) {
-                whole_frame(s, "100k", row.kernel, row.size, resolution, false);
-            });
-        add(fmt::format("fused_1M/{}/2048", row.kernel),
-            [row](benchmark::State& s) { whole_frame(s, "1M", row.kernel, row.size, 2048, false); });
+            add(fmt::format("fused/{}/{}", row.name, resolution),
+                [row, resolution](benchmark::State& s) { whole_frame(s, "100k", row, resolution, false); });
+        add(fmt::format("fused_1M/{}/2048", row.name),
+            [row](benchmark::State& s) { whole_frame(s, "1M", row, 2048, false); });
+        if (row.bare != BareKernel::None)
+            add(fmt::format("separate/{}/2048", row.name),
+                [row](benchmark::State& s) { whole_frame(s, "100k", row, 2048, true); });
     }
+    for (const Row& row : kRows)
+        add(fmt::format("moving_camera/{}/2048", row.name), [row](benchmark::State& s) { moving_camera(s, row); });
     // The stage is always there; the forest is 10,000 trees of masked leaves.
     for (const auto& [scene, file] : {std::pair{"stage", "stage"}, {"forest", "models/gen_forest_10k/forest_10k.glb"}})
         for (const Row& row : {kRows[0], kRows[1], kRows[3]})
-            add(fmt::format("textured/{}/{}/2048", scene, row.kernel),
+            add(fmt::format("textured/{}/{}/2048", scene, row.name),
                 [row, file](benchmark::State& s) { textured_frame(s, file, row, 2048); });
-    add("separate/pcf3/2048", [](benchmark::State& s) { whole_frame(s, "100k", "pcf3", 3, 2048, true); });
     add("depth_pass/100k", [](benchmark::State& s) { depth_pass(s, "100k"); });
     add("depth_pass/1M", [](benchmark::State& s) { depth_pass(s, "1M"); });
     for (const char* kernel : {"hw2x2", "pcf3", "pcf5", "pcf7"})
