@@ -3,6 +3,7 @@
 #include "shared/units.h"
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
+#include "lib/arriving.glsl"
 
 #ifdef SEPARATE_VISIBILITY
 layout(binding = UNIT_VISIBILITY) uniform sampler2DArray visibility_map;
@@ -12,22 +13,6 @@ layout(location = 0) out vec4 colour_out;
 vec3 srgb(vec3 c) {
     c = clamp(c, 0.0, 1.0);
     return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
-}
-
-/// Radiance arriving without shadows: inverse square falloff, smooth edge of the spot's cone, and the window that
-/// KHR_lights_punctual gives a light's range.
-vec3 arriving(int index, vec3 to_light, float distance_m) {
-    LightBlock light = frame.lights[index];
-    if (LIGHT_TYPE[index] == LIGHT_DIRECTIONAL) return light.radiance.rgb;
-    float cone = LIGHT_TYPE[index] == LIGHT_SPOT
-        ? smoothstep(light.to_light.w, max(light.radiance.w, light.to_light.w + 1e-6), dot(to_light, light.to_light.xyz))
-        : 1.0;
-    float window = 1.0;
-    if (LIGHT_RANGED[index] != 0) {
-        float share = distance_m / light.position.w, squared = share * share;
-        window = clamp(1.0 - squared * squared, 0.0, 1.0);
-    }
-    return light.radiance.rgb * (cone * window) / max(distance_m * distance_m, 1e-12);
 }
 
 #if shading_composition == shading_composition_dim_lit
@@ -47,7 +32,7 @@ vec3 light_share(int i, Surface s) {
 #elif defined(SEPARATE_VISIBILITY)
     float visibility = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, i), 0).r;
 #else
-    float visibility = light_visibility(s, i);
+    float visibility = calls_for_visibility(i, s, l, distance_m) ? light_visibility(s, i) : 1.0;
 #endif
 #if shading_composition == shading_composition_dim_lit
 #ifdef LIT_PASS
