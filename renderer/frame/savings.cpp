@@ -26,9 +26,6 @@ constexpr SavingRow kRows[] = {
      .label = "Look-ups of light that does not arrive",
      .help = "Surfaces turned away from a light, beyond its range or outside of its cone get nothing of it, whatever "
              "its visibility."},
-    {.key = "empty",
-     .label = "Blurring of empty texels",
-     .help = "Where the map holds no caster within a blur's reach, its mean is that of the far depth, found once."},
 };
 static_assert(std::size(kRows) == kSavings);
 

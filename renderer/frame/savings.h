@@ -16,7 +16,6 @@ enum class Saving {
     Blockers,  ///< searches for what casts a penumbra, where none can open
     EarlyOut,  ///< taps, where the depths about a look-up answer it
     Facing,    ///< look-ups whose light does not reach the picture
-    Empty,     ///< blurring of what maps hold no caster in
     kCount
 };
 inline constexpr std::size_t kSavings = std::size_t(Saving::kCount);

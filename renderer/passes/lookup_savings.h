@@ -15,7 +15,9 @@ std::string why_no_bounds(const FrameState& f);
 /// Which of them the frame's look-ups make.
 std::vector<gl::Define> lookup_saving_defines(const FrameState& f);
 
-/// Nearest and farthest depth within the kernel's reach of each block of the maps.
+/// How many cells beside a block hold texels that the kernel may read from it.
+int bounds_reach_cells(const FrameState& f, const FittedLight& light);
+/// Between which planes the maps' depths lie within the kernel's reach of each block.
 void add_map_bounds_pass(FrameState& f);
 
 /// Texels a side of a block. Blocks are made of cells, of which each is as many texels a side as a block has cells.

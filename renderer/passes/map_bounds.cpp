@@ -2,26 +2,15 @@
 // a receiver, a look-up needs no taps. Exact, unlike taps that stand for others.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "renderer/passes/lookup_savings.h"
-#include "renderer/view/kernel_reach.h"
 
 namespace si {
 namespace {
 
 struct BoundsTargets {
-    gl::Target bounds;       ///< RG32F, a layer a view: least and greatest depth, as stored
-    gl::Target cells, rows;  ///< of one layer: of cells alone, and of those in reach along x
+    gl::Target bounds;  ///< RGBA32F, a layer a view
+    gl::Target cells;   ///< of one view, of cells alone
 };
-
-/// Cells beside a block that hold texels in the kernel's reach.
-int cells_in_reach(const FrameState& f, const FittedLight& light) {
-    // Centres that are read, the half texel around them, and what rounding moves them by.
-    const double texels = std::ceil(reach_under(f.settings, light, f.map_resolution).read + 0.5 + 1e-3);
-    return int(std::min(std::ceil(texels / kBoundsCell), double(f.map_resolution)));
-}
 
 void draw_step(const FrameState& f, const gl::Target& into, int into_layer, int step, int layer, int reach,
                PassInfo& info) {
@@ -38,19 +27,16 @@ void draw_step(const FrameState& f, const gl::Target& into, int into_layer, int 
 void find_bounds(const FrameState& f, BoundsTargets& t, PassInfo& info) {
     const int cells = (f.map_resolution + kBoundsCell - 1) / kBoundsCell;
     const int blocks = (cells + kBoundsCell - 1) / kBoundsCell;
-    t.bounds.ensure("bounds of shadow maps", GL_RG32F, blocks, blocks, f.map_layers());
-    t.cells.ensure("bounds of cells", GL_RG32F, cells, cells);
-    t.rows.ensure("bounds along x", GL_RG32F, blocks, cells);
+    t.bounds.ensure("bounds of shadow maps", GL_RGBA32F, blocks, blocks, f.map_layers());
+    t.cells.ensure("bounds of cells", GL_RGBA32F, cells, cells);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         const FittedLight& light = f.gl.fitted[i];
         if (!light.casts) continue;
-        const int reach = cells_in_reach(f, light);
+        const int reach = bounds_reach_cells(f, light);
         for (int layer = f.first_view[i]; layer < f.first_view[i] + int(light.views.size()); ++layer) {
             draw_step(f, t.cells, -1, 0, layer, reach, info);
             glBindTextureUnit(shared::UNIT_BLURRED_ROWS, t.cells.texture.id());
-            draw_step(f, t.rows, -1, 1, layer, reach, info);
-            glBindTextureUnit(shared::UNIT_BLURRED_ROWS, t.rows.texture.id());
-            draw_step(f, t.bounds, t.bounds.layers == 0 ? -1 : layer, 2, layer, reach, info);
+            draw_step(f, t.bounds, t.bounds.layers == 0 ? -1 : layer, 1, layer, reach, info);
         }
     }
 }
@@ -74,7 +60,7 @@ void add_map_bounds_pass(FrameState& f) {
     f.plan.place(Result::MapBounds, {&t.bounds, shared::UNIT_MAP_BOUNDS});
     Key key;
     key.add(f.settings.map.wrap).add(f.gl.programs.source().generation());
-    for (const FittedLight& light : f.gl.fitted) key.add(light.casts ? cells_in_reach(f, light) : 0);
+    for (const FittedLight& light : f.gl.fitted) key.add(light.casts ? bounds_reach_cells(f, light) : 0);
     pass.key = key.value();
     pass.cached = &t.bounds.key;
     pass.run = [&f, &t](PassInfo& info) {

@@ -11,20 +11,17 @@ vec4 reference_of(vec4 depth) {
 float reference_of(float depth) { return reference_of(vec4(depth)).x; }
 
 #if BIAS_PER_TEXEL
-/// Where the plane runs on beyond the far plane, the map may be empty.
-vec4 kept_near(Receiver r, vec4 depth) {
+/// The depths of the receiver's plane, brought nearer by the bias, at map coordinates.
+vec4 reference_at(Receiver r, vec4 u, vec4 v) {
+    float most = most_moved(r);
+    vec4 moved = r.reference_slope.x * (u - r.uvd_offset.x) + r.reference_slope.y * (v - r.uvd_offset.y);
+    vec4 depth = r.reference + clamp(moved, -most, most);
+    // Where the plane runs on beyond the far plane, the map may be empty.
 #if map_reversed_z
     return reference_of(max(depth, min(r.reference, 0.0)));
 #else
     return reference_of(min(depth, max(r.reference, 1.0)));
 #endif
-}
-
-/// The depths of the receiver's plane, brought nearer by the bias, at map coordinates.
-vec4 reference_at(Receiver r, vec4 u, vec4 v) {
-    float most = most_moved(r);
-    vec4 moved = r.reference_slope.x * (u - r.uvd_offset.x) + r.reference_slope.y * (v - r.uvd_offset.y);
-    return kept_near(r, r.reference + clamp(moved, -most, most));
 }
 
 vec2 texel_centre(vec2 at) { return (floor(at * float(map_resolution)) + 0.5) / float(map_resolution); }
@@ -37,19 +34,6 @@ float compared_depth(Receiver r, vec2 at) {
     return reference_at(r, at.xxxx, at.yyyy).x;
 #else
     return r.reference;
-#endif
-}
-
-/// The least and the greatest depth that texels within so many of the look-up are compared with.
-vec2 compared_bounds(Receiver r, float texels) {
-#if BIAS_PER_TEXEL
-    float per_texel = (abs(r.reference_slope.x) + abs(r.reference_slope.y)) / float(map_resolution);
-    // Rounded away from the middle.
-    float moved = min(per_texel * texels, most_moved(r)) * 1.001 + 1e-6 * (1.0 + abs(r.reference));
-    if (isnan(per_texel)) moved = 3e38;
-    return kept_near(r, r.reference + moved * vec4(-1.0, 1.0, -1.0, 1.0)).xy;
-#else
-    return vec2(r.reference);
 #endif
 }
 

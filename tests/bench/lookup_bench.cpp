@@ -1,10 +1,11 @@
-// What look-ups cost with a saving and with it forced, in turn. The camera moves each round, so that maps and their
-// bounds stay; or all is drawn anew, as where the light moves.
+// What look-ups cost with a saving and with it forced, in turn: where maps and their bounds are kept, as when the
+// camera moves, and where all is drawn anew, as when the light moves.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 
 #include "app/context/headless_context.h"
 #include "renderer/frame/renderer.h"
@@ -36,6 +37,7 @@ void lookups(benchmark::State& state, const LookupCase& c, bool anew) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
     Settings s;
     set_setting(s, "filter.kernel", c.kernel);
+    set_setting(s, "bias.kind", std::getenv("SI_BIAS") ? std::getenv("SI_BIAS") : "adaptive");
     for (const auto& [key, value] : c.sets) set_setting(s, key, value);
     FrameRequest request{.width = 1280, .height = 720}, all = request;
     all.forced = {c.saving};
@@ -43,7 +45,7 @@ void lookups(benchmark::State& state, const LookupCase& c, bool anew) {
     std::vector<double> ratios, ms;
     int round = 0;
     const auto both = [&] {
-        s.camera.azimuth += 0.01;
+        s.shading.ambient += 1e-4;            // the picture is another, and the maps stay, as where the camera moves
         const bool first = ++round % 2 != 0;  // either begins
         const double a = first ? drawn_ms(saving, scene, s, request) : 0;
         const double b = drawn_ms(forced, scene, s, all);
@@ -67,15 +69,22 @@ void lookups(benchmark::State& state, const LookupCase& c, bool anew) {
 
 void register_lookup_benchmarks(int rounds) {
     std::vector<LookupCase> cases;
-    for (const char* kernel : {"pcf3", "tent5", "pcf5", "pcf7", "pcf9", "poisson", "vogel", "pcss", "dpcf", "smrt"})
-        cases.push_back({kernel, Saving::EarlyOut, {}});
+    for (const char* taps : {"16", "32", "64"})
+        for (const char* kernel : {"poisson", "vogel", "pcss", "dpcf"})
+            cases.push_back({kernel, Saving::EarlyOut, {{"filter.taps", taps}, {"filter.blocker_taps", taps}}});
+    for (const char* size : {"7", "9", "15"})
+        for (const char* kernel : {"pcf", "gauss"})
+            cases.push_back({kernel, Saving::EarlyOut, {{"filter.size", size}}});
+    cases.push_back({"smrt", Saving::EarlyOut, {}});
+    cases.push_back({"smrt", Saving::EarlyOut, {{"filter.rays", "32"}}});
     cases.push_back({"pcss", Saving::Blockers, {{"light.size", "0"}}});
+    cases.push_back({"hard", Saving::Facing, {}});
+    cases.push_back({"pcf3", Saving::Facing, {}});
     for (const LookupCase& c : cases)
         for (const bool anew : {false, true})
-            benchmark::RegisterBenchmark(fmt::format("lookups/{}/{}/{}", row_of(c.saving).key, c.kernel,
-                                                     anew ? "all anew" : "camera moves")
-                                             .c_str(),
-                                         [c, anew](benchmark::State& state) { lookups(state, c, anew); })
+            benchmark::RegisterBenchmark(
+                fmt::format("lookups/{}/{}/{}", row_of(c.saving).key, c.kernel, anew ? "anew" : "kept").c_str(),
+                [c, anew](benchmark::State& state) { lookups(state, c, anew); })
                 ->UseManualTime()
                 ->Unit(benchmark::kMillisecond)
                 ->Iterations(rounds);
