@@ -17,6 +17,8 @@ std::string_view result_name(Result result) {
             return "shadow maps";
         case Result::Moments:
             return "moments";
+        case Result::MapBounds:
+            return "bounds of the maps";
         case Result::CameraDepth:
             return "camera depth";
         case Result::SurfaceIds:

@@ -8,6 +8,7 @@
 #include "renderer/frame/driver.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
+#include "renderer/passes/lookup_savings.h"
 #include "renderer/reference/light_map.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/biases.h"
@@ -258,6 +259,7 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
     f.defines.push_back({"BIAS_SLOPED", f.settings.bias.slope != 0 ? "1" : "0"});
     add_shading_defines(f);
+    for (gl::Define& d : lookup_saving_defines(f)) f.defines.push_back(std::move(d));
     f.preamble = settings_block_text() + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
     const auto& batches = f.gl.scene->batches();

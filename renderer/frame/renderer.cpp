@@ -8,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/frame/driver.h"
 #include "renderer/frame/renderer_impl.h"
+#include "renderer/passes/lookup_savings.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -86,6 +87,7 @@ void plan_frame(FrameState& f) {
     add_light_depth_passes(f);
     add_depth_blur_pass(f);
     add_moments_pass(f);
+    add_map_bounds_pass(f);
     add_camera_depth_pass(f);
     add_surface_ids_pass(f);
     add_shadow_volume_passes(f);

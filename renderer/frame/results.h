@@ -11,6 +11,7 @@ enum class Result {
     DrawnMaps,       ///< the shadow maps as drawn, or the pool of their pages with its page table
     ShadowMaps,      ///< those that are compared, shown and read back: as drawn, or their depths blurred
     Moments,         ///< functions of their depths, averaged
+    MapBounds,       ///< their nearest and farthest depths, block by block
     CameraDepth,     ///< of the surfaces that the camera sees
     SurfaceIds,      ///< which triangle each pixel shows
     Blobs,           ///< what blobs leave of each light

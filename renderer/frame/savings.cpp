@@ -14,6 +14,18 @@ constexpr SavingRow kRows[] = {
     {.key = "uncalled",
      .label = "What nothing calls for",
      .help = "Passes and look-ups for lights without a shadow are left out: what they would find is lit everywhere."},
+    {.key = "blockers",
+     .label = "Searches without a penumbra",
+     .help = "A kernel that searches for blockers looks once where its light is too small for a penumbra: all places "
+             "of the search are that one."},
+    {.key = "early-out",
+     .label = "Taps that cannot differ",
+     .help = "Where the map's nearest and farthest depth within the kernel's reach lie on one side of the receiver, "
+             "all taps agree, and none is fetched. Asked for by kernels of so many taps that it pays."},
+    {.key = "facing",
+     .label = "Look-ups of light that does not arrive",
+     .help = "Surfaces turned away from a light, beyond its range or outside of its cone get nothing of it, whatever "
+             "its visibility."},
 };
 static_assert(std::size(kRows) == kSavings);
 

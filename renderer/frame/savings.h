@@ -13,6 +13,9 @@ namespace si {
 /// In the order of savings().
 enum class Saving {
     Uncalled,  ///< passes and look-ups that the scene does not call for
+    Blockers,  ///< searches for what casts a penumbra, where none can open
+    EarlyOut,  ///< taps, where the depths about a look-up answer it
+    Facing,    ///< look-ups whose light does not reach the picture
     kCount
 };
 inline constexpr std::size_t kSavings = std::size_t(Saving::kCount);

@@ -6,6 +6,7 @@
 
 #include "renderer/frame/driver.h"
 #include "renderer/passes/casters.h"
+#include "renderer/passes/lookup_savings.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 
@@ -154,6 +155,7 @@ std::string description(const FrameState& f) {
 
 std::vector<ResultRef> lookup_reads(const FrameState& f) {
     if (samples_moments(f)) return {Result::ShadowMaps, Result::Moments};
+    if (why_no_bounds(f).empty()) return {Result::ShadowMaps, Result::MapBounds};
     return {Result::ShadowMaps};
 }
 

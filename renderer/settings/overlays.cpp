@@ -209,11 +209,12 @@ constexpr Overlay kOverlays[] = {
     {.key = "taps",
      .label = "Texels fetched",
      .unit = "texels",
-     .help = "Texels that the kernel fetches for each fragment; kernels that search first end early where nothing "
-             "stands before the surface.",
+     .help = "Texels of the map that are fetched for each fragment: none where the light does not arrive or the map's "
+             "bounds answer, and few where kernels that search find nothing before the surface.",
      .file = "overlays/taps.glsl",
      .min = 0,
-     .max = 64},
+     .max = 64,
+     .as_drawn = true},
     {.key = "blocker-gap",
      .label = "Occluder's distance",
      .unit = "m",

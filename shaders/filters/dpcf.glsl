@@ -8,7 +8,7 @@ float filter_visibility(Receiver r) {
     vec2 turn = disk_turn(r);
     int taps = disk_places(filter_taps);
     float widest = clamp(widest_penumbra_texels(r, own_m), 0.5, filter_max_radius);
-    Blockers blockers = blockers_within(r, own_m, turn, taps, widest, true);
+    Blockers blockers = blockers_within(r, own_m, turn, taps, looped(taps), widest, true);
     found.taps = float(taps);
     if (blockers.share == 0.0) return 1.0;
     float radius = radius_past(blockers, r, own_m, widest);

@@ -7,7 +7,7 @@ float filter_visibility(Receiver r) {
     float radius_uv = disk_radius_texels(r) / float(map_resolution);
     vec2 turn = disk_turn(r);
     float sum = 0.0;
-    for (int i = 0; i < taps; ++i)
+    for (int i = 0; i < looped(taps); ++i)
         sum += compares_lit(r, r.uvd_offset.xy + of_radius(r, turned(POISSON_DISK[i], turn)) * radius_uv);
     return sum / float(taps);
 }

@@ -21,7 +21,11 @@ float filter_visibility(Receiver r) {
     // What is stored at the receiver's own place is the same for every ray.
     float here_m = own_m - held_metres(r, r.uvd_offset.xy,
                                       map_depth(r.uvd_offset.xy, r.layer) - plane_within_texel(r, r.uvd_offset.xy));
-    for (int ray = 0; ray < filter_rays; ++ray) {
+    int rays = filter_rays;
+#if SKIPS_SEARCH
+    if (widest == 0.0 && !(here_m > 0.0)) rays = 0;  // all go where nothing stands before it
+#endif
+    for (int ray = 0; ray < rays; ++ray) {
         vec2 aim = on_map(r, turned(spiral_place(ray, filter_rays), turn)) * (widest / float(map_resolution));
         float begun = fract(first + float(ray) * 0.754877666);  // of the first step, spread over the rays
         float ray_m = 0.0, gap_m = here_m, below_m = 3e38;  // where the ray was when last something stood before it

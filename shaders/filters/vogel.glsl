@@ -6,7 +6,7 @@ float filter_visibility(Receiver r) {
     float radius_uv = disk_radius_texels(r) / float(map_resolution);
     vec2 turn = disk_turn(r);
     float sum = 0.0;
-    for (int i = 0; i < filter_taps; ++i)
+    for (int i = 0; i < looped(filter_taps); ++i)
         sum += compares_lit(r, r.uvd_offset.xy + of_radius(r, turned(spiral_place(i, filter_taps), turn)) * radius_uv);
     return sum / float(filter_taps);
 }

@@ -7,18 +7,27 @@ struct Blockers {
     float gap_m;  // how far along the axis they lie before the receiver, on average
 };
 
+/// Of so many places those that have to be searched: where they all are one, that.
+int searched_of(int places, float radius_texels) {
+#if SKIPS_SEARCH
+    if (radius_texels == 0.0) return 1;
+#endif
+    return looped(places);
+}
+
 /// @param places of the chosen disk
+/// @param searched of those, counted from the first
 /// @param compares whether each place also counts as one of the kernel's comparisons
-Blockers blockers_within(Receiver r, float own_m, vec2 turn, int places, float radius_texels, bool compares) {
+Blockers blockers_within(Receiver r, float own_m, vec2 turn, int places, int searched, float radius_texels, bool compares) {
     float blocker_m = 0.0, blockers = 0.0;
-    for (int i = 0; i < places; ++i) {
+    for (int i = 0; i < searched; ++i) {
         vec2 at = r.uvd_offset.xy + on_map(r, turned(disk_place(i, places), turn)) * (radius_texels / float(map_resolution));
         float stored = compares ? map_depth(at, r.layer) : searched_depth(at, r.layer);
         float blocks = 1.0 - depth_test(compared_depth(r, at), stored);
         blocker_m += blocks * held_metres(r, at, stored);
         blockers += blocks;
     }
-    return Blockers(blockers / float(places), blockers > 0.0 ? max(own_m - blocker_m / blockers, 0.0) : 0.0);
+    return Blockers(blockers / float(searched), blockers > 0.0 ? max(own_m - blocker_m / blockers, 0.0) : 0.0);
 }
 
 /// The penumbra's radius past them, kept within half a texel and `widest`; says what was found.

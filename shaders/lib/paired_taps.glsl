@@ -27,5 +27,5 @@ float paired_visibility(Receiver r) {
             sum += dot(lit, vec4(low.x * high.y, high.x * high.y, high.x * low.y, low.x * low.y));
 #endif
         }
-    return min(sum / (all.x * all.y), 1.0);  // the weights round to a little more than one
+    return weighed(sum / (all.x * all.y));
 }

@@ -1,6 +1,7 @@
 // Visibility of one light from one surface point: the guards, then the chosen kernel.
 #include "lib/receiver.glsl"
 #include "lib/compare.glsl"
+#include "lib/map_bounds.glsl"
 #include "shared/judged.h"
 
 #define UNKNOWN uintBitsToFloat(0x7fc00000u)
@@ -53,6 +54,13 @@ float map_visibility(Receiver r) {
 #if !BIAS_PER_TEXEL
     r.reference = reference_of(r.reference);
 #endif
+#if ASKS_BOUNDS
+    float answer = bounded_visibility(r);
+    if (answer >= 0.0) {
+        found.taps = 0.0;
+        return answer;
+    }
+#endif
     return filter_visibility(r);
 }
 
@@ -60,14 +68,17 @@ float light_visibility(Surface s, int light) {
     if (LIGHT_CASTS[light] == 0 || !s.receives) return 1.0;
     Receiver r = make_receiver(s, light);
     // A surface turned away from the light shadows itself; no tap can say it better.
-    if (!faces_light(r)) return 0.0;
+    float facing = float(faces_light(r));
+#if SKIPS_UNLIT
+    if (facing == 0.0) return 0.0;
+#endif
     float v = map_visibility(r);
 #if VIEWS_BLEND
     Filtered nearer = found;
     if (r.blend > 0.0) v = mix(v, map_visibility(receiver_in(s, light, r.other_layer)), r.blend);
     found = nearer;
 #endif
-    return v;
+    return facing > 0.0 ? v : 0.0;
 }
 
 /// Whether the map holds the surface, or need not, and if so, whether the normal offset leads the look-up out of it.

@@ -3,6 +3,7 @@
 #include "shared/units.h"
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
+#include "lib/arriving.glsl"
 
 #ifdef SEPARATE_VISIBILITY
 layout(binding = UNIT_VISIBILITY) uniform sampler2DArray visibility_map;
@@ -18,15 +19,6 @@ vec3 srgb(vec3 c) {
     return mix(12.92 * c, curve, greaterThan(c, vec3(0.0031308)));
 }
 
-/// Where all lights are grey, the three channels are one.
-vec3 radiance_of(LightBlock light) {
-#if LIGHTS_GREY
-    return light.radiance.rrr;
-#else
-    return light.radiance.rgb;
-#endif
-}
-
 /// Of the highlight: the cosine to the half vector, to the power of the shininess. By squarings where that is a power of
 /// two: those spare the root, too, as the half vector's length squared is 2 + 2 l.v.
 float highlight(Surface s, vec3 l, float n_dot_l) {
@@ -40,22 +32,6 @@ float highlight(Surface s, vec3 l, float n_dot_l) {
 #else
     return pow(max(dot(s.shading, normalize(l + s.to_eye)), 0.0), shading_shininess);
 #endif
-}
-
-/// Radiance arriving without shadows: inverse square falloff, smooth edge of the spot's cone, and the window that
-/// KHR_lights_punctual gives a light's range.
-vec3 arriving(int index, vec3 to_light, float distance_m) {
-    LightBlock light = frame.lights[index];
-    if (LIGHT_TYPE[index] == LIGHT_DIRECTIONAL) return radiance_of(light);
-    float cone = LIGHT_TYPE[index] == LIGHT_SPOT
-        ? smoothstep(light.to_light.w, max(light.radiance.w, light.to_light.w + 1e-6), dot(to_light, light.to_light.xyz))
-        : 1.0;
-    float window = 1.0;
-    if (LIGHT_RANGED[index] != 0) {
-        float share = distance_m / light.position.w, squared = share * share;
-        window = clamp(1.0 - squared * squared, 0.0, 1.0);
-    }
-    return radiance_of(light) * (cone * window) / max(distance_m * distance_m, 1e-12);
 }
 
 #if shading_composition == shading_composition_dim_lit
@@ -75,7 +51,7 @@ vec3 light_share(int i, Surface s) {
 #elif defined(SEPARATE_VISIBILITY)
     float visibility = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, i), 0).r;
 #else
-    float visibility = light_visibility(s, i);
+    float visibility = calls_for_visibility(i, s, l, distance_m) ? light_visibility(s, i) : 1.0;
 #endif
 #if shading_composition == shading_composition_dim_lit
 #ifdef LIT_PASS

@@ -280,6 +280,7 @@ void register_all() {
     add("unchanged_frame", unchanged_frame);
     add("first_frame/landscape", [](benchmark::State& s) { first_frame_of_a_scene(s, "landscape"); });
     register_load_benchmarks(rounds());
+    register_lookup_benchmarks(rounds());
 }
 
 }  // namespace

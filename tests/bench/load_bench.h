@@ -5,4 +5,7 @@ namespace si {
 /// Loading and scenes of many objects; called by the benchmarks' main().
 void register_load_benchmarks(int rounds);
 
+/// What look-ups save.
+void register_lookup_benchmarks(int rounds);
+
 }  // namespace si

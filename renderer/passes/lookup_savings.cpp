@@ -1,0 +1,96 @@
+#include "renderer/passes/lookup_savings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "renderer/settings/filters.h"
+#include "renderer/settings/map_storage.h"
+#include "renderer/view/kernel_reach.h"
+
+namespace si {
+namespace {
+
+/// From how many texture calls a look-up on it pays to ask for bounds first, with the maps kept. Mesa 22.3's llvmpipe,
+/// the agreed scene at 1280 x 720, 2048 texels, adaptive bias: time of that by that of all taps, 16, 32 and 64 calls
+///     vogel 1.25, 0.85, 0.74; dpcf 1.23, 0.86, 0.77; poisson 1.15, 1.25, 0.75; pcss (searching and comparing by as
+///     many) 0.85, 0.80, 0.72; pcf of 16, 25, 64: 0.95, 0.92, 0.81; gauss 1.09, 1.12, 0.86; smrt, whose rays end at
+///     once where nothing is, 1.02 to 1.04. `bench --benchmark_filter=lookups` measures it.
+constexpr int kLeastCalls = 64, kLeastSearching = 32;
+
+/// How far depths may be from those that kernels compare. By hand they are the same numbers; samplers may round a
+/// reference to the format's steps, and depths of stored distances rise but for rounding.
+double depths_margin(const FrameState& f) {
+    const auto format = MapFormat(f.settings.map.format);
+    if (holds_distances(f.settings.map.format)) return 1e-6;
+    if (!f.filter_sampler) return 0;
+    return format == MapFormat::D16 ? 2.0 / 65535 : format == MapFormat::D24 ? 2.0 / 16777215 : 0;
+}
+
+/// What single precision makes of planes; depths are 0 to 1.
+constexpr double kBoundsMargin = 1e-6;
+
+/// Texture calls of a look-up.
+int calls_of(const FrameState& f) {
+    const FilterCost cost = cost_of(f.settings);
+    return cost.gathers > 0 && !f.filter_sampler ? cost.gathers : cost.sampler_taps;
+}
+
+/// Of the frame's kernel, from which on it pays; nothing: it never does.
+std::optional<int> least_calls(const FrameState& f) {
+    const Filter& row = filter_of(f.settings);
+    if (row.samples != Samples::Depth || (row.reads_light_size && !row.searches_blockers)) return std::nullopt;
+    return row.searches_blockers && row.linear ? kLeastSearching : kLeastCalls;
+}
+
+bool fetches_many(const FrameState& f) {
+    const std::optional<int> least = least_calls(f);
+    return least && calls_of(f) >= *least;
+}
+
+std::string saved_or_not(const FrameState& f, Saving saving) {
+    return f.request.forced.contains(saving) ? "0" : "1";
+}
+
+}  // namespace
+
+int bounds_reach_cells(const FrameState& f, const FittedLight& light) {
+    // Centres that are read, the half texel around them, and what rounding moves them by.
+    const double texels = std::ceil(reach_under(f.settings, light, f.map_resolution).read + 0.5 + 1e-3);
+    return int(std::min(std::ceil(texels / kBoundsCell), double(f.map_resolution)));
+}
+
+std::string why_no_bounds(const FrameState& f) {
+    const Filter& row = filter_of(f.settings);
+    if (f.view_count == 0) return "no light has a shadow map";
+    if (f.request.forced.contains(Saving::EarlyOut)) return "look-ups are to fetch all their taps";
+    if (row.samples != Samples::Depth) return "filter.kernel reads averages of depths, not depths";
+    const std::optional<int> least = least_calls(f);
+    if (!least) return "the kernel's rays end at once where the map holds nothing";
+    if (!fetches_many(f))
+        return fmt::format("a look-up fetches {} times; finding bounds pays from {} on", calls_of(f), *least);
+    if (f.paged) return "the map is drawn by pages, each when it is wanted";
+    if (row.reads_light_size &&
+        std::ranges::any_of(f.gl.fitted, [](const FittedLight& l) { return l.casts && l.is_warped(); }))
+        return "how far the kernel reaches differs over a warped map";
+    return {};
+}
+
+std::vector<gl::Define> lookup_saving_defines(const FrameState& f) {
+    const bool bounds = why_no_bounds(f).empty();
+    return {{"MAP_BOUNDS", bounds ? "1" : "0"},
+            {"BOUNDS_TELL_DARK", filter_of(f.settings).linear ? "1" : "0"},
+            {"BOUNDS_MARGIN", fmt::format("{:.9f}", kBoundsMargin)},
+            {"DEPTHS_MARGIN", fmt::format("{:.9f}", depths_margin(f))},
+            {"BOUNDS_BLOCK", std::to_string(kBoundsBlock)},
+            {"BOUNDS_CELL", std::to_string(kBoundsCell)},
+            // Compilers for CPUs run both sides of a branch, but leave loops that nobody needs.
+            // Also where taps are forced: places of a disk round otherwise where the compiler knows them.
+            {"KEEPS_LOOPS", fetches_many(f) && f.driver.software ? "1" : "0"},
+            {"SKIPS_SEARCH", saved_or_not(f, Saving::Blockers)},
+            {"SKIPS_UNLIT", saved_or_not(f, Saving::Facing)}};
+}
+
+}  // namespace si

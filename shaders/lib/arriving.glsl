@@ -1,0 +1,36 @@
+// What a light brings to a place, whatever stands between.
+#include "lib/receiver.glsl"
+
+/// Where all lights are grey, the three channels are one.
+vec3 radiance_of(LightBlock light) {
+#if LIGHTS_GREY
+    return light.radiance.rrr;
+#else
+    return light.radiance.rgb;
+#endif
+}
+
+/// Radiance arriving without shadows: inverse square falloff, smooth edge of the spot's cone, and the window that
+/// KHR_lights_punctual gives a light's range.
+vec3 arriving(int index, vec3 to_light, float distance_m) {
+    LightBlock light = frame.lights[index];
+    if (LIGHT_TYPE[index] == LIGHT_DIRECTIONAL) return radiance_of(light);
+    float cone = LIGHT_TYPE[index] == LIGHT_SPOT
+        ? smoothstep(light.to_light.w, max(light.radiance.w, light.to_light.w + 1e-6), dot(to_light, light.to_light.xyz))
+        : 1.0;
+    float window = 1.0;
+    if (LIGHT_RANGED[index] != 0) {
+        float share = distance_m / light.position.w, squared = share * share;
+        window = clamp(1.0 - squared * squared, 0.0, 1.0);
+    }
+    return radiance_of(light) * (cone * window) / max(distance_m * distance_m, 1e-12);
+}
+
+/// Whether the picture can show the light's visibility at a surface: else its share is nothing, lit or not.
+bool calls_for_visibility(int index, Surface s, vec3 to_light, float distance_m) {
+#if SKIPS_UNLIT && shading_composition != shading_composition_dim_lit
+    return dot(s.shading, to_light) > 0.0 && any(greaterThan(arriving(index, to_light, distance_m), vec3(0.0)));
+#else
+    return true;
+#endif
+}

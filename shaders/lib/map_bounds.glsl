@@ -1,0 +1,51 @@
+// Look-ups that are answered by the planes between which the map's depths lie about them, where taps cannot differ.
+#if MAP_BOUNDS && !defined(MAP_TRIALS) && !defined(RECORD_TAPS) && !defined(MARK_TEXELS)
+#define ASKS_BOUNDS 1
+layout(binding = UNIT_MAP_BOUNDS) uniform MAPS map_bounds;  // passes/map_bounds.frag.glsl
+
+/// The least and the greatest of what is stored within `texels` of a place, on each axis, of its block's bounds; above
+/// them the receiver's own depth may rise by `slope` a texel.
+vec2 stored_bounds(vec4 bounds, vec2 from_middle, float texels, vec2 slope) {
+    vec2 steeper = abs(bounds.xy - slope), size = abs(bounds.xy);
+    float spread = (steeper.x + steeper.y) * texels + BOUNDS_MARGIN * (1.0 + 64.0 * (size.x + size.y));
+    return bounds.zw + dot(bounds.xy, from_middle) + vec2(-spread, spread);
+}
+
+/// 1 or 0 where every tap of the kernel would say so; below 0 where taps have to tell.
+float bounded_visibility(Receiver r) {
+    vec2 at = r.uvd_offset.xy * float(map_resolution);
+    ivec2 block = clamp(ivec2(at) / BOUNDS_BLOCK, ivec2(0), textureSize(map_bounds, 0).xy - 1);
+#if MAP_LAYERS > 1
+    vec4 bounds = texelFetch(map_bounds, ivec3(block, r.layer), 0);
+#else
+    vec4 bounds = texelFetch(map_bounds, block, 0);
+#endif
+    float texels = frame.lights[r.light].kernel.w + 1e-3;  // what rounding moves a texel by, too
+    vec2 from_middle = at - (vec2(block) + 0.5) * float(BOUNDS_BLOCK);
+    bool known = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(float(map_resolution))));
+    vec2 slope = vec2(0.0);
+#if BIAS_PER_TEXEL
+    slope = r.reference_slope / float(map_resolution);
+    // Where each texel's own depth is held back it rises otherwise.
+    known = known && (abs(slope.x) + abs(slope.y)) * (texels + 1.0) <= most_moved(r) &&
+            abs(r.reference - 0.5) + (abs(slope.x) + abs(slope.y)) * (texels + 1.0) <= 0.5;
+#endif
+    vec2 stored = stored_bounds(bounds, from_middle, texels, slope);
+    stored = depth_of_stored(stored.xyxy, r.layer).xy + vec2(-DEPTHS_MARGIN, DEPTHS_MARGIN);
+#if map_reversed_z
+    stored = stored.yx;
+#endif
+    if (known && depth_test(r.reference, stored.x) > 0.5) return 1.0;
+#if BOUNDS_TELL_DARK
+    if (known && depth_test(r.reference, stored.y) < 0.5) return 0.0;
+#endif
+    return -1.0;
+}
+#endif
+
+/// A number of a kernel's taps, told so that a CPU's compiler keeps their loop, which look-ups without taps then leave.
+#if KEEPS_LOOPS
+int looped(int taps) { return taps + int(frame.pixel.w); }
+#else
+#define looped(taps) (taps)
+#endif

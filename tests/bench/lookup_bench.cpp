@@ -1,0 +1,93 @@
+// What look-ups cost with a saving and with it forced, in turn: where maps and their bounds are kept, as when the
+// camera moves, and where all is drawn anew, as when the light moves.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+
+#include "app/context/headless_context.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/settings/param.h"
+#include "tests/bench/load_bench.h"
+#include "tests/bench/median.h"
+#include "tests/support/agreed_scene.h"
+
+namespace si {
+namespace {
+
+struct LookupCase {
+    const char* kernel;
+    Saving saving;
+    std::vector<std::pair<const char*, const char*>> sets;
+};
+
+double drawn_ms(Renderer& renderer, const Scene& scene, const Settings& s, const FrameRequest& request) {
+    glFinish();
+    const auto start = std::chrono::steady_clock::now();
+    renderer.render(scene, s, request);
+    glFinish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void lookups(benchmark::State& state, const LookupCase& c, bool anew) {
+    HeadlessContext context;
+    Renderer saving, forced;
+    const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
+    Settings s;
+    set_setting(s, "filter.kernel", c.kernel);
+    set_setting(s, "bias.kind", std::getenv("SI_BIAS") ? std::getenv("SI_BIAS") : "adaptive");
+    for (const auto& [key, value] : c.sets) set_setting(s, key, value);
+    FrameRequest request{.width = 1280, .height = 720}, all = request;
+    all.forced = {c.saving};
+    request.force = all.force = anew;
+    std::vector<double> ratios, ms;
+    int round = 0;
+    const auto both = [&] {
+        s.shading.ambient += 1e-4;            // the picture is another, and the maps stay, as where the camera moves
+        const bool first = ++round % 2 != 0;  // either begins
+        const double a = first ? drawn_ms(saving, scene, s, request) : 0;
+        const double b = drawn_ms(forced, scene, s, all);
+        ms.push_back(first ? a : drawn_ms(saving, scene, s, request));
+        ratios.push_back(ms.back() / b);
+    };
+    for (int i = 0; i < 2; ++i) both();
+    ratios.clear(), ms.clear();
+    for (auto _ : state) {
+        both();
+        state.SetIterationTime(ms.back() / 1000);
+    }
+    std::sort(ratios.begin(), ratios.end());
+    state.counters["ms"] = median(ms);
+    state.counters["ratio"] = median(ratios);
+    state.counters["ratio_p25"] = ratios[ratios.size() / 4];
+    state.counters["ratio_p75"] = ratios[ratios.size() * 3 / 4];
+}
+
+}  // namespace
+
+void register_lookup_benchmarks(int rounds) {
+    std::vector<LookupCase> cases;
+    for (const char* taps : {"16", "32", "64"})
+        for (const char* kernel : {"poisson", "vogel", "pcss", "dpcf"})
+            cases.push_back({kernel, Saving::EarlyOut, {{"filter.taps", taps}, {"filter.blocker_taps", taps}}});
+    for (const char* size : {"7", "9", "15"})
+        for (const char* kernel : {"pcf", "gauss"})
+            cases.push_back({kernel, Saving::EarlyOut, {{"filter.size", size}}});
+    cases.push_back({"smrt", Saving::EarlyOut, {}});
+    cases.push_back({"smrt", Saving::EarlyOut, {{"filter.rays", "32"}}});
+    cases.push_back({"pcss", Saving::Blockers, {{"light.size", "0"}}});
+    cases.push_back({"hard", Saving::Facing, {}});
+    cases.push_back({"pcf3", Saving::Facing, {}});
+    for (const LookupCase& c : cases)
+        for (const bool anew : {false, true})
+            benchmark::RegisterBenchmark(
+                fmt::format("lookups/{}/{}/{}", row_of(c.saving).key, c.kernel, anew ? "anew" : "kept").c_str(),
+                [c, anew](benchmark::State& state) { lookups(state, c, anew); })
+                ->UseManualTime()
+                ->Unit(benchmark::kMillisecond)
+                ->Iterations(rounds);
+}
+
+}  // namespace si

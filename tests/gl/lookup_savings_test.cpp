@@ -1,0 +1,200 @@
+// What look-ups in maps save: the same bytes with it forced, and fewer texels fetched, as the overlay `taps` counts
+// them.
+#include <numeric>
+
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/filters.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+class LookupSavingsTest : public FrameTest {
+protected:
+    FrameRequest request{.width = 128, .height = 96};
+
+    FloatImage visibility(const Scene& scene, const Settings& s, SavingSet forced = {}) {
+        request.forced = forced;
+        request.outputs = {.colour = false, .visibility = true};
+        return renderer.read_float(renderer.render(scene, s, request).visibility, 1);
+    }
+    /// Texels fetched by pixel; below 0 where no surface or no number is.
+    std::vector<float> taps(const Scene& scene, Settings s, SavingSet forced = {}) {
+        set_setting(s, "view.overlay", "taps");
+        request.forced = forced;
+        request.outputs = {.colour = false, .overlay = true};
+        const FloatImage values = renderer.read_float(renderer.render(scene, s, request).overlay, 4);
+        std::vector<float> out;
+        for (std::size_t i = 0; i < values.data.size(); i += 4)
+            out.push_back(values.data[i + 3] > 0 && std::isfinite(values.data[i]) ? values.data[i] : -1);
+        return out;
+    }
+    /// Every pixel that shows a surface fetches so many texels.
+    void expect_taps(const Scene& scene, const Settings& s, SavingSet forced, float texels, const char* what) {
+        int shown = 0, other = 0;
+        for (const float n : taps(scene, s, forced)) shown += n >= 0, other += n >= 0 && n != texels;
+        EXPECT_GT(shown, 1000) << what;
+        EXPECT_EQ(other, 0) << what;
+    }
+    void expect_equal_bytes(const Scene& scene, const Settings& s, SavingSet forced, const std::string& what) {
+        EXPECT_EQ(visibility(scene, s).data, visibility(scene, s, forced).data) << what << ", visibility";
+        FrameRequest saved = request, all = request;
+        saved.outputs = all.outputs = {};
+        saved.forced = {}, all.forced = forced;
+        EXPECT_EQ(different_pixels(picture(scene, s, saved), picture(scene, s, all)), 0u) << what << ", picture";
+    }
+};
+
+const SavingSet kLookups = {Saving::EarlyOut, Saving::Blockers, Saving::Facing};
+
+/// A bare floor, all of it in the map, and taps beyond its sides as the floor goes on.
+Settings floor_settings(std::string_view kernel) {
+    Settings s = test::texel_settings(kernel, 256, 0.2);
+    set_setting(s, "bias.kind", "adaptive");
+    s.bias.normal = 1;  // adaptive bias leaves nothing over
+    set_setting(s, "map.wrap", "clamp");
+    return s;
+}
+
+Scene bare_floor() {
+    Scene scene = test::floor_and_box();
+    scene.objects.resize(1);
+    finalise(scene);
+    return scene;
+}
+
+TEST_F(LookupSavingsTest, NoTapIsFetchedWhereTheMapHoldsOnePlane) {
+    const Scene scene = bare_floor();
+    for (const char* kernel : {"pcf", "gauss", "poisson", "vogel", "dpcf", "pcss"}) {
+        Settings s = floor_settings(kernel);
+        s.filter.size = 15;
+        s.map.resolution = 1024, s.camera.distance = 2;  // far from the floor's edges
+        s.filter.taps = s.filter.blocker_taps = 64;
+        s.lights[0].size = 0.2;
+        const FilterCost cost = cost_of(s);
+        const bool searches = std::string_view(kernel) == "pcss";  // and ends where it finds nothing
+        expect_taps(scene, s, {Saving::EarlyOut}, float(searches ? 64 : cost.texels), kernel);
+        expect_taps(scene, s, {}, 0, kernel);
+    }
+}
+
+TEST_F(LookupSavingsTest, TapsAreFetchedAboutEdgesAlone) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = floor_settings("pcf");
+    s.filter.size = 15;
+    s.map.resolution = 1024;
+    const std::vector<float> saved = taps(scene, s);
+    const FloatImage lit = visibility(scene, s);
+    int dark = 0, bright = 0, fetched = 0;
+    for (std::size_t i = 0; i < saved.size(); ++i) {
+        if (saved[i] > 0) ++fetched;
+        if (saved[i] != 0) continue;
+        dark += lit.data[i] == 0, bright += lit.data[i] == 1;
+        EXPECT_TRUE(lit.data[i] == 0 || lit.data[i] == 1) << i;
+    }
+    EXPECT_GT(dark, 100);
+    EXPECT_GT(bright, 1000);
+    EXPECT_GT(fetched, 100) << "there are edges";
+    EXPECT_LT(fetched, int(saved.size()) / 2);
+}
+
+TEST_F(LookupSavingsTest, ASearchWithoutAPenumbraLooksOnce) {
+    const Scene scene = bare_floor();
+    Settings s = floor_settings("pcss");
+    s.filter.blocker_taps = 24;
+    s.lights[0].size = 0;
+    expect_taps(scene, s, {Saving::EarlyOut}, 1, "size 0");
+    expect_taps(scene, s, {Saving::EarlyOut, Saving::Blockers}, 24, "size 0, forced");
+    s.lights[0].size = 0.5;
+    expect_taps(scene, s, {Saving::EarlyOut}, 24, "a light of size");
+    set_setting(s, "filter.kernel", "smrt");
+    s.lights[0].size = 0, s.bias.normal = 3;
+    expect_taps(scene, s, {Saving::EarlyOut}, 1, "rays, size 0");
+    expect_taps(scene, s, {Saving::EarlyOut, Saving::Blockers}, float(1 + s.filter.rays * s.filter.steps), "forced");
+}
+
+TEST_F(LookupSavingsTest, NothingIsFetchedForLightThatDoesNotArrive) {
+    const Scene scene = bare_floor();
+    Settings s = floor_settings("pcf3");
+    const float all = float(cost_of(s).texels);
+    s.lights[0].elevation = -30;  // from below
+    expect_taps(scene, s, {}, 0, "turned away");
+    s = floor_settings("pcf3");
+    set_setting(s, "light.type", "point");
+    set_setting(s, "light.distance", "2");
+    set_setting(s, "light.range", "3");
+    for (const bool separate : {false, true}) {
+        s.shading.separate_visibility = separate;
+        const std::vector<float> saved = taps(scene, s), forced = taps(scene, s, {Saving::Facing});
+        const auto sum = [](const std::vector<float>& v) {
+            return std::accumulate(v.begin(), v.end(), 0.0, [](double a, float b) { return a + std::max(b, 0.f); });
+        };
+        EXPECT_GT(sum(forced), 1000 * all);
+        EXPECT_GT(sum(saved), 100 * all) << "in range";
+        if (separate)
+            EXPECT_EQ(saved, forced) << "what is read by others is there";
+        else
+            EXPECT_LT(sum(saved), 0.8 * sum(forced));
+        expect_equal_bytes(scene, s, kLookups, separate ? "separate" : "fused");
+    }
+}
+
+/// Each way by itself in which bounds could be wrong.
+const std::vector<Sets>& ways() {
+    static const std::vector<Sets> all = {
+        {},
+        {{"map.reversed_z", "true"}},
+        {{"map.compare", "less"}, {"light.elevation", "90"}},
+        {{"map.format", "d16"}, {"filter.method", "sampler"}},
+        {{"map.format", "d24"}, {"filter.method", "sampler"}, {"map.reversed_z", "true"}},
+        {{"map.format", "linear"}, {"light.type", "spot"}},
+        {{"map.format", "linear16"}, {"light.type", "point"}, {"map.reversed_z", "true"}},
+        {{"map.format", "colour"}, {"map.blur_texels", "2"}},
+        {{"map.wrap", "repeat"}, {"light.fit", "manual"}, {"light.extent", "2"}},
+        {{"map.wrap", "border"}, {"map.outside", "unlit"}, {"light.fit", "manual"}, {"light.extent", "2"}},
+        {{"map.wrap", "clamp"}, {"light.fit", "manual"}, {"light.extent", "2"}},
+        {{"map.wrap", "range"}, {"map.resolution", "250"}},
+        {{"map.resolution", "13"}},
+        {{"light.type", "point"}, {"bias.kind", "receiver-plane"}},
+        {{"light.cascades", "3"}, {"light.cascade_blend", "0.3"}},
+        {{"light.fit", "lispsm"}, {"bias.kind", "receiver-plane"}},
+        {{"map.virtual", "true"}},
+        {{"bias.kind", "constant"}, {"bias.constant", "0"}, {"bias.normal", "0"}},
+        {{"bias.kind", "receiver-plane-derivatives"}, {"bias.normal", "1"}, {"map.reversed_z", "true"}},
+        {{"light.count", "3"}, {"light.1.type", "spot"}, {"light.2.elevation", "20"}},
+    };
+    return all;
+}
+
+TEST_F(LookupSavingsTest, ForcedGivesTheSameBytesWhateverTheMap) {
+    static constexpr const char* kKernels[] = {"pcf", "gauss", "poisson", "vogel", "pcss", "dpcf", "smrt"};
+    Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4), far = scene;
+    request.width = 64, request.height = 48;
+    test::move_scene(far, {115, -3, 40});
+    for (std::size_t way = 0; way < ways().size(); ++way) {
+        int bounded = 0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const char* kernel = kKernels[(way + 3 * i) % std::size(kKernels)];
+            Settings s = test::texel_settings("pcf", 256, 0.2);
+            set_setting(s, "filter.kernel", kernel);
+            s.filter.size = 15;
+            s.bias.normal = 3;
+            s.filter.point = way % 2 != 0;
+            s.lights[0].size = way % 3 == 0 ? 0 : 0.1;
+            s.filter.taps = s.filter.blocker_taps = 64;
+            std::string what = kernel;
+            for (const auto& [key, value] : ways()[way]) set_setting(s, key, value), what += " " + key + "=" + value;
+            const bool away = way % 2 != 0;
+            if (away) test::move_camera(s, {115, -3, 40});
+            expect_equal_bytes(away ? far : scene, s, kLookups, what);
+            request.outputs = {}, request.forced = {};
+            const FrameResult frame = renderer.render(away ? far : scene, s, request);
+            bounded += frame.pass("map bounds")->state != PassState::Skipped;
+        }
+        EXPECT_EQ(bounded > 0, ways()[way].empty() || ways()[way][0].first != "map.virtual") << way;
+    }
+}
+
+}  // namespace
+}  // namespace si
