@@ -5,4 +5,7 @@ namespace si {
 /// Loading and scenes of many objects; called by the benchmarks' main().
 void register_load_benchmarks(int rounds);
 
+/// Frames, whole and by passes, and loading; called once by main().
+void register_frame_benchmarks();
+
 }  // namespace si
