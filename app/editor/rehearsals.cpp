@@ -2,6 +2,11 @@
 
 #include <chrono>
 
+#if defined(__linux__)
+#include <pthread.h>
+#include <sched.h>
+#endif
+
 #include "app/context/headless_context.h"
 #include "renderer/inspect/probe.h"
 
@@ -10,9 +15,17 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kStill = 300ms;            ///< nothing is foreseen while settings move
+constexpr auto kStill = 700ms;            ///< nothing is foreseen while settings move
 constexpr int kWidth = 64, kHeight = 36;  ///< of pictures that nobody sees
-constexpr std::size_t kMostForeseen = 8;  ///< the oldest give way
+constexpr std::size_t kMostForeseen = 3;  ///< the oldest give way
+
+/// Has the thread take only what processor time nobody else wants.
+void give_way() {
+#if defined(__linux__)
+    const sched_param none{};
+    pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);  // a wish
+#endif
+}
 
 }  // namespace
 
@@ -32,7 +45,9 @@ struct Rehearsals::Stage {
     }
 };
 
-Rehearsals::Rehearsals() : thread_([this](const std::stop_token& end) { run(end); }) {}
+Rehearsals::Rehearsals()
+    : wanting_([this](const std::stop_token& end) { run(end, false); }),
+      foreseeing_([this](const std::stop_token& end) { run(end, true); }) {}
 Rehearsals::~Rehearsals() = default;
 
 void Rehearsals::want(Rehearsal rehearsal) {
@@ -40,6 +55,7 @@ void Rehearsals::want(Rehearsal rehearsal) {
         const std::lock_guard lock(mutex_);
         waited_for_ = rehearsal.key;
         wanted_ = std::make_unique<Rehearsal>(std::move(rehearsal));
+        ++asked_;
     }
     changed_.notify_all();
 }
@@ -48,6 +64,7 @@ void Rehearsals::foresee(Rehearsal rehearsal) {
     {
         const std::lock_guard lock(mutex_);
         foreseen_.push_back(std::move(rehearsal));
+        ++asked_;
         if (foreseen_.size() > kMostForeseen) foreseen_.pop_front();
     }
     changed_.notify_all();
@@ -95,7 +112,7 @@ void Rehearsals::wait() const {
 
 void Rehearsals::wait_for_all() const {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return !wanted_ && foreseen_.empty() && !working_; });
+    changed_.wait(lock, [&] { return !wanted_ && foreseen_.empty() && working_ == 0; });
 }
 
 std::size_t Rehearsals::done() const {
@@ -103,31 +120,33 @@ std::size_t Rehearsals::done() const {
     return done_;
 }
 
-std::unique_ptr<Rehearsal> Rehearsals::take(const std::stop_token& end) {
+std::unique_ptr<Rehearsal> Rehearsals::take_wanted(const std::stop_token& end) {
+    std::unique_lock lock(mutex_);
+    if (!changed_.wait(lock, end, [&] { return bool(wanted_); })) return {};
+    ++working_;
+    return std::move(wanted_);
+}
+
+std::unique_ptr<Rehearsal> Rehearsals::take_foreseen(const std::stop_token& end) {
     std::unique_lock lock(mutex_);
     while (!end.stop_requested()) {
-        if (wanted_) return working_ = true, std::move(wanted_);
-        if (foreseen_.empty()) {
-            changed_.wait(lock, end, [&] { return wanted_ || !foreseen_.empty(); });
-            continue;
-        }
-        if (changed_.wait_for(lock, end, kStill, [&] { return bool(wanted_); })) continue;
-        if (end.stop_requested() || foreseen_.empty()) continue;
-        auto next = std::make_unique<Rehearsal>(std::move(foreseen_.front()));
-        foreseen_.pop_front();
-        if (!next->probe && known_.contains(next->key)) {
-            changed_.notify_all();
-            continue;
-        }
-        return working_ = true, std::move(next);
+        if (!changed_.wait(lock, end, [&] { return !foreseen_.empty(); })) break;
+        const std::size_t before = asked_;
+        if (changed_.wait_for(lock, end, kStill, [&] { return asked_ != before; }) || foreseen_.empty()) continue;
+        if (end.stop_requested()) break;
+        auto next = std::make_unique<Rehearsal>(std::move(foreseen_.back()));  // what was shown last
+        foreseen_.pop_back();
+        ++working_;
+        return next;
     }
     return {};
 }
 
-void Rehearsals::run(const std::stop_token& end) {
+void Rehearsals::run(const std::stop_token& end, bool foreseen) {
+    if (foreseen) give_way();
     std::unique_ptr<Stage> stage;
     std::uint64_t age = 0;
-    while (const auto next = take(end)) {
+    while (const auto next = foreseen ? take_foreseen(end) : take_wanted(end)) {
         {
             const std::lock_guard lock(mutex_);
             age = age_;
@@ -140,7 +159,7 @@ void Rehearsals::run(const std::stop_token& end) {
         }
         {
             const std::lock_guard lock(mutex_);
-            working_ = false;
+            --working_;
             ++done_;
             if (age == age_) known_.insert(next->key);
             if (wanted_ && known_.contains(wanted_->key)) wanted_.reset();

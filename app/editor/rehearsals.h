@@ -56,9 +56,10 @@ public:
 
 private:
     struct Stage;
-    void run(const std::stop_token& end);
-    /// The next to carry out; nothing when `end` comes first.
-    std::unique_ptr<Rehearsal> take(const std::stop_token& end);
+    /// One thread carries out what is wanted, one what is foreseen, as that may take seconds.
+    void run(const std::stop_token& end, bool foreseen);
+    std::unique_ptr<Rehearsal> take_wanted(const std::stop_token& end);
+    std::unique_ptr<Rehearsal> take_foreseen(const std::stop_token& end);
 
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
@@ -67,10 +68,10 @@ private:
     std::uint64_t waited_for_ = 0;  ///< key of what a frame waits for; 0: none
     std::set<std::uint64_t> known_;
     std::uint64_t age_ = 0;  ///< counts forget()
-    std::size_t done_ = 0;
-    bool working_ = false;
+    std::size_t done_ = 0, asked_ = 0;
+    int working_ = 0;  ///< threads
     mutable bool moved_ = false;
-    std::jthread thread_;  ///< last: ends before what it uses
+    std::jthread wanting_, foreseeing_;  ///< last: end before what they use
 };
 
 }  // namespace si

@@ -92,21 +92,30 @@ std::uint64_t kind_of(const Scene& scene, const Settings& settings, const Object
     return key.value();
 }
 
-bool reaches(const Bounds& outer, const Bounds& inner) {
-    return glm::any(glm::lessThanEqual(inner.lo, outer.lo)) || glm::any(glm::greaterThanEqual(inner.hi, outer.hi));
+/// The objects that reach farthest out along each axis.
+std::set<std::size_t> outermost_objects(const Scene& scene) {
+    std::array<std::size_t, 6> outermost{};
+    Bounds reached;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& o = scene.objects[i];
+        const Bounds own = scene.meshes[std::size_t(o.mesh)].bounds.transformed(o.world);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (own.lo[axis] < reached.lo[axis]) reached.lo[axis] = own.lo[axis], outermost[std::size_t(axis)] = i;
+            if (own.hi[axis] > reached.hi[axis]) reached.hi[axis] = own.hi[axis], outermost[std::size_t(axis) + 3] = i;
+        }
+    }
+    return {outermost.begin(), outermost.end()};
 }
 
 void keep_one_of_each_kind(const Scene& from, const Settings& settings, Scene& to) {
+    const std::set<std::size_t> outermost = outermost_objects(from);
     std::set<std::uint64_t> kinds;
     std::map<int, int> meshes;
-    std::size_t at_bounds = 0;
-    for (const Object& o : from.objects) {
-        const Mesh& mesh = from.meshes[std::size_t(o.mesh)];
-        const bool is_new = kinds.insert(kind_of(from, settings, o)).second;
-        if (!is_new && (at_bounds > kSmallObjects || !reaches(from.bounds, mesh.bounds.transformed(o.world)))) continue;
-        at_bounds += !is_new;
+    for (std::size_t i = 0; i < from.objects.size(); ++i) {
+        const Object& o = from.objects[i];
+        if (!kinds.insert(kind_of(from, settings, o)).second && !outermost.contains(i)) continue;
         const auto [known, first] = meshes.emplace(o.mesh, int(to.meshes.size()));
-        if (first) to.meshes.push_back(outermost_triangles(mesh));
+        if (first) to.meshes.push_back(outermost_triangles(from.meshes[std::size_t(o.mesh)]));
         to.objects.push_back(o);
         to.objects.back().mesh = known->second;
     }

@@ -6,9 +6,9 @@
 
 namespace si {
 
-/// Of each kind of object (what its material, vertices and settings.objects call for) one, and those that reach the
-/// scene's bounds; of their meshes the triangles that reach the bounds; of textures a few texels. Bounds, cameras and
-/// lights are the scene's. A scene that is small comes back as it is, at rest.
+/// Of each kind of object (what its material, vertices and settings.objects call for) one, and those that reach
+/// farthest out; of their meshes the triangles that do; of textures a few texels. Cameras and lights are the scene's,
+/// bounds about those. A scene that is small keeps all its triangles.
 Scene stand_in(const Scene& scene, const Settings& settings);
 
 }  // namespace si

@@ -48,7 +48,7 @@ TEST_F(ReceiversTest, WhatShowsNothingIsEmptyWhateverTheMemoryHeld) {
         for (std::size_t i = 0; i < r.pixels.size(); ++i) {
             ASSERT_EQ(r.pixels[i].hit(), task.ids.data[i].x != 0);
             ASSERT_EQ(r.starts[i].object, r.pixels[i].object);
-            if (!r.pixels[i].hit()) ASSERT_FALSE(r.pixels[i].joins_right || r.pixels[i].joins_below);
+            ASSERT_FALSE(!r.pixels[i].hit() && (r.pixels[i].joins_right || r.pixels[i].joins_below));
         }
         for (glm::uvec2& id : task.ids.data) id = {};
     }

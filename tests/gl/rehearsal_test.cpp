@@ -1,8 +1,11 @@
 // Programs made in the background: the old picture stays meanwhile, and the new one is the bytes of who waited.
+#include <epoxy/gl.h>
+
 #include <filesystem>
 
 #include "app/editor/headless_editor.h"
 #include "app/editor/rehearsals.h"
+#include "renderer/gl/target.h"
 #include "renderer/scene/stand_in.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
@@ -21,6 +24,14 @@ protected:
         auto editor = std::make_unique<HeadlessEditor>(options);
         editor->settle();
         return editor;
+    }
+    /// The scene's picture as it is shown.
+    static std::vector<std::uint8_t> bytes(const HeadlessEditor& editor) {
+        const Image& image = shown(editor).panes.front().picture;
+        std::vector<std::uint8_t> out(std::size_t(image.width) * std::size_t(image.height) * 4);
+        gl::begin_reading();
+        glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.size()), out.data());
+        return out;
     }
     static const FrameResult& shown(const HeadlessEditor& editor) {
         return *const_cast<HeadlessEditor&>(editor).model().facts().result;
@@ -45,24 +56,25 @@ TEST_F(RehearsalTest, TheOldPictureStaysUntilTheProgramsAreThere) {
 }
 
 TEST_F(RehearsalTest, TheFinalPictureIsThatOfWhoWaits) {
-    const auto background = editor_of(true);
-    std::vector<ByteImage> pictures;
+    auto background = editor_of(true);
+    std::vector<std::vector<std::uint8_t>> pictures;
     for (const char* kernel : {"pcf5", "vsm"}) {
         set_setting(background->model().state.settings, "filter.kernel", kernel);
         background->settle();
-        pictures.push_back(background->picture());
+        pictures.push_back(bytes(*background));
     }
+    background.reset();  // one at a time
     const auto at_once = editor_of(false);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         set_setting(at_once->model().state.settings, "filter.kernel", i == 0 ? "pcf5" : "vsm");
         at_once->settle();
-        EXPECT_EQ(different_pixels(pictures[i], at_once->picture()), 0u);
+        EXPECT_TRUE(pictures[i] == bytes(*at_once)) << i;
     }
 }
 
 TEST_F(RehearsalTest, WhatIsTakenBackIsNotDrawn) {
     const auto editor = editor_of(true);
-    const ByteImage before = editor->picture();
+    const std::uint64_t before = shown(*editor).contents.parts.front().drawn;
     const Settings settings = editor->model().state.settings;
     set_setting(editor->model().state.settings, "filter.kernel", "evsm4");
     editor->frame();
@@ -71,7 +83,7 @@ TEST_F(RehearsalTest, WhatIsTakenBackIsNotDrawn) {
     editor->frame();
     EXPECT_FALSE(editor->model().rehearsing()) << "the picture shown is the one wanted";
     editor->settle();
-    EXPECT_EQ(different_pixels(before, editor->picture()), 0u);
+    EXPECT_EQ(shown(*editor).contents.parts.front().drawn, before);
 }
 
 TEST_F(RehearsalTest, NumbersAloneWaitForNothing) {
@@ -89,7 +101,12 @@ TEST_F(RehearsalTest, WhenAllIsForeseenTheEditorRests) {
     rehearsals.wait_for_all();
     const std::size_t done = rehearsals.done();
     EXPECT_GT(done, 0u);
+    const std::uint64_t drawn = shown(*editor).contents.parts.front().drawn;
     for (int i = 0; i < 5; ++i) editor->frame();
+    EXPECT_EQ(shown(*editor).contents.parts.front().drawn, drawn);
+    const EditorModel& model = editor->model();
+    EXPECT_FALSE(model.loading_moved() || model.measuring_moved() || model.tracing_moved())
+        << "nothing calls for a frame";
     rehearsals.wait_for_all();
     EXPECT_EQ(rehearsals.done(), done);
 }
@@ -108,12 +125,10 @@ TEST_F(StandInTest, AStandInCallsForTheProgramsOfItsScene) {
         const Scene scene = load_scene(name);
         const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
         const Scene small = stand_in(scene, s);
-        EXPECT_EQ(small.bounds.lo, scene.bounds.lo) << name;
-        EXPECT_EQ(small.bounds.hi, scene.bounds.hi) << name;
+        EXPECT_LT(glm::distance(small.bounds.lo, scene.bounds.lo), 0.05 * scene.bounds.radius()) << name;
+        EXPECT_LT(glm::distance(small.bounds.hi, scene.bounds.hi), 0.05 * scene.bounds.radius()) << name;
         EXPECT_LE(small.triangle_count(), std::max<std::size_t>(scene.triangle_count(), 20000)) << name;
-        EXPECT_EQ(renderer.programs_key(scene, s, small_frame),
-                  renderer.programs_key(small, s, small_frame))
-            << name;
+        EXPECT_EQ(renderer.programs_key(scene, s, small_frame), renderer.programs_key(small, s, small_frame)) << name;
     }
 }
 
@@ -133,7 +148,7 @@ TEST_F(StandInTest, AStandInOfALargeSceneIsSmallAndKeepsEachKind) {
     finalise(scene);
     const Scene small = stand_in(scene, {});
     EXPECT_LT(small.triangle_count(), 20000u);
-    EXPECT_LT(small.objects.size(), 700u);
+    EXPECT_LT(small.objects.size(), 10u);
     bool masked = false, mirrored = false;
     for (const Object& o : small.objects) {
         masked |= small.meshes[std::size_t(o.mesh)].material == cut;
