@@ -40,8 +40,14 @@ struct Rehearsals::Stage {
         request.force = true, request.timing = false;
         request.truth.reset(), request.traced.clear(), request.light_maps.clear();
         renderer.render(*r.scene, r.settings, request);
-        if (r.probe) renderer.probe(*r.scene, r.settings, request, kWidth / 2, kHeight / 2);
+        if (r.probe) probe(renderer, r, request);
         renderer.take_gl_messages();
+    }
+    /// Of the background little is asked.
+    static void probe(Renderer& renderer, const Rehearsal& r, const FrameRequest& request) {
+        for (int y = kHeight / 2; y < kHeight; y += kHeight / 4)
+            for (int x = kWidth / 2; x < kWidth; x += kWidth / 4)
+                if (renderer.probe(*r.scene, r.settings, request, x, y).hit) return;
     }
 };
 
