@@ -22,6 +22,8 @@ struct EditorOptions {
     int probe_x = -1, probe_y = -1;  ///< pixel of the scene picture probed at the start; negative: none
     std::string tab;                 ///< of the strip below, in front at the start; empty: passes
     std::filesystem::path sweep;     ///< folder of a sweep to show; may be empty
+    /// The last picture stays while programs of the next are made in the background; else each frame waits for its own.
+    bool rehearse = false;
 };
 
 /// @throws UsageError naming the tabs there are

@@ -7,6 +7,7 @@
 #include "app/editor/panel_effects.h"
 #include "app/editor/wishes.h"
 #include "app/report/views.h"
+#include "renderer/scene/stand_in.h"
 
 namespace si {
 
@@ -34,13 +35,14 @@ void FrameLoop::clear() {
 bool FrameLoop::update(const Scene& scene, const EditorActions& actions, const ComparisonFacts* comparison) {
     bool changed = false;
     try {
-        changed |= readings_.update_frozen(renderer_, scene, state_, actions);
+        if (!rehearsing()) changed |= readings_.update_frozen(renderer_, scene, state_, actions);
     } catch (const std::exception& e) {
         report(state_, e.what());
         state_.frozen.reset();
     }
     const bool drawn = draw(scene, actions);
-    changed |= follow_readings(scene, actions, drawn);
+    // Numbers are of the picture shown, whose settings are no longer those of the state.
+    if (!rehearsing()) changed |= follow_readings(scene, actions, drawn);
     try {
         changed |= follow_truth(scene, actions, drawn, comparison);
     } catch (const std::exception& e) {
@@ -97,7 +99,9 @@ bool FrameLoop::draw(const Scene& scene, const EditorActions& actions) {
                       wanted.truth == request_.truth && wanted.traced == request_.traced &&
                       wanted.light_maps == request_.light_maps && wanted.map_camera == request_.map_camera &&
                       drawn_settings_ == settings && drawn_scene_ == scene.id;
-    if (same || actions.scene_width < 1) return false;
+    if (actions.scene_width < 1 || (same && !rehearsing())) return false;
+    if (same) rehearsals_->learn(0);  // settings are again those of the picture shown
+    if (same || waits_for_programs(scene, settings, wanted)) return false;
     request_ = wanted;
     drawn_settings_ = settings;
     drawn_scene_ = scene.id;
@@ -106,6 +110,7 @@ bool FrameLoop::draw(const Scene& scene, const EditorActions& actions) {
         result_ = renderer_.render(scene, drawn_settings_, request_);
         drawn_ = true;
         problem_.clear();
+        learn_programs(scene);
     } catch (const std::exception& e) {
         drawn_ = false;
         if (problem_ != e.what()) report(state_, e.what());
@@ -114,6 +119,41 @@ bool FrameLoop::draw(const Scene& scene, const EditorActions& actions) {
     shader_log_ = renderer_.shader_log();
     for (const std::string& message : renderer_.take_gl_messages()) state_.log.add(LogKind::Warning, message);
     return true;
+}
+
+bool FrameLoop::waits_for_programs(const Scene& scene, const Settings& settings, const FrameRequest& wanted) {
+    programs_ = 0;
+    if (!rehearsals_) return false;
+    if (drawn_scene_ != scene.id && !(scene.rig && scene.rig == drawn_rig_)) {
+        rehearsals_->forget(), foreseen_.clear();
+        drawn_rig_ = scene.rig;
+        return false;
+    }
+    if (!drawn_ || drawn_scene_ != scene.id || shaders_changed_ || !renderer_.holds(result_)) return false;
+    try {
+        programs_ = renderer_.programs_key(scene, settings, wanted);
+        if (rehearsals_->knows(programs_)) return false;
+        if (rehearsals_->is_wanted(programs_)) return true;
+        auto stage = std::make_shared<const Scene>(stand_in(scene, settings));
+        rehearsals_->want({.key = programs_, .scene = std::move(stage), .settings = settings, .request = wanted});
+        return true;
+    } catch (const std::exception&) {
+        return false;  // drawing it says what is wrong
+    }
+}
+
+void FrameLoop::learn_programs(const Scene& scene) {
+    if (!rehearsals_) return;
+    if (programs_ == 0 && !foreseen_.empty()) return rehearsals_->learn(0);
+    if (programs_ == 0) programs_ = renderer_.programs_key(scene, drawn_settings_, request_);
+    rehearsals_->learn(programs_);
+    if (!foreseen_.insert(programs_).second) return;
+    // A hover asks for map coordinates, a click for a probe, the map viewer for its picture.
+    Rehearsal next{.key = 0, .scene = {}, .settings = drawn_settings_, .request = request_, .probe = true};
+    next.request.outputs.shadow_map = next.request.outputs.map_coordinates = next.request.outputs.texels_read = true;
+    next.key = renderer_.programs_key(scene, drawn_settings_, next.request);
+    next.scene = std::make_shared<const Scene>(stand_in(scene, drawn_settings_));
+    rehearsals_->foresee(std::move(next));
 }
 
 bool FrameLoop::follow_readings(const Scene& scene, const EditorActions& actions, bool drawn) {

@@ -5,6 +5,7 @@
 
 #include "app/editor/against.h"
 #include "app/editor/readings.h"
+#include "app/editor/rehearsals.h"
 #include "app/editor/truth.h"
 #include "renderer/frame/effects.h"
 #include "renderer/frame/renderer.h"
@@ -16,7 +17,10 @@ namespace si {
 class FrameLoop {
 public:
     /// @param state of the editor, which lives longer
-    explicit FrameLoop(EditorState& state) : state_(state) {}
+    /// @param rehearse the last picture stays while programs of the next are made in the background
+    FrameLoop(EditorState& state, bool rehearse) : state_(state) {
+        if (rehearse) rehearsals_ = std::make_unique<Rehearsals>();
+    }
 
     /// Draws the scene when anything changed, and whatever follows from it. Errors go to the log. Returns whether the
     /// editor now shows something else. @param comparison what state.compare names; null: not known
@@ -41,12 +45,23 @@ public:
     bool probe_moved() const { return readings_.has_news(); }
     void finish_probe() const { readings_.finish_tracing(); }
     /// Rays of the picture are being traced, or something is made of them; update() has news of it.
-    bool tracing() const { return truth_.busy(); }
-    bool tracing_moved() const { return truth_.moved(); }
-    void finish_tracing() const { truth_.wait(); }
+    bool tracing() const { return truth_.busy() || rehearsing(); }
+    bool tracing_moved() const { return truth_.moved() || (rehearsals_ && rehearsals_->moved()); }
+    void finish_tracing() const {
+        if (rehearsals_) rehearsals_->wait();
+        truth_.wait();
+    }
+    /// Programs are being made for a picture that takes the place of the one shown.
+    bool rehearsing() const { return rehearsals_ && rehearsals_->busy(); }
+    /// Null: every frame makes its own programs.
+    const Rehearsals* rehearsals() const { return rehearsals_.get(); }
 
 private:
     bool draw(const Scene& scene, const EditorActions& actions);
+    /// Whether the picture shown stays, as programs of the wanted one are not there yet.
+    bool waits_for_programs(const Scene& scene, const Settings& settings, const FrameRequest& wanted);
+    /// What was just drawn has its programs; of what is likely to be asked next they are made while nothing happens.
+    void learn_programs(const Scene& scene);
     bool follow_readings(const Scene& scene, const EditorActions& actions, bool drawn);
     /// Traces and compares what is shown.
     bool follow_truth(const Scene& scene, const EditorActions& actions, bool drawn, const ComparisonFacts* comparison);
@@ -59,6 +74,7 @@ private:
     FrameRequest request_;
     Settings drawn_settings_;
     std::uint64_t drawn_scene_ = 0;
+    std::shared_ptr<const Rig> drawn_rig_;
     bool drawn_ = false, shaders_changed_ = false;
     FrameResult result_;
     std::string problem_, shader_log_;
@@ -68,6 +84,9 @@ private:
     std::vector<Effect> frame_effects_;  ///< of the frame drawn last; empty: not asked for yet
     std::vector<Effect> effects_;        ///< these, and what stands behind panels
     std::uint64_t posed_scene_ = 0;      ///< Scene::id of the frame before
+    std::uint64_t programs_ = 0;  ///< Renderer::programs_key() of what is to be drawn; 0: not asked for
+    std::set<std::uint64_t> foreseen_;
+    std::unique_ptr<Rehearsals> rehearsals_;
 };
 
 }  // namespace si

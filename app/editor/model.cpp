@@ -29,7 +29,7 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read)
     : memory_(options.state_folder),
       scenes_(state, memory_, std::move(read), options.headless),
       presets_(state, memory_, scenes_),
-      frames_(state),
+      frames_(state, options.rehearse),
       work_(state, options.state_folder) {
     SessionPlan plan = plan_session(options.session);
     scenes_.begin(plan.settings);

@@ -49,6 +49,10 @@ public:
     /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
     bool tracing_moved() const { return frames_.tracing_moved(); }
     void finish_tracing() const { frames_.finish_tracing(); }
+    /// The picture shown stays while programs of the wanted one are made.
+    bool rehearsing() const { return frames_.rehearsing(); }
+    /// Null without EditorOptions::rehearse.
+    const Rehearsals* rehearsals() const { return frames_.rehearsals(); }
     /// Waits for the scene that is being read and switches to it.
     void finish_loading() { scenes_.finish(); }
     /// @throws Error why there is no scene, or (headless) what of the options the first one lacks.

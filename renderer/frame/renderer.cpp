@@ -9,7 +9,10 @@
 #include "renderer/frame/driver.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/passes/lookup_savings.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
@@ -79,6 +82,22 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
     result.seen_m = f.seen_m;
     if (f.seen_m) result.passes.insert(result.passes.begin(), impl_->resources.seen.info);
     return result;
+}
+
+std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+    FrameState f = impl_->prepare(scene, settings, request);
+    plan_frame(f);
+    Key key;
+    key.add(f.preamble).add(f.gl.programs.source().generation()).add(f.map_format()).add(f.settings.map.samples);
+    key.add(filter_of(f.settings).file).add(bias_of(f.settings).file).add(request.forced.value());
+    for (const gl::Define& d : f.defines) key.add(d.name).add(d.value);
+    for (const FrameState::ShownPane& pane : f.panes) key.add(pane.overlay);
+    for (int i = 0; i < f.settings.light_count; ++i) key.add(source_of(f.settings, i).key);
+    for (const PassInfo& p : plan_passes(f.plan.passes(), wanted_results(f), true, false))
+        if (p.state == PassState::Ran) key.add(p.name);
+    std::uint32_t ways = 0;  // in which batches are drawn
+    for (const Batch& b : f.gl.scene->batches()) ways |= 1u << (int(b.mirrored) + 2 * int(b.cast) + 4 * b.cull);
+    return key.add(ways).value();
 }
 
 void plan_frame(FrameState& f) {

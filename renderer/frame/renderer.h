@@ -35,6 +35,10 @@ public:
     /// Draws what `request` asks for. @throws Error (out of memory, shader compile errors in release builds).
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
 
+    /// Names the programs that render() would draw this frame with: frames of one key need no others. Draws nothing but
+    /// what fits go by.
+    std::uint64_t programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request);
+
     ByteImage read_colour(const Image& image);
     FloatImage read_float(const Image& image, int channels);
     SurfaceIds read_surface_ids(const Image& image);

@@ -62,6 +62,26 @@ bool joined(const Receiver& a, const Receiver& b) {
     return std::abs(glm::dot(d, a.normal_ws)) <= most && std::abs(glm::dot(d, b.normal_ws)) <= most;
 }
 
+constexpr std::size_t kRowsPlaced = 16;  ///< rows that one thread places
+
+void join_row_below(Receivers& to, std::size_t y) {
+    const auto width = std::size_t(to.width);
+    for (std::size_t x = 0; x < width; ++x) {
+        Receiver& r = to.pixels[y * width + x];
+        r.joins_below = joined(r, to.pixels[(y + 1) * width + x]);
+    }
+}
+
+/// @param below whether the row below is there already
+void join_row(Receivers& to, std::size_t y, bool below) {
+    const auto width = std::size_t(to.width);
+    for (std::size_t x = 0; x + 1 < width; ++x) {
+        Receiver& r = to.pixels[y * width + x];
+        r.joins_right = joined(r, to.pixels[y * width + x + 1]);
+    }
+    if (below) join_row_below(to, y);
+}
+
 Receiver meet(const Prepared& triangle, const Camera& camera, std::size_t x, std::size_t y, int width, int height) {
     glm::dvec3 origin, dir;
     camera.pixel_ray(double(x), double(y), width, height, origin, dir);
@@ -83,24 +103,28 @@ Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, c
     out.pixels.resize(ids.data.size()), out.starts.resize(ids.data.size());
     const UnitFrame frame = geometry.unit_frame();
     const auto step = std::size_t(raster.step), left = std::size_t(raster.first.x), top = std::size_t(raster.first.y);
-    const auto width = std::size_t(ids.width);
-    for_blocks(std::size_t(ids.height), workers.part(0, 0.8), [&](std::size_t y) {
+    const auto width = std::size_t(ids.width), height = std::size_t(ids.height);
+    const std::size_t strips = (height + kRowsPlaced - 1) / kRowsPlaced;
+    for_blocks(strips, workers.part(0, 0.95), [&](std::size_t strip) {
+        const std::size_t first = strip * kRowsPlaced, end = std::min(first + kRowsPlaced, height);
         Prepared triangle;
-        for (std::size_t x = 0; x < width; ++x) {
-            const glm::uvec2 id = ids.data[y * width + x];
-            if (id.x == 0) continue;
-            triangle.load(geometry, id.x - 1, id.y);
-            const Receiver& r = out.pixels[y * width + x] =
-                meet(triangle, camera, left + x * step, top + y * step, raster.width, raster.height);
-            out.starts[y * width + x] = {ray_origin(frame, r), glm::vec3(r.normal_ws), r.object};
-        }
+        for (std::size_t y = first; y < end; ++y)
+            for (std::size_t x = 0; x < width; ++x) {
+                const std::size_t i = y * width + x;
+                const glm::uvec2 id = ids.data[i];
+                Receiver r;
+                RayStart start;
+                if (id.x != 0) {
+                    triangle.load(geometry, id.x - 1, id.y);
+                    r = meet(triangle, camera, left + x * step, top + y * step, raster.width, raster.height);
+                    start = {ray_origin(frame, r), glm::vec3(r.normal_ws), r.object};
+                }
+                out.pixels[i] = r, out.starts[i] = start;
+            }
+        for (std::size_t y = first; y < end; ++y) join_row(out, y, y + 1 < end);  // while it is in the cache
     });
-    for_blocks(std::size_t(ids.height), workers.part(0.8, 1), [&](std::size_t y) {
-        for (std::size_t x = 0; x < width; ++x) {
-            Receiver& r = out.pixels[y * width + x];
-            if (x + 1 < width) r.joins_right = joined(r, out.pixels[y * width + x + 1]);
-            if (y + 1 < std::size_t(ids.height)) r.joins_below = joined(r, out.pixels[(y + 1) * width + x]);
-        }
+    for_blocks(strips, workers.part(0.95, 1), [&](std::size_t strip) {
+        if (const std::size_t below = (strip + 1) * kRowsPlaced; below < height) join_row_below(out, below - 1);
     });
     return out;
 }

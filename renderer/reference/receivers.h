@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <vector>
 
+#include "renderer/base/big_array.h"
 #include "renderer/frame/frame.h"
 #include "renderer/reference/truth_geometry.h"
 #include "renderer/reference/workers.h"
@@ -36,8 +36,8 @@ struct RayStart {
 /// One per pixel, top row first.
 struct Receivers {
     int width = 0, height = 0;
-    std::vector<Receiver> pixels;
-    std::vector<RayStart> starts = {};  ///< of the pixels, or empty: traces then take longer
+    BigArray<Receiver> pixels;
+    BigArray<RayStart> starts = {};  ///< of the pixels, or empty: traces then take longer
     const Receiver& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 

@@ -13,7 +13,8 @@
 namespace si {
 namespace {
 
-constexpr int kTile = 16;  ///< pixels a side: neighbours' rays meet the same nodes
+constexpr int kTile = 16;   ///< pixels a side: neighbours' rays meet the same nodes
+constexpr int kSquare = 4;  ///< pixels a side whose rays are traced at once, in one packet
 constexpr int kFirstParts = 8;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
@@ -85,12 +86,13 @@ public:
             thread_local std::vector<Hit> hits;
             std::array<std::size_t, kPixelStates> pixels{};
             batch.clear();
-            for (int y = y0; y < y1; ++y)
-                for (int x = x0; x < x1; ++x) {
-                    const std::size_t i = index(x, y);
-                    if (quick && y + 1 < y1) __builtin_prefetch(&receivers_.starts[i + std::size_t(receivers_.width)]);
-                    ++pixels[std::size_t(quick ? classify_quickly(i, batch) : classify(i, batch))];
-                }
+            for (int square_y = y0; square_y < y1; square_y += kSquare)
+                for (int square_x = x0; square_x < x1; square_x += kSquare)
+                    for (int y = square_y; y < std::min(square_y + kSquare, y1); ++y)
+                        for (int x = square_x; x < std::min(square_x + kSquare, x1); ++x) {
+                            const std::size_t i = index(x, y);
+                            ++pixels[std::size_t(quick ? classify_quickly(i, batch) : classify(i, batch))];
+                        }
             batch.trace(scene_, culls_, [&](std::uint32_t i, bool occluded) {
                 if (!occluded) return;
                 out_.visibility.data[i] = 0;

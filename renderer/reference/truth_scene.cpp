@@ -82,24 +82,41 @@ private:
         check(impl_.device, stop_);
         auto* corners = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
             geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
-        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-            geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.triangles()));
-        if (mesh.triangles() > 0 && (!corners || !indices)) check(impl_.device, stop_);
+        if (mesh.triangles() > 0 && !corners) check(impl_.device, stop_);
         for (std::size_t i = 0; i < mesh.positions.size(); ++i)
             corners[i] = glm::vec3(unit_from_mesh * glm::dvec4(glm::dvec3(mesh.positions[i]), 1));
-        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-            std::copy_n(&mesh.indices[i], 3, indices + i);
-            const glm::dvec3 a(corners[indices[i]]), b(corners[indices[i + 1]]), c(corners[indices[i + 2]]);
-            // A needle that rounding made straight can be hit where nothing is; a point cannot.
-            const glm::dvec3 cross = glm::cross(b - a, c - a);
-            if (!(glm::dot(cross, cross) > 0)) indices[i + 1] = indices[i + 2] = indices[i];
-        }
+        set_indices(geometry, mesh, corners);
         if (mesh.mask) {
             rtcSetGeometryUserData(geometry.get(), const_cast<AlphaMask*>(mesh.mask.get()));
             rtcSetGeometryOccludedFilterFunction(geometry.get(), solid_points);
             rtcSetGeometryIntersectFilterFunction(geometry.get(), solid_points);
         }
         return geometry;
+    }
+
+    /// Those of the mesh, which outlives the hierarchy, unless some triangle has to be another here.
+    void set_indices(const embree::Geometry& geometry, const TruthMesh& mesh, const glm::vec3* corners) {
+        constexpr std::size_t kStride = 3 * sizeof(std::uint32_t);
+        // A needle that rounding made straight can be hit where nothing is; a point cannot.
+        const auto is_needle = [&](std::size_t i) {
+            const glm::dvec3 a(corners[mesh.indices[i]]), b(corners[mesh.indices[i + 1]]),
+                c(corners[mesh.indices[i + 2]]);
+            const glm::dvec3 cross = glm::cross(b - a, c - a);
+            return !(glm::dot(cross, cross) > 0);
+        };
+        std::vector<std::size_t> needles;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+            if (is_needle(i)) needles.push_back(i);
+        if (needles.empty()) {
+            rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.indices.data(),
+                                       0, kStride, mesh.triangles());
+            return;
+        }
+        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+            geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, kStride, mesh.triangles()));
+        if (!indices) check(impl_.device, stop_);
+        std::copy(mesh.indices.begin(), mesh.indices.end(), indices);
+        for (const std::size_t i : needles) indices[i + 1] = indices[i + 2] = indices[i];
     }
 
     embree::Geometry instance(const TruthObject& o, const glm::dmat4& unit_from_mesh) {

@@ -284,12 +284,9 @@ void register_all() {
 }
 
 }  // namespace
-}  // namespace si
 
-int main(int argc, char** argv) {
-    si::register_all();
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    benchmark::RunSpecifiedBenchmarks();
-    benchmark::Shutdown();
+void register_frame_benchmarks() {
+    register_all();
 }
+
+}  // namespace si

@@ -16,8 +16,8 @@ Receiver receiver_on(const TruthGeometry& geometry, std::uint32_t object, std::u
     return r;
 }
 
-Receivers row_of(std::vector<Receiver> pixels) {
-    return {int(pixels.size()), 1, std::move(pixels)};
+Receivers row_of(const std::vector<Receiver>& pixels) {
+    return {int(pixels.size()), 1, {pixels.begin(), pixels.end()}};
 }
 
 SurfaceIds ids_by_rays(const Scene& scene, const Camera& camera, int width, int height) {

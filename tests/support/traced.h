@@ -13,7 +13,7 @@ Receiver receiver_on(const TruthGeometry& geometry, std::uint32_t object, std::u
                      bool turned = false);
 
 /// A picture of one row.
-Receivers row_of(std::vector<Receiver> pixels);
+Receivers row_of(const std::vector<Receiver>& pixels);
 
 /// What the GPU would draw, by a ray for each pixel against each triangle. Small scenes only.
 SurfaceIds ids_by_rays(const Scene& scene, const Camera& camera, int width, int height);

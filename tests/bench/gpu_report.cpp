@@ -1,0 +1,234 @@
+#include "tests/bench/gpu_report.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "app/base/output.h"
+#include "app/context/headless_context.h"
+#include "renderer/base/error.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/gl/handle.h"
+#include "renderer/settings/param.h"
+#include "tests/bench/rounds.h"
+#include "tests/support/agreed_scene.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+struct Way {
+    std::string name;
+    std::function<double()> gpu_ms;  ///< draws once
+};
+
+Json spread_json(const std::vector<double>& ms) {
+    const Quartiles s(ms);
+    return {{"median", s.median}, {"p25", s.p25}, {"p75", s.p75}};
+}
+
+/// Two ways in turn. Whose quarters lie wholly below the other's is preferred.
+Json choice(const std::string& key, const std::string& question, const Way& a, const Way& b, int rounds) {
+    for (int i = 0; i < 3; ++i) a.gpu_ms(), b.gpu_ms();  // first use compiles
+    std::vector<double> ms_a, ms_b, wall_a, wall_b, ratios;
+    for (int i = 0; i < rounds; ++i) {
+        const auto take = [](const Way& way, std::vector<double>& ms, std::vector<double>& wall) {
+            wall.push_back(wall_ms([&] {
+                ms.push_back(way.gpu_ms());
+                glFinish();
+            }));
+        };
+        take(a, ms_a, wall_a), take(b, ms_b, wall_b);
+        ratios.push_back(ms_b.back() / std::max(ms_a.back(), 1e-6));
+    }
+    const Quartiles ratio(ratios);
+    const std::string preferred = ratio.p25 > 1 ? a.name : ratio.p75 < 1 ? b.name : "undecided";
+    const auto way = [](const Way& w, const std::vector<double>& ms, const std::vector<double>& wall) {
+        return Json{{"name", w.name}, {"ms", spread_json(ms)}, {"wall_ms", spread_json(wall)}};
+    };
+    return {{"key", key},
+            {"question", question},
+            {"a", way(a, ms_a, wall_a)},
+            {"b", way(b, ms_b, wall_b)},
+            {"ratio_b_to_a", spread_json(ratios)},
+            {"preferred", preferred},
+            {"rounds", rounds}};
+}
+
+/// The renderer's choices on the agreed scene: two sets of settings, or a saving made and not.
+class RendererChoices {
+public:
+    RendererChoices(Renderer& renderer, Json& to, int rounds) : renderer_(renderer), to_(to), rounds_(rounds) {}
+
+    void add(const std::string& key, const std::string& question, const Sets& common, const Sets& a, const Sets& b) {
+        to_.push_back(choice(key, question, way(common, a, {}), way(common, b, {}), rounds_));
+    }
+    void add_saving(const SavingRow& row, Saving saving) {
+        Way made = way({{"filter.kernel", "pcf3"}}, {}, {}), forced = way({{"filter.kernel", "pcf3"}}, {}, {saving});
+        made.name = "made", forced.name = "not made";
+        to_.push_back(choice(fmt::format("saving/{}", row.key), std::string(row.help), made, forced, rounds_));
+    }
+
+private:
+    Renderer& renderer_;
+    Json& to_;
+    int rounds_;
+    Scene scene_ = test::agreed_scene(test::AgreedSize::Triangles100k);
+
+    Way way(const Sets& common, const Sets& own, const SavingSet& forced) {
+        Settings s;
+        s.lights[0].elevation = 45;
+        std::string name;
+        for (const Sets* sets : {&common, &own})
+            for (const auto& [key, value] : *sets) set_setting(s, key, value);
+        for (const auto& [key, value] : own) name += fmt::format("{}{}={}", name.empty() ? "" : " ", key, value);
+        FrameRequest request{.width = 1280, .height = 720};
+        request.timing = request.force = true;
+        request.forced = forced;
+        return {name, [this, s, request] {
+                    double ms = 0;
+                    for (const PassInfo& p : renderer_.render(scene_, s, request).passes) ms += p.gpu_ms;
+                    return ms;
+                }};
+    }
+};
+
+gl::Program program_of(const std::string& fragment) {
+    static constexpr const char* kVertex =
+        "#version 450 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, "
+        "1); }\n";
+    gl::Program program = gl::Program::create("gpu report");
+    const std::array<std::pair<GLenum, const char*>, 2> stages = {
+        {{GL_VERTEX_SHADER, kVertex}, {GL_FRAGMENT_SHADER, fragment.c_str()}}};
+    for (const auto& [stage, text] : stages) {
+        const GLuint shader = glCreateShader(stage);
+        glShaderSource(shader, 1, &text, nullptr);
+        glCompileShader(shader);
+        glAttachShader(program.id(), shader);
+        glDeleteShader(shader);
+    }
+    glLinkProgram(program.id());
+    GLint ok = 0;
+    glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
+    if (!ok) throw Error("a program of the report does not link");
+    return program;
+}
+
+/// Lambert and a highlight for each light at each pixel: lights as constants unrolled, or counted by a uniform.
+std::string light_loop(bool by_uniform, int lights) {
+    const std::string count = by_uniform ? "uniform int count;\nuniform int kind[16];\n"
+                                         : fmt::format(
+                                               "const int count = {};\nconst int kind[16] = int[](0, 1, 0, 1, 0, "
+                                               "1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1);\n",
+                                               lights);
+    return "#version 450 core\n" + count + R"(
+layout(location = 0) out vec4 colour;
+void main() {
+    vec3 p = vec3(gl_FragCoord.xy * 0.01, 1), n = normalize(vec3(sin(p.x), 2, cos(p.y))), sum = vec3(0);
+    for (int i = 0; i < count; ++i) {
+        vec3 at = vec3(3 * i, 4, 2 * i), l = kind[i] == 0 ? normalize(at) : normalize(at - p);
+        float fall = kind[i] == 0 ? 1 : 1 / (1 + dot(at - p, at - p));
+        sum += fall * (max(dot(n, l), 0) + pow(max(dot(n, normalize(l + vec3(0, 0, 1))), 0), 32));
+    }
+    colour = vec4(sum, 1);
+}
+)";
+}
+
+/// A picture that full-screen programs draw into.
+class Screen {
+public:
+    static constexpr int kWidth = 1280, kHeight = 720;
+    Screen() {
+        glTextureStorage2D(colour_.id(), 1, GL_RGBA8, kWidth, kHeight);
+        glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, colour_.id(), 0);
+    }
+    /// Finished wall time: one draw is too little for a frame's clock.
+    double ms(GLuint program) const {
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+        glViewport(0, 0, kWidth, kHeight);
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
+        glBindVertexArray(vao_.id());
+        glUseProgram(program);
+        glFinish();
+        return wall_ms([] {
+                   for (int i = 0; i < 4; ++i) glDrawArrays(GL_TRIANGLES, 0, 3);
+                   glFinish();
+               }) /
+               4;
+    }
+
+private:
+    gl::VertexArray vao_ = gl::VertexArray::create("gpu report");
+    gl::Texture colour_ = gl::Texture::create("gpu report", GL_TEXTURE_2D);
+    gl::Framebuffer framebuffer_ = gl::Framebuffer::create("gpu report");
+};
+
+void add_light_loops(Json& to, int rounds) {
+    const Screen screen;
+    for (const int lights : {1, 4, 16}) {
+        const gl::Program constant = program_of(light_loop(false, lights)),
+                          uniform = program_of(light_loop(true, lights));
+        std::array<GLint, 16> kinds{};
+        for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = GLint(i % 2);
+        glProgramUniform1i(uniform.id(), glGetUniformLocation(uniform.id(), "count"), lights);
+        glProgramUniform1iv(uniform.id(), glGetUniformLocation(uniform.id(), "kind"), 16, kinds.data());
+        to.push_back(choice(fmt::format("light_loop/{}", lights),
+                            "A program for each number and kind of lights, or one that branches on uniforms?",
+                            {"a program each", [&] { return screen.ms(constant.id()); }},
+                            {"uniform branches", [&] { return screen.ms(uniform.id()); }}, rounds));
+    }
+}
+
+Json driver_json(const DriverInfo& d) {
+    return {{"vendor", d.vendor},
+            {"renderer", d.renderer},
+            {"version", d.version},
+            {"glsl", d.glsl},
+            {"software", d.software},
+            {"max_texture_size", d.max_texture_size},
+            {"subpixel_bits", d.subpixel_bits}};
+}
+
+void add_renderer_choices(Renderer& renderer, Json& to, int rounds) {
+    RendererChoices choices(renderer, to, rounds);
+    for (const char* kernel : {"hw2x2", "pcf3", "pcf5", "pcf7"})
+        choices.add(fmt::format("gather_or_sampler/{}", kernel),
+                    "Gather four texels and compare them in the shader, or have the shadow sampler compare?",
+                    {{"filter.kernel", kernel}}, {{"filter.method", "gather"}}, {{"filter.method", "sampler"}});
+    for (const char* kernel : {"hard", "pcf3", "pcf5"})
+        choices.add(fmt::format("fused_or_separate/{}", kernel),
+                    "Evaluate visibility inside shading, or in a pass of its own?", {{"filter.kernel", kernel}},
+                    {{"shading.separate_visibility", "false"}}, {{"shading.separate_visibility", "true"}});
+    choices.add("back_faces", "Draw both faces of casters into the map, or leave out those that face away?",
+                {{"filter.kernel", "hard"}}, {{"caster.cull", "none"}}, {{"caster.cull", "back"}});
+    choices.add("map_format", "Store depths in 32-bit floats, or in 16 bits?", {{"filter.kernel", "pcf3"}},
+                {{"map.format", "d32f"}}, {{"map.format", "d16"}});
+    for (std::size_t i = 0; i < kSavings; ++i) choices.add_saving(savings()[i], Saving(i));
+}
+
+}  // namespace
+
+void write_gpu_report(const std::filesystem::path& file, int rounds) {
+    require_writable(file);
+    const HeadlessContext context;
+    Json report{{"what", "shadow-inspector GPU report"}, {"version", 1}, {"context", context.description()}};
+    Json choices = Json::array();
+    {
+        Renderer renderer;
+        const DriverInfo& driver = renderer.driver();
+        report["driver"] = driver_json(driver);
+        report["clock"] = {{"used", driver.clock}, {"query_share_of_wall_time", driver.query_share}};
+        add_renderer_choices(renderer, choices, rounds);
+    }
+    add_light_loops(choices, rounds);
+    report["choices"] = std::move(choices);
+    write_file(file, report.dump(1) + "\n");
+}
+
+}  // namespace si

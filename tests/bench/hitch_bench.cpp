@@ -1,0 +1,166 @@
+// What a person waits for in the editor, drawn without a window: the longest frame of the editor while something is
+// done for the first time, with programs made in the background and without, and when it is done again. Each with an
+// empty shader cache of its own.
+#include <benchmark/benchmark.h>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <thread>
+
+#include "app/editor/headless_editor.h"
+#include "app/editor/rehearsals.h"
+#include "renderer/settings/param.h"
+#include "tests/bench/rounds.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Mesa keeps what it compiled in a folder, by which the process goes from its first context on. Emptied, it has
+/// nothing.
+struct EmptyShaderCache {
+    EmptyShaderCache() {
+        static const fs::path folder = [] {
+            const fs::path made = fs::temp_directory_path() / fmt::format("si-bench-shaders-{}", ::getpid());
+            fs::create_directories(made);
+            ::setenv("MESA_SHADER_CACHE_DIR", made.c_str(), 1);
+            std::atexit([] { fs::remove_all(std::getenv("MESA_SHADER_CACHE_DIR")); });
+            return made;
+        }();
+        for (const auto& entry : fs::recursive_directory_iterator(folder))
+            if (entry.is_regular_file() && entry.path().filename() != "index") fs::remove(entry.path());
+    }
+};
+
+struct Hands {
+    EmptyShaderCache cache;
+    double start_ms = 0;
+    std::unique_ptr<HeadlessEditor> editor;
+
+    explicit Hands(bool rehearse) {
+        EditorOptions options;
+        options.session.scene = "stage";
+        options.headless = true, options.rehearse = rehearse;
+        start_ms = wall_ms([&] {
+            editor = std::make_unique<HeadlessEditor>(options);
+            editor->model().finish_loading();
+            while (!editor->model().facts().result) frame();
+        });
+        editor->settle();
+    }
+    /// One of the editor's, finished.
+    double frame() {
+        return wall_ms([&] {
+            editor->frame();
+            glFinish();
+        });
+    }
+    void settle() {
+        editor->settle();
+        if (const Rehearsals* r = editor->model().rehearsals()) r->wait_for_all();
+        for (int i = 0; i < 4; ++i) frame();
+    }
+    /// The longest frame until what `act` changed is shown.
+    double longest(const std::function<void()>& act) {
+        act();
+        double ms = 0;
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        for (int still = 0; still < 4 && std::chrono::steady_clock::now() < end;) {
+            ms = std::max(ms, frame());
+            still = editor->model().rehearsing() ? 0 : still + 1;
+            if (editor->model().rehearsing()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        return ms;
+    }
+    EditorState& state() { return editor->model().state; }
+};
+
+/// The first time, each kernel of a few; then each again.
+void switch_filter(benchmark::State& state, bool rehearse) {
+    std::vector<double> first, again;
+    for (auto _ : state) {
+        Hands hands(rehearse);
+        for (auto* ms : {&first, &again})
+            for (const char* kernel : {"pcf5", "pcss", "vsm"}) {
+                ms->push_back(hands.longest([&] { set_setting(hands.state().settings, "filter.kernel", kernel); }));
+                if (ms == &first) state.SetIterationTime(first.back() / 1000);
+            }
+    }
+    state.counters["first_ms"] = median(first);
+    state.counters["first_worst_ms"] = *std::max_element(first.begin(), first.end());
+    state.counters["again_ms"] = median(again);
+    state.counters["again_worst_ms"] = *std::max_element(again.begin(), again.end());
+}
+
+/// From nothing to the first picture; then the first and the second hover and click in the picture.
+void first_touch(benchmark::State& state, bool rehearse) {
+    std::vector<double> start, hover, hover_again, click, click_again;
+    for (auto _ : state) {
+        Hands hands(rehearse);
+        start.push_back(hands.start_ms);
+        hands.settle();  // a person who looks before touching
+        const auto move = [&](float x) { return [&hands, x] { hands.editor->mouse.at = {x, 380.f}; }; };
+        hover.push_back(hands.longest(move(700)));
+        hover_again.push_back(hands.longest(move(720)));
+        const auto probe = [&](int x) { return [&hands, x] { hands.state().probe_pixel = glm::ivec2(x, 200); }; };
+        click.push_back(hands.longest(probe(300)));
+        click_again.push_back(hands.longest(probe(330)));
+        state.SetIterationTime(start.back() / 1000);
+    }
+    state.counters["start_ms"] = median(start);
+    state.counters["hover_ms"] = median(hover);
+    state.counters["hover_again_ms"] = median(hover_again);
+    state.counters["click_ms"] = median(click);
+    state.counters["click_again_ms"] = median(click_again);
+}
+
+/// The panels' own work: a frame in which nothing changes, and one whose light turns, with each tab in front; and the
+/// share of one processor that a still editor's thread pool takes while nobody asks for a frame.
+void editor_overhead(benchmark::State& state) {
+    Hands hands(true);
+    std::vector<double> idle, drawn;
+    for (auto _ : state) {
+        for (const BottomTab tab : {BottomTab::Passes, BottomTab::Probe, BottomTab::Error, BottomTab::Objects,
+                                    BottomTab::Compare, BottomTab::Frontier, BottomTab::Log}) {
+            hands.state().open_tab = tab;
+            hands.settle();
+            idle.push_back(hands.frame());
+            hands.state().settings.lights[0].azimuth += 1;
+            drawn.push_back(hands.frame());
+        }
+        state.SetIterationTime(idle.back() / 1000);
+    }
+    state.counters["idle_ms"] = median(idle);
+    state.counters["drawn_ms"] = median(drawn);
+    hands.settle();
+    timespec before{}, after{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &before);
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &after);
+    state.counters["still_cpu_ms_a_second"] =
+        double(after.tv_sec - before.tv_sec) * 1e3 + double(after.tv_nsec - before.tv_nsec) / 1e6;
+}
+
+const bool registered_hitches = [] {
+    const auto add = [](const char* name, auto work) {
+        benchmark::RegisterBenchmark(name, work)
+            ->UseManualTime()
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(bench_rounds(3));
+    };
+    for (const bool rehearse : {false, true}) {
+        add(rehearse ? "switch_filter/background" : "switch_filter/at_once",
+            [rehearse](benchmark::State& s) { switch_filter(s, rehearse); });
+        add(rehearse ? "first_touch/background" : "first_touch/at_once",
+            [rehearse](benchmark::State& s) { first_touch(s, rehearse); });
+    }
+    add("editor_overhead", editor_overhead);
+    return true;
+}();
+
+}  // namespace
+}  // namespace si
