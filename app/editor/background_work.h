@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "app/editor/advice.h"
 #include "app/editor/cures.h"
 #include "app/editor/scene_desk.h"
 #include "app/editor/sweep.h"
@@ -30,13 +31,14 @@ public:
     void open_sweep(const std::filesystem::path& folder) { sweep_.open(folder, state_.sweep); }
     void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
 
-    bool busy() const { return sweep_.busy() || tuner_.running() || cures_.running(); }
-    bool moved() const { return sweep_.moved() || tuner_.moved() || cures_.moved(); }
-    void finish() const { sweep_.wait(), tuner_.wait(), cures_.wait(); }
+    bool busy() const { return sweep_.busy() || tuner_.running() || cures_.running() || advice_.running(); }
+    bool moved() const { return sweep_.moved() || tuner_.moved() || cures_.moved() || advice_.moved(); }
+    void finish() const { sweep_.wait(), tuner_.wait(), cures_.wait(), advice_.wait(); }
 
 private:
     bool poll_tuning(const Scene* scene);
-    bool poll_cures();
+    /// Of cures and of advice.
+    bool poll_found(auto& search);
     void start_cures(const Scene& scene, glm::ivec2 size, std::span<const Dossier> dossiers, const CureWish& wish);
     void take_sweep_base();
 
@@ -45,6 +47,7 @@ private:
     EditorTuner tuner_;
     std::optional<TuningOutcome> tuned_;  ///< the last that tried families of biases
     EditorCures cures_;
+    EditorAdvice advice_;
 };
 
 }  // namespace si

@@ -117,12 +117,14 @@ EditorActions UiHarness::frame() {
         facts.tuned = tuned;
         facts.tuned_current = tuned_current;
         facts.cures = cures;
+        static_cast<AdviceShown&>(facts) = advice;
     }
     ImGui::NewFrame();
     EditorActions actions = draw_editor(state, facts);
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
-    if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures || actions.forget_cures)
+    if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures || actions.forget_cures ||
+        actions.find_advice || actions.cancel_advice)
         last_wish = actions;
     io.MouseWheel = 0;
     return actions;

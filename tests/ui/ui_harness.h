@@ -47,6 +47,7 @@ public:
     std::vector<TunedFamily> tuned;
     bool tuned_current = true;
     CureSearch cures;
+    AdviceShown advice;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
     double frame_seconds = 1.0 / 60;
