@@ -152,6 +152,7 @@ void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_flag("--area", o.area,
                 "Against a light of its size (light.size), not a point or direction. As --set truth.area=true");
     c->add_flag("!--no-time", o.measure.time, "Take no times");
+    add_cost_option(*c, o.measure.cost);
     c->add_flag(
         "--cures", o.measure.cures,
         "Draw and judge what may put wrong pixels right: pixels cured and broken, time and bytes of each change");

@@ -2,12 +2,33 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/error.h"
+
 namespace si {
 namespace {
 
 constexpr const char* kAreaHelp =
     "Against a light of its size (light.size), not a point or direction. As --set truth.area=true";
 constexpr const char* kAreaSet = "truth.area=true";
+
+}  // namespace
+
+void add_cost_option(CLI::App& command, CostCase& cost) {
+    command
+        .add_option_function<std::string>(
+            "--cost",
+            [&cost](const std::string& key) {
+                try {
+                    cost = parse_cost(key);
+                } catch (const Error& e) {
+                    throw CLI::ValidationError("--" + std::string(e.what()));
+                }
+            },
+            fmt::format("Of which frames times are: {} (default: {})", cost_keys(), row_of(kDefaultCost).key))
+        ->type_name("FRAMES");
+}
+
+namespace {
 
 void add_sweep(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, const AddSessionOptions& add_session) {
     auto* c =
@@ -31,6 +52,7 @@ void add_sweep(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, 
     c->add_option("--frames", o.sweep.timing.frames, "Timed frames of a case in a round (default 3)")
         ->check(CLI::Range(1, 1'000));
     c->add_flag("--area", o.area, kAreaHelp);
+    add_cost_option(*c, o.sweep.timing.cost);
     c->add_flag("--no-time", o.no_time, "Measure errors and costs only");
     c->add_option("--shard", o.sweep.shard, "Measure only part I of N, without times (`merge` puts parts together)")
         ->type_name("I/N");
@@ -78,6 +100,7 @@ void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
         ->type_name("NAME");
     c->add_flag("--area", o.area, kAreaHelp);
     c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");
+    add_cost_option(*c, o.tune.cost);
     c->add_flag("--json", o.tune.json, "What was tried and found as JSON");
     c->callback([&o, &run] {
         run = [&o] {
@@ -110,6 +133,44 @@ void add_plan(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
     });
 }
 
+void add_advise(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, const AddSessionOptions& add_session) {
+    auto* c = app.add_subcommand("advise",
+                                 "Say what may be changed at no loss, or at which, each measured with truth and clock; "
+                                 "with a bound, find the cheapest effects that hold it (autopilot)");
+    AdviseOptions& a = o.advise;
+    add_session(*c, a.session);
+    c->add_option("--max-error", a.most_error, "Autopilot: the cheapest effects whose error (--error) is at most this")
+        ->check(CLI::PositiveNumber)
+        ->type_name("E");
+    c->add_option("--max-ms", a.most_ms,
+                  "Autopilot: the most accurate effects whose frame takes at most this long (--cost)")
+        ->check(CLI::PositiveNumber)
+        ->type_name("MS");
+    c->add_option("--error", a.error,
+                  fmt::format("Which error, as `measure --json` names it: {} (default: the first)",
+                              fmt::join(tuned_errors(), ", ")))
+        ->type_name("NAME");
+    c->add_option("--vary", a.vary,
+                  "What the autopilot chooses among, as in `sweep`; may be repeated (default: what the scene leaves "
+                  "open)")
+        ->type_name("KEY=VALUES")
+        ->allow_extra_args(false);
+    c->add_option("--seconds", a.most_seconds, "After which the autopilot tries nothing more (default 100)")
+        ->check(CLI::Range(1.0, 1e6));
+    c->add_option("-o,--output", a.output, "The preset that the autopilot writes, .json")->type_name("PRESET");
+    add_cost_option(*c, a.cost);
+    c->add_flag("--area", o.area, kAreaHelp);
+    c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");
+    c->add_flag("--json", a.json, "All that was found and tried as JSON");
+    c->callback([&o, &run] {
+        run = [&o] {
+            if (!o.size.empty()) o.advise.size = parse_size(o.size);
+            if (o.area) o.advise.session.sets.push_back(kAreaSet);
+            run_advise(o.advise);
+        };
+    });
+}
+
 }  // namespace
 
 void add_measure_commands(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
@@ -118,6 +179,7 @@ void add_measure_commands(CLI::App& app, MeasureCliOptions& o, std::function<voi
     add_merge(app, o, run);
     add_tune(app, o, run, add_session);
     add_plan(app, o, run, add_session);
+    add_advise(app, o, run, add_session);
 }
 
 }  // namespace si

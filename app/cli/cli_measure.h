@@ -14,12 +14,16 @@ struct MeasureCliOptions {
     MergeOptions merge;
     TuneOptions tune;
     PlanOptions plan;
+    AdviseOptions advise;
     std::string size;
     bool no_time = false, area = false;
 };
 
 /// Adds SCENE, --preset and --set to a command.
 using AddSessionOptions = std::function<void(CLI::App& command, SessionOptions& session)>;
+
+/// Adds --cost to a command.
+void add_cost_option(CLI::App& command, CostCase& cost);
 
 /// Adds the commands; `run` becomes what the one that is called does.
 void add_measure_commands(CLI::App& app, MeasureCliOptions& options, std::function<void()>& run,

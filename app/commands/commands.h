@@ -9,6 +9,7 @@
 
 #include "app/session/session.h"
 #include "app/sweep/timing.h"
+#include "renderer/reference/metrics.h"
 #include "renderer/reference/truth.h"
 
 namespace si {
@@ -50,6 +51,7 @@ struct MeasureOptions {
     PictureSize size;
     bool time = true, json = false;
     bool cures = false;  ///< and what would put wrong pixels right
+    CostCase cost = kDefaultCost;
 };
 /// How far the shadows of view.light are from the truth, and what they cost, in numbers.
 void run_measure(const MeasureOptions& options);
@@ -70,12 +72,30 @@ struct TuneOptions {
     std::string output, error;  ///< error: one of tuned_errors(); empty: the first
     std::optional<double> most_error, most_ms;
     PictureSize size;
+    CostCase cost = kDefaultCost;
     bool json = false;
 };
 /// Writes a preset with the least bias that leaves no acne; with limits, with the kernel and resolution that suit them.
 void run_tune(const TuneOptions& options);
 /// Keys of the metrics() that a limit can bound.
 std::vector<std::string_view> tuned_errors();
+
+/// @throws UsageError naming those that there are @param key empty: the first
+const Metric& tuned_error(const std::string& key);
+
+struct AdviseOptions {
+    SessionOptions session;
+    std::string output, error;  ///< as of TuneOptions; output: the preset that the autopilot writes
+    std::optional<double> most_error, most_ms;
+    std::vector<std::string>
+        vary;  ///< what the autopilot chooses among, as in a sweep; empty: what the scene leaves open
+    double most_seconds = 100;
+    PictureSize size;
+    CostCase cost = kDefaultCost;
+    bool json = false;
+};
+/// What the scene says may be changed, measured; with a bound the autopilot.
+void run_advise(const AdviseOptions& options);
 
 struct ProbeOptions {
     SessionOptions session;

@@ -203,7 +203,8 @@ void run_docs_techniques(const std::string& output) {
             if (interrupt.asked()) interrupt.end();
             line.show(fmt::format("{} of {}  {}", ++done, count, e.label), false);
             const Judgement judged = measurer.judge(scene, e.settings);
-            const TimeMeasurement time = measurer.time(scene, e.settings, {.least = 5, .most = 15, .bursts = 3});
+            const TimeMeasurement time =
+                measurer.time(scene, e.settings, CostCase::Forced, {.least = 5, .most = 15, .bursts = 3});
             const std::string file = picture_name(s, e);
             write_png(pictures / file,
                       side_by_side(shrunk(judged.picture, kShownWidth), shrunk(judged.artefacts, kShownWidth)));

@@ -55,9 +55,9 @@ void print_time_and_cost(const std::optional<TimeMeasurement>& time, const WorkC
     if (time) {
         const Spread& t = time->total_ms;
         fmt::print(
-            "{:.3g} ms a frame within this run ({:.3g} to {:.3g}: 95 % interval of the median of {} frames in {} "
+            "{:.3g} ms a frame {} within this run ({:.3g} to {:.3g}: 95 % interval of the median of {} frames in {} "
             "bursts over {:.1f} s, {}; 95 % of frames below {:.3g}; {})\n",
-            t.median, t.median_low, t.median_high, t.samples, t.bursts, time->seconds,
+            t.median, row_of(time->cost).when, t.median_low, t.median_high, t.samples, t.bursts, time->seconds,
             time->settled ? "settled" : "not settled", t.p95, time->clock);
         for (const PassTime& pass : time->passes)
             fmt::print("  {:<32} {:>9.3g} ms   95 % below {:.3g}\n", pass.name, pass.gpu_ms.median, pass.gpu_ms.p95);
@@ -75,7 +75,7 @@ void run_measure(const MeasureOptions& options) {
     Measurer measurer(renderer, options.size.width, options.size.height);
     const Judgement judged = measurer.judge(session.scene, session.settings);
     std::optional<TimeMeasurement> time;
-    if (options.time) time = measurer.time(session.scene, session.settings);
+    if (options.time) time = measurer.time(session.scene, session.settings, options.cost);
     std::optional<CureTable> cures;
     if (options.cures) {
         TruthCache cache;

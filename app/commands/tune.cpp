@@ -22,13 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const Metric& error_named(const std::string& key) {
-    const std::vector<std::string_view> names = tuned_errors();
-    if (key.empty()) return *find_metric(names.front());
-    if (std::find(names.begin(), names.end(), key) != names.end()) return *find_metric(key);
-    throw UsageError(fmt::format("--error {}: it is one of {}", key, fmt::join(names, ", ")));
-}
-
 Json bias_json(const BiasSettings& b) {
     static constexpr const char* kUnits[] = {"depth", "texels", "metres"};
     return {{"unit", kUnits[b.unit]}, {"constant", b.constant}, {"slope", b.slope}, {"normal", b.normal}};
@@ -46,12 +39,13 @@ Json trial_json(const BiasTrial& t) {
             {"error", error_json(t.error)}};
 }
 
-Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& after, double seconds) {
+Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& after, CostCase cost, double seconds) {
     const BiasSearch& search = tuner.bias();
     Json json = {{"format", "shadow-inspector-tuning"},
                  {"version", 1},
                  {"found", tuner.result().has_value()},
                  {"summary", tuner.summary()},
+                 {"timed", row_of(cost).key},
                  {"trials", tuner.trials()},
                  {"seconds", seconds},
                  {"before", trial_json(search.before())},
@@ -115,10 +109,20 @@ std::vector<std::string_view> tuned_errors() {
     return names;
 }
 
+const Metric& tuned_error(const std::string& key) {
+    const std::vector<std::string_view> names = tuned_errors();
+    if (key.empty()) return *find_metric(names.front());
+    if (std::find(names.begin(), names.end(), key) != names.end()) return *find_metric(key);
+    throw UsageError(fmt::format("--error {}: it is one of {}", key, fmt::join(names, ", ")));
+}
+
 void run_tune(const TuneOptions& options) {
     if (lower_extension(options.output) != ".json")
         throw UsageError(fmt::format("{}: a preset must end in .json", options.output));
-    TuneGoals goals{.most_error = options.most_error, .most_ms = options.most_ms, .error = &error_named(options.error)};
+    const TuneGoals goals{.most_error = options.most_error,
+                          .most_ms = options.most_ms,
+                          .error = &tuned_error(options.error),
+                          .cost = options.cost};
     require_writable(options.output);
     Session session = open_session(options.session);
     const HeadlessContext context;
@@ -146,7 +150,7 @@ void run_tune(const TuneOptions& options) {
     Settings after = session.settings;
     if (found) apply_tuning(after, *found);
     if (options.json)
-        fmt::print("{}", json_text(tuned_json(*tuner, session.settings, after, seconds)));
+        fmt::print("{}", json_text(tuned_json(*tuner, session.settings, after, goals.cost, seconds)));
     else
         print_tuned(*tuner);
     if (!found) throw Error(tuner->summary() + "; nothing was written");

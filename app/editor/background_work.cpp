@@ -7,17 +7,18 @@
 
 namespace si {
 
-bool BackgroundWork::poll(const Scene* scene) {
-    const bool tuned = poll_tuning(scene);
-    const bool cured = poll_cures();
-    return poll_saved() || cured || tuned;
-}
-
-bool BackgroundWork::poll_saved() {
+bool BackgroundWork::poll_found(auto& search) {
     std::string problem;
-    if (!saved_.poll(problem)) return false;
+    if (!search.poll(problem)) return false;
     if (!problem.empty()) state_.log.add(LogKind::Warning, problem);
     return true;
+}
+
+bool BackgroundWork::poll(const Scene* scene) {
+    const bool tuned = poll_tuning(scene);
+    const bool cured = poll_found(cures_);
+    const bool advised = poll_found(advice_);
+    return poll_found(saved_) || advised || cured || tuned;
 }
 
 bool BackgroundWork::fulfil_saved(const SceneDesk& scenes, const FrameRequest& request, const EditorActions& actions) {
@@ -47,13 +48,6 @@ bool BackgroundWork::poll_tuning(const Scene* scene) {
     }
     apply_tuning(state_.settings, *outcome->found);
     state_.log.add(LogKind::Info, outcome->text);
-    return true;
-}
-
-bool BackgroundWork::poll_cures() {
-    std::string problem;
-    if (!cures_.poll(problem)) return false;
-    if (!problem.empty()) state_.log.add(LogKind::Warning, problem);
     return true;
 }
 
@@ -88,6 +82,9 @@ bool BackgroundWork::fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<
     wish(actions.find_cures.has_value(), [&] { start_cures(scenes.require(), size, dossiers, *actions.find_cures); });
     if (actions.cancel_cures) cures_.cancel();
     wish(actions.forget_cures, [&] { cures_.forget(); });
+    wish(actions.find_advice.has_value(),
+         [&] { advice_.start(scenes.require(), state_.settings, size.x, size.y, *actions.find_advice); });
+    if (actions.cancel_advice) advice_.cancel();
     wish(actions.start_sweep.has_value(),
          [&] { sweep_.start(scenes.require(), state_.scene_name, state_.settings, *actions.start_sweep); });
     wish(actions.cancel_sweep, [&] { sweep_.cancel(); });
@@ -119,6 +116,7 @@ void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) c
     }
     f.cures = cures_.facts(scene ? scene->id : 0, state_.settings, size.x, size.y);
     saved_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
+    advice_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
     f.sweep = &sweep_.facts();
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "app/editor/advice.h"
 #include "app/editor/cures.h"
 #include "app/editor/saved.h"
 #include "app/editor/scene_desk.h"
@@ -33,14 +34,18 @@ public:
     void open_sweep(const std::filesystem::path& folder) { sweep_.open(folder, state_.sweep); }
     void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
 
-    bool busy() const { return sweep_.busy() || tuner_.running() || cures_.running() || saved_.running(); }
-    bool moved() const { return sweep_.moved() || tuner_.moved() || cures_.moved() || saved_.moved(); }
-    void finish() const { sweep_.wait(), tuner_.wait(), cures_.wait(), saved_.wait(); }
+    bool busy() const {
+        return sweep_.busy() || tuner_.running() || cures_.running() || saved_.running() || advice_.running();
+    }
+    bool moved() const {
+        return sweep_.moved() || tuner_.moved() || cures_.moved() || saved_.moved() || advice_.moved();
+    }
+    void finish() const { sweep_.wait(), tuner_.wait(), cures_.wait(), saved_.wait(), advice_.wait(); }
 
 private:
     bool poll_tuning(const Scene* scene);
-    bool poll_cures();
-    bool poll_saved();
+    /// Of cures, of savings, and of advice.
+    bool poll_found(auto& search);
     void start_cures(const Scene& scene, glm::ivec2 size, std::span<const Dossier> dossiers, const CureWish& wish);
     void take_sweep_base();
 
@@ -50,6 +55,7 @@ private:
     std::optional<TuningOutcome> tuned_;  ///< the last that tried families of biases
     EditorCures cures_;
     EditorSaved saved_;
+    EditorAdvice advice_;
 };
 
 }  // namespace si

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/session/command_line.h"
 #include "app/sweep/files.h"
@@ -52,10 +53,6 @@ Settings comparable(const Settings& settings) {
     return without_idle(measured_settings(settings));
 }
 
-SweepTiming timing_of_editor() {
-    return {};
-}
-
 }  // namespace
 
 EditorSweep::EditorSweep(const fs::path& state_folder)
@@ -93,7 +90,9 @@ void EditorSweep::start(const Scene& scene, const std::string& scene_name, const
     of.spec = sweep_spec(scene_name, scene, measured, std::move(axes), wish.width, wish.height);
     of.plan = plan_sweep(of.spec.base, of.spec.axes);
     of.folder = folder_for(parent_, of.spec, of.plan);
+    of.timing.cost = wish.timed;
     show(of.spec, of.plan, of.folder);
+    swept_cost_ = wish.timed;
     thread().sweep(std::move(of), copy_of(scene), settings.scene);
 }
 
@@ -116,10 +115,11 @@ void EditorSweep::follow(const Scene& scene, const std::string& scene_name, cons
     // Dots of one plot are of pictures of one size, held against one truth.
     const int width = shown_ ? shown_->spec.width : panel.width, height = shown_ ? shown_->spec.height : panel.height;
     wanted.truth.area = shown_ ? shown_->spec.area : panel.area;
+    const CostCase cost = shown_ ? swept_cost_ : panel.timed;
     const bool same = followed_ && followed_->scene->id == scene.id && followed_->settings == wanted &&
-                      followed_->width == width && followed_->height == height;
+                      followed_->width == width && followed_->height == height && followed_->cost == cost;
     if (same) return;
-    followed_ = MeasuringThread::Picture{copy_of(scene), scene_name, wanted, width, height};
+    followed_ = MeasuringThread::Picture{copy_of(scene), scene_name, wanted, width, height, cost};
     thread().measure(*followed_);
 }
 
@@ -140,6 +140,7 @@ void EditorSweep::open(const fs::path& folder, SweepPanel& panel) {
     if (thread_) thread_->wait_for_sweep();
     show(spec, plan, folder);
     results_ = sweep_results(state, plan);
+    if (results_->rounds > 0) panel.timed = swept_cost_ = results_->cost;
     seen_sweep_ = thread_ ? thread_->news().sweep : 0;
     opened_ = true;
     panel.width = spec.width, panel.height = spec.height, panel.area = spec.area;
@@ -190,7 +191,7 @@ void EditorSweep::take_news() {
     facts_.timing = news.progress.timing;
     facts_.problem = news.sweep_problem;
     facts_.seconds_left = news.progress.seconds_left;
-    const SweepTiming timing = timing_of_editor();
+    const SweepTiming timing;
     const double part = news.progress.total ? double(news.progress.done) / double(news.progress.total) : 0;
     facts_.progress = news.progress.timing ? (news.progress.round + part) / timing.rounds : part;
     facts_.current = news.sweeping ? progress_text(news.progress, timing) : "";
@@ -215,6 +216,7 @@ bool EditorSweep::update(const EditorState& state) {
     if (moved()) take_news();
     const bool axes_moved = seen_cost_ != state.sweep.cost || seen_error_ != state.sweep.error;
     const bool settings_moved = compared_ != state.settings || compared_scene_ != state.scene_name;
+    fresh_ |= std::exchange(seen_timed_, state.sweep.timed) != state.sweep.timed;
     if (!fresh_ && !axes_moved && !settings_moved) return false;
     if (fresh_ || settings_moved) {
         compare_settings(state);
@@ -222,6 +224,9 @@ bool EditorSweep::update(const EditorState& state) {
     }
     if (fresh_) {
         facts_.cases.clear();
+        facts_.columns = measured_columns(results_ && results_->rounds > 0 ? results_->cost
+                                          : shown_                         ? swept_cost_
+                                                                           : state.sweep.timed);
         facts_.failed = 0;
         facts_.total = shown_ ? shown_->plan.cases.size() : 0;
         facts_.about.clear();

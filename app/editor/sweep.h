@@ -69,7 +69,9 @@ private:
     std::uint64_t seen_sweep_ = 0;  ///< News::sweep as last seen
     bool opened_ = false;           ///< what is shown is from a folder, not from the thread
     std::string seen_cost_, seen_error_;
-    Settings compared_;  ///< as last held against the sweep's
+    CostCase seen_timed_ = kDefaultCost;
+    CostCase swept_cost_ = kDefaultCost;  ///< of which frames the shown sweep has times
+    Settings compared_;                   ///< as last held against the sweep's
     std::string compared_scene_;
     bool fresh_ = true;  ///< something came since facts_ was made
     std::unique_ptr<MeasuringThread> thread_;

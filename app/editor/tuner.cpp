@@ -46,6 +46,7 @@ void EditorTuner::start(const Scene& scene, const Settings& settings, int width,
     TuningJob job{.settings = settings, .width = width, .height = height};
     job.settings.truth.area = wish.area;
     job.goals.most_error = wish.most_error, job.goals.most_ms = wish.most_ms;
+    job.goals.cost = wish.cost;
     about_ = {};
     about_.scene = scene.id, about_.settings = job.settings, about_.width = width, about_.height = height;
     job_.start(

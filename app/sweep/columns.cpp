@@ -102,6 +102,10 @@ const Column* find_column(std::string_view key) {
     return it == columns().end() ? nullptr : &*it;
 }
 
+std::string label_of(const Column& column, CostCase cost) {
+    return column.unit == "ms" ? column.label + " " + std::string(row_of(cost).when) : column.label;
+}
+
 double plotted_value(const Column& column, const CaseNumbers& numbers) {
     return shortfall(column.better, column.value(numbers));
 }

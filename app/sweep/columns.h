@@ -23,6 +23,8 @@ struct Column {
 /// The metrics, then times and costs.
 std::span<const Column> columns();
 const Column* find_column(std::string_view key);
+/// Its label; of a time with what the frames were that it is of: "Time of a frame while the camera moves".
+std::string label_of(const Column& column, CostCase cost);
 
 /// As the plot shows it; NaN when it is not shown.
 double plotted_value(const Column& column, const CaseNumbers& numbers);

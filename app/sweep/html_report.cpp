@@ -36,12 +36,12 @@ std::string script() {
     return text;
 }
 
-Json columns_json() {
+Json columns_json(CostCase cost) {
     static constexpr const char* kPlotted[] = {"as_is", "absolute", "lacking_to_one", "no"};
     Json list = Json::array();
     for (const Column& c : columns())
         list.push_back({{"key", c.key},
-                        {"label", c.label},
+                        {"label", label_of(c, cost)},
                         {"unit", c.unit},
                         {"help", c.help},
                         {"plotted", kPlotted[std::size_t(c.better)]},
@@ -132,7 +132,7 @@ std::string replaced(std::string text, std::string_view mark, std::string_view b
 
 std::string report_html(const Json& results, const fs::path& folder, std::size_t most_picture_bytes) {
     Json data = results;
-    data["columns"] = columns_json();
+    data["columns"] = columns_json(parse_cost(results.value("timed", "forced")));
     data["setting_info"] = setting_info(results.at("axes"));
     data["pictures"] = pictures_json(results, folder, most_picture_bytes);
     data["artefact_legend"] = Json::array();

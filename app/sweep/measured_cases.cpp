@@ -30,10 +30,11 @@ bool is_dot(const Dot& dot) {
 
 }  // namespace
 
-std::vector<MeasuredColumn> measured_columns() {
+std::vector<MeasuredColumn> measured_columns(CostCase cost) {
     std::vector<MeasuredColumn> out;
     for (const Column& c : columns())
-        if (c.better != Better::Neither) out.push_back({c.key, c.label, c.unit, c.help, c.key.starts_with("error.")});
+        if (c.better != Better::Neither)
+            out.push_back({c.key, label_of(c, cost), c.unit, c.help, c.key.starts_with("error.")});
     return out;
 }
 

@@ -6,8 +6,8 @@
 
 namespace si {
 
-/// The columns that may be axes of the plot, in order.
-std::vector<MeasuredColumn> measured_columns();
+/// The columns that may be axes of the plot, in order. @param cost of which frames the times are
+std::vector<MeasuredColumn> measured_columns(CostCase cost = kDefaultCost);
 
 MeasuredCase measured_case(const SweepRow& row);
 /// Of settings that are no case.

@@ -207,7 +207,7 @@ void MeasuringThread::measure_picture(Bench& bench, const PictureWanted& wanted)
         numbers.error = {judged.error, judged.truth->noise};
         numbers.cost = judged.cost;
         publish(numbers, "", false);
-        numbers.time = bench.measurer->time(*p.scene, p.settings);
+        numbers.time = bench.measurer->time(*p.scene, p.settings, p.cost);
         publish(numbers, "", true);
     } catch (const Cancelled&) {
     } catch (const std::exception& e) {

@@ -29,6 +29,7 @@ public:
         std::string scene_name;
         Settings settings;
         int width = 0, height = 0;
+        CostCase cost = kDefaultCost;  ///< of which frames the time is
     };
     /// In place of the sweep under way. @param scene that its cases begin with, standing as `as` says; copied
     void sweep(RunningSweep::Of of, std::shared_ptr<const Scene> scene, const SceneSettings& as);

@@ -26,9 +26,9 @@ CaseFacts RenderedCases::facts(const SweepCase& c) {
     return facts;
 }
 
-TimeSamples RenderedCases::time(const SweepCase& c, int frames) {
+TimeSamples RenderedCases::time(const SweepCase& c, int frames, CostCase cost) {
     const CaseSessions::Prepared prepared = sessions_.prepare(c.values);
-    return measurer_.time(prepared.scene, prepared.settings, frames);
+    return measurer_.time(prepared.scene, prepared.settings, frames, cost);
 }
 
 }  // namespace si

@@ -16,7 +16,7 @@ public:
         : measurer_(measurer), driver_(driver), sessions_(sessions) {}
     RunInfo run() override;
     CaseFacts facts(const SweepCase& c) override;
-    TimeSamples time(const SweepCase& c, int frames) override;
+    TimeSamples time(const SweepCase& c, int frames, CostCase cost) override;
 
 private:
     Measurer& measurer_;

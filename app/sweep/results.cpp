@@ -41,6 +41,7 @@ Json run_json(const RunInfo& run, int ranked_rounds) {
             {"clock", run.clock},
             {"cpu_rasteriser", run.software},
             {"load", run.load},
+            {"timed", row_of(run.cost).key},
             {"ranked_rounds", ranked_rounds}};
 }
 
@@ -82,16 +83,20 @@ RankedRounds rounds_like(const SweepState& state, const RunInfo& like) {
     RankedRounds ranked;
     for (const auto& [round, cases] : drawn) {
         const RunInfo* run = state.run(round.first);
-        if (run && run->same_clock_as(like) && cases.size() == live) ranked.rounds.push_back(round);
+        if (run && run->comparable_with(like) && cases.size() == live) ranked.rounds.push_back(round);
     }
     return ranked;
 }
 
 RankedRounds ranked_rounds(const SweepState& state) {
     RankedRounds best;
-    for (const RunInfo& run : state.runs) {  // in the order of time
-        RankedRounds rounds = rounds_like(state, run);
-        if (!rounds.rounds.empty() && rounds.rounds.size() >= best.rounds.size()) best = std::move(rounds);
+    std::optional<CostCase> cost;
+    for (auto run = state.runs.rbegin(); run != state.runs.rend(); ++run) {  // against the order of time
+        if (cost && run->cost != *cost) continue;
+        RankedRounds rounds = rounds_like(state, *run);
+        if (rounds.rounds.empty()) continue;
+        cost = run->cost;
+        if (rounds.rounds.size() > best.rounds.size()) best = std::move(rounds);
     }
     return best;
 }
@@ -127,7 +132,9 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
         if (c.failed.empty()) row.numbers = {.error = c.error, .cost = c.cost, .time = {}};
         if (const TimeSamples samples = ranked_samples(c, ranked); c.failed.empty() && !samples.total_ms.empty()) {
             row.numbers.time = summary(samples);
-            row.numbers.time->clock = out.clock = state.run(ranked.rounds.front().first)->clock;
+            const RunInfo& run = *state.run(ranked.rounds.front().first);
+            row.numbers.time->clock = out.clock = run.clock;
+            row.numbers.time->cost = out.cost = run.cost;
         }
         out.rows.push_back(std::move(row));
     }
@@ -153,6 +160,7 @@ Json results_json(const SweepResults& results) {
     json["renderer"] = results.renderer;
     json["cpu_rasteriser"] = results.software;
     json["clock"] = results.clock;
+    json["timed"] = row_of(results.cost).key;
     json["rounds"] = results.rounds;
     json["runs"] = Json::array();
     for (const auto& [run, rounds] : results.runs) json["runs"].push_back(run_json(run, rounds));
@@ -173,7 +181,7 @@ std::string results_csv(const SweepResults& results) {
     const Json& axes = results.spec.at("axes");
     for (const Json& axis : axes) add(csv_cell(axis.at("key").get<std::string>()));
     for (const Column* column : used) add(column->key);
-    text += ",on_frontier,failed\n";
+    text += ",timed,on_frontier,failed\n";
     for (const SweepRow& row : results.rows) {
         text += std::to_string(row.number);
         for (const auto& [key, value] : row.settings) add(csv_cell(value));
@@ -182,6 +190,7 @@ std::string results_csv(const SweepResults& results) {
             add(std::isfinite(v) ? fmt::format("{:.9g}", v) : "");
         }
         const auto& on = results.frontier;
+        add(row.numbers.time ? row_of(row.numbers.time->cost).key : "");
         add(std::find(on.begin(), on.end(), row.number) != on.end() ? "true" : "false");
         add(csv_cell(row.failed));
         text += '\n';

@@ -14,12 +14,12 @@ inline constexpr int kResultsVersion = 1;
 inline constexpr const char* kBasePreset = "base.json";
 
 /// Which turns count: those of whole rounds (each of its cases drawn in one run), of runs on one machine with one
-/// clock.
+/// clock that timed frames of one kind.
 struct RankedRounds {
     std::vector<std::pair<std::string, int>> rounds;  ///< run and round
     bool holds(const Turn& turn) const;
 };
-/// Of several machines the one with most rounds, of equals the last.
+/// Of the kind of frames that was timed last, and of several machines the one with most rounds, of equals the last.
 RankedRounds ranked_rounds(const SweepState& state);
 /// Those that may stand beside times of `run`.
 RankedRounds rounds_like(const SweepState& state, const RunInfo& run);
@@ -41,6 +41,7 @@ struct SweepResults {
     std::size_t combinations = 0, cases = 0, finished = 0, failed = 0;
     std::string renderer, clock;  ///< of the rounds that are ranked
     bool software = false;
+    CostCase cost = CostCase::Forced;  ///< of which frames those are
     std::size_t rounds = 0;
     std::vector<std::pair<RunInfo, int>> runs;  ///< each with how many of the rounds are its
     std::string x, y;                           ///< keys of the columns that the plot begins with

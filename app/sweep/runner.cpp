@@ -40,9 +40,15 @@ SweepRunner::SweepRunner(const SweepPlan& plan, Shard shard, SweepTiming timing,
     progress_.total = todo_.size();
 }
 
+RunInfo SweepRunner::this_run() const {
+    RunInfo run = meter_.run();
+    run.cost = timing_.cost;
+    return run;
+}
+
 void SweepRunner::announce_run() {
     if (!run_.empty()) return;
-    const RunInfo run = meter_.run();
+    const RunInfo run = this_run();
     journal_.add(run_line(run));
     run_ = run.id;
 }
@@ -88,7 +94,7 @@ bool SweepRunner::step_facts() {
 void SweepRunner::begin_round() {
     order_.clear(), turn_ = 0;
     const SweepState& state = journal_.state();
-    const RunInfo here = run_.empty() ? meter_.run() : *state.run(run_);
+    const RunInfo here = run_.empty() ? this_run() : *state.run(run_);
     const RankedRounds rounds = rounds_like(state, here);
     bool all_settled = true;
     for (const auto& [number, c] : state.cases) {
@@ -113,7 +119,7 @@ bool SweepRunner::step_timing() {
     const auto start = Clock::now();
     progress_.current = c.id;
     Turn turn{round_, run_, {}};
-    const std::string why = why_failed([&] { turn.samples = meter_.time(c, timing_.frames); });
+    const std::string why = why_failed([&] { turn.samples = meter_.time(c, timing_.frames, timing_.cost); });
     journal_.add(why.empty() ? turn_line(number, turn) : failure_line(number, why));
     turns_s_ += std::chrono::duration<double>(Clock::now() - start).count();
     ++turns_;

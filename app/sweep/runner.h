@@ -24,8 +24,8 @@ public:
     virtual RunInfo run() = 0;
     /// @throws std::exception: the case has failed
     virtual CaseFacts facts(const SweepCase& c) = 0;
-    /// `frames` forced frames after one that warms up. @throws std::exception: the case has failed
-    virtual TimeSamples time(const SweepCase& c, int frames) = 0;
+    /// `frames` frames after what warms up. @throws std::exception: the case has failed
+    virtual TimeSamples time(const SweepCase& c, int frames, CostCase cost) = 0;
 };
 
 struct SweepProgress {
@@ -50,6 +50,7 @@ private:
     bool step_facts();
     bool step_timing();
     void begin_round();
+    RunInfo this_run() const;
     void announce_run();
     void estimate();
 

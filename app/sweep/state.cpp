@@ -69,13 +69,16 @@ RunInfo run_of(const Json& line) {
     run.clock = line.at("clock").get<std::string>();
     run.software = line.at("software").get<bool>();
     run.load = line.at("load").get<double>();
+    // The first journals knew forced frames alone.
+    run.cost = parse_cost(line.value("cost", "forced"));
     return run;
 }
 
 }  // namespace
 
-bool RunInfo::same_clock_as(const RunInfo& other) const {
-    return machine == other.machine && renderer == other.renderer && version == other.version && clock == other.clock;
+bool RunInfo::comparable_with(const RunInfo& other) const {
+    return machine == other.machine && renderer == other.renderer && version == other.version && clock == other.clock &&
+           cost == other.cost;
 }
 
 RunInfo this_run() {
@@ -140,7 +143,8 @@ Json run_line(const RunInfo& run) {
               {"version", run.version},
               {"clock", run.clock},
               {"software", run.software},
-              {"load", run.load}}}};
+              {"load", run.load},
+              {"cost", row_of(run.cost).key}}}};
 }
 
 Json begin_line(std::size_t case_number) {

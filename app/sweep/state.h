@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// A few forced frames of one case. A round draws every case once, so that drift falls on all alike.
+/// A few frames of one case. A round draws every case once, so that drift falls on all alike.
 struct Turn {
     int round = 0;
     std::string run;
@@ -33,9 +33,10 @@ struct RunInfo {
     std::string id, started;  ///< UTC, ISO 8601
     std::string machine;      ///< equal on the same machine only; says nothing else
     std::string renderer, version, clock;
-    bool software = false;                           ///< a CPU rasteriser
-    double load = 0;                                 ///< of the machine before it began, running processes per core
-    bool same_clock_as(const RunInfo& other) const;  ///< their times may stand beside each other
+    bool software = false;                             ///< a CPU rasteriser
+    double load = 0;                                   ///< of the machine before it began, running processes per core
+    CostCase cost = CostCase::Forced;                  ///< of which frames it took times
+    bool comparable_with(const RunInfo& other) const;  ///< their times may stand beside each other
 };
 
 /// Fills id, started, machine and load.

@@ -39,7 +39,7 @@ Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, c
         if (workers.stop.stop_requested()) throw Cancelled();
         const Settings s = tuner.settings();
         if (tuner.ask() == Tuner::Ask::Time) {
-            tuner.timed(clock.time(scene, s, {.bursts = kLeastBursts, .over_s = 0.3}).total_ms.median);
+            tuner.timed(clock.time(scene, s, goals.cost, {.bursts = kLeastBursts, .over_s = 0.3}).total_ms.median);
             continue;
         }
         const MeasuredError measured =

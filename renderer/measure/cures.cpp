@@ -53,21 +53,6 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
     return power_of_two_above(*at);
 }
 
-/// Settings that get there from `base`; what cannot be told apart from it is no change.
-std::vector<std::pair<std::string, std::string>> changes(const Settings& base, const Settings& with) {
-    std::vector<std::pair<std::string, std::string>> out;
-    for (const SettingRef& ref : differing_settings(base, with))
-        out.emplace_back(setting_key(ref), value_text(*ref.param, get_value(with, ref)));
-    return out;
-}
-
-BiasSettings least_bias_of(const CureFacts& facts, BiasFamily family) {
-    BiasSettings b = facts.needs.of(family);
-    b.constant = rounded_up(b.constant * 1.001), b.slope = rounded_up(b.slope * 1.001),
-    b.normal = rounded_up(b.normal * 1.001);
-    return scaled(b, 1);  // within what the settings allow
-}
-
 constexpr std::pair<BiasFamily, const char*> kFamilies[] = {{BiasFamily::Normal, "least bias, normal offset"},
                                                             {BiasFamily::Slope, "least bias, slope over constant"},
                                                             {BiasFamily::Constant, "least bias, constant alone"}};
@@ -82,27 +67,6 @@ std::string in_a_sentence(std::string_view label) {
 void cast_from_both_sides(Settings& s) {
     s.caster.cull = int(Cull::None);
     for (auto& [path, object] : s.objects) object.cull = int(ObjectCull::Inherit);
-}
-
-/// Of the square kernels at their own sizes the next narrower and the next wider by how far they displace edges; empty
-/// where there is none.
-std::pair<std::string_view, std::string_view> neighbours(const Settings& settings) {
-    const auto edge = [](const Settings& s) {
-        const Filter& row = filter_of(s);
-        return row.reach(row, s, 0).edge;
-    };
-    const double reach = edge(settings);
-    std::pair<std::string_view, std::string_view> out;
-    double narrower = 0, wider = std::numeric_limits<double>::infinity();
-    for (const std::string_view kernel : swept_kernels()) {
-        Settings s = settings;
-        set_setting(s, "filter.kernel", kernel);
-        if (!filter_of(s).square) continue;
-        const double other = edge(s);
-        if (other < reach && other > narrower) narrower = other, out.first = kernel;
-        if (other > reach && other < wider) wider = other, out.second = kernel;
-    }
-    return out;
 }
 
 /// What a light's map covers, and how many maps it is divided among: the rows of the fit table, and cascades.
@@ -195,6 +159,39 @@ private:
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> setting_changes(const Settings& base, const Settings& with) {
+    std::vector<std::pair<std::string, std::string>> out;
+    for (const SettingRef& ref : differing_settings(base, with))
+        out.emplace_back(setting_key(ref), value_text(*ref.param, get_value(with, ref)));
+    return out;
+}
+
+BiasSettings least_bias_of(const BiasNeeds& needs, BiasFamily family) {
+    BiasSettings b = needs.of(family);
+    b.constant = rounded_up(b.constant * 1.001), b.slope = rounded_up(b.slope * 1.001),
+    b.normal = rounded_up(b.normal * 1.001);
+    return scaled(b, 1);  // within what the settings allow
+}
+
+std::pair<std::string_view, std::string_view> neighbour_kernels(const Settings& settings) {
+    const auto edge = [](const Settings& s) {
+        const Filter& row = filter_of(s);
+        return row.reach(row, s, 0).edge;
+    };
+    const double reach = edge(settings);
+    std::pair<std::string_view, std::string_view> out;
+    double narrower = 0, wider = std::numeric_limits<double>::infinity();
+    for (const std::string_view kernel : swept_kernels()) {
+        Settings s = settings;
+        set_setting(s, "filter.kernel", kernel);
+        if (!filter_of(s).square) continue;
+        const double other = edge(s);
+        if (other < reach && other > narrower) narrower = other, out.first = kernel;
+        if (other > reach && other < wider) wider = other, out.second = kernel;
+    }
+    return out;
+}
+
 CureFacts cure_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver) {
     CureFacts f;
     f.needs = bias_needs(measured, settings, driver);
@@ -222,7 +219,7 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
         return out;
     }
     const bool any = f.needs.pixels > 0;
-    const auto bias = [&](BiasFamily family) { return least_bias_of(f, family); };
+    const auto bias = [&](BiasFamily family) { return least_bias_of(f.needs, family); };
     for (const auto& [family, name] : kFamilies)
         if (any) idea(name, [&, fam = family](Settings& s) { s.bias = bias(fam); });
     for (const auto& [row, least] : f.least_of_rows)
@@ -241,7 +238,7 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
                 s.bias = bias(fam);
             });
 
-    const auto [down, up] = neighbours(base);
+    const auto [down, up] = neighbour_kernels(base);
     const auto kernel = [](std::string_view text) {
         return [=](Settings& s) { set_setting(s, "filter.kernel", text); };
     };
@@ -341,7 +338,7 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
     Stopwatch stopwatch(renderer, scene, request, options.frames);
     for (std::size_t k = 0; k < ideas.size(); ++k) {
         const CureIdea& idea = ideas[k];
-        Cure row{.name = idea.name, .settings = changes(base, idea.settings), .untried = idea.untried};
+        Cure row{.name = idea.name, .settings = setting_changes(base, idea.settings), .untried = idea.untried};
         if (row.untried.empty()) {
             tell((double(k) + 1) / (double(ideas.size()) + 1), idea.name);
             const MeasuredError after = measure(idea.settings);

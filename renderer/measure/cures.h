@@ -35,6 +35,14 @@ struct CureFacts {
 };
 CureFacts cure_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver);
 
+/// The least bias of a family that clears what is seen, a little above what theory says.
+BiasSettings least_bias_of(const BiasNeeds& needs, BiasFamily family);
+/// Of the square kernels at their own sizes the next narrower and the next wider by how far they displace edges; empty
+/// where there is none.
+std::pair<std::string_view, std::string_view> neighbour_kernels(const Settings& settings);
+/// Key and value of what differs, as set_setting() takes them.
+std::vector<std::pair<std::string, std::string>> setting_changes(const Settings& base, const Settings& with);
+
 /// A dossier's remedy, to be tried like the others.
 CureIdea idea_of(const Remedy& remedy, const Settings& settings);
 

@@ -20,7 +20,12 @@ double median_of(std::vector<double> values) {
     return quantile(values, 0.5);
 }
 
-/// Half the 95 % confidence interval of the mean of values that scatter normally, by Student's t.
+bool finite(const Dot& d) {
+    return std::isfinite(d.cost) && std::isfinite(d.error);
+}
+
+}  // namespace
+
 double half_interval(const std::vector<double>& values) {
     static constexpr double kT[] = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
     const std::size_t n = values.size();
@@ -32,12 +37,6 @@ double half_interval(const std::vector<double>& values) {
     const double t = freedom <= std::size(kT) ? kT[freedom - 1] : 1.96 + 2.7 / double(freedom);
     return t * std::sqrt(squares / double(freedom) / double(n));
 }
-
-bool finite(const Dot& d) {
-    return std::isfinite(d.cost) && std::isfinite(d.error);
-}
-
-}  // namespace
 
 double Spread::relative() const {
     if (samples < 2 || median <= 0) return 1;

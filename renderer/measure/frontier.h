@@ -19,6 +19,9 @@ struct Spread {
     double noise() const { return 0.5 * (median_high - median_low); }
 };
 
+/// Half the 95 % confidence interval of the mean of values that scatter normally, by Student's t; 0 of fewer than two.
+double half_interval(const std::vector<double>& values);
+
 /// The interval is the distribution-free one by ranks n/2 -+ 0.98 sqrt(n) (Conover, Practical Nonparametric Statistics,
 /// 3.2), so that times that jump between two values do not pass for settled. Frames that follow each other are alike,
 /// so that ranks alone take a machine's mood for certainty: with several bursts the interval is at least that of their

@@ -26,29 +26,50 @@ Judgement Measurer::judge(const Scene& scene, const Settings& settings) {
     return judged;
 }
 
-FrameRequest Measurer::timed_request(const Scene& scene, const Settings& measured) {
-    FrameRequest request{.width = width_, .height = height_};
-    trace_sources(renderer_, scene, measured, request, truths_, workers_);
-    request.timing = request.force = true;
-    return request;
+TimedFrames::TimedFrames(Renderer& renderer, const Scene& scene, const Settings& measured, FrameRequest request,
+                         CostCase cost, TruthCache& truths, const Workers& workers)
+    : renderer_(renderer), scene_(scene) {
+    for (Settings& s : scripted_frames(scene, measured, double(request.width) / request.height, cost)) {
+        trace_sources(renderer, scene, s, request, truths, workers);
+        frames_.push_back({std::move(s), request});
+        time_as(frames_.back().request, cost);
+    }
 }
 
-TimeSamples Measurer::time(const Scene& scene, const Settings& settings, int frames) {
-    const Settings measured = measured_settings(settings);
-    const FrameRequest request = timed_request(scene, measured);
+FrameResult TimedFrames::next() {
+    const Frame& frame = frames_[next_++ % frames_.size()];
+    return renderer_.render(scene_, frame.settings, frame.request);
+}
+
+void TimedFrames::warm_up() {
+    next();
+    // The first draws all anew; what is kept from frame to frame shows in the next.
+    if (frames_.size() > 1) next();
+}
+
+TimedFrames Measurer::frames(const Scene& scene, const Settings& settings, CostCase cost) {
+    return {renderer_, scene,   measured_settings(settings), {.width = width_, .height = height_}, cost,
+            truths_,   workers_};
+}
+
+TimeSamples Measurer::time(const Scene& scene, const Settings& settings, int frames, CostCase cost) {
+    TimedFrames timed = this->frames(scene, settings, cost);
     TimeSamples samples;
-    renderer_.render(scene, measured, request);
-    for (int i = 0; i < frames; ++i) samples.add(renderer_.render(scene, measured, request));
+    timed.warm_up();
+    for (int i = 0; i < frames; ++i) samples.add(timed.next());
     return samples;
 }
 
-TimeMeasurement Measurer::time(const Scene& scene, const Settings& settings, const TimeSampler::Limits& limits) {
-    const Settings measured = measured_settings(settings);
-    const FrameRequest request = timed_request(scene, measured);
-    return sample_times(limits, [&] {
+TimeMeasurement Measurer::time(const Scene& scene, const Settings& settings, CostCase cost,
+                               const TimeSampler::Limits& limits) {
+    TimedFrames timed = frames(scene, settings, cost);
+    if (cost != CostCase::Forced) timed.warm_up();
+    TimeMeasurement m = sample_times(limits, [&] {
         if (workers_.stop.stop_requested()) throw Cancelled();
-        return renderer_.render(scene, measured, request);
+        return timed.next();
     });
+    m.cost = cost;
+    return m;
 }
 
 }  // namespace si

@@ -20,6 +20,27 @@ struct Judgement {
     std::vector<std::string> notes;  ///< of the renderer, such as repaired settings
 };
 
+/// Frames of one setting that are drawn to be timed, each following the one before it.
+class TimedFrames {
+public:
+    /// Traces what the sources of visibility ask for. @param scene that lives longer @throws Error, Cancelled
+    TimedFrames(Renderer& renderer, const Scene& scene, const Settings& measured, FrameRequest request, CostCase cost,
+                TruthCache& truths, const Workers& workers);
+    FrameResult next();
+    /// After another setting was drawn: what these frames keep is there again.
+    void warm_up();
+
+private:
+    struct Frame {
+        Settings settings;
+        FrameRequest request;
+    };
+    Renderer& renderer_;
+    const Scene& scene_;
+    std::vector<Frame> frames_;
+    std::size_t next_ = 0;
+};
+
 class Measurer {
 public:
     /// @param width, height of the picture in pixels
@@ -31,14 +52,15 @@ public:
 
     /// Draws, traces (unless the truth is known from before) and compares. @throws Error, Cancelled
     Judgement judge(const Scene& scene, const Settings& settings);
-    /// Draws one frame that warms up, and `frames` that count, with every pass forced to run. @throws Error
-    TimeSamples time(const Scene& scene, const Settings& settings, int frames);
+    /// Draws what warms up, and `frames` that count. @throws Error
+    TimeSamples time(const Scene& scene, const Settings& settings, int frames, CostCase cost);
     /// Draws until the time stands still or the most frames were drawn. @throws Error, Cancelled
-    TimeMeasurement time(const Scene& scene, const Settings& settings, const TimeSampler::Limits& limits = {});
+    TimeMeasurement time(const Scene& scene, const Settings& settings, CostCase cost,
+                         const TimeSampler::Limits& limits = {});
+    /// Frames of these settings at this size.
+    TimedFrames frames(const Scene& scene, const Settings& settings, CostCase cost);
 
 private:
-    FrameRequest timed_request(const Scene& scene, const Settings& measured);
-
     Renderer& renderer_;
     int width_, height_;
     Workers workers_;

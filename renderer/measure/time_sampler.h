@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/frame/frame.h"
+#include "renderer/measure/frame_costs.h"
 #include "renderer/measure/frontier.h"
 
 namespace si {
@@ -44,6 +45,7 @@ struct TimeMeasurement {
     bool settled = false;          ///< the spread fell below the limit within the frames allowed, over several bursts
     double seconds = 0;            ///< from the first frame to the last; 0: not known
     std::string clock;             ///< what the times were taken with
+    CostCase cost = CostCase::Forced;  ///< of which frames
 };
 
 /// Spread::relative() of the total below which a time has settled.
@@ -54,9 +56,9 @@ inline constexpr int kLeastBursts = 3;
 /// @param settled_below bound of Spread::relative() of the total
 TimeMeasurement summary(const TimeSamples& samples, double settled_below = kSettledSpread);
 
-/// Collects the pass times of frames of one setting. Frames are to be drawn with FrameRequest::timing and ::force: a
-/// pass whose result is reused takes no time, which would be the wrong answer. Frames come in bursts spread over a
-/// while, since a machine's mood lasts longer than a few frames.
+/// Collects the pass times of frames of one setting. A pass whose result is reused takes no time: frames are to be
+/// drawn so that this is the answer (time_as()). They come in bursts spread over a while, since a machine's mood lasts
+/// longer than a few frames.
 class TimeSampler {
 public:
     struct Limits {

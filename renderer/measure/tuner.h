@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/measure/bias_search.h"
+#include "renderer/measure/frame_costs.h"
 
 namespace si {
 
@@ -22,6 +23,7 @@ struct TuneGoals {
     std::optional<double> most_error, most_ms;
     const Metric* error = &metrics().front();  ///< one that has a better
     int most_resolution = 8192;                ///< that may be tried
+    CostCase cost = kDefaultCost;              ///< which frames most_ms bounds
     bool any() const { return most_error || most_ms; }
 };
 

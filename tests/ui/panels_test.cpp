@@ -56,7 +56,7 @@ TEST(Panels, DrawForEveryChoiceOfEveryRow) {
             set_value(ui.state.settings, ref, value);
             sanitise(ui.state.settings);
             for (const BottomTab tab : {BottomTab::Effects, BottomTab::Probe, BottomTab::Error, BottomTab::Objects,
-                                        BottomTab::Compare, BottomTab::Frontier, BottomTab::Log}) {
+                                        BottomTab::Compare, BottomTab::Frontier, BottomTab::Advice, BottomTab::Log}) {
                 ui.state.open_tab = tab;
                 ui.state.probe_pixel = glm::ivec2(3, 4);
                 ui.frames(2);

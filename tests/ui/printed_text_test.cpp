@@ -23,7 +23,7 @@ TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
     ui.error = LiveError{};
     ui.map_facts = MapFacts{};
     for (const BottomTab tab : {BottomTab::Effects, BottomTab::Probe, BottomTab::Error, BottomTab::Objects,
-                                BottomTab::Compare, BottomTab::Frontier, BottomTab::Log}) {
+                                BottomTab::Compare, BottomTab::Frontier, BottomTab::Advice, BottomTab::Log}) {
         ui.state.open_tab = tab;
         ui.frames(4);
         const std::u32string text = ui.printed();

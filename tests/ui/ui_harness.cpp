@@ -120,13 +120,14 @@ EditorActions UiHarness::frame() {
         facts.cures = cures;
         static_cast<EffectsShown&>(facts) = effects;
         if (effects.effects.empty()) facts.effects = effects_;
+        static_cast<AdviceShown&>(facts) = advice;
     }
     ImGui::NewFrame();
     EditorActions actions = draw_editor(state, facts);
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
     if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures || actions.forget_cures ||
-        actions.measure_saved || actions.cancel_saved)
+        actions.measure_saved || actions.cancel_saved || actions.find_advice || actions.cancel_advice)
         last_wish = actions;
     io.MouseWheel = 0;
     return actions;

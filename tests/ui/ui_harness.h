@@ -48,6 +48,7 @@ public:
     bool tuned_current = true;
     CureSearch cures;
     EffectsShown effects;    ///< where its list is empty, that of the made-up frame
+    AdviceShown advice;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
     double frame_seconds = 1.0 / 60;

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "app/sweep/columns.h"
+#include "app/sweep/files.h"
 #include "app/sweep/merge.h"
 #include "renderer/base/error.h"
 #include "renderer/scenes/builtin.h"
@@ -48,7 +49,7 @@ TEST(Sweep, MeasuresEachCaseOnceAndTimesAllInRounds) {
 TEST(Sweep, RoundsEndWhenAllTimesStandStill) {
     const FakeSweep f(fresh_test_folder());
     struct Calm : FakeMeter {
-        TimeSamples time(const SweepCase& c, int frames) override {
+        TimeSamples time(const SweepCase& c, int frames, CostCase cost) override {
             drift = 1;
             return timed.push_back(c.id), TimeSamples{std::vector<double>(std::size_t(frames), 7),
                                                       std::vector<double>(std::size_t(frames), 1),
@@ -341,6 +342,49 @@ TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {
         EXPECT_EQ(noise_of(column, numbers), number_at(row, column.noise)) << column.key;
     }
     EXPECT_EQ(compared, columns().size() - 1);
+}
+
+TEST(Sweep, TimesOfOtherFramesAreNeverMixed) {
+    const FakeSweep f(fresh_test_folder());
+    FakeMeter forced, camera;
+    camera.run_id = "second";
+    f.run(forced, 10'000, {.cost = CostCase::Forced, .rounds = 4});
+    EXPECT_EQ(f.results()["timed"], "forced");
+    f.run(camera, 10'000, {.cost = CostCase::Camera, .rounds = 2});
+    EXPECT_TRUE(camera.measured.empty()) << "errors and costs are the same";
+    EXPECT_EQ(camera.timed.size(), 2u * 8) << "and times begin anew";
+    const Json r = f.results();
+    EXPECT_EQ(r["timed"], "camera");
+    EXPECT_EQ(r["rounds"], 2) << "those that were taken last, though they are fewer";
+    for (const Json& row : r["rows"]) {
+        EXPECT_EQ(row["time"]["timed"], "camera");
+        EXPECT_EQ(row["time"]["frames"], 6);
+    }
+    EXPECT_EQ(r["runs"][0]["timed"], "forced");
+    EXPECT_EQ(r["runs"][0]["ranked_rounds"], 0);
+    EXPECT_NE(frontier_text(f.measured()).find("while the camera moves"), std::string::npos);
+}
+
+TEST(Sweep, JournalsThatSayNothingOfFramesAreOfForcedOnes) {
+    const FakeSweep f(fresh_test_folder());
+    FakeMeter forced;
+    f.run(forced, 10'000, {.cost = CostCase::Forced, .rounds = 4});
+    std::string text;
+    {
+        std::ifstream in(f.folder / kJournalFile);
+        for (std::string line; std::getline(in, line);) {
+            Json json = Json::parse(line);
+            if (json.contains("run")) json["run"].erase("cost");
+            text += json.dump() + "\n";
+        }
+    }
+    std::ofstream(f.folder / kJournalFile) << text;
+    EXPECT_EQ(f.results()["timed"], "forced");
+    FakeMeter light;
+    light.run_id = "second";
+    f.run(light, 10'000, {.cost = CostCase::Light, .rounds = 1});
+    EXPECT_EQ(f.results()["timed"], "light");
+    EXPECT_EQ(f.results()["rounds"], 1);
 }
 
 TEST(Columns, ArePlottedSoThatLessIsBetter) {

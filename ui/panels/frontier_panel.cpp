@@ -12,6 +12,7 @@
 #include "renderer/settings/param.h"
 #include "ui/panels/frontier_plot.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/cost_combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
@@ -120,6 +121,7 @@ void draw_size(SweepPanel& panel) {
     ImGui::SameLine();
     ImGui::Checkbox("area", &panel.area);
     tooltip("Against a light that has its size (light.size), not a point or a direction");
+    choose_cost("Times", panel.timed);
 }
 
 void draw_running(const SweepFacts& facts, EditorActions& actions) {
@@ -142,7 +144,7 @@ void draw_controls(EditorState& state, const SweepFacts& facts, EditorActions& a
     } else {
         ImGui::BeginDisabled(product == 0);
         if (ImGui::Button(fmt::format("Sweep {} combinations###sweep", product).c_str()))
-            actions.start_sweep = SweepWish{axes, panel.width, panel.height, panel.area};
+            actions.start_sweep = SweepWish{axes, panel.width, panel.height, panel.area, panel.timed};
         ImGui::EndDisabled();
         tooltip(
             "Error against ray-traced truth and time of every combination, in the background. Settings without "

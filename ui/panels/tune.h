@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "renderer/measure/frame_costs.h"
 #include "renderer/settings/settings.h"
 
 namespace si {
@@ -14,6 +15,7 @@ namespace si {
 struct TunePanel {
     bool bound_error = true, bound_ms = false, area = false;
     double most_error = 0.01, most_ms = 10;
+    CostCase cost = kDefaultCost;
 };
 
 /// A search for the least bias, under way.
@@ -26,6 +28,7 @@ struct TuneFacts {
 struct TuneWish {
     std::optional<double> most_error, most_ms;  ///< then kernel and resolution are searched, too
     bool area = false;                          ///< against a light of its size
+    CostCase cost = kDefaultCost;               ///< which frames most_ms bounds
 };
 
 /// What a search for the least bias found of one way to spend it.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "renderer/measure/tuner.h"
+#include "ui/widgets/cost_combo.h"
 
 namespace si {
 namespace {
@@ -31,6 +32,7 @@ void limits_popup(TunePanel& panel, TuneActions& actions) {
           "Of a frame of this picture's size. Without a bound on the error the most accurate that is\n"
           "this fast is chosen.",
           panel.bound_ms, panel.most_ms, 1e-3, "%.3g");
+    choose_cost("Time", panel.cost);
     ImGui::Checkbox("A light of its size", &panel.area);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
@@ -39,7 +41,7 @@ void limits_popup(TunePanel& panel, TuneActions& actions) {
     const bool any = panel.bound_error || panel.bound_ms;
     ImGui::BeginDisabled(!any);
     if (ImGui::Button("Search")) {
-        actions.tune = TuneWish{.area = panel.area};
+        actions.tune = TuneWish{.area = panel.area, .cost = panel.cost};
         if (panel.bound_error) actions.tune->most_error = panel.most_error;
         if (panel.bound_ms) actions.tune->most_ms = panel.most_ms;
         ImGui::CloseCurrentPopup();

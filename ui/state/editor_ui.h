@@ -12,6 +12,7 @@
 #include "renderer/frame/renderer.h"
 #include "renderer/inspect/lost_casters.h"
 #include "ui/map_view/map_shown.h"
+#include "ui/panels/advice.h"
 #include "ui/panels/compare.h"
 #include "ui/panels/cures.h"
 #include "ui/panels/effects.h"
@@ -38,7 +39,7 @@ struct EditorLayout {
     bool operator==(const EditorLayout&) const = default;
 };
 
-enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Log };
+enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice, Log };
 
 struct EditorState {
     Settings settings;
@@ -58,6 +59,7 @@ struct EditorState {
     std::string search;
     bool only_changed = false;
     TunePanel tune;
+    AdvicePanel advice;
     std::optional<glm::ivec2> probe_pixel;  ///< of the scene picture, row 0 at the top
     EditorLayout layout;
     MapWindow map_window;
@@ -97,7 +99,7 @@ struct LoadingFacts {
 };
 
 /// What the last frame found out. Pointers may be null: the editor draws without them.
-struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown {
+struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown, AdviceShown {
     const FrameResult* result = nullptr;
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
@@ -114,7 +116,14 @@ struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown
     std::optional<AgainstFacts> against;
 };
 
-struct EditorActions : MapActions, TruthActions, PresetActions, SweepActions, TuneActions, CureActions, EffectsActions {
+struct EditorActions : MapActions,
+                       TruthActions,
+                       PresetActions,
+                       SweepActions,
+                       TuneActions,
+                       CureActions,
+                       EffectsActions,
+                       AdviceActions {
     int scene_width = 0, scene_height = 0;  ///< wanted size of the scene picture; 0: not shown
     bool want_overlay_values = false;       ///< a scene picture is hovered
     bool want_timing = false;

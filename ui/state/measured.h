@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/measure/frame_costs.h"
 #include "renderer/measure/frontier.h"
 
 namespace si {
@@ -71,6 +72,7 @@ struct SweepPanel {
         {"filter.kernel", "hard,hw2x2,pcf3,pcf5"}, {"map.resolution", "512:4096:*2"}, {"bias.slope", "0,1,2"}};
     int width = 480, height = 270;  ///< of the picture that is measured, pixels
     bool area = false;              ///< against a light that has its size
+    CostCase timed = kDefaultCost;  ///< of which frames times are taken
     bool follow = true;             ///< measure the present settings while the panel is shown
     std::string cost = "time.total_ms.median", error = "error.mae";  ///< keys of the axes
     std::optional<int> chosen;                                       ///< number of the case that was clicked last
@@ -81,6 +83,7 @@ struct SweepWish {
     std::vector<std::string> axes;  ///< "KEY=VALUES"
     int width = 0, height = 0;
     bool area = false;
+    CostCase timed = kDefaultCost;
 };
 
 struct SweepActions {

@@ -21,6 +21,8 @@ void draw_objects(EditorState& state, const EditorFrame& frame);
 void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 /// What accuracy costs in time.
 void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+/// What the scene advises, and the autopilot.
+void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_log(EditorState& state, const EditorFrame& frame);
 void draw_shortcuts(EditorState& state);
 /// Only where time_bar_height() is not 0: the scene has animations.

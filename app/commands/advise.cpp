@@ -1,0 +1,223 @@
+#include <fmt/format.h>
+
+#include "app/base/interrupt.h"
+#include "app/base/notes.h"
+#include "app/base/output.h"
+#include "app/commands/commands.h"
+#include "app/context/headless_context.h"
+#include "app/report/measure_json.h"
+#include "app/report/report.h"
+#include "app/sweep/progress_line.h"
+#include "renderer/base/error.h"
+#include "renderer/measure/autopilot.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Changes = std::vector<std::pair<std::string, std::string>>;
+
+Json changes_json(const Changes& changes) {
+    Json json = Json::object();
+    for (const auto& [key, value] : changes) json[key] = value;
+    return json;
+}
+
+std::string sets_text(const Changes& changes) {
+    std::string text;
+    for (const auto& [key, value] : changes) text += fmt::format("{}--set {}={}", text.empty() ? "" : " ", key, value);
+    return text;
+}
+
+Json ms_json(const CostChange& ms) {
+    return {{"difference", ms.value}, {"noise", ms.noise}, {"told", ms.told()}};
+}
+
+Json advice_json(const TriedAdvice& t) {
+    static constexpr const char* kClaims[] = {"same", "right", "trade"};
+    return {{"rule", t.idea.rule},
+            {"claim", kClaims[std::size_t(t.idea.claim)]},
+            {"text", t.idea.sentence},
+            {"light", t.idea.light},
+            {"settings", changes_json(t.settings)},
+            {"holds", t.why_not.empty()},
+            {"why_not", t.why_not.empty() ? Json() : Json(t.why_not)},
+            {"error", {{"before", t.before.error}, {"after", t.after.error}, {"tolerance", t.tolerance()}}},
+            {"ms", ms_json(t.ms)},
+            {"cost", {{"before", cost_json(t.before.work)}, {"after", cost_json(t.after.work)}}}};
+}
+
+Json finding_json(const Finding& f) {
+    return {{"severity", severity_word(f.severity)},
+            {"text", f.text},
+            {"cure", f.cure.empty() ? Json() : Json(f.cure)},
+            {"settings", changes_json(f.settings)}};
+}
+
+Json head_json(const char* format, const AdviseOptions& o, const Metric& error) {
+    return {{"format", format},
+            {"version", 1},
+            {"width", o.size.width},
+            {"height", o.size.height},
+            {"timed", row_of(o.cost).key},
+            {"metric", error.key}};
+}
+
+Json report_json(const AdviceReport& r, const AdviseOptions& o) {
+    Json json = head_json("shadow-inspector-advice", o, *r.options.error);
+    json["error"] = r.before.error;
+    json["time"] = time_json(r.time);
+    json["cost"] = cost_json(r.before.work);
+    for (const char* list : {"advice", "tried", "findings"}) json[list] = Json::array();
+    for (const TriedAdvice& t : r.holds) json["advice"].push_back(advice_json(t));
+    for (const TriedAdvice& t : r.fails) json["tried"].push_back(advice_json(t));
+    for (const Finding& f : r.findings) json["findings"].push_back(finding_json(f));
+    return json;
+}
+
+Json autopilot_json(const AutopilotResult& r, const Settings& before, const AdviseOptions& o, const Metric& error) {
+    Json json = head_json("shadow-inspector-autopilot", o, error);
+    json["held"] = r.held;
+    json["summary"] = r.summary;
+    json["before"] = {{"error", r.before.error}, {"ms", r.before_ms}};
+    json["best"] = {{"error", r.best.judged.error},
+                    {"ms", r.best.ms ? Json(*r.best.ms) : Json()},
+                    {"cost", cost_json(r.best.judged.work)},
+                    {"settings", changes_json(setting_changes(measured_settings(before), r.best.settings))}};
+    json["combinations"] = r.combinations;
+    json["seconds"] = r.seconds;
+    json["untried"] = r.untried;
+    for (const char* list : {"dropped", "cases"}) json[list] = Json::array();
+    for (const DroppedEffect& d : r.dropped)
+        json["dropped"].push_back({{"setting", d.key},
+                                   {"was", d.before},
+                                   {"is", d.now},
+                                   {"error_with", d.error},
+                                   {"ms_more", ms_json(d.ms)}});
+    for (const AutopilotCase& c : r.cases)
+        json["cases"].push_back({{"settings", changes_json(setting_changes(measured_settings(before), c.settings))},
+                                 {"error", c.judged.error},
+                                 {"ms", c.ms ? Json(*c.ms) : Json()},
+                                 {"holds", c.holds}});
+    return json;
+}
+
+void print_advice(const TriedAdvice& t) {
+    fmt::print("  {:>10} {:>+11.3g}  {}{}\n      {}\n", time_text(t.ms), t.added_error(), t.idea.sentence,
+               t.why_not.empty() ? "" : ": " + t.why_not, sets_text(t.settings));
+}
+
+void print_report(const AdviceReport& r) {
+    const CostRow& cost = row_of(r.options.cost);
+    fmt::print("now {} {:.5g}, {:.3g} ms a frame {}\n", r.options.error->key, r.before.error, r.time.total_ms.median,
+               cost.when);
+    for (const Finding& f : r.findings)
+        fmt::print("{}: {}{}{}{}\n", severity_word(f.severity), f.text, f.cure.empty() ? "" : "; ", f.cure,
+                   f.settings.empty() ? "" : "\n      " + sets_text(f.settings));
+    if (r.holds.empty()) fmt::print("nothing that was tried is better\n");
+    if (!r.holds.empty() || !r.fails.empty()) fmt::print("  {:>10} {:>11}\n", "time", "error");
+    for (const TriedAdvice& t : r.holds) print_advice(t);
+    if (!r.fails.empty()) fmt::print("tried, does not hold:\n");
+    for (const TriedAdvice& t : r.fails) print_advice(t);
+}
+
+void print_flight(const AutopilotResult& r) {
+    for (const DroppedEffect& d : r.dropped)
+        fmt::print("  {}={} instead of {}: {} would have cost {} (error {:.4g} with it)\n", d.key, d.now, d.before,
+                   d.before, time_text(d.ms), d.error);
+    for (const std::string& text : r.untried) fmt::print("  {}\n", text);
+    fmt::print("{} of {} combinations in {:.0f} s\n{}\n", r.cases.size(), r.combinations, r.seconds, r.summary);
+}
+
+/// Does long work that Ctrl+C ends, and shows how far it is.
+template <class Work>
+auto interruptible(const Work& work) {
+    InterruptGuard interrupt;
+    std::stop_source stop;
+    const auto ask = [&] {
+        if (interrupt.asked()) stop.request_stop();
+    };
+    try {
+        ProgressLine line;
+        const Workers workers{.stop = stop.get_token()};
+        return work(workers, [&](double share, const std::string& what) {
+            ask();
+            line.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
+        });
+    } catch (const Cancelled&) {
+        fmt::print(stderr, "shadow-inspector: interrupted; nothing was written\n");
+        interrupt.end();
+    }
+}
+
+class Advisor {
+public:
+    explicit Advisor(const AdviseOptions& options) : o_(options), session_(open_session(options.session)) {}
+
+    void advise(const Metric& error) {
+        const AdviceReport r = interruptible([&](const Workers& workers, const auto& report) {
+            return find_advice(renderer_, session_.scene, session_.settings, o_.size.width, o_.size.height,
+                               {.error = &error, .cost = o_.cost}, cache_, workers, report);
+        });
+        if (o_.json)
+            fmt::print("{}", json_text(report_json(r, o_)));
+        else
+            print_report(r);
+        print_notes(session_.notes);
+    }
+
+    void fly(const Metric& error) {
+        std::vector<SweepAxis> axes;
+        for (const std::string& axis : o_.vary) axes.push_back(parse_axis(axis));
+        const AutopilotGoals goals{.most_error = o_.most_error,
+                                   .most_ms = o_.most_ms,
+                                   .error = &error,
+                                   .cost = o_.cost,
+                                   .most_seconds = o_.most_seconds};
+        const AutopilotResult r = interruptible([&](const Workers& workers, const auto& report) {
+            return fly_autopilot(renderer_, session_.scene, session_.settings, o_.size.width, o_.size.height, goals,
+                                 axes, cache_, workers, report);
+        });
+        if (o_.json)
+            fmt::print("{}", json_text(autopilot_json(r, session_.settings, o_, error)));
+        else
+            print_flight(r);
+        if (!r.held) throw Error(r.summary + (o_.output.empty() ? "" : "; nothing was written"));
+        if (!o_.output.empty()) write(r);
+        print_notes(session_.notes);
+    }
+
+private:
+    const AdviseOptions& o_;
+    Session session_;
+    HeadlessContext context_;
+    Renderer renderer_;
+    TruthCache cache_;
+
+    void write(const AutopilotResult& r) const {
+        Settings after = session_.settings;
+        for (const auto& [key, value] : setting_changes(measured_settings(after), r.best.settings))
+            set_setting(after, key, value);
+        save_preset({"", "", r.summary, session_.scene_name, after}, o_.output);
+        if (!o_.json) fmt::print("wrote {}\n", o_.output);
+    }
+};
+
+}  // namespace
+
+void run_advise(const AdviseOptions& options) {
+    const bool flies = options.most_error || options.most_ms;
+    if (!flies && !(options.output.empty() && options.vary.empty()))
+        throw UsageError("--output and --vary are of the autopilot: give it --max-error or --max-ms");
+    if (!options.output.empty() && lower_extension(options.output) != ".json")
+        throw UsageError(fmt::format("{}: a preset must end in .json", options.output));
+    const Metric& error = tuned_error(options.error);
+    if (!options.output.empty()) require_writable(options.output);
+    Advisor advisor(options);
+    if (flies)
+        advisor.fly(error);
+    else
+        advisor.advise(error);
+}
+
+}  // namespace si

@@ -1,0 +1,52 @@
+#include "app/editor/advice.h"
+
+#include "app/context/headless_context.h"
+
+namespace si {
+
+void EditorAdvice::start(const Scene& scene, const Settings& settings, int width, int height, const AdviceWish& wish) {
+    found_.reset();
+    Found about{{}, {}, scene.id, settings, width, height};
+    job_.start(
+        [copy = std::make_shared<const Scene>(scene), about, wish](const Workers& workers, const auto& report) {
+            Found out = about;
+            const HeadlessContext context;
+            Renderer renderer;
+            TruthCache cache;
+            const auto tell = [&](double share, const std::string& what) { report({what, share}); };
+            if (!wish.most_error && !wish.most_ms) {
+                out.what = find_advice(renderer, *copy, out.settings, out.width, out.height, {.cost = wish.cost}, cache,
+                                       workers, tell);
+                return out;
+            }
+            const AutopilotGoals goals{.most_error = wish.most_error, .most_ms = wish.most_ms, .cost = wish.cost};
+            AutopilotResult flight =
+                fly_autopilot(renderer, *copy, out.settings, out.width, out.height, goals, {}, cache, workers, tell);
+            out.changes = setting_changes(measured_settings(out.settings), flight.best.settings);
+            out.what = std::move(flight);
+            return out;
+        },
+        {"the present settings", 0});
+}
+
+bool EditorAdvice::poll(std::string& problem) {
+    auto outcome = job_.poll();
+    if (!outcome) return false;
+    if (outcome->cancelled) problem = "The search for advice was cancelled";
+    if (outcome->problem) problem = what_of(outcome->problem);
+    if (outcome->value) found_ = std::move(outcome->value);
+    return true;
+}
+
+void EditorAdvice::fill(AdviceShown& shown, std::uint64_t scene, const Settings& settings, int width,
+                        int height) const {
+    shown.advising = job_.progress();
+    if (!found_ || found_->scene != scene) return;
+    shown.advice = std::get_if<AdviceReport>(&found_->what);
+    shown.autopilot = std::get_if<AutopilotResult>(&found_->what);
+    shown.autopilot_changes = found_->changes;
+    shown.advice_current = found_->width == width && found_->height == height &&
+                           measured_settings(found_->settings) == measured_settings(settings);
+}
+
+}  // namespace si

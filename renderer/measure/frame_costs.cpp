@@ -1,0 +1,77 @@
+#include "renderer/measure/frame_costs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "renderer/base/error.h"
+
+namespace si {
+namespace {
+
+constexpr CostRow kCosts[] = {
+    {"forced", "everything drawn anew", "with everything drawn anew",
+     "Every pass runs in every frame, as where nothing is kept: the price of a cold frame."},
+    {"camera", "the camera moves", "while the camera moves",
+     "The camera turns about its target by half a degree a frame, there and back. What does not depend on it, such as "
+     "the map of a light that stands still, is kept and costs nothing."},
+    {"light", "the light moves", "while the light moves",
+     "The light of view.light sinks by half a degree a frame, there and back. What does not depend on it, such as what "
+     "the camera sees, is kept and costs nothing."},
+};
+static_assert(std::size(kCosts) == std::size_t(CostCase::Light) + 1);
+
+/// Steps from the start: each frame is another than the one before it.
+constexpr int kSwing[] = {0, 1, 2, 1};
+
+}  // namespace
+
+std::span<const CostRow> cost_cases() {
+    return kCosts;
+}
+
+const CostRow& row_of(CostCase cost) {
+    return kCosts[std::size_t(cost)];
+}
+
+std::string cost_keys() {
+    std::string keys;
+    for (const CostRow& row : kCosts) keys += fmt::format("{}{}", keys.empty() ? "" : ", ", row.key);
+    return keys;
+}
+
+CostCase parse_cost(std::string_view key) {
+    const auto row = std::find_if(std::begin(kCosts), std::end(kCosts), [&](const CostRow& r) { return r.key == key; });
+    if (row == std::end(kCosts)) throw Error(fmt::format("cost {}: it is one of {}", key, cost_keys()));
+    return CostCase(row - std::begin(kCosts));
+}
+
+std::vector<Settings> scripted_frames(const Scene& scene, const Settings& settings, double aspect, CostCase cost) {
+    if (cost == CostCase::Forced) return {settings};
+    std::vector<Settings> frames;
+    Settings start = settings;
+    // Written out, so that it can be turned, and stays where it is while a light moves.
+    if (cost == CostCase::Camera || settings.camera.source == int(CameraSource::Light))
+        start.camera = manual_camera(scene, settings, aspect);
+    const auto light = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
+    for (const int steps : kSwing) {
+        Settings s = start;
+        const double turn = kCostStepDegrees * steps;
+        LightSettings& l = s.lights[light];
+        if (cost == CostCase::Camera)
+            s.camera.azimuth = std::remainder(s.camera.azimuth + turn, 360.0);
+        else
+            l.elevation += l.elevation > 0 ? -turn : turn;
+        frames.push_back(std::move(s));
+    }
+    return frames;
+}
+
+void time_as(FrameRequest& request, CostCase cost) {
+    request.timing = true;
+    request.force = cost == CostCase::Forced;
+}
+
+}  // namespace si

@@ -1,0 +1,178 @@
+// What the scene advises is what one gets: each change that is shown, made and measured again.
+#include "renderer/measure/advice.h"
+
+#include "renderer/measure/autopilot.h"
+#include "renderer/scenes/shapes.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+class AdviceTest : public FrameTest {
+protected:
+    TruthCache cache;
+    int width = 240, height = 160;
+    Workers workers;
+
+    /// Times by a clock that counts work, so that ranks depend on no machine.
+    AdviceMeter meter_by_work(const Scene& scene) {
+        AdviceMeter meter = rendered_meter(renderer, scene, width, height, {}, cache, workers);
+        meter.time = [judge = meter.judge](const Settings& a, const Settings& b) {
+            const auto work = [&](const Settings& s) { return 1e-6 * double(judge(s, 0).work.bytes_touched); };
+            return CostChange{work(b) - work(a), 1e-9};
+        };
+        return meter;
+    }
+
+    std::vector<TriedAdvice> advised(const Scene& scene, const Settings& s) {
+        const AdviceFacts facts = advice_facts(renderer, scene, s, width, height, cache, workers);
+        return try_advice(s, advice_ideas(s, facts), meter_by_work(scene));
+    }
+
+    /// Makes each change as the editor and --set do, and measures it as `measure` does.
+    void keeps_what_it_says(const Scene& scene, const Settings& s, const std::vector<TriedAdvice>& all) {
+        Measurer measurer(renderer, width, height);
+        Settings judged_as = s;
+        std::size_t shown = 0;
+        for (const TriedAdvice& t : all) {
+            if (!t.why_not.empty()) continue;
+            ++shown;
+            SCOPED_TRACE(t.idea.sentence);
+            Settings with = s;
+            for (const auto& [key, value] : t.settings) set_setting(with, key, value);
+            judged_as.view.light = with.view.light = t.idea.light;
+            const Judgement before = measurer.judge(scene, judged_as), after = measurer.judge(scene, with);
+            EXPECT_EQ(before.error.mae, t.before.error);
+            EXPECT_EQ(after.error.mae, t.after.error) << "exactly as it says";
+            if (t.idea.claim == Claim::Same) {
+                EXPECT_LE(after.error.mae, before.error.mae + t.tolerance());
+            }
+            if (t.idea.claim == Claim::Right) {
+                EXPECT_LT(after.error.mae, before.error.mae);
+            } else {
+                EXPECT_LT(after.cost.bytes_touched, before.cost.bytes_touched) << "there is less to do";
+            }
+        }
+        EXPECT_GT(shown, 0u);
+    }
+
+    static bool has(const std::vector<TriedAdvice>& all, std::string_view rule) {
+        return std::any_of(all.begin(), all.end(),
+                           [&](const TriedAdvice& t) { return t.why_not.empty() && t.idea.rule == rule; });
+    }
+};
+
+TEST_F(AdviceTest, KeepsWhatItSaysOnBuiltInScenes) {
+    for (const char* name : {"boxes", "teapot"}) {
+        SCOPED_TRACE(name);
+        const Scene scene = load_scene(name);
+        const Settings s = settings_for(scene);
+        keeps_what_it_says(scene, s, advised(scene, s));
+    }
+}
+
+TEST_F(AdviceTest, FindsWhatIsForNothing) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = settings_for(scene, {{"filter.kernel", "pcss"}, {"light.size", "0.01"}, {"light.cascades", "4"}});
+    std::vector<TriedAdvice> all = advised(scene, s);
+    EXPECT_TRUE(has(all, "narrow-penumbra"));
+    keeps_what_it_says(scene, s, all);
+    // Too little bias: it puts pixels right.
+    s = settings_for(scene, {{"bias.normal", "0"}, {"bias.constant", "0"}});
+    all = advised(scene, s);
+    EXPECT_TRUE(has(all, "least-bias"));
+    keeps_what_it_says(scene, s, all);
+}
+
+TEST_F(AdviceTest, ALightWithoutVisibleShadowNeedsNone) {
+    Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    // Seen from straight above, under a light from straight above, 115 m from the origin.
+    const glm::dvec3 far_off(80, 0, 80);
+    test::move_scene(scene, far_off);
+    const Settings s = settings_for(scene, {{"light.elevation", "90"},
+                                            {"camera.source", "manual"},
+                                            {"camera.elevation", "90"},
+                                            {"camera.target_x", "80"},
+                                            {"camera.target_z", "80"},
+                                            {"camera.orthographic", "true"}});
+    const std::vector<TriedAdvice> all = advised(scene, s);
+    EXPECT_TRUE(has(all, "no-shadow"));
+    keeps_what_it_says(scene, s, all);
+}
+
+TEST_F(AdviceTest, AnEmptySceneIsNoProblem) {
+    const Scene scene;
+    const AdviceReport r = find_advice(renderer, scene, Settings{}, 64, 48, {}, cache);
+    EXPECT_TRUE(r.holds.empty());
+    ASSERT_FALSE(r.findings.empty());
+    EXPECT_NE(r.findings[0].text.find("no pixel of the picture faces light 0"), std::string::npos);
+}
+
+TEST_F(AdviceTest, AStoppedSearchThrows) {
+    const Scene scene = load_scene("boxes");
+    std::stop_source stop;
+    EXPECT_THROW(find_advice(renderer, scene, settings_for(scene), 64, 48, {}, cache, {.stop = stop.get_token()},
+                             [&](double, const std::string& what) {
+                                 if (what != "the present settings") stop.request_stop();
+                             }),
+                 Cancelled);
+}
+
+/// Frames of which only one thing moves draw what depends on it, and no more.
+TEST_F(AdviceTest, MotionsDrawWhatDependsOnThem) {
+    const Scene scene = load_scene("boxes");
+    Measurer measurer(renderer, width, height);
+    const auto ran = [&](const Sets& sets, CostCase cost) {
+        TimedFrames frames = measurer.frames(scene, settings_for(scene, sets), cost);
+        frames.warm_up();
+        std::pair<int, int> maps_and_pictures{0, 0};
+        for (int i = 0; i < 8; ++i)
+            for (const PassInfo& pass : frames.next().passes)
+                if (pass.state == PassState::Ran)
+                    ++(pass.category == PassCategory::Maps ? maps_and_pictures.first : maps_and_pictures.second);
+        return maps_and_pictures;
+    };
+    const auto forced = ran({}, CostCase::Forced), camera = ran({}, CostCase::Camera), light = ran({}, CostCase::Light);
+    EXPECT_GE(forced.first, 8);
+    EXPECT_GE(forced.second, 8);
+    EXPECT_EQ(camera.first, 0) << "the map is kept";
+    EXPECT_GE(camera.second, 8);
+    EXPECT_GE(light.first, 8);
+    EXPECT_GE(ran({{"light.fit", "view"}}, CostCase::Camera).first, 8) << "this map follows the camera";
+    EXPECT_GE(ran({{"light.elevation", "90"}}, CostCase::Light).first, 8) << "a light at the zenith moves, too";
+}
+
+/// Real errors over a made-up clock that counts bytes: within a tenth of the optimum that all combinations have.
+TEST_F(AdviceTest, TheAutopilotComesWithinATenthOfTheOptimum) {
+    const std::vector<SweepAxis> axes = {{"filter.kernel", {"", "hard", "pcf3", "pcf5"}},
+                                         {"map.resolution", {"", "256", "512", "1024"}},
+                                         {"map.format", {"", "d16"}}};
+    for (const char* name : {"boxes", "teapot"}) {
+        SCOPED_TRACE(name);
+        const Scene scene = load_scene(name);
+        const Settings s = settings_for(scene);
+        AutopilotMeter meter{meter_by_work(scene), {}, {}};
+        meter.ms = [&](const Settings& t) { return 1e-6 * double(meter.judge(t, 0).work.bytes_touched); };
+        meter.now_s = [] { return 0.0; };
+        const AutopilotGoals all{.most_error = 1};
+        const AutopilotResult known = run_autopilot(s, axes, all, meter);
+        ASSERT_EQ(known.cases.size(), 32u);
+        for (const double share : {0.25, 0.5}) {
+            std::vector<double> errors;
+            for (const AutopilotCase& c : known.cases) errors.push_back(c.judged.error);
+            std::sort(errors.begin(), errors.end());
+            const AutopilotGoals goals{.most_error = errors[std::size_t(share * 31)], .most_combinations = 16};
+            double least = 1e300;
+            for (const AutopilotCase& c : known.cases)
+                if (c.judged.error <= *goals.most_error) least = std::min(least, meter.ms(c.settings));
+            const AutopilotResult r = run_autopilot(s, axes, goals, meter);
+            ASSERT_TRUE(r.held) << r.summary;
+            EXPECT_LE(*r.best.ms, 1.1 * least) << r.summary;
+            EXPECT_LE(r.best.judged.error, *goals.most_error);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace si

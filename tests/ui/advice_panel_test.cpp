@@ -1,0 +1,119 @@
+// The panel of advice: what its buttons wish for, what it shows, and that what is applied is one step of undo.
+#include <gtest/gtest.h>
+
+#include "renderer/measure/autopilot.h"
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+std::string without_spaces(std::string_view text) {
+    std::string out;
+    for (const char c : text)
+        if (c != ' ') out += c;
+    return out;
+}
+
+std::string printed_by(const UiHarness& ui) {
+    std::string out;
+    for (const char32_t c : ui.printed()) out += c < 128 ? char(c) : '?';
+    return without_spaces(out);
+}
+
+AdviceReport made_up_advice() {
+    AdviceReport r;
+    TriedAdvice t;
+    t.idea.sentence = "nothing is seen of it";
+    t.settings = {{"filter.kernel", "hard"}, {"map.resolution", "512"}};
+    t.before.error = 0.01, t.after.error = 0.0125, t.ms = {-3.25, 0.5};
+    r.holds = {t};
+    t.idea.sentence = "this was hoped", t.why_not = "the error grows";
+    r.fails = {t};
+    r.findings = {{Severity::Error, "acne everywhere", "more bias", {{"bias.normal", "7"}}}};
+    r.before.error = 0.01, r.time.total_ms.median = 12;
+    return r;
+}
+
+class AdvicePanelTest : public ::testing::Test {
+protected:
+    UiHarness ui{1600, 900};
+    AdviceReport report = made_up_advice();
+
+    void SetUp() override {
+        ui.state.open_tab = BottomTab::Advice;
+        ui.state.layout.bottom_height = 32;
+        ui.frames(4);
+        ASSERT_EQ(ui.state.tab, BottomTab::Advice);
+    }
+    void click_on(const std::string& window, const std::string& group, const std::string& label) {
+        const auto at = ui.find(window, group, label);
+        ASSERT_TRUE(at) << label;
+        ui.click(*at);
+    }
+};
+
+TEST_F(AdvicePanelTest, AsksForAdviceAndForTheAutopilotWithItsBounds) {
+    click_on("controls", "", "Run");
+    ASSERT_TRUE(ui.last_wish.find_advice);
+    EXPECT_FALSE(ui.last_wish.find_advice->most_error);
+    EXPECT_EQ(ui.last_wish.find_advice->cost, CostCase::Camera);
+    ui.state.advice.most_error = 0.02, ui.state.advice.bound_ms = true, ui.state.advice.most_ms = 5;
+    ui.state.advice.cost = CostCase::Light;
+    ui.frames(2);
+    EXPECT_NE(printed_by(ui).find(without_spaces("while the light moves")), std::string::npos);
+    click_on("controls", "", "Autopilot");
+    EXPECT_EQ(ui.last_wish.find_advice->most_error, 0.02);
+    EXPECT_EQ(ui.last_wish.find_advice->most_ms, 5);
+    EXPECT_EQ(ui.last_wish.find_advice->cost, CostCase::Light);
+    ui.advice.advising = TuneFacts{"pcf5 at 512", 0.4};
+    ui.frames(2);
+    EXPECT_NE(printed_by(ui).find("40%"), std::string::npos);
+    click_on("controls", "", "Cancel");
+    EXPECT_TRUE(ui.last_wish.cancel_advice);
+}
+
+TEST_F(AdvicePanelTest, ShowsFiguresAndAppliesAsOneStepOfUndo) {
+    ui.advice.advice = &report, ui.advice.advice_current = true;
+    ui.frames(3);
+    const std::string text = printed_by(ui);
+    for (const char* part : {"nothing is seen of it", "-3.25 ms", "+0.0025", "error: acne everywhere", "more bias",
+                             "1 tried, do not hold", "12 ms a frame while the camera moves"})
+        EXPECT_NE(text.find(without_spaces(part)), std::string::npos) << part << "\n" << text;
+    EXPECT_EQ(text.find(without_spaces("this was hoped")), std::string::npos) << "folded away";
+    const Settings before = ui.state.settings;
+    bool applied = false;
+    for (float y = 640; y < 890 && !applied; y += 8)
+        for (float x = 400; x < 700 && !applied; x += 12) {
+            ui.click({x, y});
+            applied = ui.state.settings.map.resolution == 512;
+            if (!applied && !(ui.state.settings == before)) ui.state.settings = before, ui.frames(3);
+        }
+    ASSERT_TRUE(applied);
+    EXPECT_EQ(ui.state.settings.filter.kernel, 0);
+    ui.frames(3);
+    EXPECT_EQ(ui.state.history.undo(), before) << "both settings in one step";
+}
+
+TEST_F(AdvicePanelTest, SaysWhenItIsOfOtherSettings) {
+    ui.advice.advice = &report, ui.advice.advice_current = false;
+    ui.frames(3);
+    EXPECT_NE(printed_by(ui).find(without_spaces("of other settings: run again")), std::string::npos);
+}
+
+TEST_F(AdvicePanelTest, ShowsWhatTheAutopilotFoundAndDropped) {
+    AutopilotResult flight;
+    flight.held = true, flight.summary = "hard at 512 holds it";
+    flight.dropped = {{"light.contact", "0.1", "0", 0.004, {1.5, 0.2}}};
+    flight.untried = {"7 of 9 combinations were not tried"};
+    ui.advice.autopilot = &flight, ui.advice.advice_current = true;
+    ui.frames(3);
+    const std::string text = printed_by(ui);
+    for (const char* part : {"hard at 512 holds it", "would have cost +1.5 ms", "7 of 9 combinations", "Apply"})
+        EXPECT_NE(text.find(without_spaces(part)), std::string::npos) << part << "\n" << text;
+    flight.held = false, flight.summary = "it cannot be held";
+    ui.frames(3);
+    EXPECT_EQ(printed_by(ui).find("Apply"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,228 @@
+// Rules over made-up facts, and what becomes of ideas under a made-up clock and truth.
+#include "renderer/measure/advice.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+/// Nothing of these calls for a change.
+AdviceFacts plain_facts() {
+    AdviceFacts f;
+    f.lights.resize(1);
+    f.lights[0].shadowed = f.lights[0].casts = true;
+    f.lights[0].views.resize(1);
+    f.map_resolution = 2048;
+    f.pixels = f.error.counted = 1000;
+    f.nearest_m = 2, f.farthest_m = 14;
+    f.texel_px = 2, f.penumbra_texels = 10, f.read_share = 0.6;
+    f.shadowed = {0.2};
+    f.lights[0].limits.depth_m = 20, f.lights[0].limits.texel_m = 1e-5;
+    return f;
+}
+
+std::vector<AdviceIdea> ideas_of(const Settings& s, const AdviceFacts& f, std::string_view rule) {
+    std::vector<AdviceIdea> ideas = advice_ideas(s, f);
+    std::erase_if(ideas, [&](const AdviceIdea& i) { return i.rule != rule; });
+    return ideas;
+}
+
+TEST(AdviceRules, SpeakWhereFactsCallForThem) {
+    struct Case {
+        const char* rule;
+        std::function<void(Settings&, AdviceFacts&)> change;
+        const char* sets;  ///< KEY=VALUE of the first idea
+        const char* says;
+    };
+    const std::vector<Case> cases = {
+        {"no-shadow", [](Settings&, AdviceFacts& f) { f.shadowed[0] = 0; }, "light.cast=false", "light 0"},
+        {"narrow-penumbra",
+         [](Settings& s, AdviceFacts& f) {
+             set_setting(s, "filter.kernel", "pcss");
+             f.penumbra_texels = 0.4;
+         },
+         "filter.kernel=hw2x2", "the penumbra is at most 0.4 texels wide here: PCSS buys nothing"},
+        {"cascades",
+         [](Settings& s, AdviceFacts& f) {
+             s.lights[0].cascades = 4;
+             f.lights[0].views.resize(4), f.lights[0].chooser.choice = ViewChoice::Interval;
+         },
+         "light.cascades=1", "12 m of depth (2 to 14 m): 1 of 4 cascades suffices"},
+        {"cascade-overlap",
+         [](Settings& s, AdviceFacts& f) {
+             s.lights[0].cascades = 4;
+             f.lights[0].views.resize(4), f.lights[0].chooser.choice = ViewChoice::Interval;
+         },
+         "light.cascade_blend=0", "10 %"},
+        {"unread-texels", [](Settings&, AdviceFacts& f) { f.read_share = 0.08; }, "map.resolution=1024",
+         "8 % of the map's texels are read: a tighter fit gives the same sharpness at 1024"},
+        {"fine-map", [](Settings&, AdviceFacts& f) { f.texel_px = 0.2; }, "map.resolution=1024", "0.2 pixels"},
+        {"unseen-blur", [](Settings&, AdviceFacts& f) { f.texel_px = 0.2; }, "filter.kernel=hard", "no one sees"},
+        {"moments", [](Settings& s, AdviceFacts&) { set_setting(s, "filter.kernel", "vsm"); }, "filter.kernel=pcf",
+         "directly"},
+        {"least-bias", [](Settings&, AdviceFacts& f) { f.needs.pixels = 100, f.needs.least[2].normal = 1; },
+         "bias.normal=1", "3 texels is more than"},
+        {"polygon-offset", [](Settings& s, AdviceFacts&) { s.bias.raster_slope = 2; }, "bias.raster_slope=0",
+         "slope 2"},
+        {"sixteen-bits", [](Settings&, AdviceFacts& f) { f.lights[0].limits.texel_m = 0.01; }, "map.format=d16",
+         "20 m of depth in 16 bits"},
+        {"contact", [](Settings& s, AdviceFacts&) { s.lights[0].contact = 0.2; }, "light.contact=0", "0.2 m"},
+        {"whole-map",
+         [](Settings& s, AdviceFacts& f) {
+             s.map.paged = true;
+             f.paged_texels = 1'000'000;
+         },
+         "map.virtual=false", "1024"},
+        {"depth-blur", [](Settings& s, AdviceFacts&) { s.map.blur_texels = 3; }, "map.blur_texels=0", "3 texels"},
+        {"map-samples", [](Settings& s, AdviceFacts&) { s.map.samples = 4; }, "map.samples=1", "4 samples"},
+        {"gathers", [](Settings& s, AdviceFacts&) { s.filter.method = int(FilterMethod::Sampler); },
+         "filter.method=auto", "gathers give the same picture"},
+        {"separate-visibility", [](Settings& s, AdviceFacts&) { s.shading.separate_visibility = true; },
+         "shading.separate_visibility=false", "apart"},
+    };
+    for (const Case& c : cases) {
+        SCOPED_TRACE(c.rule);
+        Settings s;
+        AdviceFacts f = plain_facts();
+        EXPECT_TRUE(ideas_of(s, f, c.rule).empty()) << "plain facts call for nothing";
+        c.change(s, f);
+        const std::vector<AdviceIdea> ideas = ideas_of(s, f, c.rule);
+        ASSERT_FALSE(ideas.empty());
+        EXPECT_NE(ideas[0].sentence.find(c.says), std::string::npos) << ideas[0].sentence;
+        const std::string_view sets = c.sets;
+        const std::string key(sets.substr(0, sets.find('='))), value(sets.substr(sets.find('=') + 1));
+        const SettingRef ref = *find_setting(key);
+        EXPECT_EQ(value_text(*ref.param, get_value(ideas[0].settings, ref)), value);
+    }
+}
+
+TEST(AdviceRules, SpeakOnceOfEachChangeAndNeverOfNone) {
+    Settings s;
+    AdviceFacts f = plain_facts();
+    f.texel_px = 0.1, f.read_share = 0.05, f.shadowed[0] = 0;
+    const std::vector<AdviceIdea> ideas = advice_ideas(s, f);
+    ASSERT_GT(ideas.size(), 4u);
+    for (std::size_t i = 0; i < ideas.size(); ++i) {
+        EXPECT_FALSE(ideas[i].settings == s) << ideas[i].sentence;
+        for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(ideas[i].settings == ideas[k].settings);
+    }
+    std::set<std::string_view> keys;
+    for (const AdviceRule& rule : advice_rules()) EXPECT_TRUE(keys.insert(rule.key).second) << rule.key;
+}
+
+TEST(AdviceRules, LeaveAnEmptySceneAlone) {
+    AdviceFacts f;
+    f.lights.resize(1);
+    f.shadowed = {std::numeric_limits<double>::quiet_NaN()};
+    f.texel_px = f.shadowed[0];
+    EXPECT_TRUE(advice_ideas(Settings{}, f).empty());
+    f.lights.clear(), f.shadowed.clear();
+    EXPECT_TRUE(advice_ideas(Settings{}, f).empty()) << "without lights";
+}
+
+/// Error, milliseconds and bytes by map.resolution, which numbers the ideas.
+struct MadeUp {
+    double error, ms, noise = 0.1;
+    std::uint64_t bytes = 100;
+};
+
+std::vector<TriedAdvice> tried(const std::vector<MadeUp>& world, const std::vector<Claim>& claims) {
+    std::vector<AdviceIdea> ideas;
+    for (std::size_t i = 1; i < world.size(); ++i) {
+        AdviceIdea idea{.rule = "made up", .claim = claims[i - 1], .sentence = std::to_string(i)};
+        idea.settings.map.resolution = int(i);
+        ideas.push_back(idea);
+    }
+    Settings base;
+    base.map.resolution = 0;
+    AdviceMeter meter;
+    meter.judge = [&](const Settings& s, int) {
+        const MadeUp& w = world[std::size_t(s.map.resolution)];
+        return JudgedSettings{.error = w.error, .noise = 0, .work = {.bytes_touched = w.bytes}};
+    };
+    meter.time = [&](const Settings& a, const Settings& b) {
+        const MadeUp &x = world[std::size_t(a.map.resolution)], &y = world[std::size_t(b.map.resolution)];
+        return CostChange{y.ms - x.ms, y.noise};
+    };
+    return try_advice(base, ideas, meter);
+}
+
+TEST(Advice, IsRankedByWhatItSavesForTheErrorItAdds) {
+    constexpr Claim kSame = Claim::Same, kTrade = Claim::Trade, kRight = Claim::Right;
+    const std::vector<MadeUp> world = {
+        {0.010, 10},
+        {0.010, 9},              // 1: saves 1 ms for nothing
+        {0.030, 4},              // 2: 6 ms for 0.02: 300 a unit
+        {0.012, 8},              // 3: 2 ms for 0.002: 1000 a unit
+        {0.010, 7},              // 4: saves 3 ms for nothing
+        {0.005, 10},             // 5: puts pixels right
+        {0.010, 10, 0.1, 50},    // 6: saves memory
+        {0.020, 5},              // 7: says the same, which it is not
+        {0.010, 12},             // 8: slower
+        {0.010, 9.95, 0.1, 100}  // 9: nothing
+    };
+    const auto all = tried(world, {kSame, kTrade, kTrade, kSame, kRight, kSame, kSame, kTrade, kSame});
+    std::vector<std::string> holds, fails;
+    for (const TriedAdvice& t : all) (t.why_not.empty() ? holds : fails).push_back(t.idea.sentence);
+    EXPECT_EQ(holds, (std::vector<std::string>{"4", "1", "3", "2", "5", "6"}));
+    EXPECT_EQ(std::set<std::string>(fails.begin(), fails.end()), (std::set<std::string>{"7", "8", "9"}));
+    for (const TriedAdvice& t : all) {
+        if (t.idea.sentence == "7") EXPECT_NE(t.why_not.find("the error grows by 0.01"), std::string::npos);
+        if (t.idea.sentence == "8") EXPECT_NE(t.why_not.find("2 ms more"), std::string::npos);
+        EXPECT_EQ(t.settings.size(), 1u);
+    }
+}
+
+TEST(Advice, ClaimsThatPixelsGetRightAreHeldToIt) {
+    const auto all = tried({{0.010, 10}, {0.010, 5}, {0.002, 20}}, {Claim::Right, Claim::Right});
+    EXPECT_TRUE(all[0].why_not.empty()) << "right, at whatever cost";
+    EXPECT_EQ(all[0].idea.sentence, "2");
+    EXPECT_NE(all[1].why_not.find("does not fall"), std::string::npos);
+}
+
+TEST(Advice, WhatMovesTheCameraCannotBeJudged) {
+    AdviceIdea idea{.rule = "made up", .sentence = "turn", .settings = {}};
+    idea.settings.map.resolution = 1;
+    AdviceMeter meter;
+    meter.judge = [](const Settings& s, int) {
+        JudgedSettings j;
+        j.camera.eye.x = s.map.resolution;
+        return j;
+    };
+    meter.time = [](const Settings&, const Settings&) { return CostChange{-5, 0.1}; };
+    EXPECT_NE(try_advice(Settings{}, {idea}, meter)[0].why_not.find("would move"), std::string::npos);
+}
+
+TEST(Findings, ComeWorstFirstAndWithWhatCuresMost) {
+    AdviceFacts f = plain_facts();
+    f.notes = {"map.resolution was lowered"};
+    f.lights[0].limits.one_texel = true;
+    f.error.artefacts[std::size_t(Artefact::Acne)] = 200;
+    f.error.artefacts[std::size_t(Artefact::EdgeAliasing)] = 2;
+    CureTable cures;
+    Cure little{.name = "little", .settings = {}, .untried = {}};
+    little.cured = 50, little.cured_of[std::size_t(Artefact::Acne)] = 50;
+    Cure most = little;
+    most.name = "most", most.settings = {{"bias.normal", "3"}};
+    most.cured = 190, most.broken = 1, most.cured_of[std::size_t(Artefact::Acne)] = 190;
+    Cure harm = little;
+    harm.name = "harm", harm.cured = 200, harm.broken = 900, harm.cured_of[std::size_t(Artefact::Acne)] = 200;
+    cures.rows = {little, most, harm};
+    const std::vector<Finding> found = findings_of(f, cures);
+    ASSERT_EQ(found.size(), 4u);
+    EXPECT_EQ(found[0].severity, Severity::Error);
+    for (std::size_t i = 1; i < found.size(); ++i) EXPECT_LE(found[i - 1].severity, found[i].severity);
+    const auto acne = std::find_if(found.begin(), found.end(), [](const Finding& x) {
+        return x.text.find("200 pixels, 20 %") != std::string::npos;
+    });
+    ASSERT_NE(acne, found.end());
+    EXPECT_EQ(acne->cure, "most puts 190 of them right, and breaks 1 others");
+    EXPECT_EQ(acne->settings.front().second, "3");
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,176 @@
+// The autopilot over made-up worlds, whose optimum is known by trying all.
+#include "renderer/measure/autopilot.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "renderer/settings/filters.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+/// Finer maps, wider kernels and more cascades are more accurate and slower; a cascade serves each resolution alike.
+struct World {
+    double now = 0;
+    double seconds_each = 0;  ///< of a judgement or a time
+    int judged = 0, timed = 0;
+
+    static double ms(const Settings& s) {
+        return 1 + 1e-6 * s.lights[0].cascades * s.map.resolution * s.map.resolution +
+               0.5 * cost_of(s).sampler_taps / 9.0 + (s.map.format == int(MapFormat::D16) ? 0 : 0.2) +
+               10 * s.lights[0].contact;
+    }
+    static double error(const Settings& s) {
+        return 2.0 / s.map.resolution / std::sqrt(double(taps_across(filter_of(s), s))) /
+                   std::sqrt(double(s.lights[0].cascades)) +
+               (s.map.format == int(MapFormat::D16) ? 1e-5 : 0) + (s.lights[0].contact > 0 ? 0 : 1e-5);
+    }
+    AutopilotMeter meter() {
+        AutopilotMeter m;
+        m.judge = [this](const Settings& s, int) {
+            ++judged, now += seconds_each;
+            const auto texels =
+                std::uint64_t(s.lights[0].cascades) * std::uint64_t(s.map.resolution) * std::uint64_t(s.map.resolution);
+            return JudgedSettings{.error = error(s),
+                                  .noise = 0,
+                                  .work = {.map_texels = texels,
+                                           .map_bytes = texels * (s.map.format == int(MapFormat::D16) ? 2 : 4),
+                                           .bytes_touched = texels * 4 + std::uint64_t(cost_of(s).texels) * 1000}};
+        };
+        m.ms = [this](const Settings& s) { return ++timed, now += seconds_each, ms(s); };
+        m.time = [this](const Settings& a, const Settings& b) {
+            now += seconds_each;
+            return CostChange{ms(b) - ms(a), 1e-6};
+        };
+        m.now_s = [this] { return now; };
+        return m;
+    }
+};
+
+std::vector<SweepAxis> axes_of(bool many) {
+    std::vector<SweepAxis> axes = {{"filter.kernel", {"", "hard", "pcf5", "pcf7"}},
+                                   {"map.resolution", {"", "256", "512", "1024", "4096"}},
+                                   {"light.0.cascades", {"", "2", "4"}}};
+    if (many) axes.push_back({"map.format", {"", "d16"}}), axes.push_back({"light.0.contact", {"", "0"}});
+    return axes;
+}
+
+/// By trying all; nothing: none holds.
+std::optional<Settings> exhausted(const Settings& start, const std::vector<SweepAxis>& axes,
+                                  const AutopilotGoals& goals) {
+    std::vector<Settings> all = {start};
+    for (const SweepAxis& axis : axes) {
+        std::vector<Settings> more;
+        for (const Settings& s : all)
+            for (const std::string& value : axis.values) {
+                more.push_back(s);
+                if (!value.empty()) set_setting(more.back(), axis.key, value);
+            }
+        all = std::move(more);
+    }
+    std::optional<Settings> best;
+    for (const Settings& s : all) {
+        if (goals.most_error && World::error(s) > *goals.most_error) continue;
+        if (goals.most_ms && World::ms(s) > *goals.most_ms) continue;
+        const auto cost = [&](const Settings& t) { return goals.most_error ? World::ms(t) : World::error(t); };
+        if (!best || cost(s) < cost(*best)) best = s;
+    }
+    return best;
+}
+
+Settings with_contact() {
+    Settings s;
+    s.lights[0].contact = 0.1;
+    return s;
+}
+
+TEST(Autopilot, FindsTheOptimumWhereAllCanBeTried) {
+    for (const AutopilotGoals& goals :
+         {AutopilotGoals{.most_error = 0.001}, AutopilotGoals{.most_error = 0.0003}, AutopilotGoals{.most_ms = 4},
+          AutopilotGoals{.most_ms = 2.2}, AutopilotGoals{.most_error = 0.002, .most_ms = 4}}) {
+        World world;
+        const AutopilotResult r = run_autopilot(with_contact(), axes_of(false), goals, world.meter());
+        const std::optional<Settings> best = exhausted(with_contact(), axes_of(false), goals);
+        ASSERT_EQ(r.held, best.has_value());
+        const auto value = [&](const Settings& s) { return goals.most_error ? World::ms(s) : World::error(s); };
+        EXPECT_NEAR(value(r.best.settings), value(*best), 1e-12) << r.summary;
+        EXPECT_EQ(r.combinations, 60u);
+        EXPECT_TRUE(r.untried.empty());
+        EXPECT_LT(world.timed, 62) << "not all have to be timed";
+    }
+}
+
+TEST(Autopilot, ComesWithinATenthWhereItSearchesByParts) {
+    for (const double error : {0.003, 0.001, 0.0005, 0.0003}) {
+        const AutopilotGoals goals{.most_error = error, .most_combinations = 100};
+        World world;
+        const AutopilotResult r = run_autopilot(with_contact(), axes_of(true), goals, world.meter());
+        ASSERT_TRUE(r.held) << r.summary;
+        EXPECT_LE(World::ms(r.best.settings), 1.1 * World::ms(*exhausted(with_contact(), axes_of(true), goals)))
+            << r.summary;
+        EXPECT_EQ(r.combinations, 240u);
+        ASSERT_EQ(r.untried.size(), 1u) << "it says what it left out";
+        EXPECT_LT(r.cases.size(), 120u);
+    }
+}
+
+TEST(Autopilot, SaysWhatEachDroppedEffectWouldHaveCost) {
+    World world;
+    const AutopilotGoals goals{.most_error = 0.003};
+    const AutopilotResult r = run_autopilot(with_contact(), axes_of(true), goals, world.meter());
+    ASSERT_TRUE(r.held);
+    const auto contact = std::find_if(r.dropped.begin(), r.dropped.end(),
+                                      [](const DroppedEffect& d) { return d.key == "light.0.contact"; });
+    ASSERT_NE(contact, r.dropped.end());
+    EXPECT_NEAR(contact->ms.value, 1, 1e-9);
+    EXPECT_EQ(contact->before, "0.1");
+    EXPECT_EQ(contact->now, "0");
+    EXPECT_NEAR(contact->error, r.best.judged.error - 1e-5, 1e-12);
+}
+
+TEST(Autopilot, SaysThatABoundCannotBeHeldAndWhatCameNearest) {
+    World world;
+    const AutopilotResult r = run_autopilot(Settings{}, axes_of(false), {.most_error = 1e-9}, world.meter());
+    EXPECT_FALSE(r.held);
+    EXPECT_NE(r.summary.find("mae at most 1e-09 cannot be held by what was tried; nearest came"), std::string::npos)
+        << r.summary;
+    for (const AutopilotCase& c : r.cases) EXPECT_LE(r.best.judged.error, c.judged.error);
+    World fast;
+    const AutopilotResult slow = run_autopilot(Settings{}, axes_of(false), {.most_ms = 0.01}, fast.meter());
+    EXPECT_FALSE(slow.held);
+    EXPECT_NE(slow.summary.find("while the camera moves cannot be held"), std::string::npos) << slow.summary;
+}
+
+TEST(Autopilot, EndsInTimeAndSaysWhatItDidNotTry) {
+    World world;
+    world.seconds_each = 1;
+    const AutopilotResult r =
+        run_autopilot(Settings{}, axes_of(false), {.most_error = 0.01, .most_seconds = 20}, world.meter());
+    EXPECT_LE(r.seconds, 20 + 10) << "what was under way, and what dropped effects cost";
+    EXPECT_FALSE(r.untried.empty());
+    EXPECT_LT(r.cases.size(), 60u);
+}
+
+TEST(Autopilot, TurnsAnEffectOffOnlyWhereThereIsOne) {
+    AdviceFacts f;
+    f.lights.resize(1);
+    f.lights[0].shadowed = f.lights[0].casts = true;
+    f.lights[0].views.resize(1);
+    f.shadowed = {0.5};
+    const auto has = [](const std::vector<SweepAxis>& axes, std::string_view key) {
+        return std::any_of(axes.begin(), axes.end(), [&](const SweepAxis& a) { return a.key == key; });
+    };
+    const std::vector<SweepAxis> plain = autopilot_axes(Settings{}, f);
+    EXPECT_TRUE(has(plain, "filter.kernel"));
+    EXPECT_TRUE(has(plain, "map.resolution"));
+    for (const char* key : {"light.0.contact", "map.virtual", "light.0.cast"}) EXPECT_FALSE(has(plain, key)) << key;
+    f.shadowed = {0};
+    EXPECT_TRUE(has(autopilot_axes(with_contact(), f), "light.0.cast"));
+    EXPECT_TRUE(has(autopilot_axes(with_contact(), f), "light.0.contact"));
+    for (const SweepAxis& axis : plain) EXPECT_EQ(axis.values.front(), "") << "as it is";
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,181 @@
+// What the scene advises, each change measured before it is shown, and the autopilot.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "renderer/measure/autopilot.h"
+#include "renderer/settings/param.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/cost_combo.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+using Changes = std::span<const std::pair<std::string, std::string>>;
+
+void tip(const std::string& text) {
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text.c_str());
+}
+
+std::string list_of(Changes changes) {
+    std::string text;
+    for (const auto& [key, value] : changes) text += fmt::format("{} = {}\n", key, value);
+    return text;
+}
+
+/// One step of undo.
+void apply_button(Settings& settings, Changes changes, bool current) {
+    ImGui::BeginDisabled(!current || changes.empty());
+    if (ImGui::SmallButton("Apply"))
+        for (const auto& [key, value] : changes) set_setting(settings, key, value);
+    ImGui::EndDisabled();
+    tip(list_of(changes) + (current ? "Ctrl+Z takes it back." : "Of other settings: run again."));
+}
+
+void bound(const char* label, const char* about, bool& on, double& value, double least, const char* format) {
+    ImGui::Checkbox(label, &on);
+    tip(about);
+    ImGui::SameLine(ImGui::GetFontSize() * 10);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5);
+    ImGui::PushID(label);
+    if (ImGui::InputDouble("##bound", &value, 0, 0, format)) on = true;
+    ImGui::PopID();
+    tip(about);
+    value = std::max(value, least);
+}
+
+void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorActions& actions) {
+    if (frame.advising) {
+        if (ImGui::Button("Cancel")) actions.cancel_advice = true;
+        progress_bar(frame.advising->progress, fmt::format("{:.0f} %", 100 * frame.advising->progress));
+        tip(frame.advising->about);
+        ImGui::TextWrapped("%s", frame.advising->about.c_str());
+        return;
+    }
+    choose_cost("Times", panel.cost);
+    const bool ready = frame.scene != nullptr;
+    ImGui::BeginDisabled(!ready);
+    if (ImGui::Button("Run")) actions.find_advice = AdviceWish{.cost = panel.cost};
+    tip("Measures each change that the scene calls for against the ray-traced truth and the clock, in the background. "
+        "Nothing is changed.");
+    ImGui::EndDisabled();
+    ImGui::Spacing();
+    bound("Error at most", "Mean |visibility - truth| (of visibility, 0 to 1): the cheapest effects that keep it.",
+          panel.bound_error, panel.most_error, 1e-6, "%.5f");
+    bound("Time at most, ms", "Of a frame, ms: without a bound on the error the most accurate effects that keep it.",
+          panel.bound_ms, panel.most_ms, 1e-3, "%.3g");
+    ImGui::BeginDisabled(!ready || !(panel.bound_error || panel.bound_ms));
+    if (ImGui::Button("Autopilot")) {
+        actions.find_advice = AdviceWish{.cost = panel.cost};
+        if (panel.bound_error) actions.find_advice->most_error = panel.most_error;
+        if (panel.bound_ms) actions.find_advice->most_ms = panel.most_ms;
+    }
+    ImGui::EndDisabled();
+    tip("Searches kernels, resolutions and what else the scene leaves open, up to two minutes, in the background.");
+}
+
+void coloured_text(const std::string& text, ImU32 colour) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+}
+
+void findings_list(Settings& settings, const AdviceReport& report, bool current) {
+    static constexpr ImU32 kColours[] = {theme::kError, theme::kWarning, theme::kMuted};
+    int id = 0;
+    for (const Finding& f : report.findings) {
+        ImGui::PushID(id++);
+        coloured_text(fmt::format("{}: {}", severity_word(f.severity), f.text), kColours[std::size_t(f.severity)]);
+        if (!f.cure.empty()) {
+            if (!f.settings.empty()) apply_button(settings, f.settings, current), ImGui::SameLine();
+            ImGui::TextWrapped("%s", f.cure.c_str());
+        }
+        ImGui::PopID();
+    }
+}
+
+void advice_row(Settings& settings, const TriedAdvice& t, bool current) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    if (t.why_not.empty()) apply_button(settings, t.settings, current);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(time_text(t.ms).c_str());
+    tip(fmt::format("{:+.3g} ms a frame, ± {:.2g} ms (95 %)", t.ms.value, t.ms.noise));
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(fmt::format("{:+.2g}", t.added_error()).c_str());
+    tip(fmt::format("Error {:.4g}, was {:.4g}", t.after.error, t.before.error));
+    ImGui::TableNextColumn();
+    const std::string text = t.why_not.empty() ? t.idea.sentence : t.idea.sentence + ": " + t.why_not;
+    coloured_text(text, t.why_not.empty() && current ? theme::kText : theme::kMuted);
+    tip(list_of(t.settings));
+}
+
+bool begin_advice_table(const char* id) {
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable(id, 4, flags)) return false;
+    const float em = ImGui::GetFontSize();
+    ImGui::TableSetupColumn("##apply", ImGuiTableColumnFlags_WidthFixed, em * 3.4f);
+    ImGui::TableSetupColumn("time a frame", ImGuiTableColumnFlags_WidthFixed, em * 6);
+    ImGui::TableSetupColumn("error", ImGuiTableColumnFlags_WidthFixed, em * 4.5f);
+    ImGui::TableSetupColumn("what, and why", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableHeadersRow();
+    return true;
+}
+
+void advice_list(Settings& settings, const std::vector<TriedAdvice>& list, bool current, const char* id) {
+    if (list.empty() || !begin_advice_table(id)) return;
+    int number = 0;
+    for (const TriedAdvice& t : list) {
+        ImGui::PushID(number++);
+        advice_row(settings, t, current);
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+}
+
+void show_report(Settings& settings, const AdviceReport& r, bool current) {
+    ImGui::TextDisabled("Now %s %.4g, %.3g ms a frame %s", std::string(r.options.error->label).c_str(), r.before.error,
+                        r.time.total_ms.median, std::string(row_of(r.options.cost).when).c_str());
+    if (!current) ImGui::TextDisabled("of other settings: run again");
+    if (r.holds.empty()) ImGui::TextDisabled("Nothing that was tried is better.");
+    advice_list(settings, r.holds, current, "advice");
+    findings_list(settings, r, current);
+    if (!r.fails.empty() &&
+        ImGui::CollapsingHeader(fmt::format("{} tried, do not hold###fails", r.fails.size()).c_str()))
+        advice_list(settings, r.fails, current, "fails");
+}
+
+void show_flight(Settings& settings, const AutopilotResult& r, bool current, Changes changes) {
+    coloured_text(r.summary, r.held ? theme::kText : theme::kWarning);
+    if (!current) ImGui::TextDisabled("of other settings: run again");
+    if (r.held) apply_button(settings, changes, current);
+    for (const DroppedEffect& d : r.dropped)
+        ImGui::BulletText("%s", fmt::format("{}: {} instead of {}, which would have cost {} (error {:.3g} with it)",
+                                            d.key, d.now, d.before, time_text(d.ms), d.error)
+                                    .c_str());
+    for (const std::string& text : r.untried) ImGui::TextDisabled("%s", text.c_str());
+}
+
+}  // namespace
+
+void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
+    ImGui::BeginChild("controls", {std::clamp(room * 0.3f, em * 17, em * 22), 0}, false);
+    draw_advice_controls(state.advice, frame, actions);
+    ImGui::EndChild();
+    ImGui::SameLine(0, em);
+    ImGui::BeginChild("found", {0, 0}, false);
+    if (frame.advice)
+        show_report(state.settings, *frame.advice, frame.advice_current);
+    else if (frame.autopilot)
+        show_flight(state.settings, *frame.autopilot, frame.advice_current, frame.autopilot_changes);
+    else if (!frame.advising)
+        ImGui::TextDisabled("Run says which settings this scene could do without, and what each change is worth.");
+    ImGui::EndChild();
+}
+
+}  // namespace si

@@ -1,0 +1,28 @@
+#include "ui/widgets/cost_combo.h"
+
+#include <imgui.h>
+
+#include <string>
+
+namespace si {
+
+void choose_cost(const char* label, CostCase& cost) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13);
+    ImGui::PushID(label);
+    if (ImGui::BeginCombo("##cost", std::string(row_of(cost).when).c_str())) {
+        for (std::size_t i = 0; i < cost_cases().size(); ++i) {
+            const CostRow& row = cost_cases()[i];
+            if (ImGui::Selectable(std::string(row.when).c_str(), cost == CostCase(i))) cost = CostCase(i);
+            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(row.help).c_str());
+        }
+        ImGui::EndCombo();
+    } else if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("Of which frames times are, ms. %s", std::string(row_of(cost).help).c_str());
+    }
+    ImGui::PopID();
+}
+
+}  // namespace si
