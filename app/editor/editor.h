@@ -20,7 +20,7 @@ struct EditorOptions {
     bool size_given = false;         ///< a window has this size whatever was kept
     double scale = 0;                ///< of text and widgets; 0: from the monitor, or from the screenshot's height
     int probe_x = -1, probe_y = -1;  ///< pixel of the scene picture probed at the start; negative: none
-    std::string tab;                 ///< of the strip below, in front at the start; empty: passes
+    std::string tab;                 ///< of the strip below, in front at the start; empty: effects
     std::filesystem::path sweep;     ///< folder of a sweep to show; may be empty
     /// The last picture stays while programs of the next are made in the background; else each frame waits for its own.
     bool rehearse = false;

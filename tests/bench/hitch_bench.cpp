@@ -124,8 +124,8 @@ void editor_overhead(benchmark::State& state) {
     Hands hands(true);
     std::vector<double> idle, drawn;
     for (auto _ : state) {
-        for (const BottomTab tab : {BottomTab::Passes, BottomTab::Probe, BottomTab::Error, BottomTab::Objects,
-                                    BottomTab::Compare, BottomTab::Frontier, BottomTab::Log}) {
+        for (const BottomTab tab : {BottomTab::Effects, BottomTab::Probe, BottomTab::Error, BottomTab::Objects,
+                                    BottomTab::Compare, BottomTab::Frontier, BottomTab::Advice, BottomTab::Log}) {
             hands.state().open_tab = tab;
             hands.settle();
             idle.push_back(hands.frame());
