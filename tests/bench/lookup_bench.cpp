@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 
 #include "app/context/headless_context.h"
 #include "renderer/frame/renderer.h"
@@ -37,7 +36,7 @@ void lookups(benchmark::State& state, const LookupCase& c, bool anew) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
     Settings s;
     set_setting(s, "filter.kernel", c.kernel);
-    set_setting(s, "bias.kind", std::getenv("SI_BIAS") ? std::getenv("SI_BIAS") : "adaptive");
+    set_setting(s, "bias.kind", "adaptive");
     for (const auto& [key, value] : c.sets) set_setting(s, key, value);
     FrameRequest request{.width = 1280, .height = 720}, all = request;
     all.forced = {c.saving};
