@@ -14,6 +14,14 @@ constexpr SavingRow kRows[] = {
     {.key = "uncalled",
      .label = "What nothing calls for",
      .help = "Passes and look-ups for lights without a shadow are left out: what they would find is lit everywhere."},
+    {.key = "order",
+     .label = "Hidden surfaces",
+     .help = "Large meshes are drawn after the small ones that they mostly lie behind, so that less of what is hidden "
+             "is shaded; the depth test finds the same surfaces in any order."},
+    {.key = "fused",
+     .label = "Visibility as a pass of its own",
+     .help = "The shading pass evaluates visibility itself where nothing else reads it: the same code on the same "
+             "surfaces, so what is spared is drawing them twice."},
 };
 static_assert(std::size(kRows) == kSavings);
 

@@ -13,6 +13,8 @@ namespace si {
 /// In the order of savings().
 enum class Saving {
     Uncalled,  ///< passes and look-ups that the scene does not call for
+    Order,     ///< shading of what is hidden, by drawing large meshes last
+    Fused,     ///< visibility as a pass of its own, where nothing else reads it
     kCount
 };
 inline constexpr std::size_t kSavings = std::size_t(Saving::kCount);
