@@ -359,6 +359,7 @@ void arrange_panes(FrameState& f) {
     const Outputs& o = f.request.outputs;
     find_truth(f, {chosen, std::size_t(count)});
     f.separate_visibility = o.visibility || f.settings.shading.separate_visibility ||
+                            f.request.forced.contains(Saving::Fused) ||
                             (f.truth.met && (o.error || o.judged || o.true_colour));
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         f.separate_visibility |= f.has_contacts(i) || (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused);
@@ -515,7 +516,7 @@ FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, 
     f.origin = f.camera.origin();
     if (!resources.scene || resources.scene->scene_id() != scene.id)
         resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
-    resources.scene->arrange(scene, f.settings);
+    resources.scene->arrange(scene, f.settings, !request.forced.contains(Saving::Order));
 
     f.geometry_key = resources.scene->key();
     f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);

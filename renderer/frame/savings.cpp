@@ -26,6 +26,14 @@ constexpr SavingRow kRows[] = {
      .label = "Look-ups of light that does not arrive",
      .help = "Surfaces turned away from a light, beyond its range or outside of its cone get nothing of it, whatever "
              "its visibility."},
+    {.key = "order",
+     .label = "Hidden surfaces",
+     .help = "Large meshes are drawn after the small ones that they mostly lie behind, so that less of what is hidden "
+             "is shaded; the depth test finds the same surfaces in any order."},
+    {.key = "fused",
+     .label = "Visibility as a pass of its own",
+     .help = "The shading pass evaluates visibility itself where nothing else reads it: the same code on the same "
+             "surfaces, so what is spared is drawing them twice."},
 };
 static_assert(std::size(kRows) == kSavings);
 

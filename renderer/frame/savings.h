@@ -16,6 +16,8 @@ enum class Saving {
     Blockers,  ///< searches for what casts a penumbra, where none can open
     EarlyOut,  ///< taps, where the depths about a look-up answer it
     Facing,    ///< look-ups whose light does not reach the picture
+    Order,     ///< shading of what is hidden, by drawing large meshes last
+    Fused,     ///< visibility as a pass of its own, where nothing else reads it
     kCount
 };
 inline constexpr std::size_t kSavings = std::size_t(Saving::kCount);

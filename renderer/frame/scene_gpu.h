@@ -37,7 +37,8 @@ public:
     std::uint64_t scene_id() const { return scene_id_; }
 
     /// Sorts the objects into batches under the object settings; cheap when nothing changed.
-    void arrange(const Scene& scene, const Settings& settings);
+    /// @param large_last see Saving::Order; else meshes are drawn in the scene's order
+    void arrange(const Scene& scene, const Settings& settings, bool large_last = true);
     const std::vector<Batch>& batches() const { return batches_; }
     /// Whether vertices bring colours (define VERTEX_COLOURS); else each object has one.
     bool coloured() const { return bool(colours_); }

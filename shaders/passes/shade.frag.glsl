@@ -11,9 +11,10 @@ layout(binding = UNIT_VISIBILITY) uniform sampler2DArray visibility_map;
 layout(location = 0) out vec4 colour_out;
 
 /// Encoded as sRGB (IEC 61966-2-1), within a tenth of one of 255 steps: above the linear part the curve is 1.055 s^(5/6) - 0.055 of
-/// the root s, of which a polynomial of fifth degree has the least largest error.
+/// the root s, of which a polynomial of fifth degree has the least largest error; it
+/// rises beyond 1, where what is drawn into holds it.
 vec3 srgb(vec3 c) {
-    c = clamp(c, 0.0, 1.0);
+    c = max(c, 0.0);
     vec3 s = sqrt(c);
     vec3 curve = ((((0.5173020 * s - 1.6236548) * s + 2.0315693) * s - 1.4027332) * s + 1.5179501) * s - 0.0401096;
     return mix(12.92 * c, curve, greaterThan(c, vec3(0.0031308)));

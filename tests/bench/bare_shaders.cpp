@@ -72,7 +72,7 @@ layout(location=0) out vec4 o;
 layout(binding=2) uniform sampler2D visibility;
 #endif
 #if OURS
-vec3 srgb(vec3 c){ c=clamp(c,0.0,1.0); vec3 s=sqrt(c);
+vec3 srgb(vec3 c){ vec3 s=sqrt(c);
  return mix(12.92*c,((((0.5173020*s-1.6236548)*s+2.0315693)*s-1.4027332)*s+1.5179501)*s-0.0401096,greaterThan(c,vec3(0.0031308))); }
 #endif
 void main(){

@@ -1,0 +1,123 @@
+// What the picture's passes spare was really not done, and what they do more cheaply is what it was.
+#include <epoxy/gl.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "renderer/frame/savings.h"
+#include "renderer/scenes/shapes.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/agreed_scene.h"
+
+namespace si {
+namespace {
+
+class ShadingSavingsTest : public FrameTest {
+protected:
+    /// How many fragments of a frame drawn anew passed the depth test, and so were shaded and written.
+    std::uint64_t written_fragments(const Scene& scene, const Settings& s, const SavingSet& forced) {
+        FrameRequest request = small();
+        request.force = true;
+        request.forced = forced;
+        renderer.render(scene, s, request);
+        GLuint query = 0;
+        glGenQueries(1, &query);
+        glBeginQuery(GL_SAMPLES_PASSED, query);
+        renderer.render(scene, s, request);
+        glEndQuery(GL_SAMPLES_PASSED);
+        GLuint64 count = 0;
+        glGetQueryObjectui64v(query, GL_QUERY_RESULT, &count);
+        glDeleteQueries(1, &query);
+        return count;
+    }
+    /// A lit picture of a plane straight below a parallel camera, whose every pixel has one colour.
+    ByteImage plain_colour(double grey, const Sets& extra) {
+        Scene scene;
+        const int material = add_material(scene, "plain", glm::vec3(float(grey)));
+        add_object(scene, "plane", -1, add_mesh(scene, "plane", make_plane(10, 10), material));
+        finalise(scene);
+        Sets sets = {{"camera.source", "manual"}, {"camera.elevation", "89"}, {"light.cast", "false"}};
+        sets.insert(sets.end(), extra.begin(), extra.end());
+        return picture(scene, settings_for(scene, sets), {.width = 16, .height = 16});
+    }
+};
+
+TEST_F(ShadingSavingsTest, LargeMeshesLastShadeLessOfWhatIsHidden) {
+    const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
+    const Settings s = settings_for(scene, {{"light.cast", "false"}});
+    const std::uint64_t spared = written_fragments(scene, s, {}), forced = written_fragments(scene, s, {Saving::Order});
+    EXPECT_GT(spared, 320u * 180u / 4) << "the scene fills much of the picture";
+    EXPECT_LT(double(spared), 0.9 * double(forced));
+}
+
+TEST_F(ShadingSavingsTest, OrderLeavesThePictureAlone) {
+    const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
+    FrameRequest forced = small();
+    forced.forced = {Saving::Order};
+    const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
+    EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u);
+}
+
+TEST_F(ShadingSavingsTest, FusedVisibilityDrawsTheSceneOnce) {
+    const Scene scene = load_scene("boxes");
+    const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
+    FrameRequest request = small();
+    request.force = true;
+    const FrameResult fused = renderer.render(scene, s, request);
+    EXPECT_EQ(fused.pass("visibility")->state, PassState::Skipped);
+    EXPECT_EQ(fused.pass("visibility")->draws, 0);
+    request.forced = {Saving::Fused};
+    const FrameResult forced = renderer.render(scene, s, request);
+    EXPECT_EQ(forced.pass("visibility")->state, PassState::Ran);
+    EXPECT_GT(forced.pass("visibility")->draws, 0);
+}
+
+// The encoding is a polynomial: every level that eight bits have, of grey that the light leaves as it is, within one
+// step, and mostly the very one.
+TEST_F(ShadingSavingsTest, ColoursAreEncodedAsSrgb) {
+    int other = 0, levels = 0;
+    for (int wanted = 0; wanted <= 255; wanted += 3) {
+        const double encoded = wanted / 255.0;
+        const double linear = encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+        const ByteImage p =
+            plain_colour(linear, {{"shading.ambient", "1"}, {"shading.diffuse", "0"}, {"shading.specular", "0"}});
+        const int found = p.data[4 * (8 * 16 + 8)];
+        EXPECT_NEAR(found, wanted, 1) << "of " << linear;
+        other += found != wanted, ++levels;
+    }
+    EXPECT_LE(other, levels / 20);
+    const ByteImage bright = plain_colour(1, {{"shading.ambient", "10"}});
+    EXPECT_EQ(bright.data[4 * (8 * 16 + 8)], 255) << "what is brighter than white is white";
+}
+
+// Powers of two are squared, others raised: the highlight grows evenly from one to the next.
+TEST_F(ShadingSavingsTest, HighlightsArePowersHoweverTheyAreComputed) {
+    const Scene scene = load_scene("boxes");
+    const auto mean = [&](const char* shininess) {
+        const ByteImage p = picture(scene, settings_for(scene, {{"shading.specular", "1"},
+                                                                {"shading.ambient", "0"},
+                                                                {"shading.diffuse", "0"},
+                                                                {"light.cast", "false"},
+                                                                {"shading.shininess", shininess}}));
+        return double(std::accumulate(p.data.begin(), p.data.end(), std::uint64_t(0))) / double(p.data.size());
+    };
+    for (const auto& [below, power, above] :
+         {std::tuple{"1.99", "2", "2.01"}, {"15.9", "16", "16.1"}, {"31.8", "32", "32.2"}}) {
+        const double low = mean(above), high = mean(below), squared = mean(power);
+        EXPECT_GT(high, low) << power;
+        EXPECT_NEAR(squared, 0.5 * (low + high), 0.6 * (high - low) + 0.02) << power;
+    }
+}
+
+// Grey light reads one channel for three: a hue that is barely there must show as it does beside it.
+TEST_F(ShadingSavingsTest, GreyLightIsAsBrightAsColouredLight) {
+    const Scene scene = load_scene("boxes");
+    const ByteImage grey = picture(scene, settings_for(scene, {}));
+    const ByteImage tinted = picture(scene, settings_for(scene, {{"light.red", "0.999999"}}));
+    EXPECT_EQ(different_pixels(grey, tinted, 1), 0u);
+    const ByteImage red = picture(scene, settings_for(scene, {{"light.green", "0.2"}, {"light.blue", "0.2"}}));
+    EXPECT_GT(different_pixels(grey, red, 10), grey.data.size() / 40);
+}
+
+}  // namespace
+}  // namespace si
