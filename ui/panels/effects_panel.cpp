@@ -5,6 +5,7 @@
 #include "renderer/frame/effects.h"
 #include "renderer/measure/saved.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/right_aligned.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -12,14 +13,6 @@ namespace {
 
 constexpr int kColumns = 9, kTexts = 3;  ///< the first of them are texts, the last is a checkbox
 enum class Column { State, Effect, Why, Ms, CpuMs, Draws, Triangles, Saved, Force };
-
-void right_aligned(const std::string& text, ImU32 colour = theme::kText) {
-    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-    if (free > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
-}
 
 std::string grouped(std::uint64_t n) {
     std::string text = fmt::format("{}", n);

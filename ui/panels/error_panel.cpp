@@ -13,6 +13,7 @@
 #include "renderer/reference/live_error.h"
 #include "ui/panels/cures_table.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/right_aligned.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
@@ -43,15 +44,6 @@ std::string text_of(const Metric& row, double value) {
     if (row.unit == kShareOfPixels)
         return value == 0 ? "0 %" : fmt::format("{:.{}f} %", 100 * value, value < 0.0095 ? 4 : 2);
     return row.better == Better::NearZero ? fmt::format("{:+.5f}", value) : fmt::format("{:.5f}", value);
-}
-
-void right_cell(const std::string& text, ImU32 colour = theme::kText) {
-    ImGui::TableNextColumn();
-    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-    if (free > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
 }
 
 /// @param causes the sums of wrong pixels with their parts, or all others

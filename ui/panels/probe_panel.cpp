@@ -10,6 +10,7 @@
 #include "ui/panels/cures_table.h"
 #include "ui/scene_view/kernel_marks.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/right_aligned.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -69,14 +70,6 @@ void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
             "Draw the texels around this one into the scene, each where its stored depth lies\n"
             "(view.slabs, %d texels across)",
             v.slabs_texels);
-}
-
-/// Text at the right end of the table's next column.
-void right_cell(const std::string& text) {
-    ImGui::TableNextColumn();
-    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-    if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
-    ImGui::TextUnformatted(text.c_str());
 }
 
 /// An amount of depth in its three currencies, as one row. @param endless what an infinite one is called

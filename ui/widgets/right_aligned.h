@@ -1,0 +1,26 @@
+// Text at the right end of what room there is, as numbers in tables stand.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/widgets/theme.h"
+
+namespace si {
+
+inline void right_aligned(const std::string& text, ImU32 colour = theme::kText) {
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+}
+
+/// The same in the table's next column.
+inline void right_cell(const std::string& text, ImU32 colour = theme::kText) {
+    ImGui::TableNextColumn();
+    right_aligned(text, colour);
+}
+
+}  // namespace si
