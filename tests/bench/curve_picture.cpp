@@ -61,7 +61,8 @@ std::vector<Plot> read_plots(const std::filesystem::path& file) {
     std::ifstream in(file);
     std::vector<Plot> plots;
     try {
-        for (const auto& run : nlohmann::json::parse(in).at("benchmarks"))
+        const nlohmann::json all = nlohmann::json::parse(in);
+        for (const auto& run : all.at("benchmarks"))
             if (run.at("name").get<std::string>().starts_with("curve/")) plots.push_back(plot_of(run));
     } catch (const nlohmann::json::exception& e) {
         throw Error(fmt::format("{}: {}; write it with --benchmark_filter=^curve/ --benchmark_out={}", file.string(),
