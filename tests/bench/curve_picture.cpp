@@ -26,9 +26,9 @@ namespace {
 constexpr int kAcross = 3, kPlotWidth = 520, kPlotHeight = 400;
 constexpr ImU32 kInk = IM_COL32(210, 210, 210, 255), kFaint = IM_COL32(90, 90, 90, 255);
 /// Okabe and Ito's colours, which nobody confuses.
-constexpr ImU32 kColours[] = {IM_COL32(230, 159, 0, 255),   IM_COL32(86, 180, 233, 255), IM_COL32(0, 158, 115, 255),
-                              IM_COL32(240, 228, 66, 255),  IM_COL32(0, 114, 178, 255),  IM_COL32(213, 94, 0, 255),
-                              IM_COL32(204, 121, 167, 255), IM_COL32(200, 200, 200, 255)};
+constexpr ImU32 kColours[] = {IM_COL32(230, 159, 0, 255),   IM_COL32(86, 180, 233, 255),  IM_COL32(0, 158, 115, 255),
+                              IM_COL32(240, 228, 66, 255),  IM_COL32(0, 114, 178, 255),   IM_COL32(213, 94, 0, 255),
+                              IM_COL32(204, 121, 167, 255), IM_COL32(200, 200, 200, 255), IM_COL32(160, 120, 90, 255)};
 
 struct Plot {
     std::string title;
@@ -61,7 +61,8 @@ std::vector<Plot> read_plots(const std::filesystem::path& file) {
     std::ifstream in(file);
     std::vector<Plot> plots;
     try {
-        for (const auto& run : nlohmann::json::parse(in).at("benchmarks"))
+        const nlohmann::json all = nlohmann::json::parse(in);
+        for (const auto& run : all.at("benchmarks"))
             if (run.at("name").get<std::string>().starts_with("curve/")) plots.push_back(plot_of(run));
     } catch (const nlohmann::json::exception& e) {
         throw Error(fmt::format("{}: {}; write it with --benchmark_filter=^curve/ --benchmark_out={}", file.string(),
