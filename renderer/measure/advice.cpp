@@ -119,6 +119,18 @@ std::vector<TriedAdvice> try_advice(const Settings& settings, std::vector<Advice
         if (!before.contains(light)) before[light] = meter.judge(settings, light);
         TriedAdvice t{
             .idea = std::move(ideas[i]), .settings = {}, .before = before[light], .after = {}, .ms = {}, .why_not = {}};
+        const auto known = std::find_if(tried.begin(), tried.end(), [&](const TriedAdvice& other) {
+            return other.idea.light == light && other.idea.settings == t.idea.settings;
+        });
+        if (known != tried.end()) {
+            if (known->why_not.empty()) continue;
+            TriedAdvice again = *known;
+            again.idea = std::move(t.idea);
+            again.why_not = verdict(again);
+            // What saves time at a loss is offered as that, by its own name.
+            if (again.why_not.empty()) *known = std::move(again);
+            continue;
+        }
         t.settings = setting_changes(settings, t.idea.settings);
         t.after = meter.judge(t.idea.settings, light);
         t.ms = meter.time(settings, t.idea.settings);

@@ -35,7 +35,7 @@ struct AdviceRule {
 };
 std::span<const AdviceRule> advice_rules();
 
-/// What the rules find. Ideas that change nothing, or the same as an earlier one, are left out. Pure.
+/// What the rules find. Ideas that change nothing, or the same as an earlier one of their claim, are left out. Pure.
 std::vector<AdviceIdea> advice_ideas(const Settings& settings, const AdviceFacts& facts);
 
 /// Settings as they were measured.
@@ -69,8 +69,9 @@ struct TriedAdvice {
 /// Error that counts as none, as a share of what there was, and of visibility.
 inline constexpr double kSameErrorShare = 0.02, kSameError = 5e-5;
 
-/// Measures each idea, and ranks: those that lose nothing and save time by what they save, then by milliseconds saved
-/// per error added, then those that put pixels right, then those that save memory alone; last what does not hold.
+/// Measures each idea once (of those that change the same the first that holds is taken), and ranks: those that lose
+/// nothing and save time by what they save, then by milliseconds saved per error added, then those that put pixels
+/// right, then those that save memory alone; last what does not hold.
 /// @param report hears of the share done and what is tried; may throw Cancelled
 std::vector<TriedAdvice> try_advice(const Settings& settings, std::vector<AdviceIdea> ideas, const AdviceMeter& meter,
                                     const std::function<void(double, const std::string&)>& report = {});

@@ -302,7 +302,7 @@ std::vector<AdviceIdea> advice_ideas(const Settings& settings, const AdviceFacts
     std::vector<AdviceIdea> ideas;
     for (const AdviceRule& rule : advice_rules())
         rule.look(settings, facts, [&](std::string sentence, Settings changed, int light) {
-            const auto same = [&](const AdviceIdea& i) { return i.settings == changed; };
+            const auto same = [&](const AdviceIdea& i) { return i.claim == rule.claim && i.settings == changed; };
             if (changed == settings || std::any_of(ideas.begin(), ideas.end(), same)) return;
             ideas.push_back({rule.key, rule.claim, std::move(sentence), std::move(changed), light});
         });

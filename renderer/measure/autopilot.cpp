@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
-#include <set>
+#include <numeric>
 
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
@@ -18,6 +17,7 @@ using AxisChoice = std::vector<std::size_t>;
 
 constexpr double kClose = 0.1;  ///< shares of the least time: those are timed against each other
 constexpr std::size_t kFinalists = 3;
+constexpr double kJudging = 0.6;  ///< share of the time
 
 std::string value_of(const Settings& s, const std::string& key) {
     const SettingRef ref = *find_setting(key);
@@ -37,13 +37,14 @@ public:
         out.combinations = 1;
         for (const SweepAxis& axis : axes_) out.combinations *= axis.values.size();
         at_.assign(axes_.size(), 0);
+        if (settings_at(at_) == start_)
+            known_[at_] = {.at = at_, .settings = start_, .judged = out.before, .ms = out.before_ms};
         if (out.combinations <= goals_.most_combinations) {
             search_block(all_axes());
         } else {
             search_by_parts();
             out.untried.push_back(
-                fmt::format("{} of {} combinations were not tried: kernel and resolution were searched together, what "
-                            "else there is one by one",
+                fmt::format("{} of {} combinations were not tried: two settings were searched at a time",
                             out.combinations - known_.size(), out.combinations));
         }
         finish(out);
@@ -63,6 +64,8 @@ private:
 
     double spent_s() const { return meter_.now_s() - begun_s_; }
     bool late() const { return spent_s() > goals_.most_seconds; }
+    /// What is left is for timing what was judged.
+    bool late_to_judge() const { return spent_s() > kJudging * goals_.most_seconds; }
     void tell(const std::string& what) const {
         if (report_) report_(std::min(spent_s() / goals_.most_seconds, 0.99), what);
     }
@@ -92,7 +95,7 @@ private:
 
     AutopilotCase* judged(const AxisChoice& at) {
         if (const auto it = known_.find(at); it != known_.end()) return &it->second;
-        if (late()) return nullptr;
+        if (late_to_judge()) return nullptr;
         tell(name_of(at));
         AutopilotCase c{.at = at, .settings = settings_at(at), .judged = {}, .ms = {}};
         c.judged = meter_.judge(c.settings, start_.view.light);
@@ -121,6 +124,13 @@ private:
             return o->settings.filter == c.settings.filter &&
                    o->judged.work.bytes_touched < c.judged.work.bytes_touched && no_more(o->judged.work, c.judged.work);
         });
+    }
+
+    /// So that those that there is time for lie evenly among all.
+    static std::size_t stride_over(std::size_t count) {
+        std::size_t stride = std::max<std::size_t>(1, std::size_t(0.618 * double(count)));
+        while (std::gcd(stride, count) != 1) ++stride;
+        return stride;
     }
 
     double cost_of_case(const AutopilotCase& c) const { return goals_.most_error ? *c.ms : c.judged.error; }
@@ -180,8 +190,8 @@ private:
             choices = std::move(more);
         }
         std::vector<AutopilotCase*> cases;
-        for (const AxisChoice& c : choices)
-            if (AutopilotCase* found = judged(c))
+        for (std::size_t i = 0; i < choices.size(); ++i)
+            if (AutopilotCase* found = judged(choices[i * stride_over(choices.size()) % choices.size()]))
                 cases.push_back(found);
             else
                 ++unjudged_;
@@ -203,16 +213,18 @@ private:
                                  [&](const auto* a, const auto* b) { return missed(a) < missed(b); });
     }
 
+    /// Two axes at a time, kernel and resolution first: one may be worth changing only with another, as cascades for
+    /// texels.
     void search_by_parts() {
-        std::vector<std::vector<std::size_t>> blocks(1);
-        for (std::size_t i = 0; i < axes_.size(); ++i)
-            if (axes_[i].key == "filter.kernel" || axes_[i].key == "map.resolution")
-                blocks[0].push_back(i);
-            else
-                blocks.push_back({i});
+        std::vector<std::size_t> axes = all_axes();
+        const auto rank = [&](std::size_t i) {
+            return axes_[i].key == "map.resolution" ? 0 : axes_[i].key == "filter.kernel" ? 1 : 2;
+        };
+        std::stable_sort(axes.begin(), axes.end(), [&](auto a, auto b) { return rank(a) < rank(b); });
         for (int pass = 0; pass < 3 && !late(); ++pass) {
             const AxisChoice before = at_;
-            for (const auto& block : blocks) search_block(block);
+            for (std::size_t i = 0; i < axes.size(); ++i)
+                for (std::size_t k = i + 1; k < axes.size() && !late(); ++k) search_block({axes[i], axes[k]});
             if (at_ == before) break;
         }
     }

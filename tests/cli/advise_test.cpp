@@ -41,7 +41,9 @@ TEST(Advise, ShowsOnlyWhatHoldsAndOneGetsIt) {
             with.insert(with.end(), {"--set", key + "=" + value.get<std::string>()});
         EXPECT_EQ(measured(with)["error"]["mae"], row["error"]["after"]) << row.dump(2);
         const double added = row["error"]["after"].get<double>() - now;
-        if (row["claim"] == "same") EXPECT_LE(added, row["error"]["tolerance"]);
+        if (row["claim"] == "same") {
+            EXPECT_LE(added, row["error"]["tolerance"]);
+        }
     }
     for (const Json& row : json["tried"]) EXPECT_TRUE(row["why_not"].is_string());
     for (const Json& row : json["findings"])

@@ -34,7 +34,7 @@ struct FakeMeter : CaseMeter {
         f.cost.bytes_touched = 4 * f.cost.map_texels;
         return f;
     }
-    TimeSamples time(const SweepCase& c, int frames, CostCase cost) override {
+    TimeSamples time(const SweepCase& c, int frames, CostCase) override {
         timed.push_back(c.id);
         TimeSamples s;
         for (int i = 0; i < frames; ++i) {

@@ -65,7 +65,7 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
         {"moments", [](Settings& s, AdviceFacts&) { set_setting(s, "filter.kernel", "vsm"); }, "filter.kernel=pcf",
          "directly"},
         {"least-bias", [](Settings&, AdviceFacts& f) { f.needs.pixels = 100, f.needs.least[2].normal = 1; },
-         "bias.normal=1", "3 texels is more than"},
+         "bias.normal=1.01", "3 texels is more than"},
         {"polygon-offset", [](Settings& s, AdviceFacts&) { s.bias.raster_slope = 2; }, "bias.raster_slope=0",
          "slope 2"},
         {"sixteen-bits", [](Settings&, AdviceFacts& f) { f.lights[0].limits.texel_m = 0.01; }, "map.format=d16",
@@ -108,7 +108,8 @@ TEST(AdviceRules, SpeakOnceOfEachChangeAndNeverOfNone) {
     ASSERT_GT(ideas.size(), 4u);
     for (std::size_t i = 0; i < ideas.size(); ++i) {
         EXPECT_FALSE(ideas[i].settings == s) << ideas[i].sentence;
-        for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(ideas[i].settings == ideas[k].settings);
+        for (std::size_t k = 0; k < i; ++k)
+            EXPECT_FALSE(ideas[i].claim == ideas[k].claim && ideas[i].settings == ideas[k].settings);
     }
     std::set<std::string_view> keys;
     for (const AdviceRule& rule : advice_rules()) EXPECT_TRUE(keys.insert(rule.key).second) << rule.key;
@@ -171,10 +172,33 @@ TEST(Advice, IsRankedByWhatItSavesForTheErrorItAdds) {
     EXPECT_EQ(holds, (std::vector<std::string>{"4", "1", "3", "2", "5", "6"}));
     EXPECT_EQ(std::set<std::string>(fails.begin(), fails.end()), (std::set<std::string>{"7", "8", "9"}));
     for (const TriedAdvice& t : all) {
-        if (t.idea.sentence == "7") EXPECT_NE(t.why_not.find("the error grows by 0.01"), std::string::npos);
-        if (t.idea.sentence == "8") EXPECT_NE(t.why_not.find("2 ms more"), std::string::npos);
+        if (t.idea.sentence == "7") {
+            EXPECT_NE(t.why_not.find("the error grows by 0.01"), std::string::npos);
+        }
+        if (t.idea.sentence == "8") {
+            EXPECT_NE(t.why_not.find("2 ms more"), std::string::npos);
+        }
         EXPECT_EQ(t.settings.size(), 1u);
     }
+}
+
+TEST(Advice, WhatIsNoneForNothingIsOfferedForWhatItCosts) {
+    int judged = 0;
+    AdviceMeter meter;
+    meter.judge = [&](const Settings& s, int) {
+        return ++judged,
+               JudgedSettings{.error = s.map.resolution == 1 ? 0.03 : 0.01, .noise = 0, .work = {}, .camera = {}};
+    };
+    meter.time = [](const Settings&, const Settings&) { return CostChange{-5, 0.1}; };
+    AdviceIdea same{.rule = "a", .claim = Claim::Same, .sentence = "the same", .settings = {}};
+    same.settings.map.resolution = 1;
+    AdviceIdea trade = same;
+    trade.claim = Claim::Trade, trade.sentence = "coarser";
+    const std::vector<TriedAdvice> all = try_advice(Settings{}, {same, trade}, meter);
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_EQ(all[0].idea.sentence, "coarser");
+    EXPECT_TRUE(all[0].why_not.empty());
+    EXPECT_EQ(judged, 2) << "before, and once after";
 }
 
 TEST(Advice, ClaimsThatPixelsGetRightAreHeldToIt) {

@@ -89,7 +89,7 @@ Settings with_contact() {
 TEST(Autopilot, FindsTheOptimumWhereAllCanBeTried) {
     for (const AutopilotGoals& goals :
          {AutopilotGoals{.most_error = 0.001}, AutopilotGoals{.most_error = 0.0003}, AutopilotGoals{.most_ms = 4},
-          AutopilotGoals{.most_ms = 2.2}, AutopilotGoals{.most_error = 0.002, .most_ms = 4}}) {
+          AutopilotGoals{.most_ms = 2.5}, AutopilotGoals{.most_error = 0.002, .most_ms = 4}}) {
         World world;
         const AutopilotResult r = run_autopilot(with_contact(), axes_of(false), goals, world.meter());
         const std::optional<Settings> best = exhausted(with_contact(), axes_of(false), goals);
@@ -112,7 +112,7 @@ TEST(Autopilot, ComesWithinATenthWhereItSearchesByParts) {
             << r.summary;
         EXPECT_EQ(r.combinations, 240u);
         ASSERT_EQ(r.untried.size(), 1u) << "it says what it left out";
-        EXPECT_LT(r.cases.size(), 120u);
+        EXPECT_LT(r.cases.size(), 180u) << "and that is a part of all";
     }
 }
 

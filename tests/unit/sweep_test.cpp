@@ -49,7 +49,7 @@ TEST(Sweep, MeasuresEachCaseOnceAndTimesAllInRounds) {
 TEST(Sweep, RoundsEndWhenAllTimesStandStill) {
     const FakeSweep f(fresh_test_folder());
     struct Calm : FakeMeter {
-        TimeSamples time(const SweepCase& c, int frames, CostCase cost) override {
+        TimeSamples time(const SweepCase& c, int frames, CostCase) override {
             drift = 1;
             return timed.push_back(c.id), TimeSamples{std::vector<double>(std::size_t(frames), 7),
                                                       std::vector<double>(std::size_t(frames), 1),
