@@ -12,7 +12,9 @@ namespace si {
 
 /// In the order of savings().
 enum class Saving {
-    Uncalled,  ///< passes and look-ups that the scene does not call for
+    Uncalled,   ///< passes and look-ups that the scene does not call for
+    BackFaces,  ///< of closed casters
+    Casters,    ///< of which nothing lies in a map
     kCount
 };
 inline constexpr std::size_t kSavings = std::size_t(Saving::kCount);
