@@ -34,6 +34,16 @@ constexpr SavingRow kRows[] = {
      .label = "Visibility as a pass of its own",
      .help = "The shading pass evaluates visibility itself where nothing else reads it: the same code on the same "
              "surfaces, so what is spared is drawing them twice."},
+    {.key = "back-faces",
+     .label = "Back faces of closed casters",
+     .help =
+         "Opaque casters whose triangles bound bodies are drawn into maps by their front faces alone, where the near "
+         "plane cuts nothing of them: what a light outside of a body meets first is a front face. Forced, back faces "
+         "are drawn a step and a texel's slope behind where they lie, as at silhouettes rounding would decide."},
+    {.key = "casters",
+     .label = "Casters beside a map",
+     .help = "Casters whose box lies outside of what a map, a cascade or a face holds are not drawn into it: none of "
+             "their triangles would cover a texel."},
 };
 static_assert(std::size(kRows) == kSavings);
 

@@ -12,12 +12,14 @@ namespace si {
 
 /// In the order of savings().
 enum class Saving {
-    Uncalled,  ///< passes and look-ups that the scene does not call for
-    Blockers,  ///< searches for what casts a penumbra, where none can open
-    EarlyOut,  ///< taps, where the depths about a look-up answer it
-    Facing,    ///< look-ups whose light does not reach the picture
-    Order,     ///< shading of what is hidden, by drawing large meshes last
-    Fused,     ///< visibility as a pass of its own, where nothing else reads it
+    Uncalled,   ///< passes and look-ups that the scene does not call for
+    Blockers,   ///< searches for what casts a penumbra, where none can open
+    EarlyOut,   ///< taps, where the depths about a look-up answer it
+    Facing,     ///< look-ups whose light does not reach the picture
+    Order,      ///< shading of what is hidden, by drawing large meshes last
+    Fused,      ///< visibility as a pass of its own, where nothing else reads it
+    BackFaces,  ///< of closed casters
+    Casters,    ///< of which nothing lies in a map
     kCount
 };
 inline constexpr std::size_t kSavings = std::size_t(Saving::kCount);

@@ -79,10 +79,24 @@ GLenum wrap_mode(TextureWrap wrap) {
 
 SceneGpu::SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before)
     : scene_id_(scene.id), rig_(scene.rig) {
-    if (before && rig_ && before->rig_ == rig_) textures_ = std::move(before->textures_);
+    if (before && rig_ && before->rig_ == rig_) {
+        textures_ = std::move(before->textures_);
+        bodies_ = std::move(before->bodies_);
+    }
     before.reset();
+    if (bodies_.size() != scene.meshes.size()) find_bodies_of(scene);
     upload_geometry(scene);
     if (textures_.size() != scene.textures.size()) upload_textures(scene, anisotropy);
+}
+
+void SceneGpu::find_bodies_of(const Scene& scene) {
+    bodies_.assign(scene.meshes.size(), {});
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+        const Mesh& m = scene.meshes[i];
+        // What is deformed changes with each pose.
+        if (!m.deformer && material_of(scene, m).alpha == AlphaMode::Opaque)
+            bodies_[i] = find_bodies(m.positions, m.indices);
+    }
 }
 
 void SceneGpu::upload_geometry(const Scene& scene) {
@@ -120,10 +134,12 @@ void SceneGpu::upload_geometry(const Scene& scene) {
         ranges_.push_back({index, GLsizei(m.indices.size()), GLint(vertex), f.copies});
         if (n == 0 || m.indices.empty()) continue;
         attributes.resize(n), positions.resize(n);
+        std::vector<glm::vec3> seamless = m.positions;
+        for (const auto& [vertex, there] : bodies_[mesh].joined) seamless[vertex] = m.positions[there];
         const auto source = [&](std::size_t i) { return ranges_.back().source(m.positions.size(), i); };
         for (std::size_t i = 0; i < n; ++i) {
             const std::size_t from = source(i);
-            positions[i] = m.positions[from];
+            positions[i] = seamless[from];
             attributes[i] = {m.normals.empty() ? glm::vec3(0, 1, 0) : m.normals[from],
                              m.uv.empty() ? glm::vec2(0) : m.uv[from]};
             if (!m.colours.empty())
@@ -298,7 +314,7 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings, bool large_
             b.mirrored = e.mirrored, b.masked = e.masked, b.blend = e.blend;
             b.double_sided = material_of(scene, mesh).double_sided;
             b.tangents = !mesh.tangents.empty();
-            b.cast = e.cast, b.cull = e.cull;
+            b.cast = e.cast, b.cull = e.cull, b.closed = bodies_[std::size_t(e.mesh)].closed;
             b.centre_ws = glm::dvec3(scene.objects[e.object].world * glm::dvec4(mesh.bounds.centre(), 1));
             batches_.push_back(b);
         }

@@ -8,6 +8,7 @@
 
 #include "renderer/base/key.h"
 #include "renderer/gl/handle.h"
+#include "renderer/scene/bodies.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 
@@ -25,6 +26,7 @@ struct Batch {
     GLuint normal_texture = 0;  ///< 0: none
     bool tangents = false;      ///< the mesh brings its tangents
     bool mirrored = false, masked = false, blend = false, double_sided = false, cast = true;
+    bool closed = false;      ///< see find_bodies()
     int cull = 0;             ///< ObjectCull
     glm::dvec3 centre_ws{0};  ///< of the first instance, to order blended batches
     std::uint64_t triangles() const { return std::uint64_t(index_count) / 3 * std::uint64_t(instances); }
@@ -32,7 +34,8 @@ struct Batch {
 
 class SceneGpu {
 public:
-    /// @param before what was there; another pose of the same scene hands on its textures, all else is freed first
+    /// @param before what was there; another pose of the same scene hands on its textures and which meshes are
+    ///     closed, all else is freed first
     explicit SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before = {});
     std::uint64_t scene_id() const { return scene_id_; }
 
@@ -75,6 +78,7 @@ private:
         std::size_t source(std::size_t own, std::size_t i) const { return i < own ? i : copies[i - own]; }
     };
     std::vector<MeshRange> ranges_;
+    std::vector<Bodies> bodies_;        // by mesh
     std::vector<std::uint32_t> order_;  // objects in instance order
     std::vector<Batch> batches_;
     Key arrangement_;
@@ -84,6 +88,7 @@ private:
     };
     std::array<Slot, 2> slots_;
 
+    void find_bodies_of(const Scene& scene);
     void upload_geometry(const Scene& scene);
     void upload_normal_map_attributes(const Scene& scene, std::size_t vertex_count);
     void upload_textures(const Scene& scene, bool anisotropy);

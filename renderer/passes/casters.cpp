@@ -1,25 +1,30 @@
 #include "renderer/passes/casters.h"
 
+#include <array>
 #include <glm/gtc/type_ptr.hpp>
+#include <map>
 #include <optional>
 
 #include "renderer/frame/driver.h"
 #include "renderer/settings/map_storage.h"
+#include "renderer/view/box_sight.h"
 
 namespace si {
 namespace {
 
 /// Culling of casters: the object's own choice before the scene's.
-void set_cull(const FrameState& f, const Batch& batch) {
-    Cull cull = Cull(f.settings.caster.cull);
-    if (batch.cull != int(ObjectCull::Inherit)) cull = Cull(batch.cull - 1);
+Cull cull_of(const FrameState& f, const Batch& batch) {
+    return batch.cull == int(ObjectCull::Inherit) ? Cull(f.settings.caster.cull) : Cull(batch.cull - 1);
+}
+
+void set_cull(Cull cull, bool mirrored) {
     if (cull == Cull::None) {
         glDisable(GL_CULL_FACE);
     } else {
         glEnable(GL_CULL_FACE);
         glCullFace(cull == Cull::Back ? GL_BACK : GL_FRONT);
     }
-    glFrontFace(batch.mirrored ? GL_CW : GL_CCW);
+    glFrontFace(mirrored ? GL_CW : GL_CCW);
 }
 
 void set_raster_bias(const FrameState& f, bool reversed) {
@@ -37,39 +42,167 @@ void set_raster_bias(const FrameState& f, bool reversed) {
         glPolygonOffset(sign * float(b.raster_slope), sign * float(b.raster_units));
 }
 
-/// The instances of a batch in runs of those that are seen whole, and parts of others.
-void draw_seen(FrameState& f, const Batch& batch, const SeenOf& seen, PassInfo& info) {
-    const auto draw = [&](const Batch& part) {
-        f.gl.scene->draw(part);
-        ++info.draws;
-        info.triangles += part.triangles();
+/// Sides of a mesh, one of each direction.
+struct Side {
+    glm::dvec3 normal, corner;
+};
+/// By mesh, of closed ones, found when first asked for. None: there are very many, all of them small.
+struct SidesOfMeshes {
+    std::uint64_t key = 0;
+    std::vector<std::optional<std::vector<Side>>> meshes;
+};
+constexpr std::size_t kMostSides = 1024;
+
+/// Sine of the angle to a ray below which a side is taken to be seen edge-on.
+constexpr double kEdgeOn = 1e-4;
+
+std::vector<Side> sides_of(const Mesh& mesh) {
+    std::map<std::array<int, 3>, Side> sides;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size() && sides.size() <= kMostSides; i += 3) {
+        const glm::dvec3 a = mesh.positions[mesh.indices[i]];
+        const glm::dvec3 n = glm::cross(glm::dvec3(mesh.positions[mesh.indices[i + 1]]) - a,
+                                        glm::dvec3(mesh.positions[mesh.indices[i + 2]]) - a);
+        const double length = glm::length(n);
+        if (!(length > 0)) continue;
+        const glm::ivec3 steps(glm::round(n / length * 1e5));
+        sides.try_emplace({steps.x, steps.y, steps.z}, Side{n / length, a});
+    }
+    std::vector<Side> out;
+    if (sides.size() > kMostSides) return out;
+    for (const auto& [steps, side] : sides) out.push_back(side);
+    return out;
+}
+
+const std::vector<Side>& sides_of(FrameState& f, std::size_t mesh) {
+    SidesOfMeshes& known = f.gl.owned.get<SidesOfMeshes>();
+    Key key;
+    // Poses of one scene share their rigid meshes.
+    f.scene.rig ? key.add(reinterpret_cast<std::uintptr_t>(f.scene.rig.get())) : key.add(f.scene.id);
+    if (known.key != key.value() || known.meshes.size() != f.scene.meshes.size())
+        known = {key.value(), std::vector<std::optional<std::vector<Side>>>(f.scene.meshes.size())};
+    auto& sides = known.meshes[mesh];
+    if (!sides) sides = sides_of(f.scene.meshes[mesh]);
+    return *sides;
+}
+
+/// Where a view's rays come from, relative to its origin: a point with w of 1 or, of parallel rays, a direction with w
+/// of 0, up to a factor.
+glm::dvec4 ray_source(const glm::dmat4& clip) {
+    const auto without = [&](int column) {
+        glm::dmat3 m;
+        for (int c = 0, to = 0; c < 4; ++c)
+            if (c != column) m[to++] = {clip[c][0], clip[c][1], clip[c][3]};
+        return glm::determinant(m);
     };
-    if (!seen) return draw(batch);
-    Batch run = batch;
-    run.instances = 0;
-    const auto finish_run = [&] {
-        if (run.instances > 0) draw(run);
-        run.instances = 0;
+    return {without(0), -without(1), without(2), -without(3)};
+}
+
+/// Draws the casters of one view, batch by batch.
+class CasterDrawer {
+public:
+    CasterDrawer(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info)
+        : f_(f),
+          view_(view),
+          seen_(seen),
+          info_(info),
+          sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.resolution),
+          rays_from_(ray_source(view.clip_from_relative)),
+          offset_(!view.unfiltered && offsets_polygons(f.settings)),
+          skips_(!seen && !f.request.forced.contains(Saving::Casters)) {}
+
+    void draw(const Batch& batch) {
+        const bool closed = batch.closed && !batch.masked && !offset_ && cull_of(f_, batch) == Cull::None;
+        Run run{batch, false};
+        run.batch.instances = 0;
+        for (GLuint i = 0; i < GLuint(batch.instances); ++i) add(batch, batch.first_instance + i, closed, run);
+        finish(run);
+    }
+
+    SparedCasters spared;
+
+private:
+    struct Run {
+        Batch batch;
+        bool fronts_alone;
     };
-    std::vector<IndexRange> parts;
-    for (GLuint i = 0; i < GLuint(batch.instances); ++i) {
-        const GLuint instance = batch.first_instance + i;
-        const Seen what = seen(instance, parts);
-        if (what == Seen::Whole) {
-            if (run.instances == 0) run.first_instance = instance;
-            ++run.instances;
-            continue;
+
+    FrameState& f_;
+    const CasterView& view_;
+    const SeenOf& seen_;
+    PassInfo& info_;
+    BoxSight sight_;
+    glm::dvec4 rays_from_;
+    bool offset_, skips_;
+    std::vector<IndexRange> parts_;
+
+    /// Lengthens the run by an instance, or draws it and what can be seen of the instance.
+    void add(const Batch& batch, GLuint instance, bool closed, Run& run) {
+        if (skips_ && sight_.misses(box_of(instance))) {
+            ++spared.beside;
+            return finish(run);
         }
-        finish_run();
-        for (const IndexRange& range : what == Seen::Parts ? parts : std::vector<IndexRange>{}) {
-            Batch part = batch;
-            part.first_instance = instance, part.instances = 1;
-            part.first_index += range.first, part.index_count = range.count;
-            draw(part);
+        const Seen what = seen_ ? seen_(instance, parts_) : Seen::Whole;
+        const bool fronts_alone =
+            closed && what != Seen::Nothing && sight_.has_before_it(box_of(instance)) && !shows_edge(instance);
+        spared.closed += fronts_alone;
+        if (what != Seen::Whole || fronts_alone != run.fronts_alone) finish(run);
+        run.fronts_alone = fronts_alone;
+        if (what == Seen::Whole) {
+            if (run.batch.instances++ == 0) run.batch.first_instance = instance;
+            return;
+        }
+        for (const IndexRange& range : what == Seen::Parts ? parts_ : std::vector<IndexRange>{}) {
+            Run part{batch, fronts_alone};
+            part.batch.first_instance = instance, part.batch.instances = 1;
+            part.batch.first_index += range.first, part.batch.index_count = range.count;
+            finish(part);
         }
     }
-    finish_run();
-}
+
+    SkewBox box_of(GLuint instance) const {
+        const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
+        return {f_.scene.meshes[std::size_t(object.mesh)].bounds, object.world};
+    }
+
+    /// Whether a side is seen edge-on. What a rasteriser makes of it is less than a step of its grid wide, or nothing:
+    /// a texel's centre may then be covered by a back face alone.
+    bool shows_edge(GLuint instance) const {
+        const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
+        glm::dmat4 world = object.world;
+        world[3] -= glm::dvec4(view_.origin, 0);
+        const glm::dvec4 from = glm::inverse(world) * rays_from_;
+        for (const Side& side : sides_of(f_, std::size_t(object.mesh))) {
+            const glm::dvec3 ray = glm::dvec3(from) - side.corner * from.w;
+            if (!(std::abs(glm::dot(side.normal, ray)) > kEdgeOn * glm::length(ray))) return true;
+        }
+        return false;
+    }
+
+    void finish(Run& run) {
+        if (run.batch.instances == 0) return;
+        set_cull(run.fronts_alone ? Cull::Back : cull_of(f_, run.batch), run.batch.mirrored);
+        draw_now(run.batch);
+        if (run.fronts_alone && f_.request.forced.contains(Saving::BackFaces)) draw_backs(run.batch);
+        run.batch.instances = 0;
+    }
+
+    /// Behind where they are: where a texel's centre lies on a silhouette, front and back are one point, and rounding
+    /// would decide which is nearer.
+    void draw_backs(const Batch& batch) {
+        const float away = view_.curve.convention.reversed ? -1.f : 1.f;
+        set_cull(Cull::Front, batch.mirrored);
+        glEnable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(away, 4 * away);
+        draw_now(batch);
+        glDisable(GL_POLYGON_OFFSET_FILL);
+    }
+
+    void draw_now(const Batch& batch) {
+        f_.gl.scene->draw(batch);
+        ++info_.draws;
+        info_.triangles += batch.triangles();
+    }
+};
 
 }  // namespace
 
@@ -96,7 +229,7 @@ void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConventio
     }
 }
 
-void draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info) {
+SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info) {
     const DepthConvention& convention = view.curve.convention;
     glClipControl(GL_LOWER_LEFT, convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     glEnable(GL_DEPTH_TEST);
@@ -110,6 +243,7 @@ void draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, Pas
     if (view.clamps_near) glEnable(GL_DEPTH_CLAMP);
     const glm::mat4 matrix(view.clip_from_relative);
     f.gl.scene->bind(f.scene, f.settings, view.origin, 1);
+    CasterDrawer drawer(f, view, seen, info);
     GLuint current = 0, texture = 0;
     std::optional<Batch> previous;
     for (const Batch& drawn : f.gl.scene->batches()) {
@@ -129,23 +263,27 @@ void draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, Pas
         }
         const GLuint mask = view.unfiltered ? batch.finest_texture : batch.texture;
         if (batch.masked && mask && mask != texture) glBindTextureUnit(shared::UNIT_BASE_COLOUR, texture = mask);
-        if (!previous || previous->cull != batch.cull || previous->mirrored != batch.mirrored) set_cull(f, batch);
         previous = batch;
-        draw_seen(f, batch, seen, info);
+        drawer.draw(batch);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_CLAMP);
+    return drawer.spared;
 }
 
-void draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                  const LightView& view, PassInfo& info) {
+SparedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
+                           const LightView& view, PassInfo& info) {
     const GLuint framebuffer = into.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);
     clear_casters(f, framebuffer, view.curve.convention);
-    draw_casters(
-        f, {view.clip_from_relative(light.map_origin), view.curve, light.map_origin, unfiltered, view.clamps_near}, {},
-        info);
+    const CasterView whole{view.clip_from_relative(light.map_origin),
+                           view.curve,
+                           light.map_origin,
+                           unfiltered,
+                           view.clamps_near,
+                           f.map_resolution};
+    return draw_casters(f, whole, {}, info);
 }
 
 }  // namespace si

@@ -14,6 +14,7 @@ struct CasterView {
     glm::dvec3 origin{0};
     bool unfiltered = false;   ///< without polygon offset, masks at their finest level
     bool clamps_near = false;  ///< what lies before the near plane is drawn at it
+    int resolution = 1;        ///< texels along a side
 };
 
 /// Indices of a mesh, counted from its first.
@@ -35,10 +36,16 @@ bool draws_into_maps(const FrameState& f, const Batch& batch);
 /// Empties the bound framebuffer, or what of it the scissor test leaves, to the far depth.
 void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention);
 
+/// What drawing left out.
+struct SparedCasters {
+    std::uint64_t beside = 0;  ///< instances of which nothing lies in the map
+    std::uint64_t closed = 0;  ///< instances that were drawn by their front faces alone
+};
+
 /// Draws every caster, or what of them can be seen, into the bound framebuffer and viewport.
-void draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info);
-/// Clears the framebuffer of a whole map, and draws every caster of a light's view into it.
-void draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                  const LightView& view, PassInfo& info);
+SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info);
+/// Clears the framebuffer of a whole map, and draws what of a light's casters lies in its view.
+SparedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
+                           const LightView& view, PassInfo& info);
 
 }  // namespace si

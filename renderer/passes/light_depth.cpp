@@ -26,8 +26,8 @@ bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) 
 }
 
 /// @param emptied nothing is drawn into it
-void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const LightView& view, int layer,
-               PassInfo& info, bool emptied = false) {
+SparedCasters draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const LightView& view, int layer,
+                        PassInfo& info, bool emptied = false) {
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
     const gl::Target& map = unfiltered ? t.unfiltered : t.maps;
     if (map.layers == 0) layer = -1;  // a plain texture
@@ -40,6 +40,24 @@ void draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const L
                                         : gl::make_framebuffer("shadow map", nullptr, &map, -1, layer);
     if (!emptied) return draw_casters(f, into, unfiltered, light, view, info);
     clear_casters(f, into.id(), view.curve.convention);
+    return {};
+}
+
+/// Draws one of a light's views, and says what was left out of it.
+void draw_part(FrameState& f, std::size_t light, std::size_t view, PassInfo& info) {
+    const FittedLight& l = f.gl.fitted[light];
+    const std::uint64_t draws = info.draws, triangles = info.triangles;
+    const SparedCasters spared = draw_view(f, false, l, l.views[view], f.first_view[light] + int(view), info,
+                                           f.request.emptied == MapOfLight{int(light), int(view)});
+    const std::string name = view_name(l.chooser.choice, view, l.views.size());
+    PartInfo part{.name = fmt::format("{} of light {}", name.empty() ? "map" : name, light), .state = PassState::Ran};
+    part.draws = info.draws - draws, part.triangles = info.triangles - triangles;
+    part.left_out = spared.beside, part.unit = "casters";
+    if (spared.beside > 0) part.by = Saving::Casters;
+    part.reason = part.draws == 0 ? "no caster lies in it: it is only cleared" : "its casters are drawn";
+    if (spared.beside > 0 && part.draws > 0) part.reason += fmt::format("; {} lie outside of it", spared.beside);
+    if (spared.closed > 0) part.reason += fmt::format("; {} are closed and drawn by front faces alone", spared.closed);
+    info.parts.push_back(std::move(part));
 }
 
 }  // namespace
@@ -76,7 +94,7 @@ void add_light_depth_passes(FrameState& f) {
             continue;
         }
         Key key = f.with_settings(f.geometry_key, ReadBy::Maps);
-        key.add(f.map_layers());
+        key.add(f.map_layers()).add(f.request.forced.value());
         for (const LightView& v : light.views)
             key.add(v.clip_from_relative(light.map_origin))
                 .add(v.curve.convention.zero_to_one)
@@ -90,9 +108,7 @@ void add_light_depth_passes(FrameState& f) {
             // A light that is not in this frame would take its layers for kept.
             if (ensure_maps(f, t.maps, "shadow maps")) t.keys = {};
             const FittedLight& l = f.gl.fitted[i];
-            for (std::size_t v = 0; v < l.views.size(); ++v)
-                draw_view(f, false, l, l.views[v], f.first_view[i] + int(v), info,
-                          f.request.emptied == MapOfLight{int(i), int(v)});
+            for (std::size_t v = 0; v < l.views.size(); ++v) draw_part(f, i, v, info);
             const auto& batches = f.gl.scene->batches();
             const bool masks = std::any_of(batches.begin(), batches.end(),
                                            [](const Batch& b) { return b.cast && b.masked && !b.blend; });

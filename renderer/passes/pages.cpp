@@ -178,6 +178,7 @@ public:
         }
         identity_ = f.with_settings({}, ReadBy::Maps);
         identity_.add(f.gl.programs.source().generation()).add(light_.map_origin).add(page_);
+        identity_.add(f.request.forced.value());
         const DepthConvention& convention = view_.curve.convention;
         identity_.add(view_.clamps_near).add(convention.zero_to_one).add(convention.reversed).add(bool(level_));
         if (level_)
@@ -235,7 +236,8 @@ public:
         const Rect rect = rect_of(page.page);
         draw_casters(
             f,
-            {view.clip_from_relative(light_.map_origin), view_.curve, light_.map_origin, unfiltered, view_.clamps_near},
+            {view.clip_from_relative(light_.map_origin), view_.curve, light_.map_origin, unfiltered, view_.clamps_near,
+             across},
             [&](std::size_t i, std::vector<IndexRange>& parts) {
                 return across_.seen(i, rect, casters_.indices[i], parts);
             },
@@ -480,7 +482,7 @@ Pass pages_pass(FrameState& f, PageTargets& t) {
     pass.idle_reason = "nothing samples a shadow map";
     Key key = f.with_settings(f.with_settings(f.geometry_key, ReadBy::Maps), ReadBy::Pages);
     key.add(f.gl.fit_key).add(f.view_count).add(f.gl.programs.source().generation());
-    pass.key = key.add(f.settings.caster.blend).value();
+    pass.key = key.add(f.settings.caster.blend).add(f.request.forced.value()).value();
     pass.cached = &t.pool.key;
     pass.run = [&f, &t](PassInfo& info) {
         try {

@@ -1,0 +1,110 @@
+// What drawing casters costs: very many of them under a light that turns against the least OpenGL that draws the same,
+// and each saving against the same map with it forced.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+
+#include "app/context/headless_context.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/scenes/shapes.h"
+#include "tests/bench/bare.h"
+#include "tests/bench/median.h"
+#include "tests/support/agreed_scene.h"
+
+namespace si {
+namespace {
+
+template <typename F>
+double wall_ms(F&& draw) {
+    glFinish();
+    const auto start = std::chrono::steady_clock::now();
+    draw();
+    glFinish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Times in turn, and says how the second relates to the first in the middle half of the rounds.
+template <typename A, typename B>
+void in_turn(benchmark::State& state, A&& first, B&& second) {
+    for (int i = 0; i < 3; ++i) first(), second();
+    std::vector<double> first_ms, ratios;
+    for (auto _ : state) {
+        first_ms.push_back(wall_ms(first));
+        const double ms = wall_ms(second);
+        ratios.push_back(ms / first_ms.back());
+        state.SetIterationTime(ms / 1000);
+    }
+    std::sort(ratios.begin(), ratios.end());
+    state.counters["first_ms"] = median(first_ms);
+    state.counters["ratio"] = median(ratios);
+    state.counters["ratio_p25"] = ratios[ratios.size() / 4];
+    state.counters["ratio_p75"] = ratios[ratios.size() * 3 / 4];
+}
+
+/// Boxes, balls and rings, each on a node of its own, over a floor.
+Scene ten_thousand_objects() {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    const int shapes[] = {add_mesh(scene, "Box", make_box(glm::dvec3(0.5)), grey),
+                          add_mesh(scene, "Ball", make_sphere(0.3, 12, 8), grey),
+                          add_mesh(scene, "Ring", make_torus(0.25, 0.1, 12, 6), grey)};
+    add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(110, 110), grey));
+    for (int i = 0; i < 10000; ++i)
+        add_object(scene, "Object", -1, shapes[i % 3], moved(i % 100 - 50, 0.4, i / 100 - 50) * turned(i * 7));
+    finalise(scene);
+    return scene;
+}
+
+Settings around_it() {
+    Settings s;
+    s.lights[0].fit = int(LightFit::Scene);
+    return s;
+}
+
+/// A frame whose light has turned, drawn by the bare program (first) and by the renderer.
+void light_turns(benchmark::State& state) {
+    HeadlessContext context;
+    Renderer renderer;
+    const Scene scene = ten_thousand_objects();
+    Settings s = around_it();
+    FrameResult facts = renderer.render(scene, s, {});
+    BareForward bare(scene, 3, s.map.resolution, 1280, 720);
+    in_turn(
+        state, [&] { bare.draw(facts.camera, facts.lights[0]); },
+        [&] {
+            s.lights[0].azimuth += 0.5;
+            facts = renderer.render(scene, s, {});
+        });
+}
+
+/// The map of the agreed scene, all of it drawn (first) and with what is saved.
+void agreed_map(benchmark::State& state, const Settings& all) {
+    HeadlessContext context;
+    Renderer renderer;
+    const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
+    FrameRequest request{.width = 16, .height = 9, .force = true};
+    request.outputs = {.colour = false, .shadow_map = true};
+    FrameRequest forced = request;
+    forced.forced = {Saving::Casters};
+    Settings both_sides = all;
+    both_sides.bias.raster_units = 1e-30;  // closed meshes keep their back faces under an offset
+    in_turn(
+        state, [&] { renderer.render(scene, both_sides, forced); }, [&] { renderer.render(scene, all, request); });
+}
+
+const int kRegistered = [] {
+    Settings directional = around_it(), point, cascades;
+    point.lights[0].type = int(LightType::Point);
+    cascades.lights[0].cascades = 4;
+    const auto add = [](const char* name, auto run) {
+        benchmark::RegisterBenchmark(name, run)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(30);
+    };
+    add("casters/light_turns/10000_objects", light_turns);
+    add("casters/map/directional", [=](benchmark::State& s) { agreed_map(s, directional); });
+    add("casters/map/point", [=](benchmark::State& s) { agreed_map(s, point); });
+    add("casters/map/cascades_4", [=](benchmark::State& s) { agreed_map(s, cascades); });
+    return 0;
+}();
+
+}  // namespace
+}  // namespace si
