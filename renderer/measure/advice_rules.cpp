@@ -49,8 +49,8 @@ void narrow_penumbra(const Settings& s, const AdviceFacts& f, const Offer& offer
     const Filter& row = filter_of(s);
     if (!has_map(f) || !(row.searches_blockers || row.reads_light_size) || f.penumbra_texels > 1) return;
     for (const char* kernel : {"hw2x2", "pcf3"})
-        offer(fmt::format("the penumbra is at most {:.2g} texels wide here: {} buys nothing", f.penumbra_texels,
-                          kernel_label(s)),
+        offer(fmt::format("the penumbra is at most {:.2g} texels wide here: {} buys nothing over {}", f.penumbra_texels,
+                          kernel_label(s), kernel_label(with_kernel(s, kernel))),
               with_kernel(s, kernel), f.light);
 }
 
@@ -120,8 +120,9 @@ void unseen_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     const bool moments = filter_of(s).samples == Samples::Moments;
     for (const char* kernel : {"hard", "hw2x2"})
         if (moments || is_wider(s, kernel))
-            offer(fmt::format("{} blurs over {:.2g} pixels, which no one sees{}", kernel_label(s), width_px,
-                              moments ? ": its moments and their blur are for nothing" : ""),
+            offer(fmt::format("{} blurs over {:.2g} pixels, which no one sees: {} will do{}", kernel_label(s), width_px,
+                              kernel_label(with_kernel(s, kernel)),
+                              moments ? ", and its moments and their blur are for nothing" : ""),
                   with_kernel(s, kernel), f.light);
 }
 
@@ -176,7 +177,7 @@ void sixteen_bits(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!(step_m > 0) || step_m > 0.1 * limits.texel_m) return;
     Settings coarse = s;
     coarse.map.format = int(MapFormat::D16);
-    offer(fmt::format("{:.3g} m of depth in 16 bits are steps of {:.2g} mm, a {:.2g}th of a texel: no more is needed",
+    offer(fmt::format("{:.3g} m of depth in 16 bits are steps of {:.2g} mm, 1/{:.2g} of a texel: no more is needed",
                       limits.depth_m, 1000 * step_m, limits.texel_m / step_m),
           std::move(coarse), f.light);
 }

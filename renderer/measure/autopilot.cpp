@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
@@ -60,7 +61,8 @@ private:
     double begun_s_;
     std::map<AxisChoice, AutopilotCase> known_;
     AxisChoice at_;
-    std::size_t unjudged_ = 0, untimed_ = 0;
+    std::set<AxisChoice> unjudged_;
+    std::size_t untimed_ = 0;
 
     double spent_s() const { return meter_.now_s() - begun_s_; }
     bool late() const { return spent_s() > goals_.most_seconds; }
@@ -194,7 +196,7 @@ private:
             if (AutopilotCase* found = judged(choices[i * stride_over(choices.size()) % choices.size()]))
                 cases.push_back(found);
             else
-                ++unjudged_;
+                unjudged_.insert(choices[i * stride_over(choices.size()) % choices.size()]);
         const AutopilotCase* best = best_of(cases);
         if (!best && !cases.empty()) best = nearest(cases);
         if (best) at_ = best->at;
@@ -253,8 +255,8 @@ private:
         else if (!cases.empty())
             out.best = *nearest(cases);
         if (out.held) find_dropped(out);
-        if (unjudged_ > 0)
-            out.untried.push_back(fmt::format("{} combinations were not judged for want of time", unjudged_));
+        if (!unjudged_.empty())
+            out.untried.push_back(fmt::format("{} combinations were not judged for want of time", unjudged_.size()));
         if (untimed_ > 0)
             out.untried.push_back(fmt::format("{} that may hold were not timed for want of time", untimed_));
         for (const auto* c : cases) out.cases.push_back(*c);

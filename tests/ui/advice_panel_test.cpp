@@ -1,6 +1,10 @@
 // The panel of advice: what its buttons wish for, what it shows, and that what is applied is one step of undo.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "app/base/output.h"
+#include "app/editor/headless_editor.h"
 #include "renderer/measure/autopilot.h"
 #include "tests/ui/ui_harness.h"
 
@@ -82,8 +86,8 @@ TEST_F(AdvicePanelTest, ShowsFiguresAndAppliesAsOneStepOfUndo) {
     EXPECT_EQ(text.find(without_spaces("this was hoped")), std::string::npos) << "folded away";
     const Settings before = ui.state.settings;
     bool applied = false;
-    for (float y = 640; y < 890 && !applied; y += 8)
-        for (float x = 400; x < 700 && !applied; x += 12) {
+    for (float y = 440; y < 890 && !applied; y += 7)
+        for (float x = 290; x < 440 && !applied; x += 14) {
             ui.click({x, y});
             applied = ui.state.settings.map.resolution == 512;
             if (!applied && !(ui.state.settings == before)) ui.state.settings = before, ui.frames(3);
@@ -108,11 +112,49 @@ TEST_F(AdvicePanelTest, ShowsWhatTheAutopilotFoundAndDropped) {
     ui.advice.autopilot = &flight, ui.advice.advice_current = true;
     ui.frames(3);
     const std::string text = printed_by(ui);
-    for (const char* part : {"hard at 512 holds it", "would have cost +1.5 ms", "7 of 9 combinations", "Apply"})
+    for (const char* part : {"hard at 512 holds it", "would have cost +1.5 ms", "7 of 9 combinations"})
         EXPECT_NE(text.find(without_spaces(part)), std::string::npos) << part << "\n" << text;
+    EXPECT_TRUE(ui.find("found", "", "Apply"));
     flight.held = false, flight.summary = "it cannot be held";
     ui.frames(3);
-    EXPECT_EQ(printed_by(ui).find("Apply"), std::string::npos);
+    EXPECT_FALSE(ui.find("found", "", "Apply"));
+}
+
+TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
+    EditorOptions o;
+    o.session.scene = "boxes";
+    o.width = 1280, o.height = 720, o.headless = true;
+    HeadlessEditor editor(o);
+    EditorModel& model = editor.model();
+    model.state.open_tab = BottomTab::Advice;
+    model.state.layout.bottom_height = 27;
+    editor.settle();
+    EditorActions wish;
+    wish.scene_width = model.facts().result->colour.width, wish.scene_height = model.facts().result->colour.height;
+    wish.find_advice = AdviceWish{.cost = CostCase::Forced};
+    const Settings settings = model.state.settings;
+    model.fulfil(wish);
+    EXPECT_TRUE(model.facts().advising);
+    editor.settle();
+    EXPECT_EQ(model.state.settings, settings);
+    EXPECT_FALSE(model.facts().advising);
+    ASSERT_TRUE(model.facts().advice);
+    EXPECT_TRUE(model.facts().advice_current);
+    EXPECT_FALSE(model.facts().advice->holds.empty() && model.facts().advice->fails.empty());
+    EXPECT_EQ(model.facts().advice->options.cost, CostCase::Forced);
+    for (int i = 0; i < 3; ++i) editor.frame();
+    write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "advice_panel.png", editor.picture());
+    model.state.settings.bias.normal = 7;
+    editor.settle();
+    EXPECT_FALSE(model.facts().advice_current) << "other settings now";
+    wish.find_advice->most_error = 1;
+    model.fulfil(wish);
+    EditorActions cancel;
+    cancel.scene_width = wish.scene_width, cancel.scene_height = wish.scene_height, cancel.cancel_advice = true;
+    model.fulfil(cancel);
+    editor.settle();
+    EXPECT_FALSE(model.facts().autopilot);
+    EXPECT_NE(model.state.log.lines().back().text.find("was cancelled"), std::string::npos);
 }
 
 }  // namespace
