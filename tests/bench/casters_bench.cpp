@@ -68,7 +68,7 @@ void light_turns(benchmark::State& state) {
     const Scene scene = ten_thousand_objects();
     Settings s = around_it();
     FrameResult facts = renderer.render(scene, s, {});
-    BareForward bare(scene, 3, s.map.resolution, 1280, 720);
+    BareForward bare(scene, BareOptions{}, s.map.resolution, 1280, 720);
     in_turn(
         state, [&] { bare.draw(facts.camera, facts.lights[0]); },
         [&] {

@@ -14,7 +14,6 @@
 
 namespace si {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 /// Error falls with the resolution, time grows; each call is counted.
@@ -54,7 +53,7 @@ struct FakeSweep {
     explicit FakeSweep(fs::path f) : folder(std::move(f)) {
         spec.scene = "stage", spec.axes = axes, spec.width = 8, spec.height = 8;
     }
-    Json spec_text() const { return spec_json(spec); }
+    nlohmann::ordered_json spec_text() const { return spec_json(spec); }
     /// Runs until nothing is left or `steps` were made.
     SweepState run(FakeMeter& meter, int steps = 10'000, SweepTiming timing = {.rounds = 4}, bool retry = false) const {
         Journal journal(folder, spec_text(), plan_key(plan));
@@ -65,7 +64,7 @@ struct FakeSweep {
     }
     SweepResults measured() const { return sweep_results(read_journal(folder), plan); }
     /// As results.json has them.
-    Json results() const { return results_json(measured()); }
+    nlohmann::ordered_json results() const { return results_json(measured()); }
 };
 
 }  // namespace si

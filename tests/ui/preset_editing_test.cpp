@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr int kPageUp = 401, kPageDown = 402;
 
-EditorOptions options(const std::string& scene = "boxes") {
+EditorOptions preset_options(const std::string& scene = "boxes") {
     EditorOptions o;
     o.session.scene = scene;
     o.width = 1280;
@@ -36,7 +36,7 @@ class PresetEditing : public testing::Test {
 protected:
     void SetUp() override { folder_ = fresh_test_folder(); }
 
-    void open(const EditorOptions& o = options()) {
+    void open(const EditorOptions& o = preset_options()) {
         editor_.reset();  // one at a time
         editor_ = std::make_unique<HeadlessEditor>(o);
         ImGui::GetIO().KeyMap[ImGuiKey_PageUp] = kPageUp;
@@ -67,7 +67,7 @@ protected:
         editor_->settle();
     }
     EditorOptions remembering() const {
-        EditorOptions o = options();
+        EditorOptions o = preset_options();
         o.state_folder = folder_ / "state";
         return o;
     }
@@ -146,7 +146,7 @@ TEST_F(PresetEditing, WhatWasOpenedMayBeSavedAndKeepsItsTexts) {
 
 TEST_F(PresetEditing, APresetNamesItsSceneSoThatItIsFoundFromAnywhere) {
     fs::copy_file(fs::path(SI_SOURCE_DIR) / "assets/scenes/boxes.gltf", folder_ / "own.gltf");
-    open(options(path("own.gltf")));
+    open(preset_options(path("own.gltf")));
     wish({.save_preset = path("with scene.json")});
     EXPECT_EQ(load_preset(path("with scene.json")).scene, "own.gltf") << "beside it";
     fs::create_directory(folder_ / "deep");
@@ -228,7 +228,7 @@ TEST_F(PresetEditing, UndoAndRedoGoBackAcrossScenes) {
 
 TEST_F(PresetEditing, AnUndoWhoseSceneIsGoneLeavesEverythingAsItIs) {
     fs::copy_file(fs::path(SI_SOURCE_DIR) / "assets/scenes/boxes.gltf", folder_ / "gone.gltf");
-    open(options(path("gone.gltf")));
+    open(preset_options(path("gone.gltf")));
     wish({.load_scene = "plane"});
     const Settings now = state().settings;
     fs::remove(folder_ / "gone.gltf");

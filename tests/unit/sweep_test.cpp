@@ -18,6 +18,8 @@
 namespace si {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 TEST(Shards, DealOutEachCaseOnce) {
     EXPECT_EQ(parse_shard("2/8"), (Shard{2, 8}));
     for (const char* wrong : {"", "0/2", "3/2", "1/0", "1/2/3", "1", "a/b", "1/-2", "1/99999999999"})
