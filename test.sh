@@ -47,15 +47,15 @@ build_asan() {
 }
 
 # All that draws, but for the editor and the commands, which are the same on every driver; that both draw each preset
-# alike is among the commands' tests; and that every pair of settings compiles, which the same compiler says of both.
+# alike is among the commands' tests; and what compiles and what is kept between frames, which one front end and one plan decide.
 tests_on_zink() {
   local zink=$root/scripts/on_zink.sh
-  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|invariant)$' "$zink" EveryPermutationCompiles
+  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|invariant)$' "$zink" "EveryPermutationCompiles|RandomWalkTest"
 }
 
 # Without those that draw one thing hundreds of times over to compare numbers, and take a third of the time.
 tests_asan() {
-  tests asan '^(unit|gl)$' '' '(IdleTest|LeastBiasTwins|CuresTest)\.|EveryPermutationCompiles|AreTheSameInCxxAndOnTheGpu'
+  tests asan '^(unit|gl)$' '' '(IdleTest|LeastBiasTwins|CuresTest|RandomWalkTest|SavingsTest|AdviceTest)\.|EveryPermutationCompiles|AreTheSameInCxxAndOnTheGpu'
 }
 
 # By clang-format of Debian 12, whose version decides what is well formed.

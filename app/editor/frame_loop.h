@@ -84,7 +84,7 @@ private:
     std::vector<Effect> frame_effects_;  ///< of the frame drawn last; empty: not asked for yet
     std::vector<Effect> effects_;        ///< these, and what stands behind panels
     std::uint64_t posed_scene_ = 0;      ///< Scene::id of the frame before
-    std::uint64_t programs_ = 0;  ///< Renderer::programs_key() of what is to be drawn; 0: not asked for
+    std::uint64_t programs_ = 0;         ///< Renderer::programs_key() of what is to be drawn; 0: not asked for
     std::set<std::uint64_t> foreseen_;
     std::unique_ptr<Rehearsals> rehearsals_;
 };

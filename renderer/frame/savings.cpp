@@ -29,7 +29,7 @@ constexpr SavingRow kRows[] = {
     {.key = "order",
      .label = "Hidden surfaces",
      .help = "Large meshes are drawn after the small ones that they mostly lie behind, so that less of what is hidden "
-             "is shaded; the depth test finds the same surfaces in any order."},
+             "is shaded. The depth test finds the same surfaces in any order, unless two lie in exactly one place."},
     {.key = "fused",
      .label = "Visibility as a pass of its own",
      .help = "The shading pass evaluates visibility itself where nothing else reads it: the same code on the same "

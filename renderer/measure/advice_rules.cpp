@@ -35,6 +35,21 @@ bool is_wider(const Settings& s, std::string_view kernel) {
     return reach_of(s).edge > reach_of(with_kernel(s, kernel)).edge;
 }
 
+/// Kernels that compare depths over a square of texels, the narrowest first: `count` of them from `first` on.
+std::vector<std::string_view> plain_kernels(const Settings& s, std::size_t first, std::size_t count) {
+    std::vector<std::pair<double, std::string_view>> all;
+    for (const std::string_view kernel : swept_kernels()) {
+        const Settings with = with_kernel(s, kernel);
+        const Filter& row = filter_of(with);
+        if (row.square && row.linear && row.samples == Samples::Depth && !row.reads_light_size)
+            all.emplace_back(reach_of(with).edge, kernel);
+    }
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::string_view> out;
+    for (std::size_t i = first; i < std::min(first + count, all.size()); ++i) out.push_back(all[i].second);
+    return out;
+}
+
 void no_shadow(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     for (std::size_t i = 0; i < f.lights.size(); ++i) {
         if (!f.lights[i].shadowed || !(f.shadowed[i] == 0)) continue;
@@ -48,7 +63,7 @@ void no_shadow(const Settings& s, const AdviceFacts& f, const Offer& offer) {
 void narrow_penumbra(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     const Filter& row = filter_of(s);
     if (!has_map(f) || !(row.searches_blockers || row.reads_light_size) || f.penumbra_texels > 1) return;
-    for (const char* kernel : {"hw2x2", "pcf3"})
+    for (const std::string_view kernel : plain_kernels(s, 1, 2))  // not the hard one
         offer(fmt::format("the penumbra is at most {:.2g} texels wide here: {} buys nothing over {}", f.penumbra_texels,
                           kernel_label(s), kernel_label(with_kernel(s, kernel))),
               with_kernel(s, kernel), f.light);
@@ -118,7 +133,7 @@ void unseen_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     const double reach = reach_under(s, *f.fitted(), f.map_resolution).edge, width_px = 2 * reach * f.texel_px;
     if (!(width_px < 1.5)) return;
     const bool moments = filter_of(s).samples == Samples::Moments;
-    for (const char* kernel : {"hard", "hw2x2"})
+    for (const std::string_view kernel : plain_kernels(s, 0, 2))
         if (moments || is_wider(s, kernel))
             offer(fmt::format("{} blurs over {:.2g} pixels, which no one sees: {} will do{}", kernel_label(s), width_px,
                               kernel_label(with_kernel(s, kernel)),
@@ -129,9 +144,10 @@ void unseen_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
 void moments_without_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || filter_of(s).samples != Samples::Moments) return;
     const double width_px = 2 * reach_under(s, *f.fitted(), f.map_resolution).edge * f.texel_px;
-    offer(fmt::format("{} prepares the map to blur {:.2g} pixels: comparing depths directly may do", kernel_label(s),
-                      width_px),
-          with_kernel(s, "pcf3"), f.light);
+    for (const std::string_view kernel : plain_kernels(s, 2, 1))
+        offer(fmt::format("{} prepares the map to blur {:.2g} pixels: comparing depths directly may do",
+                          kernel_label(s), width_px),
+              with_kernel(s, kernel), f.light);
 }
 
 BiasFamily family_in_use(const BiasSettings& b) {
@@ -249,7 +265,7 @@ void fewer_taps(const Settings& s, const AdviceFacts& f, const Offer& offer) {
 
 void narrower_kernel(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f)) return;
-    for (const std::string_view kernel : {neighbour_kernels(s).first, std::string_view("hard")})
+    for (const std::string_view kernel : {neighbour_kernels(s).first, plain_kernels(s, 0, 1).front()})
         if (!kernel.empty() && is_wider(s, kernel))
             offer(fmt::format("{} is narrower and cheaper", kernel_label(with_kernel(s, kernel))),
                   with_kernel(s, kernel), f.light);
@@ -276,7 +292,7 @@ constexpr AdviceRule kRules[] = {
     {"unseen-blur", "A kernel wider than visible", "The kernel blurs over less than 1.5 pixels.", Claim::Same,
      unseen_blur},
     {"moments", "Moments", "The kernel reads moments.", Claim::Same, moments_without_blur},
-    {"least-bias", "Bias larger or smaller than needed", "Surfaces shadow themselves, or need less than they get.",
+    {"bias", "Bias larger or smaller than needed", "Surfaces shadow themselves, or need less than they get.",
      Claim::Right, least_bias},
     {"polygon-offset", "Polygon offset", "Polygon offset is in use.", Claim::Right, polygon_offset},
     {"sixteen-bits", "16 bits of depth", "Their steps are below a tenth of a texel.", Claim::Same, sixteen_bits},

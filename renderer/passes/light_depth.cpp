@@ -43,8 +43,9 @@ SparedCasters draw_view(FrameState& f, bool unfiltered, const FittedLight& light
     return {};
 }
 
-/// Draws one of a light's views, and says what was left out of it.
-void draw_part(FrameState& f, std::size_t light, std::size_t view, PassInfo& info) {
+/// Draws one of a light's views, and says what was left out of it. @returns the closed casters drawn without their
+/// backs
+std::uint64_t draw_part(FrameState& f, std::size_t light, std::size_t view, PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
     const std::uint64_t draws = info.draws, triangles = info.triangles;
     const SparedCasters spared = draw_view(f, false, l, l.views[view], f.first_view[light] + int(view), info,
@@ -55,9 +56,20 @@ void draw_part(FrameState& f, std::size_t light, std::size_t view, PassInfo& inf
     part.left_out = spared.beside, part.unit = "casters";
     if (spared.beside > 0) part.by = Saving::Casters;
     part.reason = part.draws == 0 ? "no caster lies in it: it is only cleared" : "its casters are drawn";
-    if (spared.beside > 0 && part.draws > 0) part.reason += fmt::format("; {} lie outside of it", spared.beside);
-    if (spared.closed > 0) part.reason += fmt::format("; {} are closed and drawn by front faces alone", spared.closed);
     info.parts.push_back(std::move(part));
+    return spared.closed;
+}
+
+/// @param closed casters, each counted once a view
+PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t closed) {
+    PartInfo part{.name = fmt::format("back faces in maps of light {}", light)};
+    const bool forced = f.request.forced.contains(Saving::BackFaces);
+    part.by = Saving::BackFaces;
+    part.state = forced ? PassState::Ran : PassState::Skipped;
+    part.reason =
+        fmt::format("{} closed caster{} drawn by {}", closed, closed == 1 ? " is" : "s are",
+                    forced ? "both their faces, which is forced" : "front faces alone, which hide the back ones");
+    return part;
 }
 
 }  // namespace
@@ -108,7 +120,9 @@ void add_light_depth_passes(FrameState& f) {
             // A light that is not in this frame would take its layers for kept.
             if (ensure_maps(f, t.maps, "shadow maps")) t.keys = {};
             const FittedLight& l = f.gl.fitted[i];
-            for (std::size_t v = 0; v < l.views.size(); ++v) draw_part(f, i, v, info);
+            std::uint64_t closed = 0;
+            for (std::size_t v = 0; v < l.views.size(); ++v) closed += draw_part(f, i, v, info);
+            if (closed > 0) info.parts.push_back(back_faces_part(f, i, closed));
             const auto& batches = f.gl.scene->batches();
             const bool masks = std::any_of(batches.begin(), batches.end(),
                                            [](const Batch& b) { return b.cast && b.masked && !b.blend; });

@@ -60,7 +60,7 @@ TEST(Drivers, PresetsLookAlikeOnTwo) {
             rounded += most > 0, far += most > 2;
         }
         for (std::size_t i = 0; i < va.size(); ++i) turned += std::abs(va[i] - vb[i]) > 0.02f;
-        EXPECT_GT(std::set<char>(a.begin(), a.end()).size(), 10u) << "hardly a picture";
+        EXPECT_GT(std::set<char>(a.begin(), a.end()).size(), 6u) << "hardly a picture";
         // Colours round differently. Where rounding decides whether a tap is lit (on edges; where a preset shows what
         // too few depth steps do) a pixel may turn. Most are seen of receiver-plane, 1.1 %: its bias is that of
         // rounding alone.

@@ -102,8 +102,9 @@ TEST_F(DepthBlur, RunsOnlyWhenAskedForAndIsReused) {
     const FrameResult on = renderer.render(scene, s, small());
     EXPECT_EQ(on.pass("depth blur")->state, PassState::Ran);
     for (const PassInfo& pass : on.passes)
-        EXPECT_EQ(pass.category == PassCategory::Maps,
-                  pass.name == "depth blur" || pass.name == "moments" || pass.name.starts_with("shadow map"))
+        EXPECT_EQ(pass.category == PassCategory::Maps, pass.name == "depth blur" || pass.name == "moments" ||
+                                                           pass.name == "map bounds" ||
+                                                           pass.name.starts_with("shadow map"))
             << pass.name;
     const FrameResult again = renderer.render(scene, s, small());
     EXPECT_EQ(again.pass("depth blur")->state, PassState::Reused);

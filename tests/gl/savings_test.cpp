@@ -41,10 +41,13 @@ const std::vector<Sets>& cases() {
 }
 
 TEST_F(SavingsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
+    std::size_t next = 1;
     for (const BuiltinScene& row : builtin_scenes()) {
         const Scene scene = load_scene(std::string(row.key));
-        for (const Sets& sets : cases())
-            expect_one_picture(scene, sets, std::string(row.key) + (sets.empty() ? "" : ", " + sets[0].second));
+        expect_one_picture(scene, cases()[0], std::string(row.key));
+        // By turns: each scene meets two, each is met by several scenes.
+        for (int i = 0; i < 2; ++i, next = next % (cases().size() - 1) + 1)
+            expect_one_picture(scene, cases()[next], std::string(row.key) + ", " + cases()[next][0].second);
     }
 }
 

@@ -47,7 +47,7 @@ public:
     std::vector<TunedFamily> tuned;
     bool tuned_current = true;
     CureSearch cures;
-    EffectsShown effects;    ///< where its list is empty, that of the made-up frame
+    EffectsShown effects;  ///< where its list is empty, that of the made-up frame
     AdviceShown advice;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 

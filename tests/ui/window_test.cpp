@@ -66,7 +66,7 @@ TEST_F(Window, ADotOfAFrontierIsClicked) {
     }
     ASSERT_GE(first.x, 0) << "no dot of the frontier is drawn";
     ASSERT_NO_FATAL_FAILURE(start({"--size", "1280x720", "--sweep", (folder_ / "swept").string()}));
-    click(21, 606);  // do not measure the present settings: the plot stays as it is
+    click(21, 631);  // do not measure the present settings: the plot stays as it is
     click(first.x, first.y);
     const nlohmann::json settings = saved();
     screen("window_frontier");

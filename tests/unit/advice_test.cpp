@@ -64,7 +64,7 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
         {"unseen-blur", [](Settings&, AdviceFacts& f) { f.texel_px = 0.2; }, "filter.kernel=hard", "no one sees"},
         {"moments", [](Settings& s, AdviceFacts&) { set_setting(s, "filter.kernel", "vsm"); }, "filter.kernel=pcf",
          "directly"},
-        {"least-bias", [](Settings&, AdviceFacts& f) { f.needs.pixels = 100, f.needs.least[2].normal = 1; },
+        {"bias", [](Settings&, AdviceFacts& f) { f.needs.pixels = 100, f.needs.least[2].normal = 1; },
          "bias.normal=1.01", "3 texels is more than"},
         {"polygon-offset", [](Settings& s, AdviceFacts&) { s.bias.raster_slope = 2; }, "bias.raster_slope=0",
          "slope 2"},
