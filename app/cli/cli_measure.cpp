@@ -2,10 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
+
 #include "renderer/base/error.h"
 
 namespace si {
 namespace {
+
+/// A finite number above 0; what says otherwise names no largest double.
+CLI::Validator above_zero() {
+    return {[](std::string& text) -> std::string {
+                double value = 0;
+                const char* const end = text.data() + text.size();
+                const auto read = std::from_chars(text.data(), end, value);
+                if (read.ec == std::errc() && read.ptr == end && std::isfinite(value) && value > 0) return {};
+                return fmt::format("\"{}\" is not a number above 0", text);
+            },
+            "NUMBER > 0"};
+}
 
 constexpr const char* kAreaHelp =
     "Against a light of its size (light.size), not a point or direction. As --set truth.area=true";
@@ -86,11 +101,11 @@ void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
     c->add_option("-o,--output", o.tune.output, "The preset, .json")->required()->type_name("PRESET");
     c->add_option("--max-error", o.tune.most_error,
                   "Search kernels and resolutions for the cheapest whose error (--error) is at most this")
-        ->check(CLI::PositiveNumber)
+        ->check(above_zero())
         ->type_name("E");
     c->add_option("--max-ms", o.tune.most_ms,
                   "Search kernels and resolutions for the most accurate whose frame takes at most this long")
-        ->check(CLI::PositiveNumber)
+        ->check(above_zero())
         ->type_name("MS");
     c->add_option(
          "--error", o.tune.error,
@@ -140,11 +155,11 @@ void add_advise(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
     AdviseOptions& a = o.advise;
     add_session(*c, a.session);
     c->add_option("--max-error", a.most_error, "Autopilot: the cheapest effects whose error (--error) is at most this")
-        ->check(CLI::PositiveNumber)
+        ->check(above_zero())
         ->type_name("E");
     c->add_option("--max-ms", a.most_ms,
                   "Autopilot: the most accurate effects whose frame takes at most this long (--cost)")
-        ->check(CLI::PositiveNumber)
+        ->check(above_zero())
         ->type_name("MS");
     c->add_option("--error", a.error,
                   fmt::format("Which error, as `measure --json` names it: {} (default: the first)",

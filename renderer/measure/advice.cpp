@@ -161,7 +161,8 @@ std::vector<Finding> findings_of(const AdviceFacts& facts, const CureTable& cure
         if (pixels == 0 || facts.error.counted == 0) continue;
         const double share = double(pixels) / double(facts.error.counted);
         Finding finding{severity_of(share),
-                        fmt::format("{}: {} pixels, {:.2g} % of those that count", style.label, pixels, 100 * share),
+                        fmt::format("{}: {} pixel{}, {:.2g} % of those that count", style.label, pixels,
+                                    pixels == 1 ? "" : "s", 100 * share),
                         {},
                         {}};
         if (const Cure* cure = best_cure(cures, style.artefact)) {

@@ -167,8 +167,8 @@ void least_bias(const Settings& s, const AdviceFacts& f, const Offer& offer) {
         const double now = amount_of(s.bias, family), need = amount_of(least.bias, family);
         const bool in_use = family == family_in_use(s.bias) && s.bias.unit == int(BiasUnit::Texels);
         if (acne > 0)
-            offer(fmt::format("{} pixels shadow themselves: {} of {:.3g} texels clears them", acne, family_word(family),
-                              need),
+            offer(fmt::format("pixels that shadow themselves: {}; {} of {:.3g} texels clears them", acne,
+                              family_word(family), need),
                   std::move(least), f.light);
         else if (in_use && now > 1.1 * need)
             offer(fmt::format("{} of {:.3g} texels is more than the {:.3g} that what is seen needs",
@@ -204,7 +204,8 @@ void contact_shadows(const Settings& s, const AdviceFacts& f, const Offer& offer
     Settings none = s;
     shown(none, f).contact = 0;
     const std::size_t wrong = f.error.artefacts[std::size_t(Artefact::Contact)];
-    offer(fmt::format("contact shadows of {:.3g} m march a ray a pixel; {} pixels are wrong by them", contact, wrong),
+    offer(fmt::format("contact shadows of {:.3g} m march a ray a pixel; pixels that are wrong by them: {}", contact,
+                      wrong),
           std::move(none), f.light);
 }
 

@@ -85,7 +85,8 @@ TEST(Advise, SaysWhatIsWrong) {
     };
     refused({"-o", preset}, 2, "--max-error or --max-ms");
     refused({"--vary", "map.resolution=256"}, 2, "--max-error or --max-ms");
-    refused({"--max-error", "0"}, 2, "--max-error");
+    refused({"--max-error", "0"}, 2, "--max-error: \"0\" is not a number above 0");
+    refused({"--max-error", "nan"}, 2, "\"nan\" is not a number above 0");
     refused({"--max-ms", "5", "-o", "p.txt"}, 2, ".json");
     refused({"--cost", "soon"}, 2, "forced, camera, light");
     refused({"--error", "prettiness"}, 2, "it is one of mae");

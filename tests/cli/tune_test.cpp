@@ -118,7 +118,8 @@ TEST(Tune, SaysWhatIsWrong) {
     };
     refused({"boxes"}, 2, "-o");
     refused({"boxes", "-o", (folder / "p.txt").string()}, 2, ".json");
-    refused({"boxes", "-o", preset, "--max-error", "0"}, 2, "--max-error");
+    refused({"boxes", "-o", preset, "--max-error", "0"}, 2, "--max-error: \"0\" is not a number above 0");
+    refused({"boxes", "-o", preset, "--max-ms", "inf"}, 2, "\"inf\" is not a number above 0");
     refused({"boxes", "-o", preset, "--max-ms", "soon"}, 2, "--max-ms");
     refused({"boxes", "-o", preset, "--error", "prettiness"}, 2, "it is one of mae");
     refused({"boxes", "-o", preset, "--set", "light.cast=false"}, 1, "no bias to find");
