@@ -135,7 +135,7 @@ void SceneGpu::upload_geometry(const Scene& scene) {
         if (n == 0 || m.indices.empty()) continue;
         attributes.resize(n), positions.resize(n);
         std::vector<glm::vec3> seamless = m.positions;
-        for (const auto& [vertex, there] : bodies_[mesh].joined) seamless[vertex] = m.positions[there];
+        for (const auto& [moved, there] : bodies_[mesh].joined) seamless[moved] = m.positions[there];
         const auto source = [&](std::size_t i) { return ranges_.back().source(m.positions.size(), i); };
         for (std::size_t i = 0; i < n; ++i) {
             const std::size_t from = source(i);
