@@ -6,10 +6,10 @@ namespace si {
 
 void EditorAdvice::start(const Scene& scene, const Settings& settings, int width, int height, const AdviceWish& wish) {
     found_.reset();
-    Found about{{}, {}, scene.id, settings, width, height};
+    const AdviceFound about{{}, {}, scene.id, settings, width, height};
     job_.start(
         [copy = std::make_shared<const Scene>(scene), about, wish](const Workers& workers, const auto& report) {
-            Found out = about;
+            AdviceFound out = about;
             const HeadlessContext context;
             Renderer renderer;
             TruthCache cache;
@@ -27,15 +27,6 @@ void EditorAdvice::start(const Scene& scene, const Settings& settings, int width
             return out;
         },
         {"the present settings", 0});
-}
-
-bool EditorAdvice::poll(std::string& problem) {
-    auto outcome = job_.poll();
-    if (!outcome) return false;
-    if (outcome->cancelled) problem = "The search for advice was cancelled";
-    if (outcome->problem) problem = what_of(outcome->problem);
-    if (outcome->value) found_ = std::move(outcome->value);
-    return true;
 }
 
 void EditorAdvice::fill(AdviceShown& shown, std::uint64_t scene, const Settings& settings, int width,

@@ -34,15 +34,6 @@ void EditorCures::start(const Scene& scene, const Settings& settings, int width,
         {"the present settings", 0});
 }
 
-bool EditorCures::poll(std::string& problem) {
-    auto outcome = job_.poll();
-    if (!outcome) return false;
-    if (outcome->cancelled) problem = "The search for cures was cancelled";
-    if (outcome->problem) problem = what_of(outcome->problem);
-    if (outcome->value) found_ = std::move(outcome->value);
-    return true;
-}
-
 CureSearch EditorCures::facts(std::uint64_t scene, const Settings& settings, int width, int height) const {
     CureSearch f;
     f.running = job_.progress();

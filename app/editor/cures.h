@@ -1,7 +1,7 @@
 // The editor's search for what puts wrong pixels right: of the picture, and of the probed pixel.
 #pragma once
 
-#include "app/base/job.h"
+#include "app/editor/search.h"
 #include "renderer/measure/cures.h"
 #include "ui/state/editor_ui.h"
 
@@ -16,27 +16,20 @@ struct CureOutcome {
     std::optional<glm::ivec2> pixel;
 };
 
-class EditorCures {
+class EditorCures : public EditorSearch<CureOutcome> {
 public:
+    EditorCures() : EditorSearch("The search for cures was cancelled") {}
     /// In place of a search that is under way. @param pixel that the table is to speak of, or none: of the picture
     /// @param own a change that is tried besides, such as a dossier's remedy
     void start(const Scene& scene, const Settings& settings, int width, int height, std::optional<glm::ivec2> pixel,
                std::vector<CureIdea> own);
-    void cancel() { job_.cancel(); }
     void forget() { found_.reset(); }
-    bool running() const { return job_.busy(); }
-    bool moved() const { return job_.moved(); }
-    void wait() const { job_.wait(); }
-    /// Takes what is done. Returns whether there was something; why it failed goes to `problem`.
-    bool poll(std::string& problem);
     /// @param scene Scene::id @param settings of the editor, which the table may no longer be about, nor about the
     /// picture's size
     CureSearch facts(std::uint64_t scene, const Settings& settings, int width, int height) const;
 
 private:
     CureOutcome about_;  ///< what is searched for, and not yet what was found
-    Job<CureOutcome, TuneFacts> job_;
-    std::optional<CureOutcome> found_;
 };
 
 }  // namespace si

@@ -25,15 +25,6 @@ void EditorSaved::start(const Scene& scene, const Settings& settings, const Fram
         {"the first frame", 0});
 }
 
-bool EditorSaved::poll(std::string& problem) {
-    auto outcome = job_.poll();
-    if (!outcome) return false;
-    if (outcome->cancelled) problem = "Measuring what is saved was cancelled";
-    if (outcome->problem) problem = what_of(outcome->problem);
-    if (outcome->value) found_ = std::move(outcome->value);
-    return true;
-}
-
 void EditorSaved::fill(EffectsShown& shown, std::uint64_t scene, const Settings& settings, int width,
                        int height) const {
     shown.measuring_saved = job_.progress();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "renderer/passes/casters.h"
 #include "renderer/scene/animation.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
@@ -66,7 +67,9 @@ std::size_t number_in(std::string_view name) {
 }
 
 std::string light_key(std::size_t light, std::string_view setting) {
-    return light == 0 ? fmt::format("light.{}", setting) : fmt::format("light.{}.{}", light, setting);
+    SettingRef ref = *find_setting(fmt::format("light.{}", setting));
+    ref.light = int(light);
+    return setting_key(ref);
 }
 
 // Maps ----------------------------------------------------------------------------------------------------------------
@@ -368,17 +371,11 @@ void add_pass(const Facts& f, const PassInfo& pass, Effects& out) {
 }
 
 void count_casters(Facts& f) {
-    const bool by_mask = f.settings.caster.blend == int(BlendCasters::Mask);
     for (const Object& object : f.scene.objects) {
-        const auto own = f.settings.objects.empty()
-                             ? f.settings.objects.end()
-                             : f.settings.objects.find(f.scene.nodes[std::size_t(object.node)].path);
-        if (own != f.settings.objects.end() && !own->second.cast) continue;
+        if (!casts_at_all(f.scene, f.settings, object)) continue;
         const int material = f.scene.meshes[std::size_t(object.mesh)].material;
-        const AlphaMode alpha = material < 0 ? AlphaMode::Opaque : f.scene.materials[std::size_t(material)].alpha;
-        if (alpha == AlphaMode::Blend && !by_mask) continue;
         ++f.casters;
-        f.masked_casters += alpha != AlphaMode::Opaque;
+        f.masked_casters += material >= 0 && f.scene.materials[std::size_t(material)].alpha != AlphaMode::Opaque;
     }
 }
 

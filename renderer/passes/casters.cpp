@@ -206,13 +206,12 @@ private:
 
 }  // namespace
 
-bool casts_at_all(const FrameState& f, const Object& object) {
-    const Scene& scene = f.scene;
+bool casts_at_all(const Scene& scene, const Settings& settings, const Object& object) {
     const int material = scene.meshes[std::size_t(object.mesh)].material;
     const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
-    if (blended && f.settings.caster.blend == int(BlendCasters::None)) return false;
-    const auto own = f.settings.objects.find(scene.nodes[std::size_t(object.node)].path);
-    return own == f.settings.objects.end() || own->second.cast;
+    if (blended && settings.caster.blend == int(BlendCasters::None)) return false;
+    const auto own = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
+    return own == settings.objects.end() || own->second.cast;
 }
 
 bool draws_into_maps(const FrameState& f, const Batch& batch) {

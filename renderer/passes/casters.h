@@ -29,7 +29,7 @@ enum class Seen { Nothing, Whole, Parts };
 using SeenOf = std::function<Seen(std::size_t instance, std::vector<IndexRange>& parts)>;
 
 /// Whether an object casts, whatever its masks and its triangles' sides; blended ones do only if asked.
-bool casts_at_all(const FrameState& f, const Object& object);
+bool casts_at_all(const Scene& scene, const Settings& settings, const Object& object);
 /// Whether a batch is drawn into maps, where blended materials can cast by their mask alone.
 bool draws_into_maps(const FrameState& f, const Batch& batch);
 

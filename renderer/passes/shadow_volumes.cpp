@@ -57,7 +57,7 @@ void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, cons
     VolumeTriangles found;
     for (std::uint32_t instance = 0; instance < objects.size(); ++instance) {
         const Object& object = f.scene.objects[objects[instance]];
-        if (!casts_at_all(f, object)) continue;
+        if (!casts_at_all(f.scene, f.settings, object)) continue;
         auto& mesh = meshes_[std::size_t(object.mesh)];
         if (!mesh) {
             mesh = std::make_unique<VolumeMesh>(f.scene.meshes[std::size_t(object.mesh)]);

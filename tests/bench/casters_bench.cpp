@@ -2,26 +2,16 @@
 // and each saving against the same map with it forced.
 #include <benchmark/benchmark.h>
 
-#include <chrono>
-
 #include "app/context/headless_context.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/bench/bare.h"
-#include "tests/bench/median.h"
+#include "tests/bench/rotation.h"
+#include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"
 
 namespace si {
 namespace {
-
-template <typename F>
-double wall_ms(F&& draw) {
-    glFinish();
-    const auto start = std::chrono::steady_clock::now();
-    draw();
-    glFinish();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// Times in turn, and says how the second relates to the first in the middle half of the rounds.
 template <typename A, typename B>
@@ -29,16 +19,15 @@ void in_turn(benchmark::State& state, A&& first, B&& second) {
     for (int i = 0; i < 3; ++i) first(), second();
     std::vector<double> first_ms, ratios;
     for (auto _ : state) {
-        first_ms.push_back(wall_ms(first));
-        const double ms = wall_ms(second);
+        first_ms.push_back(finished_ms(first));
+        const double ms = finished_ms(second);
         ratios.push_back(ms / first_ms.back());
         state.SetIterationTime(ms / 1000);
     }
-    std::sort(ratios.begin(), ratios.end());
+    const Quartiles ratio(std::move(ratios));
     state.counters["first_ms"] = median(first_ms);
-    state.counters["ratio"] = median(ratios);
-    state.counters["ratio_p25"] = ratios[ratios.size() / 4];
-    state.counters["ratio_p75"] = ratios[ratios.size() * 3 / 4];
+    state.counters["ratio"] = ratio.median, state.counters["ratio_p25"] = ratio.p25;
+    state.counters["ratio_p75"] = ratio.p75;
 }
 
 /// Boxes, balls and rings, each on a node of its own, over a floor.

@@ -1,9 +1,7 @@
 // What telling the effects of a frame costs, and deciding what to leave out (an unchanged frame is nothing but that),
 // as shares of the frame, in turns with it.
 #include <benchmark/benchmark.h>
-#include <epoxy/gl.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "app/context/headless_context.h"
@@ -12,19 +10,11 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/median.h"
+#include "tests/bench/rotation.h"
 #include "tests/support/agreed_scene.h"
 
 namespace si {
 namespace {
-
-template <typename F>
-double effect_bench_ms(F&& work) {
-    glFinish();
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    glFinish();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 void effects_of_a_frame(benchmark::State& state, const Scene& scene, const char* lights) {
     const HeadlessContext context;
@@ -37,11 +27,11 @@ void effects_of_a_frame(benchmark::State& state, const Scene& scene, const char*
     std::vector<double> frames, analyses, unchanged;
     for (auto _ : state) {
         request.force = true;
-        frames.push_back(effect_bench_ms([&] { frame = renderer.render(scene, settings, request); }));
-        analyses.push_back(effect_bench_ms([&] { benchmark::DoNotOptimize(frame_effects(scene, settings, frame)); }));
+        frames.push_back(finished_ms([&] { frame = renderer.render(scene, settings, request); }));
+        analyses.push_back(finished_ms([&] { benchmark::DoNotOptimize(frame_effects(scene, settings, frame)); }));
         request.force = false;
         renderer.render(scene, settings, request);
-        unchanged.push_back(effect_bench_ms([&] { renderer.render(scene, settings, request); }));
+        unchanged.push_back(finished_ms([&] { renderer.render(scene, settings, request); }));
         state.SetIterationTime(1e-3 * analyses.back());
     }
     state.counters["frame_ms"] = median(frames);

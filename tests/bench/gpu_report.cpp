@@ -8,6 +8,7 @@
 
 #include "app/base/output.h"
 #include "app/context/headless_context.h"
+#include "app/report/report.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/gl/handle.h"
@@ -183,16 +184,6 @@ void add_light_loops(Json& to, int rounds) {
                             {"a program each", [&] { return screen.ms(constant.id()); }},
                             {"uniform branches", [&] { return screen.ms(uniform.id()); }}, rounds));
     }
-}
-
-Json driver_json(const DriverInfo& d) {
-    return {{"vendor", d.vendor},
-            {"renderer", d.renderer},
-            {"version", d.version},
-            {"glsl", d.glsl},
-            {"software", d.software},
-            {"max_texture_size", d.max_texture_size},
-            {"subpixel_bits", d.subpixel_bits}};
 }
 
 void add_renderer_choices(Renderer& renderer, Json& to, int rounds) {

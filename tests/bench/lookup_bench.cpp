@@ -4,13 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "app/context/headless_context.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/load_bench.h"
 #include "tests/bench/median.h"
+#include "tests/bench/rotation.h"
+#include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"
 
 namespace si {
@@ -23,11 +24,7 @@ struct LookupCase {
 };
 
 double drawn_ms(Renderer& renderer, const Scene& scene, const Settings& s, const FrameRequest& request) {
-    glFinish();
-    const auto start = std::chrono::steady_clock::now();
-    renderer.render(scene, s, request);
-    glFinish();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return finished_ms([&] { renderer.render(scene, s, request); });
 }
 
 void lookups(benchmark::State& state, const LookupCase& c, bool anew) {
@@ -57,11 +54,10 @@ void lookups(benchmark::State& state, const LookupCase& c, bool anew) {
         both();
         state.SetIterationTime(ms.back() / 1000);
     }
-    std::sort(ratios.begin(), ratios.end());
+    const Quartiles ratio(std::move(ratios));
     state.counters["ms"] = median(ms);
-    state.counters["ratio"] = median(ratios);
-    state.counters["ratio_p25"] = ratios[ratios.size() / 4];
-    state.counters["ratio_p75"] = ratios[ratios.size() * 3 / 4];
+    state.counters["ratio"] = ratio.median, state.counters["ratio_p25"] = ratio.p25;
+    state.counters["ratio_p75"] = ratio.p75;
 }
 
 }  // namespace
