@@ -40,6 +40,9 @@ struct Rehearsals::Stage {
         request.force = true, request.timing = false;
         request.truth.reset(), request.traced.clear(), request.light_maps.clear();
         renderer.render(*r.scene, r.settings, request);
+        // Once more with the maps kept, of which look-ups may then know more; another size, as nothing else is kept.
+        request.force = false, ++request.width;
+        renderer.render(*r.scene, r.settings, request);
         if (r.probe) probe(renderer, r, request);
         renderer.take_gl_messages();
     }

@@ -60,11 +60,12 @@ struct MapOfLight {
 struct FrameRequest {
     int width = 1280, height = 720;  ///< of each pane's picture, in pixels
     Outputs outputs;
-    bool timing = false;                  ///< measure each pass (costs time itself)
-    bool force = false;                   ///< run every pass even when its result is cached
-    SavingSet forced;                     ///< savings not to make: the same picture by more work
-    std::optional<MapOfLight> emptied;    ///< left as if nothing cast into it: what does it show? Not of virtual maps
-    std::optional<MapCamera> map_camera;  ///< nothing: the picture's own
+    bool timing = false;                   ///< measure each pass (costs time itself)
+    bool force = false;                    ///< run every pass even when its result is cached
+    SavingSet forced;                      ///< savings not to make: the same picture by more work
+    std::optional<bool> blocks_as_images;  ///< how shaders read numbers (Blocks); nothing: DriverInfo::blocks_as_images
+    std::optional<MapOfLight> emptied;     ///< left as if nothing cast into it: what does it show? Not of virtual maps
+    std::optional<MapCamera> map_camera;   ///< nothing: the picture's own
     /// What rays found for this very view and light; another one's is left unused. See FrameResult::truth.
     std::shared_ptr<const TruthPicture> truth;
     /// The same by light, for those whose source is ray traced; may end early, and hold none for others.

@@ -72,7 +72,7 @@ std::string_view result_name(Result result) {
 std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
                                   bool uncalled) {
     std::vector<PassInfo> out(passes.size());
-    std::set<ResultRef> needed(wanted.begin(), wanted.end());
+    std::set<ResultRef> needed(wanted.begin(), wanted.end()), read_now;
     for (std::size_t i = passes.size(); i-- > 0;) {
         const Pass& pass = passes[i];
         PassInfo& info = out[i];
@@ -92,8 +92,12 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         if (!force && pass.cached && *pass.cached == pass.key) {
             info.state = PassState::Reused;
             info.reason = "nothing it depends on changed";
+        } else if (pass.aid &&
+                   std::ranges::none_of(pass.writes, [&](const ResultRef& w) { return read_now.contains(w); })) {
+            info.reason = "nothing that it helps is made anew";
         } else {
             info.state = PassState::Ran;
+            read_now.insert(pass.reads.begin(), pass.reads.end());
             info.reason = force && pass.cached && *pass.cached == pass.key ? "asked to run" : "its inputs changed";
         }
     }
@@ -104,7 +108,8 @@ void Plan::add(Pass pass) {
     if (!pass.reads.empty()) {
         Key key;
         key.add(pass.key);
-        for (const ResultRef& read : pass.reads) key.add(key_of(read));
+        for (const ResultRef& read : pass.reads)
+            if (const std::uint64_t of = key_of(read); of != Key().value()) key.add(of);
         pass.key = key.value();
     }
     passes_.push_back(std::move(pass));
@@ -129,8 +134,15 @@ const gl::Target& Plan::target(const ResultRef& result, std::size_t image) const
 std::uint64_t Plan::key_of(const ResultRef& result) const {
     Key key;
     for (const Pass& pass : passes_)
-        if (std::find(pass.writes.begin(), pass.writes.end(), result) != pass.writes.end()) key.add(pass.key);
+        if (!pass.aid && std::ranges::find(pass.writes, result) != pass.writes.end()) key.add(pass.key);
     return key.value();
+}
+
+bool Plan::holds(const ResultRef& result) const {
+    return std::ranges::all_of(passes_, [&](const Pass& pass) {
+        const bool writes = pass.unneeded.empty() && std::ranges::find(pass.writes, result) != pass.writes.end();
+        return !writes || (pass.cached && *pass.cached == pass.key);
+    });
 }
 
 const PassInfo* FrameResult::pass(std::string_view name) const {

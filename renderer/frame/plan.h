@@ -17,8 +17,11 @@ struct Pass {
     std::string name;
     PassCategory category = PassCategory::Picture;
     std::vector<ResultRef> reads, writes;
-    std::string unneeded;             ///< why the scene does not call for it; empty: it does
-    std::uint64_t key = 0;            ///< of all that the result depends on, its size and format too, but what it reads
+    std::string unneeded;   ///< why the scene does not call for it; empty: it does
+    std::uint64_t key = 0;  ///< of all that the result depends on, its size and format too, but what it reads
+    /// What it writes spares its readers work and changes nothing of what they make: it adds nothing to their keys, and
+    /// is made only where one of them runs.
+    bool aid = false;
     std::uint64_t* cached = nullptr;  ///< key of the contents that the target holds; stays where it is between frames
     std::function<void(PassInfo&)> run;
     std::string idle_reason = "nothing reads it";  ///< shown when no live pass reads what it writes
@@ -52,8 +55,10 @@ public:
     const std::vector<PlacedImage>& images(const ResultRef& result) const;
     /// An image of a result; one without a texture where no pass of the frame makes it.
     const gl::Target& target(const ResultRef& result, std::size_t image = 0) const;
-    /// Of all that the passes added so far write into it.
+    /// Of all that the passes added so far write into it, but aids.
     std::uint64_t key_of(const ResultRef& result) const;
+    /// Whether images still hold what the passes added so far would write into it.
+    bool holds(const ResultRef& result) const;
     void give_up_what_is_unused() const {
         for (const auto& give_up : releases_) give_up();
     }

@@ -90,11 +90,14 @@ std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& setting
     Key key;
     key.add(f.preamble).add(f.gl.programs.source().generation()).add(f.map_format()).add(f.settings.map.samples);
     key.add(filter_of(f.settings).file).add(bias_of(f.settings).file).add(request.forced.value());
-    for (const gl::Define& d : f.defines) key.add(d.name).add(d.value);
+    // Whether look-ups ask for bounds changes with what is kept of the last frame: who makes programs makes both.
+    for (const gl::Define& d : f.defines)
+        if (d.name != "MAP_BOUNDS") key.add(d.name).add(d.value);
     for (const FrameState::ShownPane& pane : f.panes) key.add(pane.overlay);
     for (int i = 0; i < f.settings.light_count; ++i) key.add(source_of(f.settings, i).key);
-    for (const PassInfo& p : plan_passes(f.plan.passes(), wanted_results(f), true, false))
-        if (p.state == PassState::Ran) key.add(p.name);
+    const std::vector<PassInfo> infos = plan_passes(f.plan.passes(), wanted_results(f), true, false);
+    for (std::size_t i = 0; i < infos.size(); ++i)
+        if (infos[i].state == PassState::Ran && !f.plan.passes()[i].aid) key.add(infos[i].name);
     std::uint32_t ways = 0;  // in which batches are drawn
     for (const Batch& b : f.gl.scene->batches()) ways |= 1u << (int(b.mirrored) + 2 * int(b.cast) + 4 * b.cull);
     return key.add(ways).value();

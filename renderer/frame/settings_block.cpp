@@ -40,25 +40,31 @@ std::vector<gl::Define> settings_defines(const Settings& s) {
     return out;
 }
 
-const std::string& settings_block_text() {
-    static const std::string text = [] {
-        std::string out;
-        for_shader_params([&](const Param& p) {
-            if (!p.choices) return;
-            const auto choices = p.choices();
-            for (std::size_t i = 0; i < choices.size(); ++i)
-                out += fmt::format("#define {}_{} {}\n", identifier(p.key), identifier(choices[i].key), i);
-        });
-        out += fmt::format("layout(std140, binding = {}) uniform SettingsUniforms {{\n", shared::BLOCK_SETTINGS);
-        for_shader_params([&](const Param& p) {
-            if (p.cost == Cost::Program || p.choices) return;
-            Settings probe;
-            const bool real = std::holds_alternative<double*>(p.field(probe, 0, nullptr));
-            out += fmt::format("    {} {};\n", real ? "float" : "int", identifier(p.key));
-        });
-        return out + "};\n";
-    }();
-    return text;
+std::string settings_block_text(bool as_image) {
+    std::string choices, block, texels;
+    int place = 0;
+    for_shader_params([&](const Param& p) {
+        const std::string name = identifier(p.key);
+        if (p.choices) {
+            const auto rows = p.choices();
+            for (std::size_t i = 0; i < rows.size(); ++i)
+                choices += fmt::format("#define {}_{} {}\n", name, identifier(rows[i].key), i);
+        }
+        if (p.cost == Cost::Program || p.choices) return;
+        Settings probe;
+        const bool real = std::holds_alternative<double*>(p.field(probe, 0, nullptr));
+        block += fmt::format("    {} {};\n", real ? "float" : "int", name);
+        texels += fmt::format("#define {} {}(settings_number({}))\n", name, real ? "uintBitsToFloat" : "int", place++);
+    });
+    if (!as_image)
+        return choices + fmt::format("layout(std140, binding = {}) uniform SettingsUniforms {{\n{}}};\n",
+                                     shared::BLOCK_SETTINGS, block);
+    return choices +
+           fmt::format(
+               "layout(rgba32ui, binding = {}) restrict readonly uniform uimageBuffer settings_texels;\n"
+               "uint settings_number(int i) {{ return imageLoad(settings_texels, i >> 2)[i & 3]; }}\n",
+               shared::IMAGE_SETTINGS_BLOCK) +
+           texels;
 }
 
 std::vector<std::byte> settings_block_bytes(const Settings& s) {

@@ -14,10 +14,10 @@ namespace si {
 
 /// One define per Cost::Program row that shaders see ("map_wrap" 3).
 std::vector<gl::Define> settings_defines(const Settings& s);
-/// GLSL text that is the same under all settings: a define per choice ("map_wrap_range" 3), and the std140 block with
-/// every other row that shaders see.
-const std::string& settings_block_text();
-/// The bytes of that block.
+/// GLSL text that is the same under all settings: a define per choice ("map_wrap_range" 3), and every other row that
+/// shaders see by its name, as a member of a std140 block or as a number of an image's texels.
+std::string settings_block_text(bool as_image);
+/// What the block or the image holds; a multiple of 16 bytes.
 std::vector<std::byte> settings_block_bytes(const Settings& s);
 /// Adds the value of every setting that shaders see.
 void add_shader_settings(Key& key, const Settings& s);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/base/key.h"
+#include "renderer/frame/blocks.h"
 #include "renderer/frame/frame.h"
 #include "renderer/frame/owned.h"
 #include "renderer/frame/plan.h"
@@ -40,7 +41,7 @@ struct SeenDepths {
 /// What outlives a frame and is nobody's own: programs, blocks, samplers, the scene, fitted lights.
 struct Resources {
     gl::ProgramCache programs;
-    gl::Buffer frame_block, settings_block;
+    Blocks blocks;
     gl::VertexArray empty_vao;
     gl::Sampler map_nearest, map_compare, map_blended;
     std::unique_ptr<SceneGpu> scene;
@@ -77,6 +78,7 @@ struct FrameState {
     bool paged = false;                          ///< the maps are drawn by pages: there are some, and map.virtual acts
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn
+    bool asks_bounds = false;                  ///< look-ups ask for the maps' bounds before they fetch taps
     bool filter_sampler = false;               ///< the kernel compares in a shadow sampler
     std::vector<gl::Define> defines;           ///< from settings and kernel
     Key geometry_key, camera_key, lights_key;  ///< what results depend on

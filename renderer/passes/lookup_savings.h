@@ -9,7 +9,7 @@
 namespace si {
 
 /// Why look-ups of the frame do not first ask for the map's bounds about them (Saving::EarlyOut), in words; empty: they
-/// do.
+/// do. Known once the passes that draw the maps are planned.
 std::string why_no_bounds(const FrameState& f);
 
 /// Which of them the frame's look-ups make.

@@ -50,8 +50,11 @@ void add_map_bounds_pass(FrameState& f) {
     pass.reads = {Result::ShadowMaps};
     pass.writes = {Result::MapBounds};
     pass.idle_reason = "nothing samples a shadow map";
+    pass.aid = true;
     pass.unneeded = why_no_bounds(f);
-    if (!pass.unneeded.empty()) {
+    f.asks_bounds = pass.unneeded.empty();
+    f.defines.push_back({"MAP_BOUNDS", f.asks_bounds ? "1" : "0"});
+    if (!f.asks_bounds) {
         f.plan.release([&f] { f.gl.owned.drop<BoundsTargets>(); });
         f.plan.add(std::move(pass));
         return;

@@ -155,7 +155,7 @@ std::string description(const FrameState& f) {
 
 std::vector<ResultRef> lookup_reads(const FrameState& f) {
     if (samples_moments(f)) return {Result::ShadowMaps, Result::Moments};
-    if (why_no_bounds(f).empty()) return {Result::ShadowMaps, Result::MapBounds};
+    if (f.asks_bounds) return {Result::ShadowMaps, Result::MapBounds};
     return {Result::ShadowMaps};
 }
 

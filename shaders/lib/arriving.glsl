@@ -13,7 +13,7 @@ vec3 radiance_of(LightBlock light) {
 /// Radiance arriving without shadows: inverse square falloff, smooth edge of the spot's cone, and the window that
 /// KHR_lights_punctual gives a light's range.
 vec3 arriving(int index, vec3 to_light, float distance_m) {
-    LightBlock light = frame.lights[index];
+    LightBlock light = light_of(index);
     if (LIGHT_TYPE[index] == LIGHT_DIRECTIONAL) return radiance_of(light);
     float cone = LIGHT_TYPE[index] == LIGHT_SPOT
         ? smoothstep(light.to_light.w, max(light.radiance.w, light.to_light.w + 1e-6), dot(to_light, light.to_light.xyz))

@@ -7,7 +7,7 @@
 /// map by the quotient rule; that of depth is known in closed form, where a quotient would cancel.
 /// @param u, v two directions within the plane, of any length
 vec2 gradient_along(Receiver r, vec3 u, vec3 v) {
-    mat4 m = frame.views[r.layer].uvd_from_relative;
+    mat4 m = view_of(r.layer).uvd_from_relative;
     vec4 p = m * vec4(u, 0.0), q = m * vec4(v, 0.0);
     vec2 depth = vec2(p.z, q.z);
     vec2 a = p.xy, b = q.xy;
@@ -40,7 +40,7 @@ float depth_quantum(Receiver r) {
 #elif map_format == map_format_d24
     return 1.0 / 16777215.0;
 #elif MAP_HOLDS_DISTANCES
-    vec4 curve = frame.views[r.layer].curve;
+    vec4 curve = view_of(r.layer).curve;
     bool perspective = LIGHT_PERSPECTIVE[r.light] != 0;
     float share = perspective ? (map_reversed_z != 0 ? curve.y - r.z : r.z - curve.x) / (curve.y - curve.x) : r.uvd.z;
 #if map_format == map_format_linear
@@ -118,7 +118,7 @@ BiasInput bias_input(Receiver r, float n_dot_l, float z) {
 #if BIAS_PER_TEXEL
         b.rest = rest_bias(r, b.gradient);
 #else
-        b.least = least_bias(r, b.gradient, frame.lights[r.light].kernel.y);
+        b.least = least_bias(r, b.gradient, light_of(r.light).kernel.y);
 #endif
     }
 #endif

@@ -4,7 +4,7 @@
 float axis_per_ray(Receiver r) {
     if (LIGHT_WARPED[r.light] != 0) return 1.0;  // of parallel rays
     // The axis towards the light: perspective depth is the distance along it (w), other depth grows against it.
-    mat4 m = frame.views[r.layer].uvd_from_relative;
+    mat4 m = view_of(r.layer).uvd_from_relative;
     vec3 axis = LIGHT_PERSPECTIVE[r.light] != 0 ? -vec3(m[0][3], m[1][3], m[2][3])
                                                : -away(1.0) * vec3(m[0][2], m[1][2], m[2][2]);
     return max(dot(r.to_light, axis) * inversesqrt(max(dot(axis, axis), 1e-37)), 1e-6);

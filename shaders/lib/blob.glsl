@@ -8,7 +8,7 @@ struct Sweep {
 };
 
 Sweep sweep_of(vec3 middle) {
-    LightBlock light = frame.lights[LIGHT_INDEX];
+    LightBlock light = light_of(LIGHT_INDEX);
     if (LIGHT_TYPE[LIGHT_INDEX] == LIGHT_DIRECTIONAL) return Sweep(-light.to_light.xyz, 0.0);
     vec3 from_light = middle - light.position.xyz;
     return Sweep(normalize(from_light), max(length(from_light), 1e-6));

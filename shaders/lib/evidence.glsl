@@ -62,7 +62,7 @@ float depth_of_gap(Receiver r, float metres) {
 /// @param v visibility as drawn, which stands for trials that the settings make no difference to
 Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
     Evidence e;
-    float reach = frame.lights[r.light].kernel.y;
+    float reach = light_of(r.light).kernel.y;
     vec2 gradient = plane_gradient(r);
     float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
     e.least = least_bias(r, gradient);
@@ -77,7 +77,7 @@ Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
     e.applied = away(r.uvd.z - r.reference) + raster;
     float reach_depth = depth_nearer(r, r.z, reach * r.texel_m);
     e.bent = 2.0 * whole + reach_depth;
-    e.most = more.z > (frame.lights[r.light].kernel.z + 1.0) * r.texel_m ? e.bent : e.least;
+    e.most = more.z > (light_of(r.light).kernel.z + 1.0) * r.texel_m ? e.bent : e.least;
     e.far = 2.0 * max(e.own, whole) + reach_depth;
     e.texel_m = r.texel_m;
     float cosine = clamp(r.geometric_n_dot_l, 1e-6, 1.0), sine = sqrt(max(1.0 - cosine * cosine, 0.0));

@@ -5,7 +5,7 @@
 mat2 pixel_footprint(Receiver r) {
     vec3 n = r.surface.geometric, axis = abs(n.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
     vec3 along = normalize(cross(n, axis)), across = cross(n, along);
-    mat4 seen = frame.clip_from_relative, held = frame.views[r.layer].uvd_from_relative;
+    mat4 seen = frame.clip_from_relative, held = view_of(r.layer).uvd_from_relative;
     // The quotient rule on both projections along two directions in the plane.
     vec4 clip = seen * vec4(r.surface.position, 1.0);
     vec4 clip_a = seen * vec4(along, 0.0), clip_b = seen * vec4(across, 0.0);

@@ -6,6 +6,33 @@ layout(std140, binding = BLOCK_FRAME) uniform FrameUniforms { FrameBlock frame; 
 // and whatever no light of the scene needs costs nothing.
 const int LIGHT_DIRECTIONAL = 0, LIGHT_SPOT = 1, LIGHT_POINT = 2;
 
+
+// What fragments read of the block. Drivers that draw on the CPU read each number of a uniform block anew for every few
+// pixels, and four of an image's texel for a third of the time of one.
+#if BLOCKS_AS_IMAGES
+layout(rgba32ui, binding = IMAGE_FRAME_BLOCK) restrict readonly uniform uimageBuffer frame_texels;
+vec4 frame_texel(int at) { return uintBitsToFloat(imageLoad(frame_texels, at)); }
+
+LightBlock light_of(int index) {
+    int at = FRAME_LIGHTS_AT + index * LIGHT_TEXELS;
+    return LightBlock(frame_texel(at), frame_texel(at + 1), frame_texel(at + 2), frame_texel(at + 3));
+}
+
+ViewBlock view_of(int layer) {
+    int at = FRAME_VIEWS_AT + layer * VIEW_TEXELS;
+    return ViewBlock(mat4(frame_texel(at), frame_texel(at + 1), frame_texel(at + 2), frame_texel(at + 3)),
+                     frame_texel(at + 4), frame_texel(at + 5), frame_texel(at + 6));
+}
+
+vec4 frame_eye() { return frame_texel(FRAME_EYE_AT); }
+vec4 frame_pixel() { return frame_texel(FRAME_PIXEL_AT); }
+#else
+LightBlock light_of(int index) { return frame.lights[index]; }
+ViewBlock view_of(int layer) { return frame.views[layer]; }
+vec4 frame_eye() { return frame.eye; }
+vec4 frame_pixel() { return frame.pixel; }
+#endif
+
 /// Whether rays run from one point: only then does depth crowd along them. A warped view's w changes across its rays.
 bool is_perspective(ViewBlock view) {
     mat4 m = view.uvd_from_relative;

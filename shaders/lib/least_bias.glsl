@@ -5,10 +5,10 @@
 /// Of the chosen kernel.
 float least_bias(Receiver r, vec2 gradient) {
 #if BIAS_PER_TEXEL
-    float kernel = frame.lights[r.light].kernel.y * (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
+    float kernel = light_of(r.light).kernel.y * (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
     return max(kernel - most_moved(r), 0.0) + rest_bias(r, gradient);
 #else
-    return least_bias(r, gradient, frame.lights[r.light].kernel.y);
+    return least_bias(r, gradient, light_of(r.light).kernel.y);
 #endif
 }
 

@@ -20,7 +20,7 @@ float bounded_visibility(Receiver r) {
 #else
     vec4 bounds = texelFetch(map_bounds, block, 0);
 #endif
-    float texels = frame.lights[r.light].kernel.w + 1e-3;  // what rounding moves a texel by, too
+    float texels = light_of(r.light).kernel.w + 1e-3;  // what rounding moves a texel by, too
     vec2 from_middle = at - (vec2(block) + 0.5) * float(BOUNDS_BLOCK);
     bool known = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(float(map_resolution))));
     vec2 slope = vec2(0.0);
@@ -45,7 +45,7 @@ float bounded_visibility(Receiver r) {
 
 /// A number of a kernel's taps, told so that a CPU's compiler keeps their loop, which look-ups without taps then leave.
 #if KEEPS_LOOPS
-int looped(int taps) { return taps + int(frame.pixel.w); }
+int looped(int taps) { return taps + int(frame_pixel().w); }
 #else
 #define looped(taps) (taps)
 #endif

@@ -16,7 +16,7 @@ float share_of_range(float depth, float near, float far, bool perspective) {
 }
 
 float share_of_range(float depth, Receiver r) {
-    vec4 curve = frame.views[r.layer].curve;
+    vec4 curve = view_of(r.layer).curve;
     return share_of_range(depth, curve.x, curve.y, LIGHT_PERSPECTIVE[r.light] != 0);
 }
 

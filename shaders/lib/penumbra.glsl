@@ -3,7 +3,7 @@
 
 /// Radius in texels (where they are warped: shortest ones) of the part of the map through which a receiver sees the light, past what stands `gap_m` nearer.
 float penumbra_texels(Receiver r, float own_m, float gap_m) {
-    float size = frame.lights[r.light].kernel.x;  // tangent of its angular radius, or its radius in metres
+    float size = light_of(r.light).kernel.x;  // tangent of its angular radius, or its radius in metres
     bool perspective = LIGHT_PERSPECTIVE[r.light] != 0;
     float width_m = LIGHT_TYPE[r.light] == LIGHT_DIRECTIONAL ? size * gap_m
                     : perspective                            ? size * gap_m / max(own_m - gap_m, 1e-6 * own_m)

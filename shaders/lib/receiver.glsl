@@ -59,7 +59,7 @@ float away(float depth_distance) {
 
 /// Unit vector to the light; the distance is 0 for directional lights.
 vec3 direction_to(int index, vec3 position, out float distance_m) {
-    LightBlock light = frame.lights[index];
+    LightBlock light = light_of(index);
     int type = LIGHT_TYPE[index];
     if (type == LIGHT_DIRECTIONAL) {
         distance_m = 0.0;
@@ -93,17 +93,17 @@ float depth_nearer(bool perspective, float nearest, float own_z, float depth_per
 /// Metres along the light's axis at which a map holds a surface, or nothing, at a place of r's map.
 float metres_at(Receiver r, vec2 at, float depth) {
     if (LIGHT_WARPED[r.light] != 0)
-        return metres_in_row(depth, frame.views[r.layer].warp, at.y, map_reversed_z != 0);
-    vec2 curve = frame.views[r.layer].curve.xy;
+        return metres_in_row(depth, view_of(r.layer).warp, at.y, map_reversed_z != 0);
+    vec2 curve = view_of(r.layer).curve.xy;
     return metres_from_depth(depth, curve.x, curve.y, LIGHT_PERSPECTIVE[r.light] != 0);
 }
 
 /// Metres along the axis at which the map begins there.
 float begins_m(Receiver r, vec2 at) {
-    return LIGHT_WARPED[r.light] != 0 ? metres_at(r, at, float(map_reversed_z)) : frame.views[r.layer].curve.x;
+    return LIGHT_WARPED[r.light] != 0 ? metres_at(r, at, float(map_reversed_z)) : view_of(r.layer).curve.x;
 }
 
-float nearest_z(Receiver r) { return NEAREST_SHARE * frame.views[r.layer].curve.x; }
+float nearest_z(Receiver r) { return NEAREST_SHARE * view_of(r.layer).curve.x; }
 
 /// The same of r's light.
 float depth_nearer(Receiver r, float z, float metres) {
@@ -169,7 +169,7 @@ Receiver receiver_in(Surface s, int index, int layer) {
     r.n_dot_l = dot(bias_normal_ws, r.to_light);
     r.layer = r.other_layer = layer;
     r.blend = 0.0;
-    ViewBlock view = frame.views[r.layer];
+    ViewBlock view = view_of(r.layer);
 
 #if map_transform == map_transform_eye
     vec4 h = uvd_from_eye(view, s.position);
@@ -227,7 +227,7 @@ Receiver make_receiver(Surface s, int index) {
 #if MAP_PAGED && !defined(MARK_PAGES)
     if (LIGHT_VIEWS[index] > 1) {
         int layer = LIGHT_FIRST_VIEW[index] + pick.view;
-        vec4 at = frame.views[layer].uvd_from_relative * vec4(s.position, 1.0);
+        vec4 at = view_of(layer).uvd_from_relative * vec4(s.position, 1.0);
         int up = entry_coarser(page_entry_at(at.xy / at.w, layer));
         if (up > 0) pick = ViewPick(pick.view + up, pick.view + up, 0.0);
     }

@@ -16,7 +16,7 @@ Surface seen_surface(ivec2 at) {
     vec4 position = texelFetch(seen_position_map, at, 0);
     Surface s;
     s.position = position.xyz;
-    s.pixel = vec2(at) + 0.5 + frame.pixel.xy;
+    s.pixel = vec2(at) + 0.5 + frame_pixel().xy;
     s.receives = position.w > 0.5;
     s.geometric = texelFetch(seen_geometric_map, at, 0).xyz;
 #if bias_normal_source != bias_normal_source_geometric

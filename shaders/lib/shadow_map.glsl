@@ -31,7 +31,7 @@ layout(binding = UNIT_SHADOW_MAP) uniform MAPS shadow_map;  // nearest, no compa
 #if MAP_HOLDS_DISTANCES
 /// Depths of stored shares of a view's range: see DepthCurve::depth_of_share().
 vec4 depth_of_stored(vec4 share, int layer) {
-    ViewBlock view = frame.views[layer];
+    ViewBlock view = view_of(layer);
     if (!is_perspective(view)) return share;
     float near = view.curve.x, far = view.curve.y;
     // As stored at both ends, and where there is no page.

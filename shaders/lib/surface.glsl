@@ -13,7 +13,7 @@ flat in vec3 face_normal;
 Surface make_surface() {
     Surface s;
     s.position = position_rel;
-    s.pixel = gl_FragCoord.xy + frame.pixel.xy;
+    s.pixel = gl_FragCoord.xy + frame_pixel().xy;
 #ifdef SURFACE_FLAGS
     s.receives = surface.x > 0.5;
 #else
@@ -25,7 +25,7 @@ Surface make_surface() {
 #if CAMERA_PARALLEL
     s.to_eye = -frame.forward.xyz;
 #else
-    s.to_eye = normalize(frame.eye.xyz - position_rel);
+    s.to_eye = normalize(frame_eye().xyz - position_rel);
 #endif
     s.geometric = face_normal;
     bool turned_away = dot(normal_ws, face_normal) < 0.0;

@@ -1,7 +1,7 @@
 /// Texels per pixel along the densest and the sparsest direction in the picture: the singular values of
 /// d(texel)/d(pixel), the larger one first.
 vec2 texels_per_pixel(Receiver r) {
-    mat4 m = frame.views[r.layer].uvd_from_relative;
+    mat4 m = view_of(r.layer).uvd_from_relative;
     // The quotient rule on uv = h.xy / h.w, along the surface's own screen derivatives.
     vec4 hx = m * vec4(dFdx(r.surface.position), 0.0), hy = m * vec4(dFdy(r.surface.position), 0.0);
     vec2 jx = (hx.xy - r.uvd.xy * hx.w) / r.w * float(map_resolution);

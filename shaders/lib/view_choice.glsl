@@ -23,7 +23,7 @@ int face_of(vec3 d) {
 float along_span(int light, int layer, vec3 position) {
     if (LIGHT_CHOICE[light] == CHOICE_INTERVAL) return dot(position - frame.divided_eye.xyz, frame.divided_forward.xyz);
     if (LIGHT_CHOICE[light] == CHOICE_DISTANCE) return distance(position, frame.divided_eye.xyz);
-    vec4 h = frame.views[layer].uvd_from_relative * vec4(position, 1.0);
+    vec4 h = view_of(layer).uvd_from_relative * vec4(position, 1.0);
     if (LIGHT_WARPED[light] != 0 && !(h.w > 0.0)) return 3e38;
     vec3 uvd = LIGHT_WARPED[light] != 0 ? h.xyz / h.w : h.xyz;  // of parallel rays
     vec2 aside = abs(uvd.xy - 0.5);
@@ -34,7 +34,7 @@ float along_span(int light, int layer, vec3 position) {
 ViewPick choose_view(int light, vec3 position) {
     if (LIGHT_CHOICE[light] == CHOICE_ONE) return ViewPick(0, 0, 0.0);
     if (LIGHT_CHOICE[light] == CHOICE_FACE) {
-        int face = face_of(position - frame.lights[light].position.xyz);
+        int face = face_of(position - light_of(light).position.xyz);
         return ViewPick(face, face, 0.0);
     }
     int last = LIGHT_VIEWS[light] - 1;
@@ -42,7 +42,7 @@ ViewPick choose_view(int light, vec3 position) {
     bool held = false;
     for (int i = last; i >= 0; --i) {
         int layer = LIGHT_FIRST_VIEW[light] + i;
-        vec2 span = frame.views[layer].span.xy;
+        vec2 span = view_of(layer).span.xy;
         float at = along_span(light, layer, position);
         if (at < span.x) {
             bool blends = held && at > span.y;

@@ -11,5 +11,5 @@ vec4 overlay(Receiver r) {
 #endif
 #endif
     map_visibility(r);
-    return vec4(isnan(found.taps) ? frame.pixel.z : found.taps);
+    return vec4(isnan(found.taps) ? frame_pixel().z : found.taps);
 }

@@ -1,8 +1,8 @@
 // How far apart the two ways to a surface's place in the map lie in single precision, in texels.
 vec4 overlay(Receiver r) {
     if (r.where >= BEHIND) return vec4(NOTHING);
-    vec4 world = uvd_from_world(frame.views[r.layer], r.surface.position);
-    vec4 eye = uvd_from_eye(frame.views[r.layer], r.surface.position);
+    vec4 world = uvd_from_world(view_of(r.layer), r.surface.position);
+    vec4 eye = uvd_from_eye(view_of(r.layer), r.surface.position);
     if (LIGHT_PERSPECTIVE[r.light] == 0 && LIGHT_WARPED[r.light] == 0) world.w = eye.w = 1.0;
     return vec4(length(world.xy / world.w - eye.xy / eye.w) * float(map_resolution));
 }

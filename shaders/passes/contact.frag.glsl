@@ -14,11 +14,11 @@ const float RISES_PIXELS = 0.25;  // above its own plane: less is the plane itse
 
 /// Metres along the camera's axis.
 float camera_z(float depth) {
-    return frame.eye.w > 0.5 ? frame.lens.w - depth * frame.lens.z : 1.0 / (depth * frame.lens.z + frame.lens.w);
+    return frame_eye().w > 0.5 ? frame.lens.w - depth * frame.lens.z : 1.0 / (depth * frame.lens.z + frame.lens.w);
 }
 
 /// What one unit of the picture's half width and height is at a distance along the axis, metres.
-vec2 half_picture_m(float z) { return frame.lens.xy * (frame.eye.w > 0.5 ? 1.0 : z); }
+vec2 half_picture_m(float z) { return frame.lens.xy * (frame_eye().w > 0.5 ? 1.0 : z); }
 
 bool meets(Surface s, vec3 p) {
     vec3 eye = (frame.eye_from_relative * vec4(p, 1.0)).xyz;

@@ -12,7 +12,7 @@ bool reads_map(Receiver r) {
     return !any(lessThan(at, vec2(0.0))) && !any(greaterThan(at, vec2(1.0)));
 #elif map_wrap == map_wrap_border
     // A kernel centred outside still reads the texels that it reaches.
-    vec2 reach = vec2(frame.lights[r.light].kernel.w / float(map_resolution));
+    vec2 reach = vec2(light_of(r.light).kernel.w / float(map_resolution));
     return all(greaterThan(at, -reach)) && all(lessThan(at, 1.0 + reach));
 #else
     return true;

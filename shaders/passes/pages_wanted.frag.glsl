@@ -27,7 +27,7 @@ void want_pages(Receiver r) {
 #if map_far_guard
     if (r.where == OUTSIDE_FAR) return;
 #endif
-    float size = float(map_resolution), reach = frame.lights[r.light].kernel.w + 1.5;
+    float size = float(map_resolution), reach = light_of(r.light).kernel.w + 1.5;
     vec2 lo = floor(min(r.uvd.xy, r.uvd_offset.xy) * size - reach);
     vec2 hi = floor(max(r.uvd.xy, r.uvd_offset.xy) * size + reach);
 #if map_wrap == map_wrap_repeat
@@ -53,7 +53,7 @@ void want_pages(Surface s, int light) {
     // Where the rounding of another program may choose the view beside.
     int first = LIGHT_FIRST_VIEW[light], view = r.layer - first;
     for (int i = max(view - 1, 0); i <= min(view, LIGHT_VIEWS[light] - 2); ++i) {
-        float ends = frame.views[first + i].span.x;
+        float ends = view_of(first + i).span.x;
         if (abs(along_span(light, first + i, s.position) - ends) < 1e-5 * abs(ends))
             want_pages(receiver_in(s, light, first + (i < view ? i : view + 1)));
     }

@@ -21,6 +21,6 @@ void main() {
     else if (fragment == 2)
         tap_out = vec4(found.mean, found.own, found.margin, found.bound);
     else
-        tap_out = vec4(found.blocker_m, found.penumbra_texels, isnan(found.taps) ? frame.pixel.z : found.taps, found.variance);
+        tap_out = vec4(found.blocker_m, found.penumbra_texels, isnan(found.taps) ? frame_pixel().z : found.taps, found.variance);
 #endif
 }

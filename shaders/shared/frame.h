@@ -46,12 +46,18 @@ struct FrameBlock {
     ViewBlock views[SI_MAX_VIEWS];
 };
 
+// Where they begin and how long they are, counted in vec4, for shaders that read the block as an image.
+const int FRAME_EYE_AT = 13, FRAME_PIXEL_AT = 18, FRAME_LIGHTS_AT = 21, FRAME_VIEWS_AT = 85;
+const int LIGHT_TEXELS = 4, VIEW_TEXELS = 7;
+
 #ifdef __cplusplus
 }  // namespace si::shared
-static_assert(sizeof(si::shared::LightBlock) == 64);
-static_assert(sizeof(si::shared::ViewBlock) == 112);
-static_assert(offsetof(si::shared::FrameBlock, lights) == 336);
-static_assert(offsetof(si::shared::FrameBlock, views) == 336 + 64 * SI_MAX_LIGHTS);
+static_assert(offsetof(si::shared::FrameBlock, eye) == 16 * si::shared::FRAME_EYE_AT);
+static_assert(offsetof(si::shared::FrameBlock, pixel) == 16 * si::shared::FRAME_PIXEL_AT);
+static_assert(offsetof(si::shared::FrameBlock, lights) == 16 * si::shared::FRAME_LIGHTS_AT);
+static_assert(offsetof(si::shared::FrameBlock, views) == 16 * si::shared::FRAME_VIEWS_AT);
+static_assert(sizeof(si::shared::LightBlock) == 16 * si::shared::LIGHT_TEXELS);
+static_assert(sizeof(si::shared::ViewBlock) == 16 * si::shared::VIEW_TEXELS);
 static_assert(sizeof(si::shared::FrameBlock) <= 16384);  // the least that OpenGL grants
 #endif
 #endif

@@ -118,6 +118,19 @@ void whole_frame(benchmark::State& state, const char* file, const Row& row, int 
         rotation.ratio(state, std::string(who) + "_of_sampler", who, "sampler");
 }
 
+/// Numbers read from images against numbers read from uniform blocks, the same picture.
+void blocks_as_images(benchmark::State& state, const char* file, const Row& row) {
+    Match match(Machine::get(file), around_the_scene(), row, 2048);
+    Rotation rotation;
+    for (const bool images : {true, false})
+        rotation.add_draw(images ? "images" : "blocks", [&match, images] {
+            match.request.blocks_as_images = images;
+            match.draw_ours();
+        });
+    rotation.run(state);
+    rotation.ratio(state, "ratio", "images", "blocks");
+}
+
 /// The camera moves, so that the map is kept: the picture alone, against what the bare programs take for theirs.
 void moving_camera(benchmark::State& state, const Row& row) {
     Settings s = around_the_scene();
@@ -272,6 +285,9 @@ void register_all() {
         for (const Row& row : {kRows[0], kRows[1], kRows[3]})
             add(fmt::format("textured/{}/{}/2048", scene, row.name),
                 [row, file](benchmark::State& s) { textured_frame(s, file, row, 2048); });
+    for (const Row& row : {kRows[0], kRows[1], kRows[3]})
+        add(fmt::format("blocks_as_images/{}", row.name),
+            [row](benchmark::State& s) { blocks_as_images(s, "100k", row); });
     add("depth_pass/100k", [](benchmark::State& s) { depth_pass(s, "100k"); });
     add("depth_pass/1M", [](benchmark::State& s) { depth_pass(s, "1M"); });
     for (const char* kernel : {"hw2x2", "pcf3", "pcf5", "pcf7"})

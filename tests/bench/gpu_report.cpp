@@ -73,6 +73,14 @@ public:
         made.name = "made", forced.name = "not made";
         to_.push_back(choice(fmt::format("saving/{}", row.key), std::string(row.help), made, forced, rounds_));
     }
+    void add_blocks(const std::string& kernel) {
+        Way blocks = way({{"filter.kernel", kernel}}, {}, {}, false),
+            images = way({{"filter.kernel", kernel}}, {}, {}, true);
+        blocks.name = "uniform blocks", images.name = "images";
+        to_.push_back(choice("uniform_blocks_or_images/" + kernel,
+                             "Read the frame's numbers from uniform blocks, or four at a time from images?", blocks,
+                             images, rounds_));
+    }
 
 private:
     Renderer& renderer_;
@@ -80,7 +88,7 @@ private:
     int rounds_;
     Scene scene_ = test::agreed_scene(test::AgreedSize::Triangles100k);
 
-    Way way(const Sets& common, const Sets& own, const SavingSet& forced) {
+    Way way(const Sets& common, const Sets& own, const SavingSet& forced, std::optional<bool> as_images = {}) {
         Settings s;
         s.lights[0].elevation = 45;
         std::string name;
@@ -90,6 +98,7 @@ private:
         FrameRequest request{.width = 1280, .height = 720};
         request.timing = request.force = true;
         request.forced = forced;
+        request.blocks_as_images = as_images;
         return {name, [this, s, request] {
                     double ms = 0;
                     for (const PassInfo& p : renderer_.render(scene_, s, request).passes) ms += p.gpu_ms;
@@ -196,6 +205,10 @@ void add_renderer_choices(Renderer& renderer, Json& to, int rounds) {
         choices.add(fmt::format("fused_or_separate/{}", kernel),
                     "Evaluate visibility inside shading, or in a pass of its own?", {{"filter.kernel", kernel}},
                     {{"shading.separate_visibility", "false"}}, {{"shading.separate_visibility", "true"}});
+    GLint vertex_images = 0;  // fragments have eight everywhere
+    glGetIntegerv(GL_MAX_VERTEX_IMAGE_UNIFORMS, &vertex_images);
+    for (const char* kernel : {"hard", "pcf3"})
+        if (vertex_images >= 2) choices.add_blocks(kernel);
     choices.add("back_faces", "Draw both faces of casters into the map, or leave out those that face away?",
                 {{"filter.kernel", "hard"}}, {{"caster.cull", "none"}}, {{"caster.cull", "back"}});
     choices.add("map_format", "Store depths in 32-bit floats, or in 16 bits?", {{"filter.kernel", "pcf3"}},

@@ -41,6 +41,41 @@ TEST(PlanTest, WhatIsWantedRunsWithAllThatItReads) {
     EXPECT_EQ(ran({Result::Overlay, Result::Shaded}), (Names{"maps", "moments", "shading", "values 0"}));
 }
 
+TEST(PlanTest, AnAidIsMadeForThoseThatRunAndChangesNoKey) {
+    std::uint64_t maps_held = 0, aid_held = 0, shading_held = 0;
+    const auto plan_with = [&](bool aids) {
+        Plan plan;
+        plan.add(pass_of("maps", {}, {Result::ShadowMaps}, &maps_held));
+        Pass aid = pass_of("bounds", {Result::ShadowMaps}, {Result::MapBounds}, &aid_held);
+        aid.aid = true;
+        if (!aids) aid.unneeded = "not now";
+        plan.add(std::move(aid));
+        std::vector<ResultRef> reads = {Result::ShadowMaps};
+        if (aids) reads.push_back(Result::MapBounds);
+        plan.add(pass_of("shading", reads, {Result::Shaded}, &shading_held));
+        return plan;
+    };
+    const auto states = [&](const Plan& plan) {
+        std::vector<PassState> out;
+        for (const PassInfo& p : plan_passes(plan.passes(), {Result::Shaded}, false, false)) out.push_back(p.state);
+        return out;
+    };
+    using States = std::vector<PassState>;
+    const Plan plain = plan_with(false), aided = plan_with(true);
+    EXPECT_EQ(plain.passes()[2].key, aided.passes()[2].key);
+    EXPECT_FALSE(aided.holds(Result::ShadowMaps));
+    EXPECT_EQ(states(aided), (States{PassState::Ran, PassState::Ran, PassState::Ran}));
+    maps_held = aided.passes()[0].key;
+    EXPECT_TRUE(aided.holds(Result::ShadowMaps));
+    EXPECT_EQ(states(aided), (States{PassState::Reused, PassState::Ran, PassState::Ran}));
+    shading_held = aided.passes()[2].key;
+    EXPECT_EQ(states(aided), (States{PassState::Reused, PassState::Skipped, PassState::Reused}))
+        << "nothing is made anew that it could help";
+    aid_held = aided.passes()[1].key;
+    EXPECT_EQ(states(aided), (States{PassState::Reused, PassState::Reused, PassState::Reused}));
+    EXPECT_EQ(states(plain), (States{PassState::Reused, PassState::Skipped, PassState::Reused}));
+}
+
 TEST(PlanTest, EachDecisionSaysWhy) {
     std::uint64_t holds = 7, other = 6;
     std::vector<Pass> passes = {pass_of("held", {}, {Result::Shaded}, &holds),

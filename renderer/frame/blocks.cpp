@@ -1,0 +1,136 @@
+#include "renderer/frame/blocks.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "renderer/frame/renderer_impl.h"
+#include "renderer/frame/settings_block.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/filters.h"
+#include "renderer/view/kernel_reach.h"
+#include "renderer/view/projection.h"
+
+namespace si {
+namespace {
+
+/// What a sampler finds beyond a map's sides, by map.wrap; with a border, that in each channel.
+void set_map_wrap(GLuint sampler, const MapSettings& map, float border) {
+    const GLint wrap = map.wrap == int(MapWrap::Border)   ? GL_CLAMP_TO_BORDER
+                       : map.wrap == int(MapWrap::Repeat) ? GL_REPEAT
+                                                          : GL_CLAMP_TO_EDGE;
+    const glm::vec4 colour(border);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, wrap);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, wrap);
+    glSamplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, &colour.x);
+}
+
+void set_samplers(const FrameState& f) {
+    const MapSettings& m = f.settings.map;
+    const bool bilinear = is_bilinear(filter_of(f.settings), f.settings);
+    const float far_depth = m.reversed_z ? 0.f : 1.f;
+    const float border = m.outside == int(Outside::Lit) ? far_depth : 1.f - far_depth;
+    for (const GLuint sampler : {f.gl.map_nearest.id(), f.gl.map_compare.id()}) {
+        set_map_wrap(sampler, m, border);
+        const bool compare = sampler == f.gl.map_compare.id();
+        glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);
+        glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);
+    }
+    const bool less = m.compare == int(Compare::Less);
+    // The border's moments are the kernel's: lib/moments.glsl blends them in.
+    MapSettings held = m;
+    if (m.wrap == int(MapWrap::Border)) held.wrap = int(MapWrap::Clamp);
+    const GLuint blended = f.gl.map_blended.id();
+    set_map_wrap(blended, held, 0);
+    glSamplerParameteri(blended, GL_TEXTURE_MIN_FILTER, f.settings.filter.mips ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    glSamplerParameteri(blended, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    if (f.driver.anisotropy)
+        glSamplerParameterf(blended, GL_TEXTURE_MAX_ANISOTROPY,
+                            f.settings.filter.mips ? float(f.settings.filter.anisotropy) : 1.f);
+    const GLint function = m.reversed_z ? (less ? GL_GREATER : GL_GEQUAL) : (less ? GL_LESS : GL_LEQUAL);
+    glSamplerParameteri(f.gl.map_compare.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glSamplerParameteri(f.gl.map_compare.id(), GL_TEXTURE_COMPARE_FUNC, function);
+}
+
+shared::LightBlock light_block(const FrameState& f, std::size_t i) {
+    const FittedLight& light = f.gl.fitted[i];
+    shared::LightBlock b{};
+    b.position = glm::vec4(glm::vec3(light.position - f.origin), float(light.range_m));
+    b.to_light = glm::vec4(glm::vec3(light.to_light), float(light.cos_cone_outer));
+    const Reach reach = reach_under(f.settings, light, f.map_resolution);
+    b.kernel = glm::vec4(light.size, reach.bias, reach.edge, reach.read);
+    b.radiance = glm::vec4(glm::vec3(light.radiance), float(light.cos_cone_inner));
+    return b;
+}
+
+shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std::size_t i) {
+    const LightView& v = light.views[i];
+    shared::ViewBlock b{};
+    if (light.is_cascaded()) b.span = glm::vec4(light.chooser.spans[i].ends, light.chooser.spans[i].blends_from, 0, 0);
+    b.uvd_from_relative = glm::mat4(uvd_from_clip(v.curve.convention) * v.clip_from_relative(f.origin));
+    b.curve = glm::vec4(v.curve.near, v.curve.far, v.half_width, 1.0 / f.map_resolution);
+    if (const auto& warp = v.curve.warp) b.warp = glm::vec4(warp->middle_m, warp->near_m, warp->far_m, warp->rise);
+    // In single precision, as lib/receiver.glsl has them of all other views.
+    b.span.z = 2.f * b.curve.z * b.curve.w;
+    b.span.w = 1.f / (b.curve.y - b.curve.x);
+    return b;
+}
+
+}  // namespace
+
+BlockBuffer::BlockBuffer(std::string_view label, GLuint block, GLuint image)
+    : buffer_(gl::Buffer::create(label)),
+      texels_(gl::Texture::create(label, GL_TEXTURE_BUFFER)),
+      block_(block),
+      image_(image) {}
+
+void BlockBuffer::put(std::span<const std::byte> bytes) {
+    glNamedBufferData(buffer_.id(), GLsizeiptr(bytes.size()), bytes.data(), GL_STREAM_DRAW);
+    glTextureBuffer(texels_.id(), GL_RGBA32UI, buffer_.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, block_, buffer_.id());
+    glBindImageTexture(image_, texels_.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32UI);
+}
+
+std::string blocks_text(bool as_images) {
+    return fmt::format("#define BLOCKS_AS_IMAGES {}\n", int(as_images)) + settings_block_text(as_images);
+}
+
+void Renderer::Impl::upload_blocks(const FrameState& f) {
+    shared::FrameBlock block{};
+    block.clip_from_relative = glm::mat4(f.camera.clip_from_relative(f.origin));
+    const glm::dmat3& axes = f.camera.axes;
+    const glm::dmat3 turn = glm::transpose(axes);
+    const glm::dvec3 eye = f.camera.eye - f.origin;
+    block.eye_from_relative = glm::mat4(glm::dmat4(turn));
+    block.eye_from_relative[3] = glm::vec4(glm::vec3(-(turn * eye)), 1);
+    block.relative_from_eye = glm::mat4(glm::dmat4(axes));
+    block.relative_from_eye[3] = glm::vec4(glm::vec3(eye), 1);
+    const DepthCurve& depth = f.camera.curve;
+    const double half = f.camera.orthographic ? 0.5 * f.camera.height : std::tan(0.5 * f.camera.fov_y_rad);
+    block.lens = glm::vec4(half * f.camera.aspect, half,
+                           depth.perspective ? 1 / depth.near - 1 / depth.far : depth.far - depth.near,
+                           depth.perspective ? 1 / depth.far : depth.far);
+    block.eye = glm::vec4(glm::vec3(f.camera.eye - f.origin), f.camera.orthographic ? 1.f : 0.f);
+    block.forward = glm::vec4(glm::vec3(-f.camera.axes[2]), 0.f);
+    const Camera& divided = f.request.map_camera ? f.request.map_camera->camera : f.camera;
+    block.divided_eye = glm::vec4(glm::vec3(divided.eye - f.origin), 0.f);
+    block.divided_forward = glm::vec4(glm::vec3(-divided.axes[2]), 0.f);
+    block.map_origin = glm::vec4(glm::vec3(f.scene.bounds.centre() - f.origin), 0.f);
+    block.picture = glm::vec4(f.request.width, f.request.height, 0, 0);
+    const PolygonOffset& offset = driver.offset[std::size_t(f.settings.map.format)];
+    block.pixel = glm::vec4(f.pixel_origin, cost_of(f.settings).texels, 0);
+    block.offset = glm::vec4(offset.unit_depth, offset.unit_steps, offset.slope_gain, offset.slope_is_length ? 1 : 0);
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
+        block.lights[i] = light_block(f, i);
+        const FittedLight& light = f.gl.fitted[i];
+        if (!light.casts) continue;
+        for (std::size_t v = 0; v < light.views.size(); ++v)
+            block.views[std::size_t(f.first_view[i]) + v] = view_block(f, light, v);
+    }
+    resources.blocks.frame.put(std::as_bytes(std::span(&block, 1)));
+    resources.blocks.settings.put(settings_block_bytes(f.settings));
+    set_samplers(f);
+}
+
+}  // namespace si
