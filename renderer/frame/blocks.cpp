@@ -92,6 +92,17 @@ void BlockBuffer::put(std::span<const std::byte> bytes) {
     glBindImageTexture(image_, texels_.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32UI);
 }
 
+DiskBuffer::DiskBuffer()
+    : buffer_(gl::Buffer::create("places of disks")),
+      texels_(gl::Texture::create("places of disks", GL_TEXTURE_BUFFER)) {}
+
+void DiskBuffer::put(std::span<const glm::vec2> places) {
+    if (places.empty()) return;
+    glNamedBufferData(buffer_.id(), GLsizeiptr(places.size_bytes()), places.data(), GL_STREAM_DRAW);
+    glTextureBuffer(texels_.id(), GL_RG32UI, buffer_.id());
+    glBindImageTexture(shared::IMAGE_DISK_PLACES, texels_.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RG32UI);
+}
+
 std::string blocks_text(bool as_images) {
     return fmt::format("#define BLOCKS_AS_IMAGES {}\n", int(as_images)) + settings_block_text(as_images);
 }
@@ -129,6 +140,7 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
             block.views[std::size_t(f.first_view[i]) + v] = view_block(f, light, v);
     }
     resources.blocks.frame.put(std::as_bytes(std::span(&block, 1)));
+    resources.blocks.disk.put(f.disk_texels);
     resources.blocks.settings.put(settings_block_bytes(f.settings));
     set_samplers(f);
 }

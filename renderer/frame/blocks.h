@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/glm.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,7 +29,20 @@ private:
     GLuint block_ = 0, image_ = 0;
 };
 
+/// Places of disks, which shaders read as an image of RG32UI texels.
+class DiskBuffer {
+public:
+    DiskBuffer();
+    /// Replaces what it holds, and binds it to shared::IMAGE_DISK_PLACES.
+    void put(std::span<const glm::vec2> places);
+
+private:
+    gl::Buffer buffer_;
+    gl::Texture texels_;
+};
+
 struct Blocks {
+    DiskBuffer disk;
     BlockBuffer frame{"frame uniforms", shared::BLOCK_FRAME, shared::IMAGE_FRAME_BLOCK};
     BlockBuffer settings{"settings uniforms", shared::BLOCK_SETTINGS, shared::IMAGE_SETTINGS_BLOCK};
 };

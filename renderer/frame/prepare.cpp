@@ -18,6 +18,7 @@
 #include "renderer/settings/paging.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
+#include "renderer/view/disk_places.h"
 #include "renderer/view/kernel_reach.h"
 #include "renderer/view/near_far.h"
 #include "renderer/view/projection.h"

@@ -90,9 +90,11 @@ std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& setting
     Key key;
     key.add(f.preamble).add(f.gl.programs.source().generation()).add(f.map_format()).add(f.settings.map.samples);
     key.add(filter_of(f.settings).file).add(bias_of(f.settings).file).add(request.forced.value());
-    // Whether look-ups ask for bounds changes with what is kept of the last frame: who makes programs makes both.
+    // Whether look-ups ask for bounds changes with what is kept of the last frame: who makes programs makes both ways.
+    constexpr std::string_view kTurns[] = {"MAP_BOUNDS", "KEEPS_LOOPS", "DISK_FROM_IMAGE"};
     for (const gl::Define& d : f.defines)
-        if (d.name != "MAP_BOUNDS") key.add(d.name).add(d.value);
+        if (std::ranges::find(kTurns, d.name) == std::end(kTurns) && !d.name.ends_with("_PLACES"))
+            key.add(d.name).add(d.value);
     for (const FrameState::ShownPane& pane : f.panes) key.add(pane.overlay);
     for (int i = 0; i < f.settings.light_count; ++i) key.add(source_of(f.settings, i).key);
     const std::vector<PassInfo> infos = plan_passes(f.plan.passes(), wanted_results(f), true, false);

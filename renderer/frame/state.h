@@ -79,6 +79,7 @@ struct FrameState {
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn
     bool asks_bounds = false;                  ///< look-ups ask for the maps' bounds before they fetch taps
+    std::vector<glm::vec2> disk_texels;        ///< places of the kernel's disks that shaders read from an image
     bool filter_sampler = false;               ///< the kernel compares in a shadow sampler
     std::vector<gl::Define> defines;           ///< from settings and kernel
     Key geometry_key, camera_key, lights_key;  ///< what results depend on

@@ -8,6 +8,7 @@
 
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
+#include "renderer/view/disk_places.h"
 #include "renderer/view/kernel_reach.h"
 
 namespace si {
@@ -54,6 +55,16 @@ std::string saved_or_not(const FrameState& f, Saving saving) {
     return f.request.forced.contains(saving) ? "0" : "1";
 }
 
+/// GLSL of an array's contents.
+std::string glsl_list(std::span<const glm::vec2> places) {
+    std::string out;
+    for (const glm::vec2& p : places) out += fmt::format("{}vec2({:.9g}, {:.9g})", out.empty() ? "" : ", ", p.x, p.y);
+    return "vec2[](" + out + ")";
+}
+
+/// Compilers for CPUs unroll loops of so many taps, Mesa's up to 32; then places are numbers within the code.
+constexpr int kDiskConstants = 32;
+
 }  // namespace
 
 int bounds_reach_cells(const FrameState& f, const FittedLight& light) {
@@ -87,11 +98,32 @@ std::vector<gl::Define> lookup_saving_defines(const FrameState& f) {
             {"DEPTHS_MARGIN", fmt::format("{:.9f}", depths_margin(f))},
             {"BOUNDS_BLOCK", std::to_string(kBoundsBlock)},
             {"BOUNDS_CELL", std::to_string(kBoundsCell)},
-            // Compilers for CPUs run both sides of a branch, but leave loops that nobody needs.
-            // Also where taps are forced: places of a disk round otherwise where the compiler knows them.
-            {"KEEPS_LOOPS", fetches_many(f) && f.driver.software ? "1" : "0"},
             {"SKIPS_SEARCH", saved_or_not(f, Saving::Blockers)},
             {"SKIPS_UNLIT", saved_or_not(f, Saving::Facing)}};
+}
+
+void choose_taps(FrameState& f) {
+    const Filter& row = filter_of(f.settings);
+    const std::pair<const char*, std::vector<glm::vec2>> lists[] = {
+        {"TAP", disk_of(row, f.settings, f.settings.filter.taps)},
+        {"BLOCKER", disk_of(row, f.settings, f.settings.filter.blocker_taps)},
+        {"RAY", spiral_places(f.settings.filter.rays)}};
+    // Compilers for CPUs run both sides of a branch, but leave loops that nobody needs.
+    const bool keeps_loops = f.asks_bounds && f.driver.software;
+    const bool from_image = f.driver.software && (keeps_loops || std::ranges::any_of(lists, [](const auto& list) {
+                                                      return int(list.second.size()) > kDiskConstants;
+                                                  }));
+    f.defines.push_back({"MAP_BOUNDS", f.asks_bounds ? "1" : "0"});
+    f.defines.push_back({"KEEPS_LOOPS", keeps_loops ? "1" : "0"});
+    f.defines.push_back({"DISK_FROM_IMAGE", from_image ? "1" : "0"});
+    f.defines.push_back({"DISK_CONSTANTS", std::to_string(kDiskConstants)});
+    f.disk_texels.clear();
+    for (const auto& [name, places] : lists) {
+        const bool listed = !from_image && int(places.size()) <= kDiskConstants;
+        f.defines.push_back({fmt::format("{}_COUNT", name), std::to_string(places.size())});
+        f.defines.push_back({fmt::format("{}_PLACES", name), listed ? glsl_list(places) : "0"});
+        if (from_image) f.disk_texels.insert(f.disk_texels.end(), places.begin(), places.end());
+    }
 }
 
 }  // namespace si

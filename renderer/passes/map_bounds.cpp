@@ -53,7 +53,7 @@ void add_map_bounds_pass(FrameState& f) {
     pass.aid = true;
     pass.unneeded = why_no_bounds(f);
     f.asks_bounds = pass.unneeded.empty();
-    f.defines.push_back({"MAP_BOUNDS", f.asks_bounds ? "1" : "0"});
+    choose_taps(f);
     if (!f.asks_bounds) {
         f.plan.release([&f] { f.gl.owned.drop<BoundsTargets>(); });
         f.plan.add(std::move(pass));

@@ -10,6 +10,7 @@
 #include "renderer/settings/choices_of.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
+#include "renderer/view/disk_places.h"
 
 namespace si {
 namespace {
@@ -352,6 +353,11 @@ std::vector<Filter>& filter_table() {
     return table;
 }
 
+bool takes_table(const Filter& row, const Settings& settings) {
+    const bool spiral = owns(row, "filter.disk") && settings.filter.disk == int(Disk::Spiral);
+    return row.takes_table && !spiral;
+}
+
 }  // namespace
 
 Reach Filter::square_reach(const Filter& row, const Settings& s, double) {
@@ -375,8 +381,11 @@ bool owns(const Filter& row, std::string_view key) {
 }
 
 int disk_places(const Filter& row, const Settings& settings, int places) {
-    const bool spiral = owns(row, "filter.disk") && settings.filter.disk == int(Disk::Spiral);
-    return row.takes_table && !spiral ? std::min(places, kDiskTable) : places;
+    return takes_table(row, settings) ? std::min(places, kDiskTable) : places;
+}
+
+std::vector<glm::vec2> disk_of(const Filter& row, const Settings& settings, int places) {
+    return takes_table(row, settings) ? poisson_places(places) : spiral_places(places);
 }
 
 int taps_across(const Filter& row, const Settings& settings) {

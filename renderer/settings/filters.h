@@ -1,10 +1,12 @@
 // The table of filter kernels: a new one is one row here and one GLSL file.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "renderer/settings/param.h"
 #include "renderer/settings/settings.h"
@@ -95,10 +97,10 @@ int taps_across(const Filter& row, const Settings& settings);
 bool is_bilinear(const Filter& row, const Settings& settings);
 /// The kernel's label, with its size where that is a setting: "PCF 5x5".
 std::string kernel_label(const Settings& settings);
-/// How many places the table of a disk has (shaders/lib/disk.glsl).
-inline constexpr int kDiskTable = 64;
 /// How many of so many places a kernel samples: its table may end before.
 int disk_places(const Filter& row, const Settings& settings, int places);
+/// Those places, in the unit disk.
+std::vector<glm::vec2> disk_of(const Filter& row, const Settings& settings, int places);
 
 /// What a kernel wants prepared besides the depths, in bytes.
 struct PrefilterBytes {

@@ -6,10 +6,9 @@
 float filter_visibility(Receiver r) {
     float own_m = compared_metres(r);
     vec2 turn = disk_turn(r);
-    int taps = disk_places(filter_taps);
     float widest = clamp(widest_penumbra_texels(r, own_m), 0.5, filter_max_radius);
-    Blockers blockers = blockers_within(r, own_m, turn, taps, looped(taps), widest, true);
-    found.taps = float(taps);
+    Blockers blockers = blockers_within(r, own_m, turn, looped(TAP_COUNT), widest, true);
+    found.taps = float(TAP_COUNT);
     if (blockers.share == 0.0) return 1.0;
     float radius = radius_past(blockers, r, own_m, widest);
     return clamp(0.5 + (0.5 - blockers.share) * (widest / radius), 0.0, 1.0);

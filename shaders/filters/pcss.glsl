@@ -6,16 +6,15 @@ float filter_visibility(Receiver r) {
     float own_m = compared_metres(r);
     vec2 turn = disk_turn(r);
 
-    int places = disk_places(filter_blocker_taps), taps = disk_places(filter_taps);
     float search = min(widest_penumbra_texels(r, own_m), filter_max_radius);
-    int searched = searched_of(places, search);
-    Blockers blockers = blockers_within(r, own_m, turn, places, searched, search, false);
+    int searched = searched_of(BLOCKER_COUNT, search);
+    Blockers blockers = blockers_within(r, own_m, turn, searched, search, false);
     found.taps = float(searched);
     if (blockers.share == 0.0) return 1.0;
-    found.taps = float(searched + taps);
+    found.taps = float(searched + TAP_COUNT);
     float radius = radius_past(blockers, r, own_m, filter_max_radius);
     float sum = 0.0;
-    for (int i = 0; i < looped(taps); ++i)
-        sum += compares_lit(r, r.uvd_offset.xy + on_map(r, turned(disk_place(i, taps), turn)) * (radius / float(map_resolution)));
-    return sum / float(taps);
+    for (int i = 0; i < looped(TAP_COUNT); ++i)
+        sum += compares_lit(r, r.uvd_offset.xy + on_map(r, turned(tap_place(i), turn)) * (radius / float(map_resolution)));
+    return sum / float(TAP_COUNT);
 }

@@ -1,6 +1,7 @@
 // Rays through the shadow map: each goes from the receiver to a place of the light, and is stopped where the map holds
 // something before it that is not farther off than filter.thickness. Without turns the same rays everywhere.
 // Epic Games, Shadow Map Ray Tracing, in the documentation of Virtual Shadow Maps, Unreal Engine 5, 2021.
+#include "lib/disk_places.glsl"
 #include "lib/penumbra.glsl"
 
 float filter_visibility(Receiver r) {
@@ -26,7 +27,7 @@ float filter_visibility(Receiver r) {
     if (widest == 0.0 && !(here_m > 0.0)) rays = 0;  // all go where nothing stands before it
 #endif
     for (int ray = 0; ray < rays; ++ray) {
-        vec2 aim = on_map(r, turned(spiral_place(ray, filter_rays), turn)) * (widest / float(map_resolution));
+        vec2 aim = on_map(r, turned(ray_place(ray), turn)) * (widest / float(map_resolution));
         float begun = fract(first + float(ray) * 0.754877666);  // of the first step, spread over the rays
         float ray_m = 0.0, gap_m = here_m, below_m = 3e38;  // where the ray was when last something stood before it
         for (int i = 0; i <= filter_steps; ++i) {

@@ -1,6 +1,7 @@
 // What stands before the receiver within a disk about it, for kernels whose penumbra follows it.
 #include "lib/penumbra.glsl"
-#include "lib/chosen_disk.glsl"
+#include "lib/disk.glsl"
+#include "lib/disk_places.glsl"
 
 struct Blockers {
     float share;  // of the places looked at that hold one
@@ -15,13 +16,12 @@ int searched_of(int places, float radius_texels) {
     return looped(places);
 }
 
-/// @param places of the chosen disk
-/// @param searched of those, counted from the first
-/// @param compares whether each place also counts as one of the kernel's comparisons
-Blockers blockers_within(Receiver r, float own_m, vec2 turn, int places, int searched, float radius_texels, bool compares) {
+/// @param searched places of the disk, counted from the first
+/// @param compares whether each is also one of the kernel's comparisons, and one of their places
+Blockers blockers_within(Receiver r, float own_m, vec2 turn, int searched, float radius_texels, bool compares) {
     float blocker_m = 0.0, blockers = 0.0;
     for (int i = 0; i < searched; ++i) {
-        vec2 at = r.uvd_offset.xy + on_map(r, turned(disk_place(i, places), turn)) * (radius_texels / float(map_resolution));
+        vec2 at = r.uvd_offset.xy + on_map(r, turned(compares ? tap_place(i) : blocker_place(i), turn)) * (radius_texels / float(map_resolution));
         float stored = compares ? map_depth(at, r.layer) : searched_depth(at, r.layer);
         float blocks = 1.0 - depth_test(compared_depth(r, at), stored);
         blocker_m += blocks * held_metres(r, at, stored);

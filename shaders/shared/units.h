@@ -33,6 +33,7 @@ const int IMAGE_TEXELS_READ = 0;
 const int IMAGE_PAGES_WANTED = 1;
 const int IMAGE_FRAME_BLOCK = 2;  // the blocks below
 const int IMAGE_SETTINGS_BLOCK = 3;
+const int IMAGE_DISK_PLACES = 4;
 
 const int STORAGE_LIGHT_MAP_OBJECTS = 0;
 const int STORAGE_LIGHT_MAP_TRIANGLES = 1;
