@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
@@ -15,11 +14,12 @@ namespace si {
 namespace {
 
 /// From how many texture calls a look-up on it pays to ask for bounds first, with the maps kept. Mesa 22.3's llvmpipe,
-/// the agreed scene at 1280 x 720, 2048 texels, adaptive bias: time of that by that of all taps, 16, 32 and 64 calls
-///     vogel 1.25, 0.85, 0.74; dpcf 1.23, 0.86, 0.77; poisson 1.15, 1.25, 0.75; pcss (searching and comparing by as
-///     many) 0.85, 0.80, 0.72; pcf of 16, 25, 64: 0.95, 0.92, 0.81; gauss 1.09, 1.12, 0.86; smrt, whose rays end at
-///     once where nothing is, 1.02 to 1.04. `bench --benchmark_filter=lookups` measures it.
-constexpr int kLeastCalls = 64, kLeastSearching = 32;
+/// the agreed scene at 1280 x 720, 2048 texels, adaptive bias: time of that by that of all taps,
+///     16, 32, 64 calls: vogel 1.26, 1.16, 0.77; poisson 1.13, 1.14, 0.90; dpcf 1.19, 1.25, 0.78;
+///     32, 64, 128: pcss (searching and comparing by as many) 1.03, 0.76, 0.82;
+///     16, 25, 64: pcf 0.97, 0.88, 0.80; smrt, whose rays end at once where nothing is, 0.97 to 1.00.
+/// `bench --benchmark_filter=lookups` measures it.
+constexpr int kLeastCalls = 64;
 
 /// How far depths may be from those that kernels compare. By hand they are the same numbers; samplers may round a
 /// reference to the format's steps, and depths of stored distances rise but for rounding.
@@ -39,16 +39,14 @@ int calls_of(const FrameState& f) {
     return cost.gathers > 0 && !f.filter_sampler ? cost.gathers : cost.sampler_taps;
 }
 
-/// Of the frame's kernel, from which on it pays; nothing: it never does.
-std::optional<int> least_calls(const FrameState& f) {
+/// Whether the kernel compares depths, and not along rays, which end at once where nothing stands.
+bool may_ask(const FrameState& f) {
     const Filter& row = filter_of(f.settings);
-    if (row.samples != Samples::Depth || (row.reads_light_size && !row.searches_blockers)) return std::nullopt;
-    return row.searches_blockers && row.linear ? kLeastSearching : kLeastCalls;
+    return row.samples == Samples::Depth && (!row.reads_light_size || row.searches_blockers);
 }
 
 bool fetches_many(const FrameState& f) {
-    const std::optional<int> least = least_calls(f);
-    return least && calls_of(f) >= *least;
+    return may_ask(f) && calls_of(f) >= kLeastCalls;
 }
 
 std::string saved_or_not(const FrameState& f, Saving saving) {
@@ -78,10 +76,9 @@ std::string why_no_bounds(const FrameState& f) {
     if (f.view_count == 0) return "no light has a shadow map";
     if (f.request.forced.contains(Saving::EarlyOut)) return "look-ups are to fetch all their taps";
     if (row.samples != Samples::Depth) return "filter.kernel reads averages of depths, not depths";
-    const std::optional<int> least = least_calls(f);
-    if (!least) return "the kernel's rays end at once where the map holds nothing";
+    if (!may_ask(f)) return "the kernel's rays end at once where the map holds nothing";
     if (!fetches_many(f))
-        return fmt::format("a look-up fetches {} times; finding bounds pays from {} on", calls_of(f), *least);
+        return fmt::format("a look-up fetches {} times; finding bounds pays from {} on", calls_of(f), kLeastCalls);
     if (f.paged) return "the map is drawn by pages, each when it is wanted";
     if (row.reads_light_size &&
         std::ranges::any_of(f.gl.fitted, [](const FittedLight& l) { return l.casts && l.is_warped(); }))

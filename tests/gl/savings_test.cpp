@@ -34,7 +34,7 @@ const std::vector<Sets>& cases() {
         {{"light.type", "spot"}},
         {{"light.type", "point"}, {"filter.kernel", "pcf3"}},
         {{"light.cascades", "4"}, {"filter.kernel", "pcf5"}},
-        {{"filter.kernel", "pcss"}},
+        {{"filter.kernel", "pcss"}, {"filter.taps", "32"}, {"filter.blocker_taps", "32"}},
         {{"filter.kernel", "vsm"}},
         {{"map.virtual", "true"}},
         {{"shading.separate_visibility", "true"}, {"light.cast", "false"}},
