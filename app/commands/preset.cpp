@@ -20,8 +20,8 @@ void run_preset_check(const std::string& file) {
     if (!preset.scene.empty()) {
         try {
             notes = compose_session(plan, load_scene(plan.scene_name, scene_options(plan))).notes;
-        } catch (const UsageError& e) {  // what the scene lacks stands in the file, not on the command line
-            throw Error(fmt::format("{}: {}", file, e.what()));
+        } catch (const Error& e) {  // what is wrong with the scene stands in the file, not on the command line
+            throw Error(fmt::format("{}: its scene: {}", file, e.what()));
         }
     }
     fmt::print("{}: good, {} settings differ from the defaults\n", file, changed_settings(preset.settings).size());

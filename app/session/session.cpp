@@ -7,7 +7,6 @@
 
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/printable.h"
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
@@ -17,15 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The scene a preset was made for: a relative path counts from here, else from the preset's folder. @throws Error
+/// The scene a preset was made for: a relative path counts from here, else from the preset's folder.
 std::string scene_of_preset(const Preset& preset, const std::string& preset_path) {
-    const auto built_in = [&](const BuiltinScene& row) { return row.key == preset.scene; };
     std::error_code error;
-    if (preset.scene.empty() || std::ranges::any_of(builtin_scenes(), built_in)) return preset.scene;
-    for (const fs::path& file : {fs::path(preset.scene), fs::path(preset_path).parent_path() / preset.scene})
-        if (fs::exists(file, error)) return file.string();
-    throw Error(fmt::format("{}: its scene \"{}\" does not exist, neither here nor beside it; name another scene",
-                            preset_path, printable(preset.scene, 300)));
+    if (preset.scene.empty() || fs::exists(preset.scene, error)) return preset.scene;
+    const fs::path beside = fs::path(preset_path).parent_path() / preset.scene;
+    return fs::exists(beside, error) ? beside.string() : preset.scene;
 }
 
 /// @throws UsageError when the scene lacks the chosen camera; with `left_out`, the first one is chosen instead.

@@ -99,7 +99,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"group", {"render", "boxes", "-o", "a.png", "--set", "filter=1"}, 2, "did you mean filter.kernel?"},
         Mistake{"scene", {"render", "boxs", "-o", "a.png"}, 2, "did you mean boxes?"},
         Mistake{"preset_name", {"render", "boxes", "-o", "a.png", "--preset", "acn"}, 2, "did you mean acne?"},
-        Mistake{"preset_scene", {"preset", "check", "lost.json"}, 1, "its scene \"gone.glb\" does not exist"},
+        Mistake{
+            "preset_scene", {"preset", "check", "lost.json"}, 1, "lost.json: its scene: gone.glb: cannot be opened"},
         Mistake{"preset_of_lost_scene", {"render", "--preset", "lost.json", "gone.glb", "-o", "a.png"}, 1, "gone.glb"},
         Mistake{"scene_file", {"render", "none.glb", "-o", "a.png"}, 1, "none.glb"},
         Mistake{"scene_broken", {"render", "broken.gltf", "-o", "a.png"}, 1, "broken.gltf"},
