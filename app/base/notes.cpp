@@ -1,5 +1,6 @@
 #include "app/base/notes.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -8,6 +9,7 @@
 #include <cstring>
 
 #include "renderer/base/error.h"
+#include "renderer/base/printable.h"
 
 namespace si {
 
@@ -17,11 +19,11 @@ std::string one_line(const std::string& text) {
         if (c == '\n') {
             line += "; ";
         } else {
-            line += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+            line += c == '\t' || c == '\r' ? ' ' : c;
         }
     }
     while (line.ends_with("; ")) line.erase(line.size() - 2);
-    return line;
+    return printable(line, std::string::npos);
 }
 
 Workers tracing_workers(int threads) {
@@ -29,14 +31,26 @@ Workers tracing_workers(int threads) {
     if (!::isatty(STDERR_FILENO)) return workers;
     workers.progress = [last = -1](double t) mutable {
         const int percent = int(t * 100);
-        if (percent != last) fmt::print(stderr, "\rtracing {} %{}", last = percent, percent == 100 ? "\r\033[K" : "");
-        std::fflush(stderr);
+        if (percent == last) return;
+        tell(fmt::format("\rtracing {} %{}", last = percent, percent == 100 ? "\r\033[K" : ""));
     };
     return workers;
 }
 
 void print_notes(const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", one_line(note));
+    for (const std::string& note : notes) tell(fmt::format("note: {}\n", one_line(note)));
+}
+
+void tell(std::string_view text) noexcept {
+    if (std::fwrite(text.data(), 1, text.size(), stderr) != text.size()) std::clearerr(stderr);
+    std::fflush(stderr);
+}
+
+void open_standard_descriptors() {
+    // The lowest free number is taken, so they come in order.
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
+            (void)::open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 void finish_stdout() {

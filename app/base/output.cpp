@@ -28,13 +28,6 @@ std::string reason() {
     return std::strerror(errno);
 }
 
-/// The file behind a chain of links, so that a rename does not replace the link.
-fs::path behind_links(const fs::path& path) {
-    std::error_code error;
-    const fs::path real = fs::weakly_canonical(path, error);
-    return error || real.empty() ? path : real;
-}
-
 bool is_special(const fs::path& path) {
     std::error_code error;
     const auto status = fs::status(path, error);
@@ -72,7 +65,7 @@ void require_writable(const fs::path& path) {
     }
     if (!path.has_filename()) throw Error(fmt::format("{}: names no file", path.string()));
     if (is_special(path)) return;
-    const fs::path target = behind_links(path);
+    const fs::path target = writable_target(path);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, error)) {
         throw Error(fmt::format("{}: its folder {} does not exist; make it first", path.string(), folder.string()));
@@ -82,10 +75,22 @@ void require_writable(const fs::path& path) {
     }
 }
 
+void require_distinct(const fs::path& a, std::string_view one, const fs::path& b, std::string_view other) {
+    if (a.empty() || b.empty() || is_special(a)) return;
+    std::error_code error;
+    const auto same_place = [&](const fs::path& path) {
+        const fs::path target = writable_target(path);
+        return fs::weakly_canonical(target.parent_path().empty() ? "." : target.parent_path(), error) /
+               target.filename();
+    };
+    if (same_place(a) == same_place(b) || fs::equivalent(a, b, error))
+        throw UsageError(fmt::format("{}: {} and {} are one file; name two", b.string(), one, other));
+}
+
 void write_file(const fs::path& path, std::string_view bytes) {
     require_writable(path);
     if (is_special(path)) return write_special(path, bytes);
-    write_atomically(behind_links(path), {bytes});
+    write_atomically(path, {bytes});
 }
 
 std::string png_bytes(const ByteImage& image) {

@@ -1,4 +1,4 @@
-// Files that the program writes: complete or not at all (a temporary beside the target, then a rename).
+// Files that the program writes: complete or not at all (atomic_file.h).
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,11 @@ namespace si {
 /// @throws Error when `path` cannot become a file: a directory, a missing folder, no permission. Called before work
 /// that takes long, so that it is not in vain.
 void require_writable(const std::filesystem::path& path);
+
+/// @throws UsageError when both are one file, behind links too; `one` and `other` are what they were given as. Empty
+/// paths are none.
+void require_distinct(const std::filesystem::path& a, std::string_view one, const std::filesystem::path& b,
+                      std::string_view other);
 
 /// Replaces `path` atomically; devices and pipes are written as they are. @throws Error
 void write_file(const std::filesystem::path& path, std::string_view bytes);

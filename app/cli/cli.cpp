@@ -15,6 +15,7 @@
 #include "app/commands/commands.h"
 #include "app/editor/editor.h"
 #include "app/session/workspace.h"
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/reference/light_map_cache.h"
 #include "renderer/settings/param.h"
@@ -84,7 +85,7 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
             ->type_name("WHAT");
     auto* swipe = c->add_option("--swipe", o.render.swipe,
                                 "With --against: one picture, this left of a line at X (0 to 1), the other right of it")
-                      ->check(CLI::Range(0.0, 1.0))
+                      ->check(number_between(0, 1))
                       ->type_name("X")
                       ->needs(against);
     c->add_flag("--difference", o.render.difference, "With --against: one picture of 2 |A - B|")
@@ -124,7 +125,7 @@ void add_truth(CLI::App& app, Options& o, std::function<void()>& run) {
                         ->type_name("N");
     auto* noise = c->add_option("--noise", o.truth.truth.noise,
                                 "With --area: wanted standard error of a pixel (default 0.005). As --set truth.noise=E")
-                      ->check(CLI::Range(0.0, 1.0))
+                      ->check(number_between(0, 1))
                       ->type_name("E");
     c->add_option("--threads", o.truth.threads, "Threads that trace (default: all)")
         ->check(CLI::Range(1, 1024))
@@ -342,7 +343,7 @@ void run_default(Options& o) {
 
 int fail(int code, const std::string& message) {
     std::fflush(stdout);
-    fmt::print(stderr, "shadow-inspector: {}\n", one_line(message));
+    tell(fmt::format("shadow-inspector: {}\n", one_line(message)));
     return code;
 }
 
@@ -360,13 +361,26 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& e, int arg
         }
         if (names.empty()) break;
         if (!next) {
-            message = fmt::format("no command '{}'; did you mean {}?", argv[i], nearest_name(argv[i], names));
+            message = fmt::format("no command '{}'{}", argv[i], did_you_mean(nearest_name(argv[i], names)));
             break;
         }
         command = next;
         path += " " + command->get_name();
     }
     return fmt::format("{} (see {} --help)", message, path);
+}
+
+/// The option or argument that was given as "", which is never "not given"; empty where there is none.
+std::string given_empty(const CLI::App& command) {
+    static constexpr std::string_view kTexts[] = {"--about", "--title", "--topic"};  // a preset may have none
+    for (const CLI::Option* option : command.get_options()) {
+        const std::string name = option->get_name();
+        if (std::ranges::find(kTexts, name) != std::end(kTexts)) continue;
+        if (std::ranges::find(option->results(), std::string()) != option->results().end()) return name;
+    }
+    for (const CLI::App* sub : command.get_subcommands())
+        if (const std::string name = given_empty(*sub); !name.empty()) return name;
+    return {};
 }
 
 }  // namespace
@@ -398,6 +412,8 @@ int run_cli(int argc, const char* const* argv) {
         if (e.get_exit_code() == 0) return app.exit(e);
         return fail(2, usage_message(app, e, argc, argv));
     }
+    if (const std::string name = given_empty(app); !name.empty())
+        return fail(2, fmt::format("{} is given as an empty word; leave it out or name something", name));
     try {
         run();
         finish_stdout();

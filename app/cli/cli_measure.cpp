@@ -4,19 +4,25 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "renderer/base/error.h"
 
 namespace si {
 namespace {
 
+std::optional<double> finite_number(const std::string& text) {
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, value);
+    if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value)) return {};
+    return value;
+}
+
 /// A finite number above 0; what says otherwise names no largest double.
 CLI::Validator above_zero() {
     return {[](std::string& text) -> std::string {
-                double value = 0;
-                const char* const end = text.data() + text.size();
-                const auto read = std::from_chars(text.data(), end, value);
-                if (read.ec == std::errc() && read.ptr == end && std::isfinite(value) && value > 0) return {};
+                if (const auto value = finite_number(text); value && *value > 0) return {};
                 return fmt::format("\"{}\" is not a number above 0", text);
             },
             "NUMBER > 0"};
@@ -27,6 +33,14 @@ constexpr const char* kAreaHelp =
 constexpr const char* kAreaSet = "truth.area=true";
 
 }  // namespace
+
+CLI::Validator number_between(double least, double most) {
+    return {[=](std::string& text) -> std::string {
+                if (const auto value = finite_number(text); value && *value >= least && *value <= most) return {};
+                return fmt::format("\"{}\" is not a number from {:g} to {:g}", text, least, most);
+            },
+            fmt::format("NUMBER in [{:g} - {:g}]", least, most)};
+}
 
 void add_cost_option(CLI::App& command, CostCase& cost) {
     command
@@ -171,7 +185,7 @@ void add_advise(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
         ->type_name("KEY=VALUES")
         ->allow_extra_args(false);
     c->add_option("--seconds", a.most_seconds, "After which the autopilot tries nothing more (default 100)")
-        ->check(CLI::Range(1.0, 1e6));
+        ->check(number_between(1, 1e6));
     c->add_option("-o,--output", a.output, "The preset that the autopilot writes, .json")->type_name("PRESET");
     add_cost_option(*c, a.cost);
     c->add_flag("--area", o.area, kAreaHelp);

@@ -22,6 +22,9 @@ struct MeasureCliOptions {
 /// Adds SCENE, --preset and --set to a command.
 using AddSessionOptions = std::function<void(CLI::App& command, SessionOptions& session)>;
 
+/// Of an option that takes a finite number within bounds; CLI::Range lets what is no number pass.
+CLI::Validator number_between(double least, double most);
+
 /// Adds --cost to a command.
 void add_cost_option(CLI::App& command, CostCase& cost);
 

@@ -145,7 +145,7 @@ auto interruptible(const Work& work) {
             line.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
         });
     } catch (const Cancelled&) {
-        fmt::print(stderr, "shadow-inspector: interrupted; nothing was written\n");
+        tell("shadow-inspector: interrupted; nothing was written\n");
         interrupt.end();
     }
 }

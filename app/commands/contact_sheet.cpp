@@ -109,7 +109,9 @@ Tile draw_tile(Renderer& renderer, const fs::path& model, const PictureSize& siz
 void run_contact_sheet(const ContactSheetOptions& options) {
     if (lower_extension(options.output) != ".png")
         throw UsageError(fmt::format("{}: the sheet must end in .png", options.output));
+    const fs::path index_path = fs::path(options.output).replace_extension(".txt");
     require_writable(options.output);
+    require_writable(index_path);
     const std::vector<fs::path> models = models_below(options.folder);
     const int columns = std::clamp(options.columns, 1, int(models.size()));
     const int rows = (int(models.size()) + columns - 1) / columns;
@@ -142,7 +144,6 @@ void run_contact_sheet(const ContactSheetOptions& options) {
         for (const std::string& note : tile.notes) index += fmt::format("\t\t\t{}\n", one_line(note));
     }
     write_png(options.output, sheet.image());
-    const fs::path index_path = fs::path(options.output).replace_extension(".txt");
     write_file(index_path, index);
     fmt::print("{} models in {}, {} of them not shown; {} says which and why\n", models.size(), options.output,
                failures, index_path.string());

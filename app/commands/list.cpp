@@ -8,6 +8,7 @@
 #include "app/report/views.h"
 #include "app/session/presets.h"
 #include "app/session/setting_json.h"
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/reference/metrics.h"
 #include "renderer/scenes/builtin.h"
@@ -227,8 +228,8 @@ void run_list(const ListOptions& options) {
     const std::string& kind = options.kind;
     const auto known = std::ranges::find(kinds_of_lists(), kind, &ListKind::key);
     if (known == kinds_of_lists().end()) {
-        throw UsageError(fmt::format("list {}: it is one of {}; did you mean {}?", kind, fmt::join(list_kinds(), ", "),
-                                     nearest_name(kind, list_kinds())));
+        throw UsageError(fmt::format("list {}: it is one of {}{}", kind, fmt::join(list_kinds(), ", "),
+                                     did_you_mean(nearest_name(kind, list_kinds()))));
     }
     Json list = known->rows();
     Json chosen = Json::array();
@@ -236,8 +237,7 @@ void run_list(const ListOptions& options) {
         if (r["key"].get<std::string>().starts_with(options.prefix)) chosen.push_back(std::move(r));
     }
     if (chosen.empty() && !options.prefix.empty()) {
-        const std::string nearest =
-            kind == "settings" ? fmt::format("; did you mean {}?", nearest_key(options.prefix)) : "";
+        const std::string nearest = kind == "settings" ? did_you_mean(nearest_key(options.prefix)) : "";
         throw UsageError(fmt::format("list {}: no key starts with '{}'{}", kind, options.prefix, nearest));
     }
     if (options.json) {

@@ -56,7 +56,7 @@ public:
         line_.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
     }
     [[noreturn]] void end() {
-        fmt::print(stderr, "shadow-inspector: interrupted; nothing was printed\n");
+        tell("shadow-inspector: interrupted; nothing was printed\n");
         guard_.end();
     }
 

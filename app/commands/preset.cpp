@@ -7,23 +7,38 @@
 #include "app/session/preset_diff.h"
 #include "app/session/setting_json.h"
 #include "renderer/base/error.h"
+#include "renderer/base/printable.h"
+#include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 
 namespace si {
 
 void run_preset_check(const std::string& file) {
-    const Preset preset = load_preset(file);
+    const SessionPlan plan = plan_session({.scene = {}, .preset = file, .sets = {}});
+    const Preset& preset = *plan.preset;
+    std::vector<std::string> notes;
+    if (!preset.scene.empty()) {
+        try {
+            notes = compose_session(plan, load_scene(plan.scene_name, scene_options(plan))).notes;
+        } catch (const Error& e) {  // what is wrong with the scene stands in the file, not on the command line
+            throw Error(fmt::format("{}: its scene: {}", file, e.what()));
+        }
+    }
     fmt::print("{}: good, {} settings differ from the defaults\n", file, changed_settings(preset.settings).size());
+    print_notes(notes);
 }
 
 void run_preset_show(const std::string& file) {
     const Preset preset = load_preset(file);
-    if (!preset.title.empty()) fmt::print("{}{}\n", preset.topic.empty() ? "" : preset.topic + ": ", preset.title);
-    if (!preset.about.empty()) fmt::print("{}\n", preset.about);
-    if (!preset.scene.empty()) fmt::print("scene {}\n", preset.scene);
+    // What a file says goes to a terminal: its escapes are shown, not obeyed.
+    const auto shown = [](const std::string& text) { return printable(text, std::string::npos); };
+    if (!preset.title.empty())
+        fmt::print("{}{}\n", preset.topic.empty() ? "" : shown(preset.topic) + ": ", shown(preset.title));
+    if (!preset.about.empty()) fmt::print("{}\n", shown(preset.about));
+    if (!preset.scene.empty()) fmt::print("scene {}\n", shown(preset.scene));
     for (const SettingRef& ref : changed_settings(preset.settings)) {
         const auto idle = idle_reason(preset.settings, ref);
-        fmt::print("{} = {}  (default {}){}{}\n", setting_key(ref),
+        fmt::print("{} = {}  (default {}){}{}\n", shown(setting_key(ref)),
                    value_text(*ref.param, get_value(preset.settings, ref)), value_text(*ref.param, default_value(ref)),
                    idle.empty() ? "" : "  ", idle);
     }

@@ -83,6 +83,7 @@ void run_render(const RenderOptions& options) {
                         "--view",
                         view.key));
     if (!options.report.empty()) require_writable(options.report);
+    require_distinct(options.output, "-o", options.report, "--report");
     std::optional<Settings> other;
     if (against && options.against != "truth") other = load_preset(options.against).settings;
     std::optional<Settings> fit_camera;

@@ -48,6 +48,17 @@ std::vector<std::string> notes_on_times(const SweepState& state, const SweepTimi
     return notes;
 }
 
+std::vector<std::string> notes_on_pictures(const fs::path& folder, const SweepResults& results) {
+    std::vector<std::string> lacking;
+    for (const SweepRow& row : results.rows)
+        if (row.failed.empty() && lacks_pictures(folder, row.number)) lacking.push_back(std::to_string(row.number));
+    if (lacking.empty()) return {};
+    const std::size_t count = lacking.size();
+    if (count > 10) lacking.resize(10), lacking.push_back("...");
+    return {fmt::format("{} of {} cases have no pictures ({}); the sweep's command with -o {} draws them", count,
+                        results.rows.size(), fmt::join(lacking, ", "), folder.string())};
+}
+
 }  // namespace
 
 void run_sweep(const SweepOptions& options) {
@@ -55,7 +66,7 @@ void run_sweep(const SweepOptions& options) {
     for (const std::string& axis : options.vary) axes.push_back(parse_axis(axis));
     const Shard shard = options.shard.empty() ? Shard{} : parse_shard(options.shard);
     const fs::path folder = options.folder;
-    if (!options.fresh) require_sweep_folder(folder);
+    require_sweep_folder(folder);
     SessionPlan opened = plan_session(options.session);
     Session session = compose_session(opened, load_scene(opened.scene_name, scene_options(opened)));
     SweepSpec spec = sweep_spec(session.scene_name, session.scene, session.settings, std::move(axes),
@@ -80,15 +91,15 @@ void run_sweep(const SweepOptions& options) {
     run_steps(sweep, interrupt);
     const SweepResults results = write_sweep_files(folder, sweep.state(), sweep.of().plan);
     if (interrupt.asked()) {
-        fmt::print(
-            stderr,
+        tell(fmt::format(
             "shadow-inspector: interrupted after {} of {} cases; what is done is in {}, the same command goes on "
             "from there\n",
-            results.finished + results.failed, sweep.of().plan.cases.size(), folder.string());
+            results.finished + results.failed, sweep.of().plan.cases.size(), folder.string()));
         interrupt.end();
     }
     print_result(results, folder);
     print_notes(notes);
+    print_notes(sweep.state().notes);
     print_notes(notes_on_times(sweep.state(), timing));
 }
 
@@ -102,17 +113,16 @@ void run_merge(const MergeOptions& options) {
     if (plan_key(plan) != merged.plan)
         throw Error(fmt::format("{}: was made by a version of the program that orders cases differently",
                                 options.parts.front()));
-    if (options.fresh) {
-        forget_sweep(folder);
-    } else {
-        require_sweep_folder(folder);
-    }
+    require_sweep_folder(folder);
+    if (options.fresh) forget_sweep(folder);
     for (const std::string& part : options.parts) copy_pictures(part, folder);
     // What the folder holds already stays: merging is a continuation, too.
     Journal journal(folder, merged.spec, merged.plan);
     journal.add(lines_beyond(journal.state(), merged));
     const SweepResults results = write_sweep_files(folder, journal.state(), plan);
     print_result(results, folder);
+    print_notes(merged.notes);
+    print_notes(notes_on_pictures(folder, results));
     if (const auto missing = missing_cases(journal.state(), plan); !missing.empty())
         print_notes(
             {fmt::format("{} of {} cases are missing; is a shard missing? The sweep's command with -o {} measures "

@@ -55,6 +55,7 @@ void run_truth(const TruthCommandOptions& options) {
     check_view_file({.key = "truth", .scalar = true}, options.output);
     require_writable(options.output);
     if (!options.report.empty()) require_writable(options.report);
+    require_distinct(options.output, "-o", options.report, "--report");
     const Session session = open_session(options.session);
     const HeadlessContext context;
     Renderer renderer;

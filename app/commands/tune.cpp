@@ -142,7 +142,7 @@ void run_tune(const TuneOptions& options) {
             line.show(fmt::format("{:3.0f} %  {}", 100 * t.progress(), t.about()), false);
         });
     } catch (const Cancelled&) {
-        fmt::print(stderr, "shadow-inspector: interrupted; {} was not written\n", options.output);
+        tell(fmt::format("shadow-inspector: interrupted; {} was not written\n", options.output));
         interrupt.end();
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

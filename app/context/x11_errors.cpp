@@ -1,25 +1,26 @@
 #include "app/context/x11_errors.h"
 
-#include <X11/Xlib.h>
 #include <fmt/format.h>
 
-#include <cstdio>
+#include "app/base/notes.h"
+// Last: it defines macros.
+#include <X11/Xlib.h>
 
 namespace si {
 namespace {
 
-int tell(Display* display, XErrorEvent* error) {
+int tell_error(Display* display, XErrorEvent* error) {
     char text[128] = {};
     XGetErrorText(display, error->error_code, text, int(sizeof text) - 1);
-    fmt::print(stderr, "shadow-inspector: the X server says: {} (request {}.{})\n", text, error->request_code,
-               error->minor_code);
+    tell(fmt::format("shadow-inspector: the X server says: {} (request {}.{})\n", text, error->request_code,
+                     error->minor_code));
     return 0;
 }
 
 }  // namespace
 
 void survive_x_errors() {
-    XSetErrorHandler(tell);
+    XSetErrorHandler(tell_error);
 }
 
 }  // namespace si

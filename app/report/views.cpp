@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/base/output.h"
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/inspect/depth_histogram.h"
 #include "renderer/reference/truth_picture.h"
@@ -97,8 +98,8 @@ View find_view(const std::string& key) {
         if (view.key == key) return view;
         keys.push_back(view.key);
     }
-    throw UsageError(fmt::format("no view '{}': it is one of {}; did you mean {}?", key, fmt::join(keys, ", "),
-                                 nearest_name(key, keys)));
+    throw UsageError(fmt::format("no view '{}': it is one of {}{}", key, fmt::join(keys, ", "),
+                                 did_you_mean(nearest_name(key, keys))));
 }
 
 void check_view_file(const View& view, const std::string& path) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/printable.h"
 #include "ui/widgets/setting_widgets.h"
 
 namespace si {
@@ -41,8 +42,9 @@ std::string differences_text(const std::vector<PresetDifference>& differences, c
                                    differences.size() == 1 ? "" : "s");
     std::string group;
     for (const PresetDifference& d : differences) {
-        if (d.group != group) text += (group = d.group) + "\n";
-        text += fmt::format("  {}{}{}\n", d.text, d.note.empty() ? "" : "; ", d.note);
+        // Paths and scenes are what a file says: its escapes are shown, not obeyed.
+        if (d.group != group) text += printable(group = d.group, std::string::npos) + "\n";
+        text += fmt::format("  {}{}{}\n", printable(d.text, std::string::npos), d.note.empty() ? "" : "; ", d.note);
     }
     return text;
 }

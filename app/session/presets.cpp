@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <set>
 
+#include "app/base/json_text.h"
 #include "app/base/output.h"
 #include "app/session/setting_json.h"
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/embedded.h"
 #include "renderer/base/error.h"
+#include "renderer/base/printable.h"
 #include "renderer/settings/earlier.h"
 #include "renderer/settings/param.h"
 
@@ -24,52 +25,6 @@ constexpr std::string_view kFolder = "assets/presets/", kExtension = ".json";
 
 [[noreturn]] void refuse(const std::string& name, const std::string& why) {
     throw Error(fmt::format("{}: {}", name, why));
-}
-
-std::string line_and_column(std::string_view text, std::size_t byte) {
-    const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
-    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-    const auto start = before.rfind('\n');
-    const auto column = before.size() - (start == std::string_view::npos ? 0 : start + 1) + 1;
-    return fmt::format("line {}, column {}", line, column);
-}
-
-/// The library's message without its own prefix and place, which count differently.
-std::string plain_message(std::string message) {
-    if (const auto at = message.find("] "); at != std::string::npos) message.erase(0, at + 2);
-    if (const auto at = message.find(": "); message.starts_with("parse error at") && at != std::string::npos) {
-        message.erase(0, at + 2);
-    }
-    return message;
-}
-
-Json parse_json(std::string_view text, const std::string& name) {
-    std::vector<std::set<std::string>> open;  // keys seen in each open object
-    std::string duplicate;
-    const auto watch = [&](int, nlohmann::detail::parse_event_t event, Json& value) {
-        using Event = nlohmann::detail::parse_event_t;
-        if (event == Event::object_start) open.emplace_back();
-        if (event == Event::object_end) open.pop_back();
-        if (event == Event::key && !open.back().insert(value.get<std::string>()).second && duplicate.empty()) {
-            duplicate = value.get<std::string>();
-        }
-        return true;
-    };
-    try {
-        Json json = Json::parse(text, watch);
-        if (!duplicate.empty()) refuse(name, fmt::format("\"{}\" stands there twice; keep one", duplicate));
-        return json;
-    } catch (const Json::parse_error& e) {
-        refuse(name, fmt::format("{}: not JSON: {}", line_and_column(text, e.byte), plain_message(e.what())));
-    } catch (const Json::out_of_range& e) {
-        // Only a number beyond all range comes here; the message quotes it and gives no place.
-        const std::string message = plain_message(e.what());
-        const auto quote = message.find('\'');
-        const std::string number =
-            quote == std::string::npos ? "" : message.substr(quote + 1, message.size() - quote - 2);
-        refuse(name, fmt::format("{}: {} is beyond the range of numbers", line_and_column(text, text.find(number) + 1),
-                                 number));
-    }
 }
 
 std::string text_member(const Json& json, const char* key, const std::string& name) {
@@ -92,12 +47,14 @@ int check_header(const Json& json, const std::string& name) {
     if (!whole || *version < 1 || *version > kSettingsVersion) {
         refuse(name,
                fmt::format("\"version\" is {}, but this program reads versions 1 to {}{}",
-                           version == json.end() ? "missing" : version->dump(), kSettingsVersion,
+                           version == json.end() ? "missing" : quoted(*version), kSettingsVersion,
                            whole && *version > kSettingsVersion ? ": a newer one wrote the file; open it there" : ""));
     }
     for (const auto& [key, value] : json.items()) {
         if (std::find(known.begin(), known.end(), key) == known.end()) {
-            refuse(name, fmt::format("\"{}\": unknown member; did you mean \"{}\"?", key, nearest_name(key, known)));
+            const std::string nearest = nearest_name(key, known);
+            refuse(name, fmt::format("\"{}\": unknown member{}", printable(key, 60),
+                                     did_you_mean(nearest.empty() ? "" : "\"" + nearest + "\"")));
         }
     }
     const auto settings = json.find("settings");
@@ -124,7 +81,7 @@ std::string preset_key(const EmbeddedFile& file) {
 }  // namespace
 
 Preset parse_preset(std::string_view text, const std::string& name) {
-    const Json json = parse_json(text, name);
+    const Json json = parse_json_text(text, name);
     const int version = check_header(json, name);
     Preset preset;
     preset.title = text_member(json, "title", name);
@@ -134,9 +91,9 @@ Preset parse_preset(std::string_view text, const std::string& name) {
     std::map<std::string, std::string> written;  // canonical key -> key as written
     std::vector<SettingValue> values;
     for (const auto& [key, value] : json["settings"].items()) {
-        const std::string place = fmt::format("settings.\"{}\": ", key);
+        const std::string place = fmt::format("settings.\"{}\": ", printable(key));
         const auto ref = find_setting(key);
-        if (!ref) refuse(name, place + fmt::format("unknown setting; did you mean {}?", nearest_key(key)));
+        if (!ref) refuse(name, place + "unknown setting" + did_you_mean(nearest_key(key)));
         try {
             const std::size_t first = values.size();
             values.emplace_back(*ref, setting_from_json(*ref, value));
@@ -144,7 +101,9 @@ Preset parse_preset(std::string_view text, const std::string& name) {
                 std::ranges::move(also_meant(*ref, value.get<std::string>()), std::back_inserter(values));
             for (std::size_t i = first; i < values.size(); ++i) {
                 const auto [earlier, is_new] = written.emplace(setting_key(values[i].first), key);
-                if (!is_new) refuse(name, place + fmt::format("the same setting as \"{}\"; keep one", earlier->second));
+                if (!is_new)
+                    refuse(name,
+                           place + fmt::format("the same setting as \"{}\"; keep one", printable(earlier->second)));
             }
         } catch (const UsageError& e) {
             refuse(name, place + e.what());
@@ -179,8 +138,8 @@ Preset load_preset(const std::string& name_or_path) {
     }
     std::error_code error;
     if (!std::filesystem::exists(name_or_path, error) && lower_extension(name_or_path) != kExtension && !keys.empty()) {
-        throw Error(fmt::format("no preset '{}': the nearest built-in preset is '{}', and files end in .json",
-                                name_or_path, nearest_name(name_or_path, keys)));
+        throw UsageError(fmt::format("no preset '{}': there is no built-in one of that name, and files end in .json{}",
+                                     name_or_path, did_you_mean(nearest_name(name_or_path, keys))));
     }
     return parse_preset(read_text_file(name_or_path), name_or_path);
 }

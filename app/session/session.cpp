@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/builtin.h"
@@ -51,9 +52,8 @@ void check_objects(const Scene& scene, Settings& settings, const std::string& pr
     std::erase_if(settings.objects, [&](const auto& entry) {
         const std::string& path = entry.first;
         if (std::find(paths.begin(), paths.end(), path) != paths.end()) return false;
-        const std::string nearest = nearest_name(path, paths);
-        const std::string text = fmt::format("object.{}: {} has no such node{}", path, scene.name,
-                                             nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
+        const std::string text =
+            fmt::format("object.{}: {} has no such node{}", path, scene.name, did_you_mean(nearest_name(path, paths)));
         if (left_out)
             left_out->push_back(text);
         else if (preset.empty())

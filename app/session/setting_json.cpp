@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/base/json_text.h"
 #include "renderer/base/error.h"
 
 namespace si {
@@ -26,8 +27,7 @@ Value setting_from_json(const SettingRef& ref, const Json& json) {
         const auto wanted = type == "choice" ? "one of its choices as a text"
                             : type == "bool" ? "true or false"
                                              : "a number";
-        throw UsageError(fmt::format("wrong type: {} is wanted, not {}", wanted,
-                                     json.dump(-1, ' ', false, Json::error_handler_t::replace)));
+        throw UsageError(fmt::format("wrong type: {} is wanted, not {}", wanted, quoted(json)));
     }
     if (type == "bool") return json.get<bool>();
     std::string text;

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/base/json_text.h"
 #include "app/base/output.h"
 #include "renderer/base/error.h"
 
@@ -141,7 +142,7 @@ bool Workspace::read(WorkspaceData& data) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(path, error))) return true;
     try {
-        const Json json = Json::parse(read_text_file(path), nullptr, false);
+        const Json json = parse_json_text(read_text_file(path), path.string());
         if (!json.is_object() || json.value("format", Json()) != kWorkspaceFormat ||
             json.value("version", Json()) != kWorkspaceVersion)
             throw Error(

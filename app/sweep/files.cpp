@@ -27,9 +27,21 @@ constexpr const char* kTableFile = "results.csv";
 constexpr const char* kReportFile = "report.html";
 constexpr const char* kPictures = "pictures";
 
+/// As picture_path() and artefacts_path() name them.
 bool is_picture_of_case(const fs::path& path) {
     const std::string name = path.filename().string();
-    return std::isdigit((unsigned char)name[0]) && (name.ends_with(".jpg") || name.ends_with("-artefacts.png"));
+    const auto digits = std::min(name.find_first_not_of("0123456789"), name.size());
+    return digits >= 4 && (name.substr(digits) == ".jpg" || name.substr(digits) == "-artefacts.png");
+}
+
+/// The first file that a sweep of this folder would replace; empty: there is none.
+std::string first_in_the_way(const fs::path& folder) {
+    std::error_code error;
+    for (const char* name : {kResultsFile, kTableFile, kReportFile, kBasePreset, kJournalFile})
+        if (fs::exists(fs::symlink_status(folder / name, error))) return name;
+    for (const auto& entry : fs::directory_iterator(folder / kPictures, error))
+        if (is_picture_of_case(entry.path())) return fmt::format("{}/{}", kPictures, entry.path().filename().string());
+    return {};
 }
 
 }  // namespace
@@ -61,6 +73,7 @@ void copy_pictures(const fs::path& from, const fs::path& to) {
 }
 
 void forget_sweep(const fs::path& folder) {
+    require_sweep_folder(folder);
     std::error_code error;
     const fs::path journal = folder / kJournalFile;
     const int descriptor = ::open(journal.c_str(), O_RDWR | O_CLOEXEC);
@@ -78,16 +91,20 @@ void forget_sweep(const fs::path& folder) {
 }
 
 void require_sweep_folder(const fs::path& folder) {
-    if (has_journal(folder)) return;
     std::error_code error;
     if (fs::exists(folder, error) && !fs::is_directory(folder, error))
         throw Error(fmt::format("{}: is a file; name a folder", folder.string()));
-    for (const char* name : {kResultsFile, kTableFile, kReportFile, kBasePreset})
-        if (fs::exists(folder / name, error))
-            throw Error(
-                fmt::format("{}: holds {} without the {} to go on from; choose another folder, or --fresh to "
-                            "replace it",
-                            folder.string(), name, kJournalFile));
+    if (has_own_journal(folder)) return;
+    if (const std::string name = first_in_the_way(folder); !name.empty())
+        throw Error(
+            fmt::format("{}: holds {}, and no {} says that a sweep wrote it; choose another folder, or move it away",
+                        folder.string(), name, kJournalFile));
+}
+
+bool lacks_pictures(const fs::path& folder, std::size_t case_number) {
+    std::error_code error;
+    return !fs::exists(folder / picture_path(case_number), error) ||
+           !fs::exists(folder / artefacts_path(case_number), error);
 }
 
 std::string frontier_text(const SweepResults& results) {

@@ -19,11 +19,15 @@ SweepResults write_sweep_files(const std::filesystem::path& folder, const SweepS
 /// Copies the pictures of another folder's cases that this one lacks. @throws Error
 void copy_pictures(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Removes what a sweep left in the folder, and nothing else. @throws Error while another process is at it
+/// Removes what a sweep left in the folder, and nothing else. @throws Error while another process is at it, and as
+/// require_sweep_folder() does
 void forget_sweep(const std::filesystem::path& folder);
 
-/// @throws Error when the folder holds files that a sweep would replace, without the journal to go on from.
+/// @throws Error when the folder holds files that a sweep would replace, and no journal that says a sweep wrote them.
 void require_sweep_folder(const std::filesystem::path& folder);
+
+/// Whether a picture of the case is not in the folder.
+bool lacks_pictures(const std::filesystem::path& folder, std::size_t case_number);
 
 /// The frontier as lines of text: cost, error and settings.
 std::string frontier_text(const SweepResults& results);

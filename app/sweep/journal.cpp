@@ -11,14 +11,18 @@
 #include <iterator>
 #include <string_view>
 
+#include "app/base/json_text.h"
 #include "app/base/output.h"
 #include "renderer/base/error.h"
+#include "renderer/base/printable.h"
 
 namespace si {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+constexpr int kMostBadLines = 5;  ///< that are told of one by one
 
 std::string reason() {
     return std::strerror(errno);
@@ -34,22 +38,40 @@ std::string whole_lines(const fs::path& file) {
     return text;
 }
 
+/// Of the cases that the plan has.
+std::size_t case_count(const SweepState& state) {
+    const SweepSpec spec = spec_from_json(state.spec);
+    return plan_sweep(spec.base, spec.axes).cases.size();
+}
+
 SweepState state_of(std::string_view text, const fs::path& file) {
     SweepState state;
-    int number = 0;
+    const auto refuse = [&](int number, const std::string& why) {
+        throw Error(fmt::format("{}: line {}: {}; choose another folder, or --fresh to begin anew", file.string(),
+                                number, why));
+    };
+    int number = 0, unread = 0;
     while (!text.empty()) {
         const auto end = text.find('\n');
         ++number;
         try {
-            state.apply(Json::parse(text.substr(0, end)));
+            state.apply(parse_json_text(text.substr(0, end), "not readable"));
+            if (number == 1 && !state.spec.is_null()) state.case_count = case_count(state);
+        } catch (const OtherMeaning& e) {
+            refuse(number, e.what());
         } catch (const std::exception& e) {
-            throw Error(fmt::format("{}: line {}: {}; choose another folder, or --fresh to begin anew", file.string(),
-                                    number, e.what()));
+            if (number == 1) refuse(number, printable(e.what()));
+            // What it told of is measured again.
+            if (++unread <= kMostBadLines)
+                state.notes.push_back(fmt::format("{}: line {} is left out, its case is measured again: {}",
+                                                  file.string(), number, printable(e.what())));
         }
         if (number == 1 && state.spec.is_null())
             throw Error(fmt::format("{}: line 1: this is no journal of a sweep", file.string()));
         text.remove_prefix(end + 1);
     }
+    if (unread > kMostBadLines)
+        state.notes.push_back(fmt::format("{}: {} more lines are left out", file.string(), unread - kMostBadLines));
     return state;
 }
 
@@ -79,6 +101,19 @@ bool has_journal(const fs::path& folder) {
     return fs::exists(folder / kJournalFile, error);
 }
 
+bool has_own_journal(const fs::path& folder) {
+    std::error_code error;
+    const fs::path file = folder / kJournalFile;
+    if (!fs::is_regular_file(fs::symlink_status(file, error))) return false;
+    std::ifstream in(file, std::ios::binary);
+    std::string begin(200, '\0');
+    in.read(begin.data(), std::streamsize(begin.size()));
+    begin.resize(std::size_t(in.gcount()));
+    // Killed while its first line was written, it may be cut anywhere.
+    const std::string wanted = fmt::format("{{\"format\":\"{}\"", kJournalFormat);
+    return begin.size() < wanted.size() ? wanted.starts_with(begin) : begin.starts_with(wanted);
+}
+
 SweepState read_journal(const fs::path& folder) {
     const fs::path file = folder / kJournalFile;
     if (!has_journal(folder)) throw Error(fmt::format("{}: holds no sweep (no {})", folder.string(), kJournalFile));
@@ -92,7 +127,7 @@ Journal::Journal(const fs::path& folder, const Json& spec, const std::string& pl
     fs::create_directories(folder, error);
     if (error) throw Error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
     require_writable(file_);
-    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0644);
     if (descriptor_ < 0) throw Error(fmt::format("{}: cannot be written: {}", file_.string(), reason()));
     try {
         if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)

@@ -10,7 +10,8 @@ namespace si {
 
 inline constexpr const char* kJournalFile = "journal.jsonl";
 
-/// Reads what a folder's journal says. A last line that was cut off is left out. @throws Error
+/// Reads what a folder's journal says. A last line that was cut off is left out; so are others that cannot be read, of
+/// which the state's notes tell. @throws Error when it is no journal, or its errors mean something else
 SweepState read_journal(const std::filesystem::path& folder);
 
 class Journal {
@@ -37,5 +38,8 @@ private:
 
 /// Whether there is a journal in `folder`.
 bool has_journal(const std::filesystem::path& folder);
+
+/// Whether it is one that a sweep wrote, whatever is wrong with it further on.
+bool has_own_journal(const std::filesystem::path& folder);
 
 }  // namespace si

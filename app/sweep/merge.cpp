@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
+#include "app/report/measure_json.h"
 #include "renderer/base/error.h"
 
 namespace si {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostNamed = 5;  ///< cases that parts contradict each other in
 
 bool knows(const std::vector<Turn>& turns, const Turn& turn) {
     return std::any_of(turns.begin(), turns.end(),
@@ -19,6 +23,25 @@ bool knows(const std::vector<Turn>& turns, const Turn& turn) {
 bool good(const CaseState& c) {
     return c.finished && c.failed.empty();
 }
+
+/// How two measurements of one case contradict each other, as a phrase; empty: they do not. Their times may differ.
+std::string contradiction(const CaseState& a, const CaseState& b) {
+    if (!good(a) || !good(b)) return {};
+    const auto first_difference = [](const Json& one, const Json& other) -> std::string {
+        const Json flat = one.flatten(), beside = other.flatten();
+        for (const auto& [path, value] : flat.items())
+            if (const auto at = beside.find(path); at == beside.end() || *at != value)
+                return fmt::format("{} {} and {}", path.substr(1), value.dump(),
+                                   at == beside.end() ? "nothing" : at->dump());
+        return {};
+    };
+    if (std::string error = first_difference(error_json(a.error.metrics), error_json(b.error.metrics)); !error.empty())
+        return error;
+    return first_difference(cost_json(a.cost), cost_json(b.cost));
+}
+
+/// The part that a case's numbers are of.
+using Origins = std::map<std::size_t, std::string>;
 
 void add_case(CaseState& to, const CaseState& from) {
     std::vector<Turn> turns = std::move(to.turns);
@@ -36,6 +59,9 @@ SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& p
     SweepState merged;
     merged.spec = first.spec, merged.plan = first.plan;
     merged.spec["shard"] = "1/1";
+    merged.case_count = first.case_count;
+    Origins origins;
+    std::size_t contradictions = 0;
     for (const auto& [name, part] : parts) {
         if (const std::string difference = spec_difference(first.spec, part.spec, false); !difference.empty())
             throw Error(fmt::format("{} and {} are of different sweeps: {} (first, then second)", first_name, name,
@@ -45,8 +71,19 @@ SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& p
                                     first_name, name));
         for (const RunInfo& run : part.runs)
             if (!merged.run(run.id)) merged.runs.push_back(run);
-        for (const auto& [number, c] : part.cases) add_case(merged.cases[number], c);
+        merged.notes.insert(merged.notes.end(), part.notes.begin(), part.notes.end());
+        for (const auto& [number, c] : part.cases) {
+            CaseState& known = merged.cases[number];
+            const std::string& of = origins.emplace(number, name).first->second;
+            if (const std::string phrase = contradiction(known, c); !phrase.empty() && ++contradictions <= kMostNamed)
+                merged.notes.push_back(fmt::format("{} and {} contradict each other in case {}: {}; the first counts",
+                                                   of, name, number, phrase));
+            if (!good(known)) origins[number] = name;
+            add_case(known, c);
+        }
     }
+    if (contradictions > kMostNamed)
+        merged.notes.push_back(fmt::format("they contradict each other in {} more cases", contradictions - kMostNamed));
     return merged;
 }
 

@@ -10,8 +10,8 @@
 namespace si {
 
 /// The sweep of which all parts are shards, or parts of the same work done twice: of a case that several know, the
-/// first that did not fail counts. @param parts name for messages, and state; at least one. @throws Error when they are
-/// not of one sweep, naming two that differ and how.
+/// first that did not fail counts, and those that contradict it are named in the notes. @param parts name for messages,
+/// and state; at least one. @throws Error when they are not of one sweep, naming two that differ and how.
 SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& parts);
 
 /// Lines of a journal that make `known` know what `more` of the same sweep knows besides.

@@ -5,7 +5,8 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
+
+#include "app/base/notes.h"
 
 namespace si {
 namespace {
@@ -40,7 +41,7 @@ std::string progress_text(const SweepProgress& p, const SweepTiming& timing) {
 ProgressLine::ProgressLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {
-    if (open_) fmt::print(stderr, "\n");
+    if (open_) tell("\n");
 }
 
 void ProgressLine::show(const SweepProgress& progress, const SweepTiming& timing) {
@@ -51,10 +52,9 @@ void ProgressLine::show(std::string text, bool last) {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_ && !last) return;
     next_ = now + (terminal_ ? 100ms : 10s);
-    if (!terminal_) return fmt::print(stderr, "{}\n", text);
+    if (!terminal_) return tell(text + "\n");
     text.resize(std::min(text.size(), columns_of_terminal() - 1));
-    fmt::print(stderr, "\r{}\x1b[K", text);
-    std::fflush(stderr);
+    tell(fmt::format("\r{}\x1b[K", text));
     open_ = true;
 }
 

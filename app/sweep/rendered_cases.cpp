@@ -20,6 +20,7 @@ CaseFacts RenderedCases::facts(const SweepCase& c) {
     facts.error = {judged.error, judged.truth->noise};
     if (judged.truth->noise_unknown > 0) facts.notes.push_back("the truth: " + noise_text(*judged.truth));
     facts.cost = judged.cost;
+    if (judged.map_resolution < prepared.settings.map.resolution) facts.map_resolution = judged.map_resolution;
     facts.notes.insert(facts.notes.end(), judged.notes.begin(), judged.notes.end());
     facts.picture_jpg = jpg_bytes(shrunk(judged.picture, kThumbnailWidth));
     facts.artefacts_png = png_bytes(shrunk(judged.artefacts, kArtefactsWidth));

@@ -59,6 +59,12 @@ Json row_json(const SweepRow& row) {
     return json;
 }
 
+/// What was measured stands on the axis, not what was asked for; the row's notes say why it is smaller.
+void put_drawn_resolution(SweepRow& row, int drawn) {
+    for (auto& [key, value] : row.settings)
+        if (drawn > 0 && key == "map.resolution") value = std::to_string(drawn);
+}
+
 std::string csv_cell(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
@@ -129,6 +135,7 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
         SweepRow row{
             .number = i, .settings = plan.cases[i].values, .failed = c.failed, .numbers = {}, .notes = c.notes};
         (c.failed.empty() ? out.finished : out.failed) += 1;
+        put_drawn_resolution(row, c.map_resolution);
         if (c.failed.empty()) row.numbers = {.error = c.error, .cost = c.cost, .time = {}};
         if (const TimeSamples samples = ranked_samples(c, ranked); c.failed.empty() && !samples.total_ms.empty()) {
             row.numbers.time = summary(samples);
@@ -181,7 +188,7 @@ std::string results_csv(const SweepResults& results) {
     const Json& axes = results.spec.at("axes");
     for (const Json& axis : axes) add(csv_cell(axis.at("key").get<std::string>()));
     for (const Column* column : used) add(column->key);
-    text += ",timed,on_frontier,failed\n";
+    text += ",timed,on_frontier,failed,notes\n";
     for (const SweepRow& row : results.rows) {
         text += std::to_string(row.number);
         for (const auto& [key, value] : row.settings) add(csv_cell(value));
@@ -193,6 +200,7 @@ std::string results_csv(const SweepResults& results) {
         add(row.numbers.time ? row_of(row.numbers.time->cost).key : "");
         add(std::find(on.begin(), on.end(), row.number) != on.end() ? "true" : "false");
         add(csv_cell(row.failed));
+        add(csv_cell(fmt::format("{}", fmt::join(row.notes, "; "))));
         text += '\n';
     }
     return text;

@@ -30,7 +30,7 @@ TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds);
 /// A case that was finished or has failed.
 struct SweepRow {
     std::size_t number = 0;                                     ///< in the plan
-    std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of what is varied
+    std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of what is varied, as drawn
     std::string failed;                                         ///< why it has no numbers; empty: it did not fail
     CaseNumbers numbers;
     std::vector<std::string> notes;

@@ -5,6 +5,7 @@
 
 #include "app/base/notes.h"
 #include "app/base/output.h"
+#include "app/sweep/files.h"
 #include "app/sweep/results.h"
 #include "renderer/base/error.h"
 
@@ -35,7 +36,8 @@ SweepRunner::SweepRunner(const SweepPlan& plan, Shard shard, SweepTiming timing,
         if (!shard.holds(i)) continue;
         const auto c = known.find(i);
         const bool failed = c != known.end() && !c->second.failed.empty();
-        if (c == known.end() || (failed ? retry_failed : !c->second.finished)) todo_.push_back(i);
+        if (c == known.end() || (failed ? retry_failed : !c->second.finished || lacks_pictures(folder_, i)))
+            todo_.push_back(i);
     }
     progress_.total = todo_.size();
 }
@@ -69,6 +71,7 @@ bool SweepRunner::step_facts() {
     const auto& known = journal_.state().cases;
     const auto it = known.find(number);
     std::string why;
+    const bool again = it != known.end() && it->second.finished && it->second.failed.empty();
     if (it != known.end() && it->second.begun >= kMostBegins) {
         why = "the program ended each time that it measured this case";
     } else {
@@ -82,10 +85,12 @@ bool SweepRunner::step_facts() {
             CaseState state;
             state.error = facts.error, state.cost = facts.cost;
             state.notes = std::move(facts.notes);
+            state.map_resolution = facts.map_resolution;
             journal_.add(facts_line(number, state));
         }
     }
-    if (!why.empty()) journal_.add(failure_line(number, why));
+    // What was measured before stays so when only its pictures cannot be drawn again.
+    if (!why.empty() && !again) journal_.add(failure_line(number, why));
     facts_s_ += std::chrono::duration<double>(Clock::now() - start).count();
     progress_.done = next_;
     return true;

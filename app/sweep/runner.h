@@ -14,6 +14,7 @@ struct CaseFacts {
     CaseErrors error;
     WorkCost cost;
     std::vector<std::string> notes;
+    int map_resolution = 0;                  ///< as drawn, where it had to be smaller; else 0
     std::string picture_jpg, artefacts_png;  ///< the files' bytes
 };
 
@@ -59,7 +60,7 @@ private:
     CaseMeter& meter_;
     Journal& journal_;
     std::filesystem::path folder_;
-    std::vector<std::size_t> todo_;   ///< cases whose facts are missing, in order
+    std::vector<std::size_t> todo_;   ///< cases whose facts or pictures are missing, in order
     std::size_t next_ = 0;            ///< of todo_
     std::vector<std::size_t> order_;  ///< of the round under way
     std::size_t turn_ = 0;            ///< of order_

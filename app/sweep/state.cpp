@@ -11,6 +11,7 @@
 #include <fstream>
 #include <thread>
 
+#include "app/base/json_text.h"
 #include "app/report/measure_json.h"
 #include "renderer/base/error.h"
 #include "renderer/base/key.h"
@@ -20,8 +21,6 @@ namespace si {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-constexpr const char* kJournalFormat = "shadow-inspector-sweep-journal";
 
 std::string machine_key() {
     std::string id;
@@ -55,7 +54,7 @@ Turn turn_of(const Json& line) {
 void require_known_meaning(const Json& error) {
     const int meaning = error.value("meaning", 1);  // the first had no number
     if (meaning != kErrorMeaning)
-        throw Error(
+        throw OtherMeaning(
             fmt::format("errors of meaning {}, which do not compare with this program's of meaning {} "
                         "(docs/accuracy.md, Errors): sweep again",
                         meaning, kErrorMeaning));
@@ -109,25 +108,38 @@ void SweepState::apply(const Json& line) {
         if (version < kSettingsVersion) spec = spec_json(spec_from_json(spec, version.get<int>()));
         plan = line.at("plan").get<std::string>();
     } else if (line.contains("turn")) {
-        cases[line["turn"].get<std::size_t>()].turns.push_back(turn_of(line));
+        Turn turn = turn_of(line);
+        case_of(line, "turn").turns.push_back(std::move(turn));
     } else if (line.contains("run")) {
         const RunInfo info = run_of(line["run"]);
         if (!run(info.id)) runs.push_back(info);
     } else if (line.contains("begin")) {
-        ++cases[line["begin"].get<std::size_t>()].begun;
+        ++case_of(line, "begin").begun;
     } else if (line.contains("facts")) {
         require_known_meaning(line.at("error"));
-        CaseState& c = cases[line["facts"].get<std::size_t>()];
-        c.error = {error_from_json(line.at("error")), number_or_nan(line["error"], "noise")};
-        c.cost = cost_from_json(line.at("cost"));
-        c.notes = line.at("notes").get<std::vector<std::string>>();
-        c.finished = true, c.failed.clear(), c.begun = 0;
+        CaseState facts;
+        facts.error = {error_from_json(line.at("error")), number_or_nan(line["error"], "noise")};
+        facts.cost = cost_from_json(line.at("cost"));
+        facts.notes = line.at("notes").get<std::vector<std::string>>();
+        facts.map_resolution = line.value("map_resolution", 0);
+        facts.finished = true;
+        CaseState& c = case_of(line, "facts");
+        facts.turns = std::move(c.turns);
+        c = std::move(facts);
     } else if (line.contains("failed")) {
-        CaseState& c = cases[line["failed"].get<std::size_t>()];
-        c.failed = line.at("why").get<std::string>(), c.begun = 0;
+        std::string why = line.at("why").get<std::string>();
+        CaseState& c = case_of(line, "failed");
+        c.failed = std::move(why), c.begun = 0;
     } else {
         throw Error("an unknown kind of line");
     }
+}
+
+CaseState& SweepState::case_of(const Json& line, const char* member) {
+    const Json& number = line.at(member);
+    if (!number.is_number_unsigned() || number.get<std::uint64_t>() >= case_count)
+        throw Error(fmt::format("there is no case {}", quoted(number)));
+    return cases[number.get<std::size_t>()];
 }
 
 Json header_line(const Json& spec, const std::string& plan) {
@@ -155,6 +167,7 @@ Json facts_line(std::size_t case_number, const CaseState& facts) {
     return {{"facts", case_number},
             {"error", error_json(facts.error.metrics, facts.error.noise)},
             {"cost", cost_json(facts.cost)},
+            {"map_resolution", facts.map_resolution},
             {"notes", facts.notes}};
 }
 

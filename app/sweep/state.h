@@ -8,8 +8,11 @@
 
 #include "app/sweep/numbers.h"
 #include "app/sweep/spec.h"
+#include "renderer/base/error.h"
 
 namespace si {
+
+inline constexpr const char* kJournalFormat = "shadow-inspector-sweep-journal";
 
 /// A few frames of one case. A round draws every case once, so that drift falls on all alike.
 struct Turn {
@@ -25,6 +28,7 @@ struct CaseState {
     CaseErrors error;
     WorkCost cost;
     std::vector<std::string> notes;
+    int map_resolution = 0;  ///< as drawn, where the driver or the memory limit made it smaller; else 0
     std::vector<Turn> turns;
 };
 
@@ -42,16 +46,27 @@ struct RunInfo {
 /// Fills id, started, machine and load.
 RunInfo this_run();
 
+/// Errors that mean something else: they cannot stand beside those that are measured now.
+struct OtherMeaning : Error {
+    using Error::Error;
+};
+
 struct SweepState {
     nlohmann::ordered_json spec;  ///< spec_json()
     std::string plan;             ///< plan_key()
     std::vector<RunInfo> runs;
-    std::map<std::size_t, CaseState> cases;  ///< by number in the plan
+    std::map<std::size_t, CaseState> cases;   ///< by number in the plan
+    std::size_t case_count = kMaxSweepCases;  ///< of the plan, where it is known: numbers are below
+    std::vector<std::string> notes;           ///< what is wrong with the journal and was left out
 
-    /// Adds what a line of the journal says. @throws Error when it says nothing known, or errors of another meaning
-    /// (kErrorMeaning).
+    /// Adds what a line of the journal says, all of it or nothing. @throws OtherMeaning (kErrorMeaning), and
+    /// std::exception when it says nothing known
     void apply(const nlohmann::ordered_json& line);
     const RunInfo* run(const std::string& id) const;
+
+private:
+    /// The case whose number is that member of the line. @throws Error when there is no such case
+    CaseState& case_of(const nlohmann::ordered_json& line, const char* member);
 };
 
 // Lines of the journal.

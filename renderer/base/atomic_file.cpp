@@ -1,44 +1,148 @@
 #include "renderer/base/atomic_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/random.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
+#include <cstdint>
 #include <cstring>
+#include <random>
 #include <system_error>
+#include <utility>
 
 #include "renderer/base/error.h"
 
 namespace si {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, std::string_view reason) {
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, std::string_view reason) {
     throw Error(fmt::format("{}: cannot be written: {}", path.string(), reason));
 }
 
+std::uint64_t unguessable() {
+    std::uint64_t value = 0;
+    if (::getrandom(&value, sizeof value, GRND_NONBLOCK) == ssize_t(sizeof value)) return value;
+    std::random_device device;
+    return std::uint64_t(device()) << 32 | device();
+}
+
+/// Hidden beside the target, and no longer than a name may be. Says whose it was.
+fs::path temporary_beside(const fs::path& target) {
+    constexpr std::size_t kTold = 100;
+    std::string name = target.filename().string();
+    if (name.size() > kTold) name.erase(0, name.size() - kTold);
+    return target.parent_path() / fmt::format(".{}.{:016x}.tmp", name, unguessable());
+}
+
+int write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t n = ::write(descriptor, bytes.data(), std::min(bytes.size(), std::size_t{1} << 30));
+        if (n < 0 && errno != EINTR) return errno;
+        if (n > 0) bytes.remove_prefix(std::size_t(n));
+    }
+    return 0;
+}
+
+/// File systems that cannot do it are no failure.
+int onto_disk(int descriptor) {
+    return ::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS || errno == ENOSYS ? 0 : errno;
+}
+
+/// So that the move, too, outlives the machine's end. A folder that cannot be opened has it moved all the same.
+void folder_onto_disk(const fs::path& folder) {
+    const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    onto_disk(descriptor);
+    ::close(descriptor);
+}
+
+/// Whose temporary file goes unless it was moved.
+class Temporary {
+public:
+    Temporary(const fs::path& target, mode_t mode) {
+        for (int i = 0; i < 8 && descriptor_ < 0; ++i) {
+            path_ = temporary_beside(target);
+            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+            if (descriptor_ < 0 && errno != EEXIST) break;
+        }
+        made_ = descriptor_ >= 0;
+        error_ = made_ ? 0 : errno;
+    }
+    ~Temporary() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+        if (made_) ::unlink(path_.c_str());
+    }
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+
+    int error() const { return error_; }
+    int descriptor() const { return descriptor_; }
+    void then(int error) {
+        if (error_ == 0) error_ = error;
+    }
+    void close() {
+        if (::close(std::exchange(descriptor_, -1)) != 0) then(errno);
+    }
+    void move_to(const fs::path& target) {
+        if (::rename(path_.c_str(), target.c_str()) != 0) return then(errno);
+        made_ = false;
+    }
+
+private:
+    fs::path path_;
+    int descriptor_ = -1;
+    bool made_ = false;
+    int error_ = 0;
+};
+
 }  // namespace
 
-void write_atomically(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {
-    static std::atomic<unsigned> counter{0};  // two threads may write the same name
-    std::filesystem::path temporary = path;
-    temporary += fmt::format(".{}-{}.tmp", ::getpid(), counter.fetch_add(1));
-    std::FILE* file = std::fopen(temporary.c_str(), "wb");
-    if (!file) fail(path, std::strerror(errno));
-    int error = 0;
-    for (std::string_view part : parts)
-        if (error == 0 && std::fwrite(part.data(), 1, part.size(), file) != part.size()) error = errno;
-    if (std::fflush(file) != 0 && error == 0) error = errno;
-    if (std::fclose(file) != 0 && error == 0) error = errno;
-    std::error_code rename_error;
-    if (error == 0) {
-        std::filesystem::rename(temporary, path, rename_error);
-        if (!rename_error) return;
+fs::path writable_target(const fs::path& path) {
+    struct stat status {};
+    if (::lstat(path.c_str(), &status) != 0) {
+        if (errno == ENOENT) return path;
+        fail(path, std::strerror(errno));
     }
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    fail(path, error ? std::strerror(error) : rename_error.message());
+    fs::path target = path;
+    if (S_ISLNK(status.st_mode)) {
+        std::error_code error;
+        target = fs::canonical(path, error);
+        if (error == std::errc::no_such_file_or_directory)
+            fail(path, fmt::format("it is a link to {}, which does not exist", fs::read_symlink(path, error).string()));
+        if (error) fail(path, "it is a link: " + error.message());
+        if (::stat(target.c_str(), &status) != 0) fail(path, std::strerror(errno));
+    }
+    // Root may write whatever the mode; who made the file read-only meant it.
+    if (S_ISREG(status.st_mode) && (status.st_mode & 0222) == 0)
+        fail(path, "it is read-only; choose another name, or make it writable");
+    if (::access(target.c_str(), W_OK) != 0) fail(path, std::strerror(errno));
+    return target;
+}
+
+void write_atomically(const fs::path& path, std::initializer_list<std::string_view> parts) {
+    const fs::path target = writable_target(path);
+    struct stat old {};
+    const bool replaces = ::stat(target.c_str(), &old) == 0;
+    Temporary file(target, replaces ? 0600 : 0666);
+    if (file.error() != 0) fail(path, std::strerror(file.error()));
+    for (const std::string_view part : parts)
+        if (file.error() == 0) file.then(write_all(file.descriptor(), part));
+    if (replaces) {
+        // Someone else's stays theirs where that is allowed. The owner first: it takes bits of the mode away.
+        if (::fchown(file.descriptor(), old.st_uid, old.st_gid) != 0) errno = 0;
+        if (::fchmod(file.descriptor(), old.st_mode & 0777) != 0) file.then(errno);
+    }
+    if (file.error() == 0) file.then(onto_disk(file.descriptor()));
+    file.close();
+    if (file.error() == 0) file.move_to(target);
+    if (file.error() != 0) fail(path, std::strerror(file.error()));
+    folder_onto_disk(target.parent_path());
 }
 
 }  // namespace si

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/printable.h"
 #include "renderer/gltf/rig.h"
-#include "renderer/gltf/text.h"
 
 namespace si::gltf {
 namespace {

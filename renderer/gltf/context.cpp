@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
-#include "renderer/gltf/text.h"
+#include "renderer/base/printable.h"
 
 namespace si::gltf {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
-#include "renderer/gltf/text.h"
+#include "renderer/base/printable.h"
 #include "renderer/settings/param.h"
 
 namespace si::gltf {

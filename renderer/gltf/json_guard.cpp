@@ -6,46 +6,13 @@
 #include <array>
 #include <charconv>
 
+#include "renderer/base/json_shape.h"
+
 namespace si::gltf {
 namespace {
 
 constexpr int kDeepest = 64;
 constexpr std::size_t kMostValues = 8'000'000;
-
-struct Shape {
-    int depth = 0;
-    std::size_t values = 0;
-};
-
-/// Deepest nesting and a bound on the number of values, by counting brackets and commas outside strings.
-Shape measure(std::string_view text) {
-    Shape shape;
-    int depth = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        switch (text[i]) {
-            case '"':
-                for (++i; i < text.size() && text[i] != '"'; ++i) {
-                    if (text[i] == '\\') ++i;
-                }
-                break;
-            case '{':
-            case '[':
-                shape.depth = std::max(shape.depth, ++depth);
-                ++shape.values;
-                break;
-            case '}':
-            case ']':
-                --depth;
-                break;
-            case ',':
-                ++shape.values;
-                break;
-            default:
-                break;
-        }
-    }
-    return shape;
-}
 
 /// "2.0" -> {2, 0}; {-1, -1} when it is no version.
 std::array<int, 2> version_numbers(const std::string& text) {
@@ -118,7 +85,7 @@ void write_core(const Json& value, std::string& out, int depth) {
 }  // namespace
 
 Json parse_json(Context& context, std::string_view text) {
-    const Shape shape = measure(text);
+    const JsonShape shape = json_shape(text);
     if (shape.depth > kDeepest) {
         context.fail(fmt::format("the JSON nests {} levels deep, at most {} are read", shape.depth, kDeepest),
                      "export the model without such extras");

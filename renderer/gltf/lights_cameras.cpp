@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/base/printable.h"
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf/nodes.h"
-#include "renderer/gltf/text.h"
 #include "renderer/settings/settings.h"
 
 namespace si::gltf {

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
+#include "renderer/base/printable.h"
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
-#include "renderer/gltf/text.h"
 #include "renderer/settings/settings.h"
 #include "renderer/view/scene_lights.h"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "renderer/gltf/text.h"
+#include "renderer/base/printable.h"
 
 namespace si::gltf {
 namespace {

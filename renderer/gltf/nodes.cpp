@@ -6,9 +6,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "renderer/base/printable.h"
 #include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
-#include "renderer/gltf/text.h"
 
 namespace si::gltf {
 namespace {
@@ -185,7 +185,9 @@ std::optional<std::vector<glm::dmat4>> instance_transforms(Context& context, con
         context.warn(here, "has neither TRANSLATION, ROTATION nor SCALE; drawn once");
         return std::nullopt;
     }
-    if (*count > kMostObjects) context.fail(here, fmt::format("{} instances are too many", *count), "remove instances");
+    if (*count > kMostObjects)
+        context.fail(here, fmt::format("{} instances are too many, at most {} are read", *count, kMostObjects),
+                     "remove instances");
     std::vector<glm::dmat4> out(*count, glm::dmat4(1.0));
     if (translation >= 0) {
         const auto t = accessors.floats<3>(translation, Place(here, "TRANSLATION"));

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "renderer/base/float_bits.h"
-#include "renderer/gltf/text.h"
+#include "renderer/base/printable.h"
 
 namespace si::gltf {
 namespace {

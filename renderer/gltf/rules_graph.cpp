@@ -174,7 +174,7 @@ Sizes check_arrays(const Context& context, const Json& root) {
         row.size = it->size();
         total += row.size * row.bytes;
         if (total > kMostModelBytes) {
-            context.fail(place, fmt::format("{} elements would take too much memory", row.size),
+            context.fail(place, fmt::format("{} elements would take more than {} MiB", row.size, kMostModelBytes >> 20),
                          "merge or remove elements");
         }
         for (std::size_t i = 0; i < it->size(); ++i) {

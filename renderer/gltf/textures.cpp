@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "renderer/gltf/text.h"
+#include "renderer/base/printable.h"
 
 namespace si::gltf {
 namespace {
@@ -114,7 +114,8 @@ Textures::Decoding Textures::start(const Job& job) {
     if (!out.error.empty()) return out;
     out.cost = decoding_bytes(bytes);
     if (out.cost > kMostImageBytes) {
-        out.error = "the image has too many pixels to decode safely, use a smaller one";
+        out.error = fmt::format("the image takes {} MiB to decode, at most {} are allowed; use a smaller one",
+                                out.cost >> 20, kMostImageBytes >> 20);
         return out;
     }
     out.image = std::async(std::launch::async, [bytes] { return decode_image(bytes); });

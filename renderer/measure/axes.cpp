@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"
 
@@ -92,7 +93,7 @@ SweepAxis parse_axis(std::string_view text) {
     SweepAxis axis{std::string(text.substr(0, equals)), {}};
     const auto ref = find_setting(axis.key);
     if (!ref)
-        throw UsageError(fmt::format("--vary {}: no such setting; did you mean {}?", axis.key, nearest_key(axis.key)));
+        throw UsageError(fmt::format("--vary {}: no such setting{}", axis.key, did_you_mean(nearest_key(axis.key))));
     axis.key = setting_key(*ref);
     const std::string_view values = text.substr(equals + 1);
     const bool is_number = !ref->param->choices && !std::holds_alternative<bool>(default_value(*ref));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/scenes/makers.h"
 #include "renderer/settings/param.h"
@@ -52,8 +53,9 @@ Scene load_scene(std::string_view name_or_path, const GltfOptions& options) {
     const std::filesystem::path path{std::string(name_or_path)};
     const std::string extension = lower_extension(path);
     if (extension == ".gltf" || extension == ".glb") return load_gltf(path, options);
-    throw Error(fmt::format("no scene '{}': the nearest built-in scene is '{}', and files must end in .gltf or .glb",
-                            name_or_path, nearest_name(name_or_path, keys)));
+    throw UsageError(
+        fmt::format("no scene '{}': there is no built-in one of that name, and files end in .gltf or .glb{}",
+                    name_or_path, did_you_mean(nearest_name(name_or_path, keys))));
 }
 
 }  // namespace si

@@ -66,6 +66,24 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return last[b.size()];
 }
 
+std::size_t common_prefix(std::string_view a, std::string_view b) {
+    return std::size_t(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
+}
+
+/// The distance to `known`, or to as many of its leading parts as `name` has: none from "filter" to "filter.kernel",
+/// nor from what is the beginning of a longer name. What is certainly beyond `most` is not looked at closer.
+std::size_t unlikeness(std::string_view name, std::string_view known, std::size_t most) {
+    if (name.size() > 2 && known.starts_with(name)) return 0;
+    const auto distance = [&](std::string_view other) {
+        const std::size_t longer = std::max(name.size(), other.size()), shorter = std::min(name.size(), other.size());
+        return longer - shorter > most ? most + 1 : edit_distance(name, other);
+    };
+    std::size_t parts = 0;
+    for (auto dots = std::count(name.begin(), name.end(), '.'); dots >= 0 && parts != known.npos; --dots)
+        parts = known.find('.', parts + (parts > 0));
+    return std::min(distance(known), parts == known.npos ? most + 1 : distance(known.substr(0, parts)));
+}
+
 /// Calls `use` with the range of rows of each run of one scope, in table order.
 template <class Use>
 void for_each_group(Use use) {
@@ -111,10 +129,15 @@ std::string setting_key(const SettingRef& ref) {
 }
 
 std::string nearest_name(std::string_view name, std::span<const std::string> names) {
-    const auto best = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
-        return edit_distance(name, a) < edit_distance(name, b);
-    });
-    return best == names.end() ? std::string() : *best;
+    // Beyond a third of its letters nothing is like it.
+    const std::size_t most = name.size() < 3 ? 1 : std::max<std::size_t>(2, name.size() / 3);
+    std::pair best{most + 1, std::size_t(0)};
+    const std::string* nearest = nullptr;
+    for (const std::string& known : names) {
+        const std::pair far{unlikeness(name, known, most), name.size() - common_prefix(name, known)};
+        if (far < best) best = far, nearest = &known;
+    }
+    return nearest ? *nearest : std::string();
 }
 
 std::string nearest_key(std::string_view key) {

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <system_error>
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
+#include "renderer/base/printable.h"
 #include "renderer/settings/aliases.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
@@ -28,7 +30,7 @@ std::string range_text(const Param& p) {
 }
 
 [[noreturn]] void refuse(const SettingRef& ref, std::string_view text, const std::string& why) {
-    throw UsageError(fmt::format("{}: \"{}\" {}", setting_key(ref), text, why));
+    throw UsageError(fmt::format("{}: \"{}\" {}", setting_key(ref), printable(text, 60), why));
 }
 
 template <class T>
@@ -54,7 +56,7 @@ int parse_choice(const SettingRef& ref, std::string_view text) {
         keys.emplace_back(choices[i].key);
     }
     if (const ChoiceAlias* alias = alias_of(ref, text)) return parse_choice(ref, alias->choice);
-    refuse(ref, text, fmt::format("is none of {}; did you mean {}?", fmt::join(keys, ", "), nearest_name(text, keys)));
+    refuse(ref, text, fmt::format("is none of {}{}", fmt::join(keys, ", "), did_you_mean(nearest_name(text, keys))));
 }
 
 bool parse_bool(const SettingRef& ref, std::string_view text) {
@@ -137,7 +139,7 @@ std::vector<std::pair<SettingRef, Value>> also_meant(const SettingRef& ref, std:
 void set_setting(Settings& s, std::string_view key, std::string_view text) {
     const auto ref = find_setting(key);
     if (!ref) {
-        throw UsageError(fmt::format("\"{}\": unknown setting; did you mean {}?", key, nearest_key(key)));
+        throw UsageError(fmt::format("\"{}\": unknown setting{}", printable(key), did_you_mean(nearest_key(key))));
     }
     set_value(s, *ref, parse_value(*ref, text));
     for (const auto& [other, value] : also_meant(*ref, text)) set_value(s, other, value);

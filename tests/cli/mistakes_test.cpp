@@ -26,6 +26,8 @@ TEST_P(Mistakes, AreOneLine) {
     const auto folder = fresh_test_folder();
     std::ofstream(folder / "bad.json")
         << R"({"format":"shadow-inspector-preset","version":1,"settings":{"bias.slop":1}})";
+    std::ofstream(folder / "lost.json")
+        << R"({"format":"shadow-inspector-preset","version":1,"scene":"gone.glb","settings":{}})";
     std::ofstream(folder / "broken.gltf") << "{ this is no glTF";
     std::filesystem::create_directory(folder / "folder.png");
     const auto before = std::distance(std::filesystem::directory_iterator(folder), {});
@@ -83,7 +85,23 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"to_folder", {"render", "boxes", "-o", "folder.png"}, 1, "is a directory"},
         Mistake{"to_nowhere", {"render", "boxes", "-o", "none/a.png"}, 1, "does not exist"},
         Mistake{"report_nowhere", {"render", "boxes", "-o", "a.png", "--report", "none/r.json"}, 1, "none/r.json"},
-        Mistake{"scene", {"render", "boxs", "-o", "a.png"}, 1, "'boxes'"},
+        Mistake{"swipe_nan", {"render", "boxes", "-o", "a.png", "--against", "truth", "--swipe", "nan"}, 2, "\"nan\""},
+        Mistake{"noise_nan", {"truth", "boxes", "-o", "a.png", "--noise", "nan"}, 2, "a number from 0 to 1"},
+        Mistake{"seconds_nan", {"advise", "boxes", "--seconds", "nan"}, 2, "a number from 1 to 1e+06"},
+        Mistake{"empty_scene", {"render", "", "-o", "a.png"}, 2, "SCENE is given as an empty word"},
+        Mistake{"empty_default", {"edit", ""}, 2, "SCENE is given as an empty word"},
+        Mistake{"empty_preset", {"render", "boxes", "-o", "a.png", "--preset", ""}, 2, "--preset is given as an empty"},
+        Mistake{"empty_size", {"render", "boxes", "-o", "a.png", "--size", ""}, 2, "--size is given as an empty word"},
+        Mistake{"empty_name", {"preset", "show", ""}, 2, "FILE is given as an empty word"},
+        Mistake{"one_output", {"render", "boxes", "-o", "a.png", "--report", "./a.png"}, 2, "are one file"},
+        Mistake{"one_output_of_truth", {"truth", "boxes", "-o", "a.png", "--report", "a.png"}, 2, "are one file"},
+        Mistake{"unlike", {"render", "boxes", "-o", "a.png", "--set", "qqqq=1"}, 2, "\"qqqq\": unknown setting\n"},
+        Mistake{"group", {"render", "boxes", "-o", "a.png", "--set", "filter=1"}, 2, "did you mean filter.kernel?"},
+        Mistake{"scene", {"render", "boxs", "-o", "a.png"}, 2, "did you mean boxes?"},
+        Mistake{"preset_name", {"render", "boxes", "-o", "a.png", "--preset", "acn"}, 2, "did you mean acne?"},
+        Mistake{
+            "preset_scene", {"preset", "check", "lost.json"}, 1, "lost.json: its scene: gone.glb: cannot be opened"},
+        Mistake{"preset_of_lost_scene", {"render", "--preset", "lost.json", "gone.glb", "-o", "a.png"}, 1, "gone.glb"},
         Mistake{"scene_file", {"render", "none.glb", "-o", "a.png"}, 1, "none.glb"},
         Mistake{"scene_broken", {"render", "broken.gltf", "-o", "a.png"}, 1, "broken.gltf"},
         Mistake{"preset_missing",

@@ -39,11 +39,13 @@ std::string file_bytes(const fs::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-ProcessResult run_program(const std::vector<std::string>& arguments, const fs::path& folder) {
+namespace {
+
+ProcessResult run(const std::vector<std::string>& words, const fs::path& folder) {
     const fs::path base = fs::temp_directory_path() / ("si-process-" + std::to_string(::getpid()));
     const fs::path out = base.string() + ".out", err = base.string() + ".err";
-    std::vector<char*> argv = {const_cast<char*>(SI_PROGRAM)};
-    for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+    std::vector<char*> argv;
+    for (const std::string& a : words) argv.push_back(const_cast<char*>(a.c_str()));
     argv.push_back(nullptr);
     const pid_t child = ::fork();
     if (child < 0) throw std::runtime_error("fork failed");
@@ -54,6 +56,7 @@ ProcessResult run_program(const std::vector<std::string>& arguments, const fs::p
         if (::chdir(folder.c_str()) != 0) ::_exit(126);
         ::unsetenv("DISPLAY");
         ::unsetenv("WAYLAND_DISPLAY");
+        ::setenv("SI", SI_PROGRAM, 1);
         ::setenv("XDG_STATE_HOME", SI_TEST_OUTPUT_DIR "/state", 1);
         ::setenv("XDG_CACHE_HOME", SI_TEST_OUTPUT_DIR "/cache", 1);
         ::execv(argv[0], argv.data());
@@ -66,6 +69,18 @@ ProcessResult run_program(const std::vector<std::string>& arguments, const fs::p
     fs::remove(out);
     fs::remove(err);
     return result;
+}
+
+}  // namespace
+
+ProcessResult run_program(const std::vector<std::string>& arguments, const fs::path& folder) {
+    std::vector<std::string> words = {SI_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return run(words, folder);
+}
+
+ProcessResult run_shell(const std::string& script, const fs::path& folder) {
+    return run({"/bin/sh", "-c", script}, folder);
 }
 
 }  // namespace si

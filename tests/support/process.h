@@ -16,6 +16,10 @@ struct ProcessResult {
 ProcessResult run_program(const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder = std::filesystem::current_path());
 
+/// Runs a script of /bin/sh, in which $SI is the program, for what stands around it: redirections, limits.
+ProcessResult run_shell(const std::string& script,
+                        const std::filesystem::path& folder = std::filesystem::current_path());
+
 /// An empty folder of the running test's own, below the build folder.
 std::filesystem::path fresh_test_folder();
 

@@ -201,9 +201,7 @@ TEST(Aliases, AreNeitherListedNorProposed) {
         }
         return {};
     };
-    EXPECT_EQ(message("bias.amont=1"),
-              "\"bias.amont\": unknown setting; did you mean " + nearest_key("bias.amont") + "?");
-    EXPECT_EQ(nearest_key("bias.amont").find("amount"), std::string::npos);
+    EXPECT_EQ(message("bias.amont=1"), "\"bias.amont\": unknown setting") << "like nothing of today";
     EXPECT_EQ(message("filter.kernel=block").find("blocky"), std::string::npos);
     EXPECT_NE(message("bias.amount=nothing").find("bias.constant"), std::string::npos) << "today's name explains";
 }

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "renderer/base/printable.h"
 #include "renderer/gltf/file.h"
-#include "renderer/gltf/text.h"
 #include "tests/unit/gltf_test_file.h"
 
 namespace si::test {
@@ -210,12 +210,12 @@ TEST(GltfGuard, Base64IsStrict) {
 }
 
 TEST(GltfGuard, NamesAreMadePrintable) {
-    EXPECT_EQ(gltf::printable("größe 模型 ❤"), "größe 模型 ❤");
-    EXPECT_EQ(gltf::printable("a\x1b[31m\n"), "a\\x1b[31m\\x0a");
-    EXPECT_EQ(gltf::printable("\u202e"
-                              "x\xff"),
+    EXPECT_EQ(printable("größe 模型 ❤"), "größe 模型 ❤");
+    EXPECT_EQ(printable("a\x1b[31m\n"), "a\\x1b[31m\\x0a");
+    EXPECT_EQ(printable("\u202e"
+                        "x\xff"),
               "\\u202ex\\xff");
-    EXPECT_EQ(gltf::printable(std::string(1000, 'a'), 10), "aaaaaaaaaa…");
+    EXPECT_EQ(printable(std::string(1000, 'a'), 10), "aaaaaaaaaa…");
 }
 
 TEST(GltfGuard, ProgressRisesAndCanCancel) {

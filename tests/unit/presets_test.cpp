@@ -128,7 +128,8 @@ TEST(Presets, WrongFilesAreRefusedWithThePlace) {
         {R"({"format":"shadow-inspector-preset","version":1,"settings":{},"about":3})", "\"about\" must be a text"},
         {R"({"format":"shadow-inspector-preset","version":1,"settings":{},"abuot":""})", "did you mean \"about\"?"},
         {"{\"format\":\"\xff\"}", "not JSON"},
-        {std::string(200000, '['), "not JSON"},
+        {std::string(200000, '['), "it nests 200000 levels deep, at most 32 are read"},
+        {std::string("{}\0", 3), "line 1, column 3: not JSON: a NUL character"},
     };
     for (const auto& c : cases) {
         const std::string message = refusal(c.text);

@@ -144,6 +144,17 @@ TEST(SettingsKeys, NearestKey) {
     EXPECT_EQ(nearest_key("light.16.azimuth"), "light.15.azimuth");
     EXPECT_EQ(nearest_key("object.Root/Fence.cul"), "object.Root/Fence.cull");
     EXPECT_EQ(nearest_name("pcf4", {}), "");
+    // The beginning of names leads to the first of them; what is like none is near to none.
+    EXPECT_EQ(nearest_key("filter"), "filter.kernel");
+    EXPECT_EQ(nearest_key("fliter"), "filter.kernel");
+    EXPECT_EQ(nearest_key("filter.kern"), "filter.kernel");
+    for (const char* unlike : {"", "x", "qqqq", "nowhere", "red.dwarf.star"})
+        EXPECT_EQ(nearest_key(unlike), "") << unlike;
+    EXPECT_EQ(nearest_key(std::string(1'000'000, 'b')), "") << "not compared letter by letter";
+    const std::vector<std::string> names = {"hard", "pcf", "poisson"};
+    EXPECT_EQ(nearest_name("pfc", names), "pcf");
+    EXPECT_EQ(nearest_name("pois", names), "poisson");
+    EXPECT_EQ(nearest_name("gauss", names), "");
 }
 
 TEST(SettingsText, RefusesWhatNoSettingCanBe) {

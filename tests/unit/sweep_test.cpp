@@ -105,6 +105,131 @@ TEST(Sweep, ALineCutShortIsForgotten) {
     }
 }
 
+TEST(Sweep, ABadLineCostsItsCaseAlone) {
+    const FakeSweep f(fresh_test_folder());
+    FakeMeter meter;
+    f.run(meter, 10'000, {.on = false});
+    const std::string text = file_bytes(f.folder / kJournalFile);
+    std::vector<std::string> lines;
+    for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1)
+        lines.push_back(text.substr(at, text.find('\n', at) - at));
+    const auto facts =
+        std::find_if(lines.begin(), lines.end(), [](const auto& l) { return l.starts_with("{\"facts\":3"); });
+    ASSERT_NE(facts, lines.end());
+    const std::string good = *facts, deep = std::string(100'000, '[') + std::string(100'000, ']');
+    for (const std::string& bad : {std::string("{\"facts\":3,\"error\":{\"me"), std::string("\xff\xfe\0", 3), deep,
+                                   std::string("{\"facts\":3}"), std::string("[]"), std::string("{\"unknown\":1}"),
+                                   "{\"facts\":800" + good.substr(10), "{\"facts\":-3" + good.substr(10)}) {
+        *facts = bad;
+        std::string changed;
+        for (const std::string& line : lines) changed += line + "\n";
+        std::ofstream(f.folder / kJournalFile, std::ios::binary) << changed;
+        const SweepState state = read_journal(f.folder);
+        ASSERT_EQ(state.notes.size(), 1u) << bad.substr(0, 40);
+        EXPECT_NE(state.notes[0].find("line "), std::string::npos);
+        EXPECT_LT(state.notes[0].size(), 500u);
+        FakeMeter again;
+        const SweepState mended = f.run(again, 10'000, {.rounds = 2});
+        EXPECT_EQ(again.measured.size(), 1u) << "one case is measured again";
+        EXPECT_EQ(again.timed.size(), 2u * 8) << "and no case beyond the plan is drawn";
+        EXPECT_EQ(f.results()["finished"], 8);
+    }
+    *facts = "\n\n" + good;  // empty lines
+    std::string changed;
+    for (const std::string& line : lines) changed += line + "\n";
+    std::ofstream(f.folder / kJournalFile, std::ios::binary) << changed;
+    FakeMeter again;
+    EXPECT_EQ(f.run(again, 10'000, {.on = false}).notes.size(), 2u);
+    EXPECT_TRUE(again.measured.empty());
+    // Of a journal that is damaged all over, a few lines are named.
+    changed = lines[0] + "\n";
+    for (int i = 0; i < 1000; ++i) changed += "x\n";
+    std::ofstream(f.folder / kJournalFile, std::ios::binary) << changed;
+    EXPECT_LT(read_journal(f.folder).notes.size(), 10u);
+}
+
+TEST(Sweep, AMapThatHadToBeSmallerStandsWhereItBelongs) {
+    const FakeSweep f(fresh_test_folder());
+    FakeMeter meter;
+    meter.most_resolution = 512;
+    f.run(meter, 10'000, {.on = false});
+    const SweepResults results = f.measured();
+    std::size_t smaller = 0;
+    for (const SweepRow& row : results.rows) {
+        EXPECT_LE(std::stoi(row.settings[0].second), 512);
+        const bool told = std::ranges::find(row.notes, "smaller, for reasons") != row.notes.end();
+        EXPECT_TRUE(!told || row.settings[0].second == "512");
+        smaller += told;
+    }
+    EXPECT_EQ(smaller, 4u);
+    const std::string csv = results_csv(results);
+    EXPECT_EQ(csv.find("1024"), std::string::npos) << csv;
+    EXPECT_NE(csv.substr(0, csv.find('\n')).find(",failed,notes"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",\"a note; smaller, for reasons\"\n"), std::string::npos) << csv;
+    FakeMeter again;
+    f.run(again);
+    EXPECT_TRUE(again.measured.empty()) << "the axis that was asked for is still the sweep's";
+}
+
+TEST(Sweep, PicturesThatAreGoneAreDrawnAgain) {
+    const FakeSweep f(fresh_test_folder());
+    FakeMeter meter;
+    f.run(meter, 10'000, {.on = false});
+    const Json before = f.results();
+    fs::remove_all(f.folder / "pictures");
+    FakeMeter again;
+    f.run(again, 10'000, {.on = false});
+    EXPECT_EQ(again.measured.size(), 8u);
+    EXPECT_FALSE(lacks_pictures(f.folder, 7));
+    EXPECT_EQ(f.results()["rows"], before["rows"]);
+    fs::remove(f.folder / artefacts_path(5));
+    FakeMeter one;
+    one.fails_at_resolution = 1024;
+    f.run(one, 10'000, {.on = false});
+    EXPECT_EQ(one.measured, (std::vector<std::string>{f.plan.cases[5].id}));
+    EXPECT_EQ(f.results()["finished"], 8) << "a picture that cannot be drawn again takes no number away";
+}
+
+TEST(Sweep, ForeignFilesAreNeitherReplacedNorRemoved) {
+    const fs::path root = fresh_test_folder();
+    const auto refusal = [](const auto& act) -> std::string {
+        try {
+            act();
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return {};
+    };
+    for (const char* name : {"results.json", "report.html", "base.json", "journal.jsonl", "pictures/0003.jpg"}) {
+        const fs::path folder = root / fs::path(name).stem(), file = folder / name;
+        fs::create_directories(file.parent_path());
+        std::ofstream(file) << "mine";
+        for (const auto& said :
+             {refusal([&] { require_sweep_folder(folder); }), refusal([&] { forget_sweep(folder); })})
+            EXPECT_NE(said.find(std::string("holds ") + name), std::string::npos) << name << ": " << said;
+        EXPECT_EQ(file_bytes(file), "mine") << name;
+    }
+    // Beside a sweep of ours.
+    const FakeSweep f(root / "ours");
+    FakeMeter meter;
+    f.run(meter, 10'000, {.on = false});
+    for (const char* name : {"pictures/2026-holiday.jpg", "pictures/007.jpg", "notes.txt", "pictures/0001-mine.png"})
+        std::ofstream(f.folder / name) << "mine";
+    forget_sweep(f.folder);
+    EXPECT_FALSE(fs::exists(f.folder / kJournalFile));
+    EXPECT_TRUE(lacks_pictures(f.folder, 0));
+    for (const char* name : {"pictures/2026-holiday.jpg", "pictures/007.jpg", "notes.txt", "pictures/0001-mine.png"})
+        EXPECT_EQ(file_bytes(f.folder / name), "mine") << name;
+    // A journal that was killed in its first line is ours; its sweep begins anew.
+    const FakeSweep killed(root / "killed");
+    fs::create_directories(killed.folder);
+    std::ofstream(killed.folder / kJournalFile) << "{\"format\":\"shadow-insp";
+    EXPECT_EQ(refusal([&] { require_sweep_folder(killed.folder); }), "");
+    FakeMeter first;
+    killed.run(first, 10'000, {.on = false});
+    EXPECT_EQ(first.measured.size(), 8u);
+}
+
 TEST(Sweep, OtherArgumentsAreRefused) {
     FakeSweep f(fresh_test_folder());
     FakeMeter meter;
@@ -152,7 +277,7 @@ TEST(Sweep, AFailingCaseIsARowWithItsError) {
     EXPECT_TRUE(r["rows"][2]["error"].is_null());
     EXPECT_EQ(r["rounds"], 4) << "the others have their times";
     for (const Json& n : r["frontier"]["cases"]) EXPECT_TRUE(n != 2 && n != 3);
-    EXPECT_NE(results_csv(f.measured()).find(",false,no memory for; this map\n"), std::string::npos);
+    EXPECT_NE(results_csv(f.measured()).find(",false,no memory for; this map,\n"), std::string::npos);
     FakeMeter again;
     f.run(again);
     EXPECT_TRUE(again.measured.empty()) << "a failure is a result";
@@ -257,6 +382,28 @@ TEST(Merge, ShardsTogetherAreTheWholeSweep) {
     EXPECT_THROW(merge_sweeps(parts), Error);
 }
 
+TEST(Merge, PartsThatContradictEachOtherAreNamed) {
+    const fs::path root = fresh_test_folder();
+    std::vector<std::pair<std::string, SweepState>> parts;
+    for (const char* name : {"one", "two", "three"}) {
+        FakeSweep part(root / name);
+        FakeMeter meter;
+        parts.emplace_back(name, part.run(meter, 10'000, {.on = false}));
+    }
+    EXPECT_TRUE(merge_sweeps(parts).notes.empty()) << "the same work done thrice";
+    parts[1].second.cases.at(4).error.metrics.mae = 7;
+    parts[2].second.cases.at(2).cost.map_texels = 7;
+    const SweepState merged = merge_sweeps(parts);
+    ASSERT_EQ(merged.notes.size(), 2u);
+    EXPECT_NE(merged.notes[0].find("one and two contradict each other in case 4: mae 0."), std::string::npos)
+        << merged.notes[0];
+    EXPECT_NE(merged.notes[1].find("one and three contradict each other in case 2: map_texels"), std::string::npos)
+        << merged.notes[1];
+    EXPECT_NE(merged.cases.at(4).error.metrics.mae, 7) << "the first counts";
+    for (auto& [number, c] : parts[1].second.cases) c.error.metrics.mae = 7;
+    EXPECT_LT(merge_sweeps(parts).notes.size(), 8u);
+}
+
 TEST(Merge, TheMergedSweepIsTimedByContinuingIt) {
     const fs::path folder = fresh_test_folder();
     std::vector<std::pair<std::string, SweepState>> parts;
@@ -273,6 +420,7 @@ TEST(Merge, TheMergedSweepIsTimedByContinuingIt) {
         journal.add(lines_beyond(journal.state(), merge_sweeps(parts)));
         EXPECT_TRUE(lines_beyond(journal.state(), merge_sweeps(parts)).empty());
     }
+    for (const char* shard : {"1", "2"}) copy_pictures(folder / shard, whole.folder);
     FakeMeter meter;
     whole.run(meter);
     EXPECT_TRUE(meter.measured.empty());

@@ -60,7 +60,9 @@ TEST(Workspace, TwoEditorsKeepEachOthersRecentFiles) {
 
 TEST(Workspace, ForeignAndBrokenFilesAreARemarkAndStayAsTheyAre) {
     const fs::path folder = fresh_test_folder();
-    for (const char* text : {"", "{", "[1]", "not json", R"({"format":"something else","version":1})",
+    const std::string deep = R"({"format":"shadow-inspector-workspace","version":1,"layout":)" +
+                             std::string(100'000, '[') + std::string(100'000, ']') + "}";
+    for (const char* text : {"", "{", "[1]", deep.c_str(), "not json", R"({"format":"something else","version":1})",
                              R"({"format":"shadow-inspector-workspace","version":2})"}) {
         std::ofstream(folder / "workspace.json") << text;
         Workspace w(folder);

@@ -1,8 +1,8 @@
-#include "renderer/gltf/text.h"
+#include "renderer/base/printable.h"
 
 #include <fmt/format.h>
 
-namespace si::gltf {
+namespace si {
 namespace {
 
 struct Decoded {
@@ -52,4 +52,4 @@ std::string printable(std::string_view text, std::size_t max_bytes) {
     return out;
 }
 
-}  // namespace si::gltf
+}  // namespace si

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-namespace si::gltf {
+namespace si {
 
 /// Control characters, bidirectional marks and broken UTF-8 become visible escapes such as \x1b or \u202e;
 /// longer than `max_bytes` is cut at a character and ends in "…".
 std::string printable(std::string_view text, std::size_t max_bytes = 160);
 
-}  // namespace si::gltf
+}  // namespace si

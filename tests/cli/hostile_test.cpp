@@ -1,0 +1,89 @@
+// What stands around the program is hostile: closed and full streams, full disks, files that are in the way.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/sweep/journal.h"
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kSweep = "\"$SI\" sweep boxes --vary map.resolution=64,128 --size 32x24 --no-time -o out ";
+
+bool is_png(const fs::path& file) {
+    const std::string bytes = file_bytes(file);
+    return bytes.starts_with("\x89PNG") && bytes.substr(bytes.size() - 8, 4) == "IEND";
+}
+
+TEST(Streams, AClosedStderrTakesNoFilesNumber) {
+    const fs::path folder = fresh_test_folder();
+    const ProcessResult r = run_shell(kSweep + "2>&-", folder);
+    EXPECT_EQ(r.code, 0) << r.out;
+    const SweepState state = read_journal(folder / "out");
+    EXPECT_TRUE(state.notes.empty()) << state.notes[0];
+    EXPECT_EQ(state.cases.size(), 2u);
+    EXPECT_EQ(file_bytes(folder / "out" / kJournalFile).find("error and cost"), std::string::npos);
+}
+
+TEST(Streams, WithAllOfThemClosedThePictureIsWhole) {
+    const fs::path folder = fresh_test_folder();
+    EXPECT_EQ(run_shell("\"$SI\" render boxes -o a.png --size 32x32 <&- >&- 2>&-", folder).code, 0);
+    EXPECT_TRUE(is_png(folder / "a.png"));
+    EXPECT_EQ(run_shell("\"$SI\" list metrics >&-", folder).code, 1) << "what was asked for went nowhere";
+}
+
+TEST(Streams, NoMessageEndsTheProgram) {
+    const fs::path folder = fresh_test_folder();
+    EXPECT_EQ(run_shell(kSweep + "2>/dev/full", folder).code, 0);
+    EXPECT_EQ(run_shell("\"$SI\" render nothing -o a.png 2>/dev/full", folder).code, 2);
+    // Its note tells of the one texel.
+    EXPECT_EQ(run_shell("\"$SI\" render boxes -o a.png --size 32x32 --set map.resolution=1 2>/dev/full", folder).code,
+              0);
+    EXPECT_TRUE(is_png(folder / "a.png"));
+}
+
+TEST(FullDisk, LeavesTheOldFileAndNothingElse) {
+    const fs::path folder = fresh_test_folder();
+    std::ofstream(folder / "a.png") << "old";
+    // No file may grow beyond a block: as on a full disk, the first bytes are taken and the rest is not.
+    const ProcessResult r =
+        run_shell("trap '' XFSZ; ulimit -f 1; exec \"$SI\" render boxes -o a.png --size 200x200 2>&1", folder);
+    EXPECT_EQ(r.code, 1);
+    EXPECT_NE(r.out.find("a.png: cannot be written: File too large"), std::string::npos) << r.out;
+    EXPECT_EQ(file_bytes(folder / "a.png"), "old");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+    const ProcessResult full = run_shell("\"$SI\" render boxes -o a.png --size 32x32 --report /dev/full", folder);
+    EXPECT_EQ(full.code, 1);
+    EXPECT_NE(full.err.find("/dev/full: cannot be written: No space left on device"), std::string::npos) << full.err;
+}
+
+TEST(HostilePresets, EscapesAreShownNotObeyed) {
+    const fs::path folder = fresh_test_folder();
+    std::ofstream(folder / "e.json") << R"({"format":"shadow-inspector-preset","version":1,"title":"\u001b[31mred",)"
+                                     << R"("topic":"\u009b2J","about":"a\u202eb","scene":"\u0007",)"
+                                     << R"("settings":{"object.\u001b]0;x.cast":false}})";
+    for (const auto& words : {std::vector<std::string>{"preset", "show", "e.json"},
+                              {"preset", "diff", "e.json", "acne"},
+                              {"preset", "check", "e.json"}}) {
+        const ProcessResult r = run_program(words, folder);
+        for (const char* control : {"\x1b", "\x07", "\xc2\x9b", "\u202e"})
+            EXPECT_EQ((r.out + r.err).find(control), std::string::npos) << words[1] << ": " << r.out << r.err;
+    }
+    EXPECT_NE(run_program({"preset", "show", "e.json"}, folder).out.find("\\x1b[31mred"), std::string::npos);
+}
+
+TEST(HostilePresets, DeepJsonIsRefusedInAMoment) {
+    const fs::path folder = fresh_test_folder();
+    const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+    std::ofstream(folder / "deep.json")
+        << R"({"format":"shadow-inspector-preset","version":1,"settings":{"bias.slope":)" << deep << "}}";
+    const ProcessResult r = run_program({"preset", "check", "deep.json"}, folder);
+    EXPECT_EQ(r.code, 1);
+    EXPECT_NE(r.err.find("deep.json: it nests 100002 levels deep, at most 32 are read"), std::string::npos) << r.err;
+}
+
+}  // namespace
+}  // namespace si

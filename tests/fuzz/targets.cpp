@@ -1,0 +1,143 @@
+#include "tests/fuzz/targets.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+
+#include "app/session/presets.h"
+#include "app/session/session.h"
+#include "renderer/base/error.h"
+#include "renderer/gltf/gltf.h"
+#include "renderer/measure/axes.h"
+#include "renderer/scene/animation.h"
+#include "renderer/settings/param.h"
+
+namespace si::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostLines = 6;  ///< each may be held against all names that there are
+
+void demand(bool holds, const std::string& what) {
+    if (!holds) throw std::logic_error(what);
+}
+
+/// Runs what may be refused; other exceptions are findings. Messages are one line of bounded length without controls.
+template <class Action>
+bool taken(const Action& action) {
+    try {
+        action();
+        return true;
+    } catch (const Error& e) {
+        const std::string_view said = e.what();
+        demand(!said.empty() && said.size() < 4000, fmt::format("a message of {} bytes", said.size()));
+        return false;
+    }
+}
+
+std::string_view text_of(std::span<const std::uint8_t> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// A folder of this process that goes with it.
+const fs::path& own_folder() {
+    struct Folder {
+        fs::path path;
+        Folder() {
+            std::string pattern = (fs::temp_directory_path() / "si-fuzz-XXXXXX").string();
+            if (!::mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
+            path = pattern;
+        }
+        ~Folder() {
+            std::error_code ignored;
+            fs::remove_all(path, ignored);
+        }
+    };
+    static const Folder folder;
+    return folder.path;
+}
+
+void demand_sound(const Scene& scene) {
+    const auto finite = [](const auto& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+    if (!scene.objects.empty())
+        demand(finite(scene.bounds.lo) && finite(scene.bounds.hi), "the scene's bounds are not finite");
+    for (const Mesh& mesh : scene.meshes) {
+        for (const auto& p : mesh.positions) demand(finite(p), "a position is not finite");
+        for (const std::uint32_t i : mesh.indices) demand(i < mesh.positions.size(), "an index is out of range");
+        demand(mesh.material < int(scene.materials.size()), "a mesh without its material");
+    }
+    for (const Object& object : scene.objects) {
+        demand(object.mesh >= 0 && std::size_t(object.mesh) < scene.meshes.size(), "an object without a mesh");
+        demand(object.node >= 0 && std::size_t(object.node) < scene.nodes.size(), "an object without a node");
+    }
+}
+
+void fuzz_gltf(std::span<const std::uint8_t> bytes) {
+    const fs::path file = own_folder() / "model.glb";  // the content decides, not the name
+    {
+        std::ofstream out(file, std::ios::binary);
+        out.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    }
+    taken([&] {
+        Scene scene = load_gltf(file);
+        demand_sound(scene);
+        taken([&] {
+            Settings settings;
+            apply_suggested(scene, settings);
+        });
+        if (scene.rig && !scene.rig->animations.empty()) {
+            pose_scene(scene, {.animation = 0, .time = 0.5});
+            demand_sound(scene);
+        }
+    });
+}
+
+void fuzz_preset(std::span<const std::uint8_t> bytes) {
+    taken([&] {
+        Preset preset = parse_preset(text_of(bytes), "p.json");
+        const std::string text = preset_text(preset);
+        const Preset again = parse_preset(text, "again.json");
+        demand(again.settings == preset.settings, "written and read again, the settings differ");
+        demand(preset_text(again) == text, "written and read again, the text differs");
+        sanitise(preset.settings);
+        demand(sanitise(preset.settings).empty(), "repaired settings are repaired again");
+    });
+}
+
+void fuzz_value(std::span<const std::uint8_t> bytes) {
+    std::string_view rest = text_of(bytes);
+    Settings settings;
+    for (int lines = 0; lines < kMostLines && !rest.empty(); ++lines) {
+        const std::string line(rest.substr(0, rest.find('\n')));
+        rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+        if (taken([&] { apply_set(settings, line); })) {
+            const auto ref = find_setting(std::string_view(line).substr(0, line.rfind('=')));
+            demand(ref.has_value(), "a setting that was set is not there");
+            const Value value = get_value(settings, *ref);
+            demand(parse_value(*ref, value_text(*ref->param, value)) == value, "its text is another value: " + line);
+        }
+        taken([&] {
+            const SweepAxis axis = parse_axis(line);
+            demand(!axis.values.empty(), "an axis without values");
+        });
+    }
+    sanitise(settings);
+    demand(sanitise(settings).empty(), "repaired settings are repaired again");
+}
+
+}  // namespace
+
+const std::vector<Target>& targets() {
+    static const std::vector<Target> all = {{"gltf", fuzz_gltf}, {"preset", fuzz_preset}, {"value", fuzz_value}};
+    return all;
+}
+
+}  // namespace si::fuzz

@@ -1,0 +1,87 @@
+// JSON from elsewhere: bounded, unambiguous, and read in time that grows with its length.
+#include "app/base/json_text.h"
+
+#include <gtest/gtest.h>
+
+#include "app/session/presets.h"
+#include "renderer/base/error.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string refusal_of_text(const std::string& text) {
+    try {
+        parse_json_text(text, "a.json");
+    } catch (const Error& e) {
+        return e.what();
+    }
+    return {};
+}
+
+std::string nested(int levels) {
+    return std::string(std::size_t(levels), '[') + std::string(std::size_t(levels), ']');
+}
+
+TEST(JsonText, IsWhatTheLibraryReads) {
+    const std::string text =
+        R"( {"b":[1,-2,3.5,1e3,true,false,null,"\u00e4\n",{},[]],"a":{"z":{"y":[{"x":18446744073709551615}]},"c":0}} )";
+    EXPECT_EQ(parse_json_text(text, "").dump(), Json::parse(text).dump());
+    for (const char* plain : {"1", "\"a\"", "null", "[]", "{}", "\xef\xbb\xbf{}"})
+        EXPECT_EQ(parse_json_text(plain, "").dump(), Json::parse(plain).dump()) << plain;
+}
+
+TEST(JsonText, DepthIsBounded) {
+    EXPECT_EQ(refusal_of_text(nested(kDeepestJson)), "");
+    EXPECT_EQ(refusal_of_text(nested(kDeepestJson + 1)), "a.json: it nests 33 levels deep, at most 32 are read");
+    EXPECT_EQ(refusal_of_text(nested(1'000'000)), "a.json: it nests 1000000 levels deep, at most 32 are read");
+    EXPECT_EQ(refusal_of_text("\"" + nested(40) + "\\\"[[\""), "") << "brackets in a text nest nothing";
+}
+
+TEST(JsonText, NothingMayFollowItsEnd) {
+    EXPECT_EQ(refusal_of_text(std::string("{}\0{\"a\":1}", 10)), "a.json: line 1, column 3: not JSON: a NUL character");
+    EXPECT_EQ(refusal_of_text(std::string("{}\n\0", 4)), "a.json: line 2, column 1: not JSON: a NUL character");
+    for (const char* more : {"{}{}", "{}x", "[] 1", "1 2"})
+        EXPECT_NE(refusal_of_text(more).find("not JSON"), std::string::npos) << more;
+    EXPECT_EQ(refusal_of_text("{} \n"), "");
+}
+
+TEST(JsonText, DuplicatesAreNamedAtEveryLevel) {
+    EXPECT_EQ(refusal_of_text(R"({"a":{"b":1},"c":[{"b":1,"d":2,"b":3}]})"),
+              "a.json: \"b\" stands there twice; keep one");
+    EXPECT_EQ(refusal_of_text(R"([{"a":1},{"a":1}])"), "");
+}
+
+// By an object that looks every new member up among all before it, minutes.
+TEST(JsonText, TwoHundredThousandMembersAreReadAtOnce) {
+    std::string text = "{", settings;
+    for (int i = 0; i < 200'000; ++i) text += (i ? ",\"k" : "\"k") + std::to_string(i) + "\":{}";
+    text += "}";
+    EXPECT_EQ(parse_json_text(text, "").size(), 200'000u);
+    for (int i = 0; i < 50'000; ++i)
+        settings += (i ? ",\"object.n" : "\"object.n") + std::to_string(i) + ".cast\":false";
+    const Preset preset =
+        parse_preset("{\"format\":\"shadow-inspector-preset\",\"version\":2,\"settings\":{" + settings + "}}", "p");
+    EXPECT_EQ(preset.settings.objects.size(), 50'000u);
+}
+
+TEST(JsonText, QuotesAreShort) {
+    const std::string quote = quoted(Json(std::string(5000, 'a') + "\x1b"));
+    EXPECT_TRUE(quote.starts_with("\"aaaa")) << quote;
+    EXPECT_LT(quote.size(), 70u);
+    EXPECT_EQ(quoted(Json("\x1b[31m\xff")).find('\x1b'), std::string::npos);
+    const std::string long_text(5000, 'b');
+    for (const std::string& settings : {"\"bias.slope\":\"" + long_text + "\"", "\"map.format\":\"" + long_text + "\"",
+                                        "\"" + long_text + "\":1", "\"bias.slope\":[[[\"" + long_text + "\"]]]"}) {
+        try {
+            parse_preset("{\"format\":\"shadow-inspector-preset\",\"version\":2,\"settings\":{" + settings + "}}", "p");
+            ADD_FAILURE();
+        } catch (const Error& e) {
+            EXPECT_LT(std::string(e.what()).size(), 400u) << e.what();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,163 @@
+// Files that the program writes: whole or not at all, whatever stands in their place.
+#include "app/base/output.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "renderer/base/atomic_file.h"
+#include "renderer/base/error.h"
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class Action>
+std::string refusal_of(const Action& action) {
+    try {
+        action();
+    } catch (const Error& e) {
+        return e.what();
+    }
+    return {};
+}
+
+mode_t mode_of(const fs::path& file) {
+    struct stat status {};
+    EXPECT_EQ(::stat(file.c_str(), &status), 0) << file;
+    return status.st_mode & 07777;
+}
+
+std::size_t files_in(const fs::path& folder) {
+    return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(OutputFiles, KeepTheModeOfWhatTheyReplace) {
+    const fs::path folder = fresh_test_folder();
+    for (const mode_t mode : {mode_t(0600), mode_t(0640), mode_t(0755)}) {
+        std::ofstream(folder / "a.json") << "old";
+        ASSERT_EQ(::chmod((folder / "a.json").c_str(), mode), 0);
+        write_file(folder / "a.json", "new");
+        EXPECT_EQ(mode_of(folder / "a.json"), mode);
+        EXPECT_EQ(file_bytes(folder / "a.json"), "new");
+    }
+    const mode_t mask = ::umask(022);
+    write_file(folder / "b.json", "new");
+    ::umask(mask);
+    EXPECT_EQ(mode_of(folder / "b.json"), 0644u);
+}
+
+TEST(OutputFiles, ReadOnlyOnesAreRefused) {
+    const fs::path folder = fresh_test_folder(), file = folder / "a.json";
+    std::ofstream(file) << "old";
+    ASSERT_EQ(::chmod(file.c_str(), 0444), 0);
+    EXPECT_NE(refusal_of([&] { require_writable(file); }).find("a.json: cannot be written: it is read-only"),
+              std::string::npos);
+    EXPECT_NE(refusal_of([&] { write_file(file, "new"); }), "");
+    EXPECT_EQ(file_bytes(file), "old");
+    EXPECT_EQ(files_in(folder), 1u);
+}
+
+TEST(OutputFiles, TemporariesCanNeitherBeForeseenNorLed) {
+    const fs::path folder = fresh_test_folder(), mine = folder / "mine.txt";
+    std::ofstream(mine) << "mine";
+    // What a foreseeable name would be, as a link to another file.
+    for (int i = 0; i < 50; ++i)
+        fs::create_symlink("mine.txt",
+                           folder / ("a.json." + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp"));
+    const std::size_t before = files_in(folder);
+    for (int i = 0; i < 20; ++i) write_file(folder / "a.json", "new");
+    EXPECT_EQ(file_bytes(mine), "mine");
+    EXPECT_EQ(files_in(folder), before + 1);
+}
+
+TEST(OutputFiles, NamesMayBeAsLongAsTheSystemTakesThem) {
+    const fs::path folder = fresh_test_folder();
+    const fs::path longest = folder / (std::string(250, 'n') + ".json"),
+                   beyond = folder / (std::string(251, 'n') + ".json");
+    write_file(longest, "new");
+    EXPECT_EQ(file_bytes(longest), "new");
+    EXPECT_NE(refusal_of([&] { require_writable(beyond); }).find("name too long"), std::string::npos);
+}
+
+TEST(OutputFiles, LinksThatLeadNowhereAreRefused) {
+    const fs::path folder = fresh_test_folder();
+    fs::create_symlink("gone.json", folder / "dangling.json");
+    fs::create_symlink("b.json", folder / "a.json");
+    fs::create_symlink("a.json", folder / "b.json");
+    EXPECT_NE(refusal_of([&] {
+                  require_writable(folder / "dangling.json");
+              }).find("dangling.json: cannot be written: it is a link to gone.json, which does not exist"),
+              std::string::npos);
+    EXPECT_NE(refusal_of([&] { require_writable(folder / "a.json"); }).find("Too many levels of symbolic links"),
+              std::string::npos);
+    EXPECT_NE(refusal_of([&] { write_atomically(folder / "dangling.json", {"new"}); }), "");
+    EXPECT_FALSE(fs::exists(folder / "gone.json"));
+    std::ofstream(folder / "real.json") << "old";
+    fs::create_symlink("real.json", folder / "link.json");
+    write_atomically(folder / "link.json", {"n", "ew"});
+    EXPECT_TRUE(fs::is_symlink(folder / "link.json"));
+    EXPECT_EQ(file_bytes(folder / "real.json"), "new");
+}
+
+TEST(OutputFiles, TwoOfOneNameAreRefused) {
+    const fs::path folder = fresh_test_folder();
+    fs::create_directory(folder / "d");
+    std::ofstream(folder / "a.png") << "old";
+    fs::create_symlink("a.png", folder / "b.png");
+    const auto refused = [&](const fs::path& a, const fs::path& b) {
+        return !refusal_of([&] { require_distinct(a, "-o", b, "--report"); }).empty();
+    };
+    EXPECT_TRUE(refused(folder / "new.png", folder / "new.png"));
+    EXPECT_TRUE(refused(folder / "new.png", folder / "d" / ".." / "new.png"));
+    EXPECT_TRUE(refused(folder / "a.png", folder / "b.png"));
+    EXPECT_FALSE(refused(folder / "a.png", folder / "d" / "a.png"));
+    EXPECT_FALSE(refused(folder / "a.png", ""));
+    EXPECT_FALSE(refused("/dev/null", "/dev/null"));
+}
+
+// SI_KILLS=200 for a thorough run.
+TEST(OutputFiles, AKillAtAnyMomentLeavesTheOldOrTheNewOne) {
+    const fs::path folder = fresh_test_folder(), file = folder / "a.bin";
+    const std::string one(3'000'001, '1'), two(2'000'003, '2');
+    const char* asked = std::getenv("SI_KILLS");
+    const int kills = asked ? std::atoi(asked) : 20;
+    std::mt19937 random(1);
+    int ones = 0, twos = 0;
+    for (int i = 0; i < kills; ++i) {
+        write_file(file, one);
+        const pid_t child = ::fork();
+        ASSERT_GE(child, 0);
+        if (child == 0)
+            for (bool second = true;; second = !second) {
+                const auto part = std::string_view(second ? two : one);
+                write_atomically(file, {part.substr(0, 1000), part.substr(1000)});
+            }
+        std::this_thread::sleep_for(std::chrono::microseconds(random() % 20'000));
+        ::kill(child, SIGKILL);
+        int status = 0;
+        ASSERT_EQ(::waitpid(child, &status, 0), child);
+        ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+        const std::string left = file_bytes(file);
+        ASSERT_TRUE(left == one || left == two) << i << ": " << left.size() << " bytes";
+        ++(left == one ? ones : twos);
+        for (const auto& entry : fs::directory_iterator(folder))
+            if (entry.path() != file) {
+                EXPECT_TRUE(entry.path().filename().string().starts_with(".a.bin.")) << entry.path();
+                fs::remove(entry.path());
+            }
+    }
+    EXPECT_GT(ones, 0);
+    EXPECT_GT(twos, 0) << "every kill came before the first file was written";
+}
+
+}  // namespace
+}  // namespace si
