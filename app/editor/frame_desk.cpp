@@ -66,11 +66,15 @@ public:
     }
     void wait() const {
         std::unique_lock lock(mutex_);
+        awaited_ = true;
         changed_.wait(lock, [&] { return !work_; });
+        awaited_ = false;
     }
     void wait_for(std::chrono::milliseconds most) const {
         std::unique_lock lock(mutex_);
+        awaited_ = true;
         changed_.wait_for(lock, most, [&] { return !work_; });
+        awaited_ = false;
     }
     /// @throws what the work threw
     void take() {
@@ -90,14 +94,16 @@ private:
         return work_;  // empty at the end
     }
     void finish(std::exception_ptr problem) {
+        bool awaited = false;
         {
             const std::lock_guard lock(mutex_);
             problem_ = std::move(problem);
             work_ = nullptr;
             done_ = true;
+            awaited = awaited_;
         }
         changed_.notify_all();
-        if (wake_) wake_();
+        if (!awaited && wake_) wake_();
     }
 
     std::function<void()> wake_;
@@ -106,7 +112,8 @@ private:
     std::function<void()> work_;  ///< until it is done
     std::exception_ptr problem_;
     bool done_ = false;
-    std::jthread thread_;  ///< last: ends before what it uses
+    mutable bool awaited_ = false;  ///< somebody waits: nobody is to be woken
+    std::jthread thread_;           ///< last: ends before what it uses
 };
 
 /// What is shown of a frame while the next one is drawn into the renderer's images: two sets, in turn.

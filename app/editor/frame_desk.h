@@ -20,7 +20,7 @@ inline constexpr std::chrono::milliseconds kFramePatience{40};
 /// A thread for frames. Without a context there is none.
 struct FrameThread {
     ThreadContextMaker context;       ///< beside the one that is current where the desk is made
-    std::function<void()> wake = {};  ///< called on that thread when a frame is done; may be empty
+    std::function<void()> wake = {};  ///< called on that thread when a frame is done that nobody waits for
     std::chrono::milliseconds patience = kFramePatience;
 };
 
