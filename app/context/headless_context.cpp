@@ -102,6 +102,7 @@ std::vector<Candidate> candidates(const char* client_extensions) {
 
 struct HeadlessContext::Impl {
     EGLDisplay display = EGL_NO_DISPLAY;
+    EGLConfig config = nullptr;
     EGLContext context = EGL_NO_CONTEXT;
     EGLSurface surface = EGL_NO_SURFACE;  ///< only where contexts without a surface are not supported
     std::string description;
@@ -120,6 +121,8 @@ struct HeadlessContext::Impl {
 
     /// Empty on success, else what failed.
     std::string open(const Candidate& candidate);
+    /// On the display and config that are set. The same.
+    std::string make_context(EGLContext beside);
 };
 
 std::string HeadlessContext::Impl::open(const Candidate& candidate) {
@@ -133,11 +136,16 @@ std::string HeadlessContext::Impl::open(const Candidate& candidate) {
 
     const std::array<EGLint, 5> config_attributes{EGL_SURFACE_TYPE, surfaceless ? 0 : EGL_PBUFFER_BIT,
                                                   EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
-    EGLConfig config = nullptr;
     EGLint configs = 0;
     if (!eglChooseConfig(display, config_attributes.data(), &config, 1, &configs)) return failed("eglChooseConfig");
     if (configs == 0) return "eglChooseConfig found no configuration for OpenGL";
+    if (std::string problem = make_context(EGL_NO_CONTEXT); !problem.empty()) return problem;
+    description = candidate.name + (surfaceless ? ", no surface" : ", 16x16 pbuffer");
+    return {};
+}
 
+std::string HeadlessContext::Impl::make_context(EGLContext beside) {
+    const bool surfaceless = listed(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context");
     const std::array<EGLint, 9> context_attributes{EGL_CONTEXT_MAJOR_VERSION,
                                                    4,
                                                    EGL_CONTEXT_MINOR_VERSION,
@@ -147,7 +155,7 @@ std::string HeadlessContext::Impl::open(const Candidate& candidate) {
                                                    EGL_CONTEXT_OPENGL_DEBUG,
                                                    EGL_TRUE,
                                                    EGL_NONE};
-    context = eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes.data());
+    context = eglCreateContext(display, config, beside, context_attributes.data());
     if (context == EGL_NO_CONTEXT) return failed("eglCreateContext(OpenGL 4.5 core)");
     if (!surfaceless) {
         const std::array<EGLint, 5> size{EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
@@ -155,7 +163,6 @@ std::string HeadlessContext::Impl::open(const Candidate& candidate) {
         if (surface == EGL_NO_SURFACE) return failed("eglCreatePbufferSurface");
     }
     if (!eglMakeCurrent(display, surface, surface, context)) return failed("eglMakeCurrent");
-    description = candidate.name + (surfaceless ? ", no surface" : ", 16x16 pbuffer");
     return {};
 }
 
@@ -191,6 +198,20 @@ void HeadlessContext::make_current() {
     if (!eglBindAPI(EGL_OPENGL_API)) throw Error(failed("eglBindAPI(EGL_OPENGL_API)"));
     if (!eglMakeCurrent(impl_->display, impl_->surface, impl_->surface, impl_->context))
         throw Error(failed("eglMakeCurrent") + ": is the context current on another thread?");
+}
+
+ThreadContextMaker HeadlessContext::sharing() const {
+    struct Beside : ThreadContext {
+        Impl impl;
+    };
+    return [this]() -> std::unique_ptr<ThreadContext> {
+        if (!eglBindAPI(EGL_OPENGL_API)) throw Error(failed("eglBindAPI(EGL_OPENGL_API)"));  // of this thread
+        auto made = std::make_unique<Beside>();
+        made->impl.display = impl_->display, made->impl.config = impl_->config;
+        if (const std::string problem = made->impl.make_context(impl_->context); !problem.empty())
+            throw Error("no second OpenGL context beside the first: " + problem);
+        return made;
+    };
 }
 
 std::string HeadlessContext::description() const {

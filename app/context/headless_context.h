@@ -4,6 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "app/context/thread_context.h"
+
 namespace si {
 
 /// Looks for a device with EGL_EXT_platform_device (hardware first, the software rasteriser last), then for a
@@ -21,6 +23,8 @@ public:
     void make_current();
     /// How the context was found, e.g. "EGL device 0 (/dev/dri/card0), no surface".
     std::string description() const;
+    /// Makes contexts beside this one, which must live longer.
+    ThreadContextMaker sharing() const;
 
 private:
     struct Impl;

@@ -58,6 +58,9 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
             fmt::format("no window: glfwCreateWindow (OpenGL 4.5 core) failed ({}); the driver may be too old; {}",
                         reason, kHeadlessHint));
     }
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_MAXIMIZED, GLFW_FALSE);
+    beside_ = glfwCreateWindow(16, 16, title.c_str(), nullptr, window_);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     survive_x_errors();
@@ -66,6 +69,7 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
 }
 
 WindowContext::~WindowContext() {
+    if (beside_) glfwDestroyWindow(beside_);
     glfwDestroyWindow(window_);
     glfwTerminate();
 }
@@ -90,6 +94,19 @@ void WindowContext::install_callbacks() {
         auto& dropped = static_cast<Events*>(glfwGetWindowUserPointer(w))->dropped;
         dropped.insert(dropped.end(), paths, paths + count);
     });
+}
+
+ThreadContextMaker WindowContext::sharing() const {
+    struct Current : ThreadContext {
+        explicit Current(GLFWwindow* window) { glfwMakeContextCurrent(window); }
+        ~Current() override { glfwMakeContextCurrent(nullptr); }
+    };
+    if (!beside_) return {};
+    return [this] { return std::make_unique<Current>(beside_); };
+}
+
+void WindowContext::wake() {
+    glfwPostEmptyEvent();
 }
 
 void WindowContext::note_input(GLFWwindow* window) {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/context/thread_context.h"
+
 struct GLFWwindow;
 
 namespace si {
@@ -21,6 +23,10 @@ public:
     WindowContext& operator=(const WindowContext&) = delete;
 
     GLFWwindow* handle() const { return window_; }
+    /// Makes one context beside the window's, which must live longer; empty where the driver has none.
+    ThreadContextMaker sharing() const;
+    /// Ends wait_events(). From any thread.
+    static void wake();
     bool should_close() const;
     void set_title(const std::string& title);
     /// Sleeps until input arrives, at most `seconds`.
@@ -62,6 +68,7 @@ private:
     static void note_input(GLFWwindow* window);
 
     GLFWwindow* window_ = nullptr;
+    GLFWwindow* beside_ = nullptr;  ///< never shown: a context that shares the window's objects; null: there is none
     Events events_;
 };
 

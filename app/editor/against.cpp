@@ -47,7 +47,7 @@ void EditorAgainst::clear() {
     other_scene_ = 0;
 }
 
-void EditorAgainst::draw_other(const Scene& scene, const EditorState& state, const FrameRequest& request,
+void EditorAgainst::draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,
                                const ComparisonFacts* comparison) {
     if (!comparison || comparison->with != state.compare) return;  // read with the next frame
     if (!comparison->problem.empty()) {
@@ -91,7 +91,7 @@ void EditorAgainst::find_difference(Renderer& renderer, const FrameResult& frame
     facts_->mae = mean_difference(a, b);
 }
 
-bool EditorAgainst::update(Renderer& renderer, const Scene& scene, const EditorState& state,
+bool EditorAgainst::update(Renderer& renderer, const Scene& scene, const PictureState& state,
                            const FrameRequest& request, const FrameResult& frame, bool drawn,
                            const ComparisonFacts* comparison) {
     const bool had = facts_.has_value();

@@ -17,14 +17,14 @@ public:
     /// Draws what `state.against` asks for. `frame` is the picture shown, `drawn` whether it is a new one.
     /// @param comparison what state.compare names; null: not known. Returns whether the facts changed.
     /// @throws Error
-    bool update(Renderer& renderer, const Scene& scene, const EditorState& state, const FrameRequest& request,
+    bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ComparisonFacts* comparison);
     void clear();
     const std::optional<AgainstFacts>& facts() const { return facts_; }
 
 private:
     struct Texture;
-    void draw_other(const Scene& scene, const EditorState& state, const FrameRequest& request,
+    void draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,
                     const ComparisonFacts* comparison);
     void find_difference(Renderer& renderer, const FrameResult& frame);
 

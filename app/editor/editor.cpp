@@ -71,9 +71,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
                          as_kept ? kept.window_height : options.height, !options.size_given && kept.maximised);
     ImGuiSession imgui(options.scale > 0 ? float(options.scale) : window.content_scale());
     const WindowInput input(window);
-    EditorOptions shown = options;
-    shown.rehearse = true;
-    EditorModel model(shown);
+    EditorModel model(options, {}, {.context = window.sharing(), .wake = WindowContext::wake});
     std::string titled;
     int due = kSettleFrames;  // frames still to draw before the editor may sleep
     while (!window.should_close()) {

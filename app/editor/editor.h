@@ -1,7 +1,9 @@
 // The editor: a window, or the same picture drawn headless into a PNG.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +24,9 @@ struct EditorOptions {
     int probe_x = -1, probe_y = -1;  ///< pixel of the scene picture probed at the start; negative: none
     std::string tab;                 ///< of the strip below, in front at the start; empty: effects
     std::filesystem::path sweep;     ///< folder of a sweep to show; may be empty
-    /// The last picture stays while programs of the next are made in the background; else each frame waits for its own.
-    bool rehearse = false;
+    /// A headless editor draws its frames on a thread of their own, as a window does, and waits so long for each
+    /// (FrameThread); nothing: it draws them itself.
+    std::optional<std::chrono::milliseconds> frame_patience;
 };
 
 /// @throws UsageError naming the tabs there are

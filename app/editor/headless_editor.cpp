@@ -61,7 +61,10 @@ HeadlessEditor::HeadlessEditor(const EditorOptions& options, SceneReader read)
       height_(options.height),
       imgui_(options.scale > 0 ? float(options.scale) : screenshot_scale(options.height)),
       canvas_(std::make_unique<Canvas>(width_, height_)),
-      model_(std::make_unique<EditorModel>(options, std::move(read))) {}
+      model_(std::make_unique<EditorModel>(
+          options, std::move(read),
+          options.frame_patience ? FrameThread{.context = context_.sharing(), .patience = *options.frame_patience}
+                                 : FrameThread{})) {}
 
 HeadlessEditor::~HeadlessEditor() = default;
 
@@ -97,7 +100,8 @@ void HeadlessEditor::settle() {
             model_->finish_measuring();
             frame(), frame();
         }
-    } while (model_->loading() || model_->measuring() || model_->tracing() || lacks_truth(model_->facts()));
+    } while (model_->finish_drawing() || model_->loading() || model_->measuring() || model_->tracing() ||
+             lacks_truth(model_->facts()));
 }
 
 ByteImage HeadlessEditor::picture() const {

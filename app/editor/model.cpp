@@ -25,11 +25,11 @@ BottomTab tab_named(const std::string& name) {
     throw UsageError(fmt::format("--tab {}: it is one of {}", name, names));
 }
 
-EditorModel::EditorModel(const EditorOptions& options, SceneReader read)
+EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameThread thread)
     : memory_(options.state_folder),
       scenes_(state, memory_, std::move(read), options.headless),
       presets_(state, memory_, scenes_),
-      frames_(state, options.rehearse),
+      frames_(state, std::move(thread)),
       work_(state, options.state_folder) {
     SessionPlan plan = plan_session(options.session);
     scenes_.begin(plan.settings);
@@ -48,14 +48,19 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read)
     presets_.start(std::move(plan), {});
 }
 
+glm::ivec2 EditorModel::picture_size() const {
+    const FrameRequest& shown = frames_.facts().request;
+    return {shown.width, shown.height};
+}
+
 EditorFrame EditorModel::facts() const {
     EditorFrame f;
     f.scene = scenes_.scene();
-    frames_.fill(f);
-    work_.fill(f, scenes_.scene(), frames_.size());
+    frames_.facts().fill(f);
+    work_.fill(f, scenes_.scene(), picture_size());
     presets_.fill(f);
     memory_.fill(f);
-    f.problem = scenes_.scene() ? frames_.problem() : scenes_.problem();
+    f.problem = scenes_.scene() ? frames_.facts().problem : scenes_.problem();
     const SceneLoading& loading = scenes_.loading();
     if (const std::string name = loading.wanted(); !name.empty())
         f.loading = LoadingFacts{name, loading.progress(), loading.seconds_left()};
@@ -72,7 +77,7 @@ void EditorModel::open(const std::filesystem::path& path) {
 }
 
 void EditorModel::copy_command_line() {
-    const glm::ivec2 size = frames_.size();
+    const glm::ivec2 size = picture_size();
     const std::string text = command_line(state.scene_name, scenes_.require(), state.settings, size.x, size.y);
     ImGui::SetClipboardText(text.c_str());
     state.log.add(LogKind::Info, "Copied: " + text);
@@ -84,7 +89,9 @@ void EditorModel::keep() {
 }
 
 bool EditorModel::fulfil(const EditorActions& actions) {
-    bool changed = scenes_.poll();
+    bool changed = frames_.poll();
+    // What is being drawn stays as it is meanwhile.
+    if (!frames_.under_way()) changed |= scenes_.poll();
     changed |= work_.poll(scenes_.scene());
     const auto wish = [&](bool wished, const auto& what) {
         if (wished) changed |= attempt(state, what);
@@ -99,11 +106,11 @@ bool EditorModel::fulfil(const EditorActions& actions) {
     wish(actions.discard_lost, [&] { memory_.forget_lost(); });
     wish(actions.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
     wish(scenes_.has_step(), [&] { scenes_.follow_step(); });
-    changed |= work_.fulfil(scenes_, frames_.size(), frames_.dossiers(), actions);
-    changed |= work_.fulfil_saved(scenes_, frames_.request(), actions);
+    changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.dossiers, actions);
+    changed |= work_.fulfil_saved(scenes_, frames_.facts().request, actions);
     wish(actions.save_map.has_value(), [&] { frames_.save_map(scenes_.require(), *actions.save_map); });
     wish(actions.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
-    wish(scenes_.has_moved(), [&] { scenes_.follow_settings(); });
+    wish(scenes_.has_moved() && !frames_.under_way(), [&] { scenes_.follow_settings(); });
     changed |= presets_.compare();
     changed |= work_.follow(scenes_.scene(), actions);
     if (const Scene* scene = scenes_.scene())

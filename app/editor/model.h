@@ -7,7 +7,7 @@
 
 #include "app/editor/background_work.h"
 #include "app/editor/editor.h"
-#include "app/editor/frame_loop.h"
+#include "app/editor/frame_desk.h"
 #include "app/editor/memory.h"
 #include "app/editor/preset_work.h"
 #include "app/editor/scene_desk.h"
@@ -19,8 +19,8 @@ namespace si {
 class EditorModel {
 public:
     /// Starts to read the first scene. `read` makes scenes; empty: load_scene(). @throws UsageError, Error for what is
-    /// wrong with the options themselves.
-    explicit EditorModel(const EditorOptions& options, SceneReader read = {});
+    /// wrong with the options themselves. @param thread that frames are drawn on; none: this one
+    explicit EditorModel(const EditorOptions& options, SceneReader read = {}, FrameThread thread = {});
 
     EditorState state;
 
@@ -39,7 +39,7 @@ public:
     /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
     bool loading_moved() const { return scenes_.loading().moved(); }
     /// Something is being measured in the background.
-    bool measuring() const { return work_.busy() || frames_.tracing_probe(); }
+    bool measuring() const { return work_.busy() || frames_.facts().readings.tracing_probe; }
     /// Whether the next fulfil() has news of it.
     bool measuring_moved() const { return work_.moved() || frames_.probe_moved(); }
     /// Waits until nothing is being measured.
@@ -49,12 +49,14 @@ public:
     /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
     bool tracing_moved() const { return frames_.tracing_moved(); }
     void finish_tracing() const { frames_.finish_tracing(); }
-    /// The picture shown stays while programs of the wanted one are made.
-    bool rehearsing() const { return frames_.rehearsing(); }
-    /// Null without EditorOptions::rehearse.
+    /// The picture shown stays while the wanted one is drawn.
+    bool drawing() const { return frames_.busy(); }
+    /// Waits for it. Returns whether the next frame of the editor looks different.
+    bool finish_drawing() { return frames_.wait(), frames_.poll(); }
+    /// Null without a thread for frames.
     const Rehearsals* rehearsals() const { return frames_.rehearsals(); }
     /// Waits for the scene that is being read and switches to it.
-    void finish_loading() { scenes_.finish(); }
+    void finish_loading() { frames_.wait(), scenes_.finish(); }
     /// @throws Error why there is no scene, or (headless) what of the options the first one lacks.
     void require_scene() const { scenes_.require(); }
     /// Remarks about the first scene.
@@ -68,11 +70,13 @@ public:
 
 private:
     void copy_command_line();
+    /// Of the scene, in pixels.
+    glm::ivec2 picture_size() const;
 
     EditorMemory memory_;
     SceneDesk scenes_;
     PresetWork presets_;
-    FrameLoop frames_;
+    FrameDesk frames_;
     BackgroundWork work_;
 };
 

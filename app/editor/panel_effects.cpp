@@ -7,48 +7,48 @@ namespace {
 
 struct PanelRow {
     std::string_view name;
-    bool (*wanted)(const EditorState&, const EditorActions&);
+    bool (*wanted)(const PictureState&, const EditorActions&);
     std::string_view why, why_not;
 };
 
 constexpr PanelRow kPanels[] = {
-    {"panel: depth histogram", [](const EditorState&, const EditorActions& a) { return a.want_map_facts; },
+    {"panel: depth histogram", [](const PictureState&, const EditorActions& a) { return a.want_map_facts; },
      "The plots under the map are shown: its depths are read back once a frame and counted.",
      "The plots under the map are hidden."},
-    {"panel: map under the mouse", [](const EditorState&, const EditorActions& a) { return a.want_map_values; },
+    {"panel: map under the mouse", [](const PictureState&, const EditorActions& a) { return a.want_map_values; },
      "The map viewer prints depths: those of the map are read back once a frame.",
      "The mouse is not over the map, and no texel is large enough for its number."},
-    {"panel: pixels and their texels", [](const EditorState&, const EditorActions& a) { return a.want_links; },
+    {"panel: pixels and their texels", [](const PictureState&, const EditorActions& a) { return a.want_links; },
      "A picture is under the mouse: which texel each pixel reads is read back once a frame.",
      "The mouse is over neither picture, or drags."},
-    {"panel: texels read, exactly", [](const EditorState&, const EditorActions& a) { return a.want_exact_texels; },
+    {"panel: texels read, exactly", [](const PictureState&, const EditorActions& a) { return a.want_exact_texels; },
      "The map viewer marks the texels that kernels fetch.", "The map viewer does not mark the texels that are read."},
     {"panel: values of the overlay",
-     [](const EditorState& s, const EditorActions& a) { return a.want_overlay_values && s.settings.view.overlay > 0; },
+     [](const PictureState& s, const EditorActions& a) { return a.want_overlay_values && s.settings.view.overlay > 0; },
      "The overlay is under the mouse: its values are read back once a frame.",
      "No overlay is under the mouse, or it drags."},
     {"panel: texels of the frozen camera",
-     [](const EditorState& s, const EditorActions& a) { return s.frozen && a.want_frozen_usage; },
+     [](const PictureState& s, const EditorActions& a) { return s.frozen && a.want_frozen_usage; },
      "A camera is frozen: a frame of its own tells what it reads, until a setting changes.", "No camera is frozen."},
-    {"panel: probed pixel", [](const EditorState& s, const EditorActions&) { return s.probe_pixel.has_value(); },
+    {"panel: probed pixel", [](const PictureState& s, const EditorActions&) { return s.probe_pixel.has_value(); },
      "A pixel is probed: its shadow test is written out once a frame.", "No pixel is probed."},
     {"panel: objects lost to culling",
-     [](const EditorState& s, const EditorActions&) { return s.tab == BottomTab::Objects; },
+     [](const PictureState& s, const EditorActions&) { return s.tab == BottomTab::Objects; },
      "The list of objects is shown.", "The list of objects is hidden."},
-    {"panel: errors", [](const EditorState&, const EditorActions& a) { return a.want_error; },
+    {"panel: errors", [](const PictureState&, const EditorActions& a) { return a.want_error; },
      "The error panel or the overlay artefacts shows numbers.",
      "The error panel is hidden, and the overlay artefacts is not chosen."},
     {"panel: the present settings on the frontier",
-     [](const EditorState&, const EditorActions& a) { return a.want_present; },
+     [](const PictureState&, const EditorActions& a) { return a.want_present; },
      "The frontier panel follows the settings: they are measured in the background.",
      "The frontier panel is hidden, or does not follow the settings."},
-    {"panel: pass times", [](const EditorState&, const EditorActions& a) { return a.want_timing; },
+    {"panel: pass times", [](const PictureState&, const EditorActions& a) { return a.want_timing; },
      "This panel shows them: each pass is timed.", "No panel shows times."},
 };
 
 }  // namespace
 
-std::vector<Effect> panel_effects(const EditorState& state, const EditorActions& actions) {
+std::vector<Effect> panel_effects(const PictureState& state, const EditorActions& actions) {
     std::vector<Effect> out;
     for (const PanelRow& row : kPanels) {
         const bool wanted = row.wanted(state, actions);

@@ -9,7 +9,7 @@
 namespace si {
 
 /// @param actions what the panels asked for
-std::vector<Effect> panel_effects(const EditorState& state, const EditorActions& actions);
+std::vector<Effect> panel_effects(const PictureState& state, const EditorActions& actions);
 
 /// Rays that are traced in the background, or were.
 Effect truth_effect(const TruthFacts& truth);

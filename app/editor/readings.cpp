@@ -30,9 +30,8 @@ Settings texel_settings(const Settings& settings) {
 }  // namespace
 
 void EditorReadings::clear() {
-    map_values_ = map_coordinates_ = overlay_values_ = {};
-    facts_.reset(), usage_.reset(), exact_utilisation_.reset(), probe_.reset(), probed_pixel_.reset();
-    lost_casters_.clear();
+    facts_ = {.frozen_usage = facts_.frozen_usage};
+    probed_pixel_.reset();
     probe_of_ = map_of_ = facts_of_ = links_of_ = exact_of_ = overlay_of_ = lost_of_ = 0;
 }
 
@@ -41,115 +40,109 @@ bool EditorReadings::finish_tracing() const {
     return dossier_.ready();
 }
 
-void EditorReadings::fill(EditorFrame& frame) const {
-    frame.probe = probe_ ? &*probe_ : nullptr;
-    frame.dossiers = dossier_.dossiers();
-    frame.tracing_probe = tracing();
-    frame.map_values = map_values_.data.empty() ? nullptr : &map_values_;
-    frame.map_facts = facts_ ? &*facts_ : nullptr;
-    frame.map_coordinates = map_coordinates_.data.empty() ? nullptr : &map_coordinates_;
-    frame.texel_usage = usage_ ? &*usage_ : nullptr;
-    frame.exact_utilisation = exact_utilisation_;
-    frame.frozen_usage = frozen_usage_ ? &*frozen_usage_ : nullptr;
-    frame.overlay_values = overlay_values_.data.empty() ? nullptr : &overlay_values_;
-    frame.lost_casters = lost_casters_;
+ReadingFacts EditorReadings::facts() const {
+    ReadingFacts out = facts_;
+    out.dossiers.assign(dossier_.dossiers().begin(), dossier_.dossiers().end());
+    out.tracing_probe = facts_.probe && dossier_.tracing();
+    return out;
 }
 
-bool EditorReadings::update(Renderer& renderer, const Scene& scene, const EditorState& state,
+bool EditorReadings::update(Renderer& renderer, const Scene& scene, const PictureState& state,
                             const EditorActions& actions, const FrameRequest& request, const FrameResult& result,
                             bool drawn) {
-    if (drawn) ++frame_, lost_casters_.clear();
+    if (drawn) ++frame_, facts_.lost_casters.clear();
     bool changed = update_lost(scene, state, result);
     changed |= update_map(renderer, state, actions, result);
     changed |= update_links(renderer, state, actions, result);
     changed |= update_exact(renderer, actions, result);
     changed |= update_overlay(renderer, state, actions, result);
     const bool probed = update_probe(renderer, scene, state, request);
-    changed |= dossier_.update(probe_ ? &*probe_ : nullptr, probed, scene, state.settings, renderer.driver());
+    changed |= dossier_.update(facts_.probe.get(), probed, scene, state.settings, renderer.driver());
     return changed || probed;
 }
 
-bool EditorReadings::update_lost(const Scene& scene, const EditorState& state, const FrameResult& result) {
+bool EditorReadings::update_lost(const Scene& scene, const PictureState& state, const FrameResult& result) {
     const int light = shown_light(state.settings);
     if (state.tab != BottomTab::Objects || light < 0 || lost_of_ == frame_) return false;
     lost_of_ = frame_;
-    lost_casters_ = lost_casters(scene, state.settings, result.lights[std::size_t(light)]);
-    return !lost_casters_.empty();
+    facts_.lost_casters = lost_casters(scene, state.settings, result.lights[std::size_t(light)]);
+    return !facts_.lost_casters.empty();
 }
 
-bool EditorReadings::update_map(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+bool EditorReadings::update_map(Renderer& renderer, const PictureState& state, const EditorActions& actions,
                                 const FrameResult& result) {
     const bool there = result.map_view.texture != 0;
     const bool wanted = there && (actions.want_map_values || actions.want_map_facts);
     bool changed = false;
     if (!wanted) {
         // A reading of an earlier frame would be wrong; one of this frame may be asked for again.
-        if (map_of_ != frame_) map_values_ = {};
-        if (!there || facts_of_ != frame_) facts_.reset();
+        if (map_of_ != frame_) facts_.map_values.reset();
+        if (!there || facts_of_ != frame_) facts_.map_facts.reset();
         return false;
     }
     if (map_of_ != frame_) {
-        map_values_ = renderer.read_map_view_depth(result);
+        facts_.map_values = std::make_shared<const FloatImage>(renderer.read_map_view_depth(result));
         map_of_ = frame_;
         changed = true;
     }
     // Moments are no depths, of which the plots are.
-    if (result.shown_map.channel > 0) facts_.reset();
+    if (result.shown_map.channel > 0) facts_.map_facts.reset();
     if (actions.want_map_facts && result.shown_map.channel == 0 && facts_of_ != frame_) {
-        facts_ = MapFacts{depth_statistics(map_values_, result.map_view_curve),
-                          histogram_of(map_values_, state.settings.view, result)};
+        facts_.map_facts = MapFacts{depth_statistics(*facts_.map_values, result.map_view_curve),
+                                    histogram_of(*facts_.map_values, state.settings.view, result)};
         facts_of_ = frame_;
         changed = true;
     }
     return changed;
 }
 
-bool EditorReadings::update_overlay(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+bool EditorReadings::update_overlay(Renderer& renderer, const PictureState& state, const EditorActions& actions,
                                     const FrameResult& result) {
     const auto pane = std::size_t(state.active_pane);
     if (!actions.want_overlay_values || pane >= result.panes.size() || !result.panes[pane].values.texture) {
-        if (overlay_of_ != frame_) overlay_values_ = {};
+        if (overlay_of_ != frame_) facts_.overlay_values.reset();
         return false;
     }
     if (overlay_of_ == frame_ && overlay_pane_ == int(pane)) return false;
     overlay_of_ = frame_;
     overlay_pane_ = int(pane);
-    overlay_values_ = renderer.read_float(result.panes[pane].values, 4);
+    facts_.overlay_values = std::make_shared<const FloatImage>(renderer.read_float(result.panes[pane].values, 4));
     return true;
 }
 
-bool EditorReadings::update_links(Renderer& renderer, const EditorState& state, const EditorActions& actions,
+bool EditorReadings::update_links(Renderer& renderer, const PictureState& state, const EditorActions& actions,
                                   const FrameResult& result) {
     if (!actions.want_links || result.map_coordinates.texture == 0) {
-        if (links_of_ == frame_ || map_coordinates_.data.empty()) return false;
-        map_coordinates_ = {};
-        usage_.reset();
+        if (links_of_ == frame_ || !facts_.map_coordinates) return false;
+        facts_.map_coordinates.reset();
+        facts_.usage.reset();
         return true;
     }
     if (links_of_ == frame_) return false;
     links_of_ = frame_;
-    map_coordinates_ = renderer.read_float(result.map_coordinates, 4);
-    usage_ = texel_usage(map_coordinates_, state.settings, result.map_resolution, shown_face(state.settings, result));
+    facts_.map_coordinates = std::make_shared<const FloatImage>(renderer.read_float(result.map_coordinates, 4));
+    facts_.usage = std::make_shared<const TexelUsage>(texel_usage(
+        *facts_.map_coordinates, state.settings, result.map_resolution, shown_face(state.settings, result)));
     return true;
 }
 
 bool EditorReadings::update_exact(Renderer& renderer, const EditorActions& actions, const FrameResult& result) {
     if (!actions.want_exact_texels || result.texels_read.texture == 0) {
-        if (exact_of_ == frame_ || !exact_utilisation_) return false;
-        exact_utilisation_.reset();
+        if (exact_of_ == frame_ || !facts_.exact_utilisation) return false;
+        facts_.exact_utilisation.reset();
         return true;
     }
     if (exact_of_ == frame_) return false;
     exact_of_ = frame_;
-    exact_utilisation_ = exact_utilisation(renderer.read_float(result.texels_read, 1));
+    facts_.exact_utilisation = exact_utilisation(renderer.read_float(result.texels_read, 1));
     return true;
 }
 
-bool EditorReadings::update_frozen(Renderer& renderer, const Scene& scene, const EditorState& state,
+bool EditorReadings::update_frozen(Renderer& renderer, const Scene& scene, const PictureState& state,
                                    const EditorActions& actions) {
     const Settings settings = texel_settings(state.settings);
-    if (!state.frozen || settings != frozen_settings_ || scene.id != frozen_scene_) frozen_usage_.reset();
-    if (!state.frozen || frozen_usage_ || !actions.want_frozen_usage) return false;
+    if (!state.frozen || settings != frozen_settings_ || scene.id != frozen_scene_) facts_.frozen_usage.reset();
+    if (!state.frozen || facts_.frozen_usage || !actions.want_frozen_usage) return false;
     FrameRequest request;
     request.width = state.frozen->pixels.x;
     request.height = state.frozen->pixels.y;
@@ -159,18 +152,19 @@ bool EditorReadings::update_frozen(Renderer& renderer, const Scene& scene, const
     Settings seen = state.settings;
     seen.camera = state.frozen->settings;
     const FrameResult result = renderer.render(scene, seen, request);
-    frozen_usage_.emplace();  // without a map nothing is read
+    facts_.frozen_usage = std::make_shared<const TexelUsage>();  // without a map nothing is read
     if (result.map_coordinates.texture == 0) return true;
     const FloatImage coordinates = renderer.read_float(result.map_coordinates, 4);
-    frozen_usage_ = texel_usage(coordinates, state.settings, result.map_resolution, shown_face(state.settings, result));
+    facts_.frozen_usage = std::make_shared<const TexelUsage>(
+        texel_usage(coordinates, state.settings, result.map_resolution, shown_face(state.settings, result)));
     return true;
 }
 
-bool EditorReadings::update_probe(Renderer& renderer, const Scene& scene, const EditorState& state,
+bool EditorReadings::update_probe(Renderer& renderer, const Scene& scene, const PictureState& state,
                                   const FrameRequest& request) {
     if (!state.probe_pixel) {
-        const bool had = probe_.has_value();
-        probe_.reset();
+        const bool had = bool(facts_.probe);
+        facts_.probe.reset();
         probed_pixel_.reset();
         return had;
     }
@@ -179,8 +173,8 @@ bool EditorReadings::update_probe(Renderer& renderer, const Scene& scene, const 
     probed_pixel_ = state.probe_pixel;
     const glm::ivec2 pixel =
         glm::clamp(*state.probe_pixel, glm::ivec2(0), glm::ivec2(request.width, request.height) - 1);
-    probe_.reset();  // in case of an exception
-    probe_ = renderer.probe(scene, state.settings, request, pixel.x, pixel.y);
+    facts_.probe.reset();  // in case of an exception
+    facts_.probe = std::make_shared<const Probe>(renderer.probe(scene, state.settings, request, pixel.x, pixel.y));
     return true;
 }
 

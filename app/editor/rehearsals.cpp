@@ -43,7 +43,7 @@ struct Rehearsals::Stage {
         // Once more with the maps kept, of which look-ups may then know more; another size, as nothing else is kept.
         request.force = false, ++request.width;
         renderer.render(*r.scene, r.settings, request);
-        if (r.probe) probe(renderer, r, request);
+        probe(renderer, r, request);
         renderer.take_gl_messages();
     }
     /// Of the background little is asked.
@@ -54,20 +54,8 @@ struct Rehearsals::Stage {
     }
 };
 
-Rehearsals::Rehearsals()
-    : wanting_([this](const std::stop_token& end) { run(end, false); }),
-      foreseeing_([this](const std::stop_token& end) { run(end, true); }) {}
+Rehearsals::Rehearsals() : thread_([this](const std::stop_token& end) { run(end); }) {}
 Rehearsals::~Rehearsals() = default;
-
-void Rehearsals::want(Rehearsal rehearsal) {
-    {
-        const std::lock_guard lock(mutex_);
-        waited_for_ = rehearsal.key;
-        wanted_ = std::make_unique<Rehearsal>(std::move(rehearsal));
-        ++asked_;
-    }
-    changed_.notify_all();
-}
 
 void Rehearsals::foresee(Rehearsal rehearsal) {
     {
@@ -79,49 +67,14 @@ void Rehearsals::foresee(Rehearsal rehearsal) {
     changed_.notify_all();
 }
 
-bool Rehearsals::knows(std::uint64_t key) const {
-    const std::lock_guard lock(mutex_);
-    moved_ = false;
-    return known_.contains(key);
-}
-
-bool Rehearsals::is_wanted(std::uint64_t key) const {
-    const std::lock_guard lock(mutex_);
-    return waited_for_ == key;
-}
-
-void Rehearsals::learn(std::uint64_t key) {
-    const std::lock_guard lock(mutex_);
-    if (key != 0) known_.insert(key);
-    wanted_.reset();
-    waited_for_ = 0;
-}
-
 void Rehearsals::forget() {
     const std::lock_guard lock(mutex_);
-    known_.clear(), foreseen_.clear(), wanted_.reset();
-    waited_for_ = 0;
-    ++age_;
-}
-
-bool Rehearsals::busy() const {
-    const std::lock_guard lock(mutex_);
-    return waited_for_ != 0;
-}
-
-bool Rehearsals::moved() const {
-    const std::lock_guard lock(mutex_);
-    return moved_;
+    foreseen_.clear();
 }
 
 void Rehearsals::wait() const {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return waited_for_ == 0 || moved_; });
-}
-
-void Rehearsals::wait_for_all() const {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return !wanted_ && foreseen_.empty() && working_ == 0; });
+    changed_.wait(lock, [&] { return foreseen_.empty() && !working_; });
 }
 
 std::size_t Rehearsals::done() const {
@@ -129,14 +82,7 @@ std::size_t Rehearsals::done() const {
     return done_;
 }
 
-std::unique_ptr<Rehearsal> Rehearsals::take_wanted(const std::stop_token& end) {
-    std::unique_lock lock(mutex_);
-    if (!changed_.wait(lock, end, [&] { return bool(wanted_); })) return {};
-    ++working_;
-    return std::move(wanted_);
-}
-
-std::unique_ptr<Rehearsal> Rehearsals::take_foreseen(const std::stop_token& end) {
+std::unique_ptr<Rehearsal> Rehearsals::take(const std::stop_token& end) {
     std::unique_lock lock(mutex_);
     while (!end.stop_requested()) {
         if (!changed_.wait(lock, end, [&] { return !foreseen_.empty(); })) break;
@@ -145,21 +91,16 @@ std::unique_ptr<Rehearsal> Rehearsals::take_foreseen(const std::stop_token& end)
         if (end.stop_requested()) break;
         auto next = std::make_unique<Rehearsal>(std::move(foreseen_.back()));  // what was shown last
         foreseen_.pop_back();
-        ++working_;
+        working_ = true;
         return next;
     }
     return {};
 }
 
-void Rehearsals::run(const std::stop_token& end, bool foreseen) {
-    if (foreseen) give_way();
+void Rehearsals::run(const std::stop_token& end) {
+    give_way();
     std::unique_ptr<Stage> stage;
-    std::uint64_t age = 0;
-    while (const auto next = foreseen ? take_foreseen(end) : take_wanted(end)) {
-        {
-            const std::lock_guard lock(mutex_);
-            age = age_;
-        }
+    while (const auto next = take(end)) {
         try {
             if (!stage) stage = std::make_unique<Stage>();
             stage->play(*next);
@@ -168,11 +109,8 @@ void Rehearsals::run(const std::stop_token& end, bool foreseen) {
         }
         {
             const std::lock_guard lock(mutex_);
-            --working_;
+            working_ = false;
             ++done_;
-            if (age == age_) known_.insert(next->key);
-            if (wanted_ && known_.contains(wanted_->key)) wanted_.reset();
-            if (waited_for_ != 0 && known_.contains(waited_for_)) moved_ = true;
         }
         changed_.notify_all();
     }

@@ -41,8 +41,19 @@ struct EditorLayout {
 
 enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice, Log };
 
-struct EditorState {
+/// What of the editor's state its frames, and the numbers read from them, depend on.
+struct PictureState {
     Settings settings;
+    CompareWith compare;
+    Against against;
+    EffectsPanel effects;
+    std::optional<glm::ivec2> probe_pixel;  ///< of the scene picture, row 0 at the top
+    int active_pane = 0;                    ///< under the mouse, or where a press began
+    BottomTab tab = BottomTab::Effects;
+    std::optional<FrozenCamera> frozen;
+};
+
+struct EditorState : PictureState {
     History history;
     Log log;
     std::string scene_name;                   ///< built-in key or path, as loaded
@@ -50,9 +61,7 @@ struct EditorState {
     std::string preset_path = "preset.json";  ///< the file that is saved to
     GuideNote guide;                          ///< of the preset that was opened last
     std::string hidden_guide;                 ///< key of the note that is not to be shown
-    CompareWith compare;
-    Against against;
-    std::string error_path = "error.json";  ///< that the error panel's Save writes
+    std::string error_path = "error.json";    ///< that the error panel's Save writes
     FileDialog file_dialog;
     std::optional<Replacement> replace;
     bool between_steps = false;  ///< undo or redo waits for the scene of its step
@@ -60,18 +69,14 @@ struct EditorState {
     bool only_changed = false;
     TunePanel tune;
     AdvicePanel advice;
-    std::optional<glm::ivec2> probe_pixel;  ///< of the scene picture, row 0 at the top
     EditorLayout layout;
     MapWindow map_window;
     bool exact_texels = false;                ///< the map viewer marks the texels that kernels fetch
     std::string map_path = "shadow-map.pfm";  ///< that the map viewer's Save writes
     std::optional<glm::ivec2> hovered_pixel;  ///< under the mouse in the scene picture, row 0 at the top
-    int active_pane = 0;                      ///< under the mouse, or where a press began
     std::optional<glm::ivec2> hovered_texel;  ///< under the mouse in the map viewer, y up
     Playback playback;
     SweepPanel sweep;
-    EffectsPanel effects;
-    BottomTab tab = BottomTab::Effects;
     std::optional<BottomTab> open_tab = BottomTab::Effects;  ///< brought to the front in the next frame
     std::string object_search;
     bool only_lost = false;       ///< the object list shows lost casters only
@@ -87,8 +92,7 @@ struct EditorState {
     char hovered_axis = 0;                  ///< 'x', 'y' or 'z': an end of the gnomon is under the mouse
     Flight flight;
     std::optional<CameraSettings> camera_before_light;  ///< what looking through the light goes back to
-    std::optional<FrozenCamera> frozen;
-    bool select_probed = false;  ///< the next probe of a click chooses the selected object
+    bool select_probed = false;                         ///< the next probe of a click chooses the selected object
 };
 
 /// A scene that is being read while the editor shows another.

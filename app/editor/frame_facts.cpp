@@ -1,0 +1,26 @@
+#include "app/editor/frame_facts.h"
+
+namespace si {
+
+void FrameFacts::fill(EditorFrame& f) const {
+    f.driver = driver ? &*driver : nullptr;
+    f.result = driver ? &result : nullptr;
+    f.probe = readings.probe.get();
+    f.dossiers = readings.dossiers;
+    f.tracing_probe = readings.tracing_probe;
+    f.map_values = readings.map_values.get();
+    f.map_facts = readings.map_facts ? &*readings.map_facts : nullptr;
+    f.map_coordinates = readings.map_coordinates.get();
+    f.texel_usage = readings.usage.get();
+    f.exact_utilisation = readings.exact_utilisation;
+    f.frozen_usage = readings.frozen_usage.get();
+    f.overlay_values = readings.overlay_values.get();
+    f.lost_casters = readings.lost_casters;
+    f.truth = truth;
+    f.error = driver ? result.error.get() : nullptr;
+    f.against = against;
+    f.effects = effects;
+    f.shader_log = shader_log;
+}
+
+}  // namespace si
