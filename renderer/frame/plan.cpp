@@ -78,6 +78,7 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         PassInfo& info = out[i];
         info.name = pass.name;
         info.category = pass.category;
+        info.light = pass.light;
         const bool live =
             std::any_of(pass.writes.begin(), pass.writes.end(), [&](const ResultRef& w) { return needed.contains(w); });
         if (!pass.unneeded.empty() && !(uncalled && pass.run && live)) {
@@ -89,12 +90,13 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
             continue;
         }
         needed.insert(pass.reads.begin(), pass.reads.end());
-        if (!force && pass.cached && *pass.cached == pass.key) {
+        const bool held = pass.cached && *pass.cached == pass.key;
+        if (!force && held && !pass.lacks) {
             info.state = PassState::Reused;
             info.reason = "nothing it depends on changed";
         } else {
             info.state = PassState::Ran;
-            info.reason = force && pass.cached && *pass.cached == pass.key ? "asked to run" : "its inputs changed";
+            info.reason = !held ? "its inputs changed" : force ? "asked to run" : "more of it is called for";
         }
     }
     return out;

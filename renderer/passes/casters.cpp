@@ -8,6 +8,7 @@
 #include "renderer/frame/driver.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/box_sight.h"
+#include "renderer/view/projection.h"
 
 namespace si {
 namespace {
@@ -55,6 +56,11 @@ constexpr std::size_t kMostSides = 1024;
 
 /// Sine of the angle to a ray below which a side is taken to be seen edge-on.
 constexpr double kEdgeOn = 1e-4;
+
+/// Of a view's near plane: what begins nearer to a light may cover any texel.
+constexpr double kBeforeShare = 1e-3;
+/// Around what a caster covers.
+constexpr double kCasterRoomTexels = 2;
 
 std::vector<Side> sides_of(const Mesh& mesh) {
     std::map<std::array<int, 3>, Side> sides;
@@ -108,7 +114,8 @@ public:
           sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.resolution),
           rays_from_(ray_source(view.clip_from_relative)),
           offset_(!view.unfiltered && offsets_polygons(f.settings)),
-          skips_(!seen && !f.request.forced.contains(Saving::Casters)) {}
+          skips_(!seen && !f.request.forced.contains(Saving::Casters)),
+          uvd_from_relative_(uvd_from_clip(view.curve.convention) * view.clip_from_relative) {}
 
     void draw(const Batch& batch) {
         const bool closed = batch.closed && !batch.masked && !offset_ && cull_of(f_, batch) == Cull::None;
@@ -133,12 +140,17 @@ private:
     BoxSight sight_;
     glm::dvec4 rays_from_;
     bool offset_, skips_;
+    glm::dmat4 uvd_from_relative_;
     std::vector<IndexRange> parts_;
 
     /// Lengthens the run by an instance, or draws it and what can be seen of the instance.
     void add(const Batch& batch, GLuint instance, bool closed, Run& run) {
         if (skips_ && sight_.misses(box_of(instance))) {
             ++spared.beside;
+            return finish(run);
+        }
+        if (view_.called && !covers_called(box_of(instance))) {
+            ++spared.unread;
             return finish(run);
         }
         const Seen what = seen_ ? seen_(instance, parts_) : Seen::Whole;
@@ -157,6 +169,15 @@ private:
             part.batch.first_index += range.first, part.batch.index_count = range.count;
             finish(part);
         }
+    }
+
+    bool covers_called(const SkewBox& box) const {
+        const double before = view_.curve.perspective ? kBeforeShare * view_.curve.near : 0;
+        std::optional<MapRect> rect = rect_of(box, uvd_from_relative_, view_.origin, before);
+        if (!rect) return true;
+        const glm::dvec2 room(kCasterRoomTexels / view_.resolution);
+        rect->lo -= room, rect->hi += room;
+        return view_.called->meets(*rect);
     }
 
     SkewBox box_of(GLuint instance) const {
@@ -271,7 +292,7 @@ SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& 
 }
 
 SparedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                           const LightView& view, PassInfo& info) {
+                           const LightView& view, PassInfo& info, const MapCells* called) {
     const GLuint framebuffer = into.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);
@@ -281,7 +302,8 @@ SparedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfi
                            light.map_origin,
                            unfiltered,
                            view.clamps_near,
-                           f.map_resolution};
+                           f.map_resolution,
+                           called && !called->is_whole() ? called : nullptr};
     return draw_casters(f, whole, {}, info);
 }
 
