@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "renderer/frame/driver.h"
+#include "renderer/passes/mesh_boxes.h"
+#include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/box_sight.h"
 #include "renderer/view/projection.h"
@@ -153,7 +155,11 @@ private:
             ++spared.unread;
             return finish(run);
         }
-        const Seen what = seen_ ? seen_(instance, parts_) : Seen::Whole;
+        const Seen what = seen_ ? seen_(instance, parts_) : view_.called ? called_of(instance) : Seen::Whole;
+        if (what == Seen::Parts && parts_.empty()) {
+            ++spared.unread;
+            return finish(run);
+        }
         const bool fronts_alone =
             closed && what != Seen::Nothing && sight_.has_before_it(box_of(instance)) && !shows_edge(instance);
         spared.closed += fronts_alone;
@@ -169,6 +175,19 @@ private:
             part.batch.first_index += range.first, part.batch.index_count = range.count;
             finish(part);
         }
+    }
+
+    /// Of an instance of which something is called for. Large meshes are drawn in runs.
+    Seen called_of(GLuint instance) {
+        const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
+        const std::span<const Bounds> runs = run_boxes_of_mesh(f_, std::size_t(object.mesh));
+        if (runs.empty()) return Seen::Whole;
+        const std::size_t indices = f_.scene.meshes[std::size_t(object.mesh)].indices.size();
+        parts_.clear();
+        for (std::size_t k = 0; k < runs.size(); ++k)
+            if (covers_called({runs[k], object.world}))
+                add_part(parts_, {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
+        return Seen::Parts;
     }
 
     bool covers_called(const SkewBox& box) const {
@@ -226,6 +245,13 @@ private:
 };
 
 }  // namespace
+
+void add_part(std::vector<IndexRange>& parts, IndexRange next) {
+    if (!parts.empty() && parts.back().first + std::size_t(parts.back().count) == next.first)
+        parts.back().count += next.count;
+    else
+        parts.push_back(next);
+}
 
 bool casts_at_all(const Scene& scene, const Settings& settings, const Object& object) {
     const int material = scene.meshes[std::size_t(object.mesh)].material;

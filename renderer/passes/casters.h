@@ -25,6 +25,9 @@ struct IndexRange {
     GLsizei count = 0;
 };
 
+/// Adds what follows in the mesh, to the last part where that ends there.
+void add_part(std::vector<IndexRange>& parts, IndexRange next);
+
 enum class Seen { Nothing, Whole, Parts };
 
 /// What can be seen of an instance, counted as SceneGpu orders them. @param[out] parts what to draw where it is Parts

@@ -2,22 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <optional>
 
-#include "renderer/scene/clusters.h"
+#include "renderer/passes/mesh_boxes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/view/kernel_reach.h"
 
 namespace si {
 namespace {
-
-/// By mesh, found when first asked for.
-struct ClustersOfMeshes {
-    std::shared_ptr<const Rig> rig;  ///< of poses that share their rigid meshes; held, so that no other takes its place
-    std::uint64_t scene = 0;         ///< where there is none
-    std::vector<std::vector<Bounds>> meshes;
-};
 
 struct SeenFromCamera {
     std::uint64_t key = 0;
@@ -29,22 +21,11 @@ struct SeenFromCamera {
     std::array<OfLight, kMaxLights> lights;
 };
 
-std::span<const Bounds> clusters_in(const Scene& scene, ClustersOfMeshes& known, std::size_t mesh) {
-    if (known.rig != scene.rig || (!scene.rig && known.scene != scene.id) || known.meshes.size() != scene.meshes.size())
-        known = {scene.rig, scene.id, std::vector<std::vector<Bounds>>(scene.meshes.size())};
-    std::vector<Bounds>& boxes = known.meshes[mesh];
-    const Mesh& m = scene.meshes[mesh];
-    if (m.deformer) return {&m.bounds, 1};
-    if (boxes.empty()) boxes = clusters_of(m);
-    return boxes;
-}
-
 const SeenBodies& bodies_seen(FrameState& f, SeenFromCamera& known) {
     const std::uint64_t key = f.surfaces_key().value();
     if (known.key == key && known.bodies) return *known.bodies;
-    ClustersOfMeshes& clusters = f.gl.owned.get<ClustersOfMeshes>();
-    known.bodies = seen_bodies(f.scene, f.camera, f.request.height,
-                               [&](std::size_t mesh) { return clusters_in(f.scene, clusters, mesh); });
+    known.bodies =
+        seen_bodies(f.scene, f.camera, f.request.height, [&](std::size_t mesh) { return clusters_of_mesh(f, mesh); });
     known.key = key;
     return *known.bodies;
 }

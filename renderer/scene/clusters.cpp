@@ -42,4 +42,14 @@ std::vector<Bounds> clusters_of(const Mesh& mesh) {
     return all;
 }
 
+std::vector<Bounds> run_boxes_of(const Mesh& mesh) {
+    std::vector<Bounds> out;
+    if (mesh.indices.size() < 2 * kRunIndices) return out;
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        if (i % kRunIndices == 0) out.emplace_back();
+        out.back().add(glm::dvec3(mesh.positions[mesh.indices[i]]));
+    }
+    return out;
+}
+
 }  // namespace si

@@ -11,4 +11,9 @@ namespace si {
 /// of large ones. Takes time in proportion to the triangles.
 std::vector<Bounds> clusters_of(const Mesh& mesh);
 
+/// Indices of large meshes are drawn in runs of so many.
+inline constexpr std::size_t kRunIndices = 3 * 1024;
+/// Boxes of the runs of a mesh's indices, in its own space; none of a mesh that is too small to be drawn in runs.
+std::vector<Bounds> run_boxes_of(const Mesh& mesh);
+
 }  // namespace si

@@ -83,6 +83,17 @@ TEST_F(ViewSavingsTest, CastersOfWhichNoShadowIsSeenAreNotDrawn) {
     }
 }
 
+TEST_F(ViewSavingsTest, OfLargeCastersTheRunsThatCoverNothingSeenAreNotDrawn) {
+    const Scene scene = load_scene("landscape");
+    Settings s =
+        settings_for(scene, {{"camera.source", "manual"}, {"camera.elevation", "60"}, {"map.resolution", "512"}});
+    s.camera.target_x = scene.bounds.centre().x, s.camera.target_y = scene.bounds.hi.y;
+    s.camera.target_z = scene.bounds.lo.z, s.camera.distance = 0.1 * scene.bounds.radius();
+    const auto [saved, forced] = expect_one_picture(scene, s, "landscape");
+    EXPECT_GT(saved, 0u);
+    EXPECT_LT(double(saved), 0.3 * double(forced)) << "its triangles go row by row along z";
+}
+
 TEST_F(ViewSavingsTest, FacesThatNothingSeenIsLookedUpInAreNotDrawn) {
     const Scene scene = row_of_balls();
     const Settings s = settings_for(
