@@ -111,6 +111,7 @@ private:
 
     /// @param held look-ups beyond the map's sides are another view's
     void take(MapRect rect, bool held) {
+        if (!held && area_.wrap == MapWrap::Repeat) return take_all();
         rect.lo -= room_, rect.hi += room_;
         const bool beyond = !held && area_.wrap == MapWrap::Clamp;
         MapCells read;
@@ -127,7 +128,10 @@ private:
         for (const glm::dvec3& p : points) {
             const glm::dvec4 h = uvd_from_relative_ * glm::dvec4(p - light_.map_origin, 1);
             out.nearest = std::min(out.nearest, h.w), out.farthest = std::max(out.farthest, h.w);
-            beyond[0] &= h.x<0, beyond[1] &= h.x> h.w, beyond[2] &= h.y<0, beyond[3] &= h.y> h.w;
+            beyond[0] &= h.x < 0.0;
+            beyond[1] &= h.w < h.x;
+            beyond[2] &= h.y < 0.0;
+            beyond[3] &= h.w < h.y;
             if (!(h.w > 0)) continue;
             const glm::dvec2 at = glm::dvec2(h) / h.w;
             out.rect.lo = glm::min(out.rect.lo, at), out.rect.hi = glm::max(out.rect.hi, at);
