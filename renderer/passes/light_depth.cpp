@@ -63,11 +63,16 @@ std::uint64_t draw_part(FrameState& f, std::size_t light, std::size_t view, cons
     part.left_out = spared.beside + spared.unread, part.unit = "casters";
     if (spared.beside > 0) part.by = Saving::Casters;
     if (spared.unread > 0) part.by = Saving::Views;
-    part.reason = part.draws == 0 ? "no caster lies in it: it is only cleared" : "its casters are drawn";
-    if (spared.unread > 0)
-        part.reason = fmt::format("{}; {} of them cover{} nothing that the camera can read",
-                                  part.draws == 0 ? "it is only cleared" : "its casters are drawn", spared.unread,
-                                  spared.unread == 1 ? "s" : "");
+    const char* plural = spared.unread == 1 ? "" : "s";
+    const char* cover = spared.unread == 1 ? "covers" : "cover";
+    if (spared.unread == 0)
+        part.reason = part.draws == 0 ? "no caster lies in it: it is only cleared" : "its casters are drawn";
+    else if (part.draws == 0)
+        part.reason = fmt::format("it is only cleared: {} caster{} {} nothing that the camera can read", spared.unread,
+                                  plural, cover);
+    else
+        part.reason = fmt::format("its casters are drawn, but for {} that {} nothing that the camera can read",
+                                  spared.unread, cover);
     info.parts.push_back(std::move(part));
     return spared.closed;
 }
