@@ -84,7 +84,12 @@ void print_waste(const Waste& waste) {
     fmt::print("\nleft out in turn; what changes no byte of the picture is waste:\n");
     for (const Tried& t : waste.tried) {
         const std::string read = t.read < 0 ? "" : fmt::format(", {:.2f} % of its texels are read", 100 * t.read);
-        fmt::print("  {:<8} {:>10} triangles  {}{}\n", t.changes ? "needed" : "waste", t.triangles, t.name, read);
+        const bool undrawn = t.read >= 0 && t.triangles == 0 && !t.changes;
+        fmt::print("  {:<9} {:>10} triangles  {}{}\n",
+                   t.changes ? "needed"
+                   : undrawn ? "not drawn"
+                             : "waste",
+                   t.triangles, t.name, read);
     }
     if (waste.tried.empty()) fmt::print("  there is nothing to leave out\n");
     fmt::print("{} of {} triangles drawn into maps are waste ({:.1f} %)\n", waste.wasted(), waste.triangles(),

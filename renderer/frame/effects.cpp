@@ -60,12 +60,6 @@ Effect part_of(const PassInfo& pass, std::string name, bool called_for, std::str
     return effect;
 }
 
-/// "Shadow map 3 (point)" is about light 3.
-std::size_t number_in(std::string_view name) {
-    const auto digit = name.find_first_of("0123456789");
-    return digit == std::string_view::npos ? 0 : std::size_t(std::atoi(std::string(name.substr(digit)).c_str()));
-}
-
 std::string light_key(std::size_t light, std::string_view setting) {
     SettingRef ref = *find_setting(fmt::format("light.{}", setting));
     ref.light = int(light);
@@ -75,7 +69,7 @@ std::string light_key(std::size_t light, std::string_view setting) {
 // Maps ----------------------------------------------------------------------------------------------------------------
 
 std::string why_map(const Facts& f, const PassInfo& pass) {
-    return fmt::format("light {} has its shadows from a map, and {} object{} cast{}", number_in(pass.name), f.casters,
+    return fmt::format("light {} has its shadows from a map, and {} object{} cast{}", pass.light, f.casters,
                        f.casters == 1 ? "" : "s", f.casters == 1 ? "s" : "");
 }
 
@@ -86,7 +80,7 @@ std::string masks_text(const Facts& f) {
 }
 
 void map_parts(const Facts& f, const PassInfo& pass, Effects& out) {
-    const std::size_t number = number_in(pass.name);
+    const auto number = std::size_t(pass.light);
     if (number >= f.frame.lights.size() || !f.frame.lights[number].casts) return;
     const FittedLight& light = f.frame.lights[number];
     for (std::size_t v = 0; pass.parts.empty() && light.views.size() > 1 && v < light.views.size(); ++v)
@@ -290,7 +284,7 @@ const EffectRow kRows[] = {
     {.pass = "shadow volumes",
      .why =
          [](const Facts& f, const PassInfo& pass) {
-             const std::size_t light = number_in(pass.name);
+             const auto light = std::size_t(pass.light);
              return fmt::format("{} is {}", light_key(light, "source"), source_of(f.settings, int(light)).key);
          },
      .absent = SI_ABSENT("no light's source is shadow volumes")},

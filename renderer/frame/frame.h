@@ -102,6 +102,7 @@ struct PassInfo {
     double gpu_ms = 0, cpu_ms = 0;  ///< 0 unless timing was asked for
     std::uint64_t draws = 0, triangles = 0;
     PassCategory category = PassCategory::Picture;
+    int light = -1;               ///< that it is for; below 0: for all, or for none
     std::vector<PartInfo> parts;  ///< empty: the pass is one thing
 };
 
@@ -187,6 +188,7 @@ struct FrameResult {
     std::shared_ptr<const LiveError> error;  ///< null unless asked for and truth.met
     int map_resolution = 0;
     bool map_holds_distances = false;        ///< see holds_distances()
+    bool maps_are_whole = true;              ///< else they hold no more than look-ups of the picture read
     std::optional<PageFacts> pages;          ///< of virtual maps; empty: maps are whole
     float overlay_min = 0, overlay_max = 1;  ///< the first pane's colour scale
     Image map_view;                          ///< RGBA8: the depth image of view.map_source as view.map shows it

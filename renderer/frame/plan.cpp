@@ -78,6 +78,7 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         PassInfo& info = out[i];
         info.name = pass.name;
         info.category = pass.category;
+        info.light = pass.light;
         const bool live =
             std::any_of(pass.writes.begin(), pass.writes.end(), [&](const ResultRef& w) { return needed.contains(w); });
         if (!pass.unneeded.empty() && !(uncalled && pass.run && live)) {
@@ -89,7 +90,8 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
             continue;
         }
         needed.insert(pass.reads.begin(), pass.reads.end());
-        if (!force && pass.cached && *pass.cached == pass.key) {
+        const bool held = pass.cached && *pass.cached == pass.key;
+        if (!force && held && !pass.lacks) {
             info.state = PassState::Reused;
             info.reason = "nothing it depends on changed";
         } else if (pass.aid &&
@@ -98,7 +100,7 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         } else {
             info.state = PassState::Ran;
             read_now.insert(pass.reads.begin(), pass.reads.end());
-            info.reason = force && pass.cached && *pass.cached == pass.key ? "asked to run" : "its inputs changed";
+            info.reason = !held ? "its inputs changed" : force ? "asked to run" : "more of it is called for";
         }
     }
     return out;
@@ -141,7 +143,7 @@ std::uint64_t Plan::key_of(const ResultRef& result) const {
 bool Plan::holds(const ResultRef& result) const {
     return std::ranges::all_of(passes_, [&](const Pass& pass) {
         const bool writes = pass.unneeded.empty() && std::ranges::find(pass.writes, result) != pass.writes.end();
-        return !writes || (pass.cached && *pass.cached == pass.key);
+        return !writes || (pass.cached && *pass.cached == pass.key && !pass.lacks);
     });
 }
 

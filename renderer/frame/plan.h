@@ -16,6 +16,7 @@ namespace si {
 struct Pass {
     std::string name;
     PassCategory category = PassCategory::Picture;
+    int light = -1;  ///< PassInfo::light
     std::vector<ResultRef> reads, writes;
     std::string unneeded;   ///< why the scene does not call for it; empty: it does
     std::uint64_t key = 0;  ///< of all that the result depends on, its size and format too, but what it reads
@@ -23,6 +24,9 @@ struct Pass {
     /// is made only where one of them runs.
     bool aid = false;
     std::uint64_t* cached = nullptr;  ///< key of the contents that the target holds; stays where it is between frames
+    /// Of what `cached` names the target holds less than is called for: the pass runs, and what it adds changes nothing
+    /// of what was read before.
+    bool lacks = false;
     std::function<void(PassInfo&)> run;
     std::string idle_reason = "nothing reads it";  ///< shown when no live pass reads what it writes
 };

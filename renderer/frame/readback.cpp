@@ -84,6 +84,10 @@ FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int fa
     }
     if (!found) throw Error(fmt::format("light {} has no shadow map image {}", light, face));
     const gl::Target& map = require(frame, impl_->number, impl_->resources, Result::ShadowMaps);
+    if (!frame.maps_are_whole)
+        throw Error(
+            "the shadow maps of this frame hold only what its picture reads; ask it for its shadow maps before "
+            "reading them");
     const int n = frame.map_resolution;
     const DepthCurve& curve = frame.lights[std::size_t(light)].views[std::size_t(face)].curve;
     FloatImage out{n, n, 1,

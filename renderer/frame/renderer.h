@@ -47,7 +47,8 @@ public:
     /// place of those before it, and their images are to be drawn anew before they are shown or read.
     bool holds(const FrameResult& frame) const;
     /// The stored depth of a light's map of that frame, raw, in [0,1].
-    /// @throws Error when the frame has no such map, or another one was drawn in its place
+    /// @throws Error when the frame has no such map, did not ask for whole ones (FrameResult::maps_are_whole), or
+    /// another one was drawn in its place
     FloatImage read_shadow_map(const FrameResult& frame, int light, int face);
     /// The depth image behind that frame's `map_view`, as stored, in [0,1]. @throws Error as read_shadow_map() does
     FloatImage read_map_view_depth(const FrameResult& frame);

@@ -93,6 +93,7 @@ void describe_frame(FrameState& f, FrameResult& result) {
     result.notes = std::move(f.notes);
     result.map_resolution = f.map_resolution;
     result.map_holds_distances = holds_distances(f.settings.map.format);
+    result.maps_are_whole = f.maps_are_whole;
 }
 
 }  // namespace si

@@ -44,6 +44,10 @@ constexpr SavingRow kRows[] = {
      .label = "Casters beside a map",
      .help = "Casters whose box lies outside of what a map, a cascade or a face holds are not drawn into it: none of "
              "their triangles would cover a texel."},
+    {.key = "views",
+     .label = "What of maps the camera cannot read",
+     .help = "Maps, cascades and faces in which nothing lies that the camera sees are not drawn, nor are casters that "
+             "cover no texel within the kernel's reach of what it sees. Whatever reads whole maps has them whole."},
 };
 static_assert(std::size(kRows) == kSavings);
 

@@ -20,6 +20,7 @@ enum class Saving {
     Fused,      ///< visibility as a pass of its own, where nothing else reads it
     BackFaces,  ///< of closed casters
     Casters,    ///< of which nothing lies in a map
+    Views,      ///< maps, and casters into them, of which no look-up of the picture reads anything
     kCount
 };
 inline constexpr std::size_t kSavings = std::size_t(Saving::kCount);

@@ -103,6 +103,9 @@ struct FrameState {
     std::vector<const LightMap*> light_map_of_light;
     std::uint64_t truth_content = 0;    ///< key of what of it is used
     Plan plan;                          ///< see plan_frame()
+    std::vector<bool> layers_drawn;     ///< of the maps: of others nothing is read. Once their passes are planned
+    Key maps_extent;                    ///< of what the maps hold of all that they could; the same
+    bool maps_are_whole = true;         ///< FrameResult::maps_are_whole; the same
     bool camera_depth_renewed = false;  ///< where the request forces it: once a frame
 
     /// An image of a result; one without a texture where nothing of the frame makes it.

@@ -6,8 +6,11 @@
 #include <optional>
 
 #include "renderer/frame/driver.h"
+#include "renderer/passes/mesh_boxes.h"
+#include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/box_sight.h"
+#include "renderer/view/projection.h"
 
 namespace si {
 namespace {
@@ -55,6 +58,11 @@ constexpr std::size_t kMostSides = 1024;
 
 /// Sine of the angle to a ray below which a side is taken to be seen edge-on.
 constexpr double kEdgeOn = 1e-4;
+
+/// Of a view's near plane: what begins nearer to a light may cover any texel.
+constexpr double kBeforeShare = 1e-3;
+/// Around what a caster covers.
+constexpr double kCasterRoomTexels = 2;
 
 std::vector<Side> sides_of(const Mesh& mesh) {
     std::map<std::array<int, 3>, Side> sides;
@@ -108,7 +116,8 @@ public:
           sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.resolution),
           rays_from_(ray_source(view.clip_from_relative)),
           offset_(!view.unfiltered && offsets_polygons(f.settings)),
-          skips_(!seen && !f.request.forced.contains(Saving::Casters)) {}
+          skips_(!seen && !f.request.forced.contains(Saving::Casters)),
+          uvd_from_relative_(uvd_from_clip(view.curve.convention) * view.clip_from_relative) {}
 
     void draw(const Batch& batch) {
         const bool closed = batch.closed && !batch.masked && !offset_ && cull_of(f_, batch) == Cull::None;
@@ -133,6 +142,7 @@ private:
     BoxSight sight_;
     glm::dvec4 rays_from_;
     bool offset_, skips_;
+    glm::dmat4 uvd_from_relative_;
     std::vector<IndexRange> parts_;
 
     /// Lengthens the run by an instance, or draws it and what can be seen of the instance.
@@ -141,7 +151,15 @@ private:
             ++spared.beside;
             return finish(run);
         }
-        const Seen what = seen_ ? seen_(instance, parts_) : Seen::Whole;
+        if (view_.called && !covers_called(box_of(instance))) {
+            ++spared.unread;
+            return finish(run);
+        }
+        const Seen what = seen_ ? seen_(instance, parts_) : view_.called ? called_of(instance) : Seen::Whole;
+        if (what == Seen::Parts && parts_.empty()) {
+            ++spared.unread;
+            return finish(run);
+        }
         const bool fronts_alone =
             closed && what != Seen::Nothing && sight_.has_before_it(box_of(instance)) && !shows_edge(instance);
         spared.closed += fronts_alone;
@@ -157,6 +175,28 @@ private:
             part.batch.first_index += range.first, part.batch.index_count = range.count;
             finish(part);
         }
+    }
+
+    /// Of an instance of which something is called for. Large meshes are drawn in runs.
+    Seen called_of(GLuint instance) {
+        const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
+        const std::span<const Bounds> runs = run_boxes_of_mesh(f_, std::size_t(object.mesh));
+        if (runs.empty()) return Seen::Whole;
+        const std::size_t indices = f_.scene.meshes[std::size_t(object.mesh)].indices.size();
+        parts_.clear();
+        for (std::size_t k = 0; k < runs.size(); ++k)
+            if (covers_called({runs[k], object.world}))
+                add_part(parts_, {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
+        return Seen::Parts;
+    }
+
+    bool covers_called(const SkewBox& box) const {
+        const double before = view_.curve.perspective ? kBeforeShare * view_.curve.near : 0;
+        std::optional<MapRect> rect = rect_of(box, uvd_from_relative_, view_.origin, before);
+        if (!rect) return true;
+        const glm::dvec2 room(kCasterRoomTexels / view_.resolution);
+        rect->lo -= room, rect->hi += room;
+        return view_.called->meets(*rect);
     }
 
     SkewBox box_of(GLuint instance) const {
@@ -205,6 +245,13 @@ private:
 };
 
 }  // namespace
+
+void add_part(std::vector<IndexRange>& parts, IndexRange next) {
+    if (!parts.empty() && parts.back().first + std::size_t(parts.back().count) == next.first)
+        parts.back().count += next.count;
+    else
+        parts.push_back(next);
+}
 
 bool casts_at_all(const Scene& scene, const Settings& settings, const Object& object) {
     const int material = scene.meshes[std::size_t(object.mesh)].material;
@@ -271,7 +318,7 @@ SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& 
 }
 
 SparedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                           const LightView& view, PassInfo& info) {
+                           const LightView& view, PassInfo& info, const MapCells* called) {
     const GLuint framebuffer = into.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);
@@ -281,7 +328,8 @@ SparedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfi
                            light.map_origin,
                            unfiltered,
                            view.clamps_near,
-                           f.map_resolution};
+                           f.map_resolution,
+                           called && !called->is_whole() ? called : nullptr};
     return draw_casters(f, whole, {}, info);
 }
 

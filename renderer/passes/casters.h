@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/frame/state.h"
+#include "renderer/view/map_cells.h"
 
 namespace si {
 
@@ -12,9 +13,10 @@ struct CasterView {
     glm::dmat4 clip_from_relative{1.0};  ///< from positions relative to `origin`
     DepthCurve curve;
     glm::dvec3 origin{0};
-    bool unfiltered = false;   ///< without polygon offset, masks at their finest level
-    bool clamps_near = false;  ///< what lies before the near plane is drawn at it
-    int resolution = 1;        ///< texels along a side
+    bool unfiltered = false;           ///< without polygon offset, masks at their finest level
+    bool clamps_near = false;          ///< what lies before the near plane is drawn at it
+    int resolution = 1;                ///< texels along a side
+    const MapCells* called = nullptr;  ///< what of it is read; null: all
 };
 
 /// Indices of a mesh, counted from its first.
@@ -22,6 +24,9 @@ struct IndexRange {
     std::size_t first = 0;
     GLsizei count = 0;
 };
+
+/// Adds what follows in the mesh, to the last part where that ends there.
+void add_part(std::vector<IndexRange>& parts, IndexRange next);
 
 enum class Seen { Nothing, Whole, Parts };
 
@@ -39,13 +44,15 @@ void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConventio
 /// What drawing left out.
 struct SparedCasters {
     std::uint64_t beside = 0;  ///< instances of which nothing lies in the map
+    std::uint64_t unread = 0;  ///< instances that cover nothing of what is called for
     std::uint64_t closed = 0;  ///< instances that were drawn by their front faces alone
 };
 
 /// Draws every caster, or what of them can be seen, into the bound framebuffer and viewport.
 SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info);
 /// Clears the framebuffer of a whole map, and draws what of a light's casters lies in its view.
+/// @param called what of it is read; null: all
 SparedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                           const LightView& view, PassInfo& info);
+                           const LightView& view, PassInfo& info, const MapCells* called = nullptr);
 
 }  // namespace si

@@ -56,14 +56,15 @@ void add_depth_blur_pass(FrameState& f) {
     }
     BlurredMaps& t = f.gl.owned.get<BlurredMaps>();
     place_compared_maps(f, t.maps);
-    pass.key = f.with_settings({}, ReadBy::DepthBlur).value();
+    pass.key = f.with_settings({}, ReadBy::DepthBlur).add(f.maps_extent).value();
     pass.cached = &t.maps.key;
     pass.run = [&f, &t, radius](PassInfo& info) {
         const int n = f.map_resolution;
         t.maps.ensure("blurred shadow maps", f.map_format(), n, n, f.map_layers());
         t.rows.ensure("shadow map blurred along x", GL_R32F, n, n);
         const auto rows = gl::make_framebuffer("shadow map blurred along x", &t.rows, nullptr);
-        for (int layer = 0; layer < f.view_count; ++layer) blur_layer(f, t, rows, layer, info);
+        for (int layer = 0; layer < f.view_count; ++layer)
+            if (f.layers_drawn[std::size_t(layer)]) blur_layer(f, t, rows, layer, info);
         info.reason += fmt::format("; mean of {0} x {0} texels' depths, wrong on purpose", 2 * radius + 1);
     };
     f.plan.add(std::move(pass));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "renderer/passes/casters.h"
+#include "renderer/passes/map_extents.h"
 #include "renderer/passes/pages.h"
 #include "renderer/settings/map_storage.h"
 
@@ -18,6 +19,8 @@ struct DrawnMaps {
     gl::Target maps, unfiltered;                   ///< a layer a view
     gl::Target depth;                              ///< beside a colour map, of one view
     std::array<std::uint64_t, kMaxLights> keys{};  ///< by light, of its layers' contents
+    /// By light, what of each of its layers was drawn: of the rest nothing has been called for yet.
+    std::array<std::vector<MapCells>, kMaxLights> held;
 };
 
 /// @returns whether what they held is lost
@@ -27,7 +30,7 @@ bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) 
 
 /// @param emptied nothing is drawn into it
 SparedCasters draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const LightView& view, int layer,
-                        PassInfo& info, bool emptied = false) {
+                        PassInfo& info, const MapCells* called = nullptr, bool emptied = false) {
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
     const gl::Target& map = unfiltered ? t.unfiltered : t.maps;
     if (map.layers == 0) layer = -1;  // a plain texture
@@ -38,26 +41,50 @@ SparedCasters draw_view(FrameState& f, bool unfiltered, const FittedLight& light
         t.depth = {};
     const gl::Framebuffer into = colour ? gl::make_framebuffer("shadow map", &map, &t.depth, layer)
                                         : gl::make_framebuffer("shadow map", nullptr, &map, -1, layer);
-    if (!emptied) return draw_casters(f, into, unfiltered, light, view, info);
+    if (!emptied) return draw_casters(f, into, unfiltered, light, view, info, called);
     clear_casters(f, into.id(), view.curve.convention);
     return {};
 }
 
+std::string name_of_view(const FittedLight& light, std::size_t view, std::size_t number) {
+    const std::string name = view_name(light.chooser.choice, view, light.views.size());
+    return fmt::format("{} of light {}", name.empty() ? "map" : name, number);
+}
+
 /// Draws one of a light's views, and says what was left out of it. @returns the closed casters drawn without their
 /// backs
-std::uint64_t draw_part(FrameState& f, std::size_t light, std::size_t view, PassInfo& info) {
+std::uint64_t draw_part(FrameState& f, std::size_t light, std::size_t view, const MapCells& called, PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
     const std::uint64_t draws = info.draws, triangles = info.triangles;
-    const SparedCasters spared = draw_view(f, false, l, l.views[view], f.first_view[light] + int(view), info,
+    const SparedCasters spared = draw_view(f, false, l, l.views[view], f.first_view[light] + int(view), info, &called,
                                            f.request.emptied == MapOfLight{int(light), int(view)});
-    const std::string name = view_name(l.chooser.choice, view, l.views.size());
-    PartInfo part{.name = fmt::format("{} of light {}", name.empty() ? "map" : name, light), .state = PassState::Ran};
+    PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Ran};
     part.draws = info.draws - draws, part.triangles = info.triangles - triangles;
-    part.left_out = spared.beside, part.unit = "casters";
+    part.left_out = spared.beside + spared.unread, part.unit = "casters";
     if (spared.beside > 0) part.by = Saving::Casters;
-    part.reason = part.draws == 0 ? "no caster lies in it: it is only cleared" : "its casters are drawn";
+    if (spared.unread > 0) part.by = Saving::Views;
+    const char* plural = spared.unread == 1 ? "" : "s";
+    const char* cover = spared.unread == 1 ? "covers" : "cover";
+    if (spared.unread == 0)
+        part.reason = part.draws == 0 ? "no caster lies in it: it is only cleared" : "its casters are drawn";
+    else if (part.draws == 0)
+        part.reason = fmt::format("it is only cleared: {} caster{} {} nothing that the camera can read", spared.unread,
+                                  plural, cover);
+    else
+        part.reason = fmt::format("its casters are drawn, but for {} that {} nothing that the camera can read",
+                                  spared.unread, cover);
     info.parts.push_back(std::move(part));
     return spared.closed;
+}
+
+/// A view that is not drawn.
+PartInfo left_part(const FrameState& f, std::size_t light, std::size_t view, bool kept) {
+    PartInfo part{.name = name_of_view(f.gl.fitted[light], view, light)};
+    part.state = kept ? PassState::Reused : PassState::Skipped;
+    part.reason = kept ? "what is called for of it was drawn before"
+                       : "nothing that the camera sees is looked up in it: it is not drawn";
+    if (!kept) part.by = Saving::Views;
+    return part;
 }
 
 /// @param closed casters, each counted once a view
@@ -84,7 +111,82 @@ void place_compared_maps(FrameState& f, const gl::Target& maps) {
         f.plan.place(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP_COMPARE, &f.gl.map_compare});
 }
 
+namespace {
+
+/// What a frame draws of a light's views, and what they then hold.
+struct MapWork {
+    std::vector<MapCells> holds;
+    std::vector<bool> drawn;
+    std::string uncalled;  ///< why nothing of them is called for
+
+    /// @param held what they hold, where that is of this very map; else empty
+    MapWork(CalledMaps called, const std::vector<MapCells>& held) : uncalled(std::move(called.uncalled)) {
+        const bool kept = held.size() == called.views.size();
+        for (std::size_t v = 0; v < called.views.size(); ++v) {
+            const bool enough = kept && held[v].holds(called.views[v]);
+            drawn.push_back(!enough && !called.views[v].empty());
+            // One that is drawn again is drawn whole: a camera that goes on moving pays for each map once.
+            holds.push_back(enough ? held[v] : kept && !called.views[v].empty() ? MapCells::whole() : called.views[v]);
+        }
+    }
+    bool draws() const { return std::ranges::find(drawn, true) != drawn.end(); }
+};
+
+bool all_whole(const std::vector<MapCells>& regions) {
+    return std::ranges::all_of(regions, [](const MapCells& r) { return r.is_whole(); });
+}
+
+Key light_maps_key(const FrameState& f, std::size_t light) {
+    const FittedLight& l = f.gl.fitted[light];
+    Key key = f.with_settings(f.geometry_key, ReadBy::Maps);
+    key.add(f.map_layers()).add(f.request.forced.value());
+    for (const LightView& v : l.views)
+        key.add(v.clip_from_relative(l.map_origin))
+            .add(v.curve.convention.zero_to_one)
+            .add(v.clamps_near)
+            .add(v.curve.convention.reversed);
+    if (f.request.emptied && f.request.emptied->light == int(light)) key.add("emptied").add(f.request.emptied->view);
+    return key.add(l.map_origin).add(f.first_view[light]).add(f.gl.programs.source().generation());
+}
+
+void clear_layers(const FrameState& f, const gl::Target& maps) {
+    const float far_depth = f.settings.map.reversed_z ? 0.f : 1.f;
+    glClearTexImage(maps.texture.id(), 0, gl::one_channel(maps.format), GL_FLOAT, &far_depth);
+}
+
+void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& work, PassInfo& info) {
+    // A light that is not in this frame would take its layers for kept.
+    const bool lost = ensure_maps(f, t.maps, "shadow maps");
+    if (lost) {
+        t.keys = {};
+        clear_layers(f, t.maps);
+    }
+    t.held[i].clear();
+    const FittedLight& l = f.gl.fitted[i];
+    std::uint64_t closed = 0;
+    for (std::size_t v = 0; v < l.views.size(); ++v) {
+        if (work.drawn[v] || (lost && !work.holds[v].empty()))
+            closed += draw_part(f, i, v, work.holds[v], info);
+        else
+            info.parts.push_back(left_part(f, i, v, !work.holds[v].empty()));
+    }
+    t.held[i] = work.holds;
+    if (closed > 0) info.parts.push_back(back_faces_part(f, i, closed));
+    if (!work.uncalled.empty()) {
+        info.state = PassState::Skipped;
+        info.reason = work.uncalled;
+        return;
+    }
+    const auto& batches = f.gl.scene->batches();
+    const bool masks =
+        std::any_of(batches.begin(), batches.end(), [](const Batch& b) { return b.cast && b.masked && !b.blend; });
+    info.reason += masks ? "; masked materials bring their alpha test" : "; no masked material, so no alpha variant";
+}
+
+}  // namespace
+
 void add_light_depth_passes(FrameState& f) {
+    f.layers_drawn.assign(std::size_t(f.view_count), true);
     if (f.paged) return;
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
     f.plan.place(Result::DrawnMaps, {&t.maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
@@ -98,6 +200,7 @@ void add_light_depth_passes(FrameState& f) {
         Pass pass;
         pass.name = fmt::format("shadow map {} ({})", i, type_name(light.type));
         pass.category = PassCategory::Maps;
+        pass.light = int(i);
         pass.writes = writes;
         pass.idle_reason = "nothing samples a shadow map";
         if (!light.casts) {
@@ -105,30 +208,20 @@ void add_light_depth_passes(FrameState& f) {
             f.plan.add(std::move(pass));
             continue;
         }
-        Key key = f.with_settings(f.geometry_key, ReadBy::Maps);
-        key.add(f.map_layers()).add(f.request.forced.value());
-        for (const LightView& v : light.views)
-            key.add(v.clip_from_relative(light.map_origin))
-                .add(v.curve.convention.zero_to_one)
-                .add(v.clamps_near)
-                .add(v.curve.convention.reversed);
-        if (f.request.emptied && f.request.emptied->light == int(i)) key.add("emptied").add(f.request.emptied->view);
-        key.add(light.map_origin).add(f.first_view[i]).add(f.gl.programs.source().generation());
-        pass.key = key.value();
+        pass.key = light_maps_key(f, i).value();
         pass.cached = &t.keys[i];
-        pass.run = [&f, &t, i](PassInfo& info) {
-            // A light that is not in this frame would take its layers for kept.
-            if (ensure_maps(f, t.maps, "shadow maps")) t.keys = {};
-            const FittedLight& l = f.gl.fitted[i];
-            std::uint64_t closed = 0;
-            for (std::size_t v = 0; v < l.views.size(); ++v) closed += draw_part(f, i, v, info);
-            if (closed > 0) info.parts.push_back(back_faces_part(f, i, closed));
-            const auto& batches = f.gl.scene->batches();
-            const bool masks = std::any_of(batches.begin(), batches.end(),
-                                           [](const Batch& b) { return b.cast && b.masked && !b.blend; });
-            info.reason +=
-                masks ? "; masked materials bring their alpha test" : "; no masked material, so no alpha variant";
-        };
+        const bool kept = !f.request.force && t.keys[i] == pass.key;
+        MapWork work = kept && all_whole(t.held[i])
+                           ? MapWork({t.held[i], {}}, t.held[i])
+                           : MapWork(maps_called_for(f, i, pass.key), kept ? t.held[i] : std::vector<MapCells>());
+        pass.lacks = kept && work.draws();
+        if (kept) pass.unneeded = work.uncalled;
+        for (std::size_t v = 0; v < work.holds.size(); ++v) {
+            f.layers_drawn[std::size_t(f.first_view[i]) + v] = !work.holds[v].empty();
+            work.holds[v].add_to(f.maps_extent);
+        }
+        f.maps_are_whole &= all_whole(work.holds);
+        pass.run = [&f, &t, i, work = std::move(work)](PassInfo& info) { draw_maps_of(f, t, i, work, info); };
         f.plan.add(std::move(pass));
     }
     if (f.gl.fitted.empty())

@@ -34,6 +34,7 @@ void find_bounds(const FrameState& f, BoundsTargets& t, PassInfo& info) {
         if (!light.casts) continue;
         const int reach = bounds_reach_cells(f, light);
         for (int layer = f.first_view[i]; layer < f.first_view[i] + int(light.views.size()); ++layer) {
+            if (!f.layers_drawn[std::size_t(layer)]) continue;
             draw_step(f, t.cells, -1, 0, layer, reach, info);
             glBindTextureUnit(shared::UNIT_BLURRED_ROWS, t.cells.texture.id());
             draw_step(f, t.bounds, t.bounds.layers == 0 ? -1 : layer, 1, layer, reach, info);
@@ -62,7 +63,7 @@ void add_map_bounds_pass(FrameState& f) {
     BoundsTargets& t = f.gl.owned.get<BoundsTargets>();
     f.plan.place(Result::MapBounds, {&t.bounds, shared::UNIT_MAP_BOUNDS});
     Key key;
-    key.add(f.settings.map.wrap).add(f.gl.programs.source().generation());
+    key.add(f.settings.map.wrap).add(f.gl.programs.source().generation()).add(f.maps_extent);
     for (const FittedLight& light : f.gl.fitted) key.add(light.casts ? bounds_reach_cells(f, light) : 0);
     pass.key = key.value();
     pass.cached = &t.bounds.key;

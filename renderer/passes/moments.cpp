@@ -177,7 +177,7 @@ void add_moments_pass(FrameState& f) {
     const bool summed = filter_of(f.settings).moments.summed;
     // Tables of sums are fetched texel by texel.
     f.plan.place(Result::Moments, {&t.moments, shared::UNIT_MOMENTS, summed ? nullptr : &f.gl.map_blended});
-    pass.key = f.with_settings(Key().add(filter_of(f.settings).key), ReadBy::Moments).value();
+    pass.key = f.with_settings(Key().add(filter_of(f.settings).key), ReadBy::Moments).add(f.maps_extent).value();
     pass.cached = &t.moments.key;
     pass.run = [&f, &t](PassInfo& info) {
         const int n = f.map_resolution;
@@ -189,7 +189,8 @@ void add_moments_pass(FrameState& f) {
         for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
             const FittedLight& light = f.gl.fitted[i];
             for (std::size_t v = 0; light.casts && v < light.views.size(); ++v)
-                maker.make(light, light.views[v], f.first_view[i] + int(v));
+                if (const int layer = f.first_view[i] + int(v); f.layers_drawn[std::size_t(layer)])
+                    maker.make(light, light.views[v], layer);
         }
         if (mips) glGenerateTextureMipmap(t.moments.texture.id());
         info.reason += description(f);

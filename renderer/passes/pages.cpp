@@ -11,6 +11,7 @@
 #include "renderer/frame/page_cache.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/casters.h"
+#include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
 #include "renderer/view/projection.h"
@@ -26,9 +27,6 @@ struct Rect {
     glm::dvec2 lo{-std::numeric_limits<double>::infinity()}, hi{std::numeric_limits<double>::infinity()};
     bool meets(const Rect& o) const { return lo.x <= o.hi.x && lo.y <= o.hi.y && hi.x >= o.lo.x && hi.y >= o.lo.y; }
 };
-
-/// Indices of large meshes are drawn in parts of so many.
-constexpr std::size_t kPart = 3 * 1024;
 
 /// What is drawn into maps, by instance as SceneGpu orders them.
 struct Casters {
@@ -59,11 +57,7 @@ struct Across {
         out.clear();
         for (std::size_t k = 0; k < parts[i].size(); ++k) {
             if (!parts[i][k].meets(by)) continue;
-            const std::size_t first = k * kPart, count = std::min(kPart, indices - first);
-            if (!out.empty() && out.back().first + std::size_t(out.back().count) == first)
-                out.back().count += GLsizei(count);
-            else
-                out.push_back({first, GLsizei(count)});
+            add_part(out, {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
         }
         return Seen::Parts;
     }
@@ -105,17 +99,6 @@ std::uint64_t content_of(const Texture& t) {
     return key.bytes(t.rgba.data(), t.rgba.size()).value();
 }
 
-/// Boxes of the parts of a large mesh.
-std::vector<Bounds> parts_of(const Mesh& mesh) {
-    std::vector<Bounds> out;
-    if (mesh.indices.size() < 2 * kPart) return out;
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-        if (i % kPart == 0) out.emplace_back();
-        out.back().add(glm::dvec3(mesh.positions[mesh.indices[i]]));
-    }
-    return out;
-}
-
 /// By what there is, not by which scene it is of, so that pages outlast what moves elsewhere.
 void find_casters(const FrameState& f, Casters& casters) {
     const std::uint64_t key =
@@ -132,7 +115,7 @@ void find_casters(const FrameState& f, Casters& casters) {
         if (!draws_into_maps(f, batch)) continue;
         const bool masked = batch.masked || batch.blend;
         const std::vector<Bounds> parts =
-            parts_of(scene.meshes[std::size_t(scene.objects[order[batch.first_instance]].mesh)]);
+            run_boxes_of(scene.meshes[std::size_t(scene.objects[order[batch.first_instance]].mesh)]);
         for (GLuint i = batch.first_instance; i < batch.first_instance + GLuint(batch.instances); ++i) {
             const Object& object = scene.objects[order[i]];
             const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];

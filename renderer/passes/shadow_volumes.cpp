@@ -264,6 +264,7 @@ Pass ShadowVolumes::pass(FrameState& f, std::size_t number) {
     Light& light = lights_[number];
     Pass pass;
     pass.name = fmt::format("shadow volumes {}", number);
+    pass.light = int(number);
     pass.reads = {Result::CameraDepth};
     pass.writes = {Result::ShadowVolumes};
     pass.category = PassCategory::Maps;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/view/fits/convex.h"
-
 namespace si {
 namespace {
 

@@ -8,6 +8,7 @@
 #include "renderer/view/camera.h"
 #include "renderer/view/depth_span.h"
 #include "renderer/view/fit_bounds.h"
+#include "renderer/view/fits/convex.h"
 
 namespace si {
 
@@ -26,6 +27,8 @@ public:
     std::vector<glm::dvec3> seen_of(const Box& box, const Box* within = nullptr) const;
     /// The same in view space: x right, y up, z the distance along the axis.
     std::vector<glm::dvec3> seen_in_view(const Box& box) const;
+    /// Whether all of a box, or nothing of it, is seen; Across where that is not sure.
+    Lies lies(const Box& box) const { return si::lies(in_view(box), planes_); }
 
 private:
     Box in_view(const Box& box) const;

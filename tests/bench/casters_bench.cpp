@@ -81,6 +81,25 @@ void agreed_map(benchmark::State& state, const Settings& all) {
         state, [&] { renderer.render(scene, both_sides, forced); }, [&] { renderer.render(scene, all, request); });
 }
 
+/// Frames of a light that turns, with maps drawn whole (first) and as far as the camera reads them.
+void seen_map(benchmark::State& state, const Scene& scene, Settings s) {
+    HeadlessContext context;
+    Renderer renderer;
+    FrameRequest request{.width = 160, .height = 90}, whole = request;
+    whole.forced = {Saving::Views};
+    const auto turn = [&] { s.lights[0].azimuth += 0.5; };
+    in_turn(
+        state, [&] { turn(), renderer.render(scene, s, whole); }, [&] { turn(), renderer.render(scene, s, request); });
+}
+
+/// From a corner of the scene, along one of its sides.
+Settings seeing_a_part(Settings s) {
+    s.camera.source = int(CameraSource::Manual);
+    s.camera.target_x = s.camera.target_z = -40;
+    s.camera.azimuth = 0, s.camera.elevation = 20, s.camera.distance = 12;
+    return s;
+}
+
 const int kRegistered = [] {
     Settings directional = around_it(), point, cascades;
     point.lights[0].type = int(LightType::Point);
@@ -92,6 +111,14 @@ const int kRegistered = [] {
     add("casters/map/directional", [=](benchmark::State& s) { agreed_map(s, directional); });
     add("casters/map/point", [=](benchmark::State& s) { agreed_map(s, point); });
     add("casters/map/cascades_4", [=](benchmark::State& s) { agreed_map(s, cascades); });
+    add("casters/seen/10000_objects_all",
+        [=](benchmark::State& s) { seen_map(s, ten_thousand_objects(), directional); });
+    add("casters/seen/10000_objects_part",
+        [=](benchmark::State& s) { seen_map(s, ten_thousand_objects(), seeing_a_part(directional)); });
+    add("casters/seen/100k_triangles_all",
+        [=](benchmark::State& s) { seen_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), directional); });
+    add("casters/seen/100k_triangles_point",
+        [=](benchmark::State& s) { seen_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), point); });
     return 0;
 }();
 

@@ -210,7 +210,7 @@ TEST(Parts, ThatPassesReportAreEffectsWithTheirSaving) {
     Scene scene;
     finalise(scene);
     FrameResult frame;
-    PassInfo pass{.name = "shadow map 0 (spot)", .state = PassState::Ran, .reason = "its inputs changed"};
+    PassInfo pass{.name = "shadow map 0 (spot)", .state = PassState::Ran, .reason = "its inputs changed", .light = 0};
     pass.parts.push_back({.name = "casters of light 0",
                           .state = PassState::Ran,
                           .reason = "they lie beside what the light reaches",

@@ -164,10 +164,12 @@ TEST_F(TapsTest, StoreWhatTheMapHoldsThereAndAnswerBeyondIt) {
     Settings s = test::texel_settings("pcf5", 64, 1);
     s.lights[0].fit = int(LightFit::Manual);
     s.lights[0].extent = 2;
+    FrameRequest maps = picture;
+    maps.outputs.shadow_map = true;
     int inside = 0, beyond = 0;
     for (const char* wrap : {"border", "clamp", "repeat"}) {
         set_setting(s, "map.wrap", wrap);
-        const FloatImage map = renderer.read_shadow_map(renderer.render(scene, s, picture), 0, 0);
+        const FloatImage map = renderer.read_shadow_map(renderer.render(scene, s, maps), 0, 0);
         for (int y = 10; y < 115; y += 9)
             for (int x = 5; x < 155; x += 11) {
                 const Probe p = renderer.probe(scene, s, picture, x, y);

@@ -25,8 +25,7 @@ void add_sides_within(std::vector<glm::dvec3>& points, const Box& body, std::spa
     }
 }
 
-/// Where a body lies of planes: all of it beyond one of them, or all of it within all of them.
-enum class Lies { Beyond, Across, Within };
+}  // namespace
 
 Lies lies(const Box& body, std::span<const HalfSpace> planes) {
     bool within = true;
@@ -37,8 +36,6 @@ Lies lies(const Box& body, std::span<const HalfSpace> planes) {
     }
     return within ? Lies::Within : Lies::Across;
 }
-
-}  // namespace
 
 void clip(Polygon& polygon, const HalfSpace& plane) {
     if (polygon.empty()) return;

@@ -20,6 +20,10 @@ void clip(Polygon& polygon, const HalfSpace& plane);
 /// The planes of a body with eight corners (ordered as Box), facing inwards; those of sides without area are left out.
 std::vector<HalfSpace> half_spaces_of(const Box& body);
 
+/// Where a body lies of planes: all of it beyond one of them, or all of it within all of them.
+enum class Lies { Beyond, Across, Within };
+Lies lies(const Box& body, std::span<const HalfSpace> planes);
+
 /// Points whose hull is what lies of a body within all of the planes, where these are sides that never end (of a
 /// prism): no corner of theirs may lie within the body.
 std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace> planes);

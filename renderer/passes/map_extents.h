@@ -1,0 +1,16 @@
+// How much of each light's maps a frame calls for.
+#pragma once
+
+#include "renderer/frame/state.h"
+#include "renderer/view/called_maps.h"
+
+namespace si {
+
+/// Whether something that the frame is asked for reads more of maps than look-ups of the picture do, or may.
+bool reads_whole_maps(const FrameState& f);
+
+/// What of a casting light's maps the frame reads (Saving::Views). Kept until camera, scene or maps change.
+/// @param maps key of what is drawn into them
+CalledMaps maps_called_for(FrameState& f, std::size_t light, std::uint64_t maps);
+
+}  // namespace si

@@ -1,0 +1,15 @@
+// Boxes about parts of meshes, found when first asked for.
+#pragma once
+
+#include <span>
+
+#include "renderer/frame/state.h"
+
+namespace si {
+
+/// See clusters_of(); of a mesh that changes with the pose its own box.
+std::span<const Bounds> clusters_of_mesh(const FrameState& f, std::size_t mesh);
+/// See run_boxes_of(); none of a mesh that changes with the pose.
+std::span<const Bounds> run_boxes_of_mesh(const FrameState& f, std::size_t mesh);
+
+}  // namespace si

@@ -1,0 +1,59 @@
+// What of a light's maps a picture's look-ups may read: where bounds of what its camera sees lie in them. Pure CPU,
+// double precision, on the safe side.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/scene/scene.h"
+#include "renderer/view/camera.h"
+#include "renderer/view/cascades.h"
+#include "renderer/view/light_fit.h"
+#include "renderer/view/map_cells.h"
+
+namespace si {
+
+/// A body that holds surfaces that the camera sees.
+struct SeenBody {
+    Box box{};
+    std::vector<glm::dvec3> seen;  ///< points around the part of it that is seen; none: all of it may be
+    std::span<const glm::dvec3> points() const {
+        return seen.empty() ? std::span<const glm::dvec3>(box) : std::span<const glm::dvec3>(seen);
+    }
+};
+
+/// All that a camera may see.
+struct SeenBodies {
+    CameraSlice view;  ///< a little wider than the picture
+    std::vector<SeenBody> bodies;
+    bool unknown = false;  ///< a body has no place: anything may be seen
+};
+
+/// @param clusters of a mesh: boxes that together hold it, as clusters_of() finds them
+/// @param lines pixels of the picture's height
+SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
+                       const std::function<std::span<const Bounds>(std::size_t mesh)>& clusters);
+
+/// How a picture's look-ups read.
+struct LookupArea {
+    int resolution = 1;
+    double reach_texels = 0;   ///< of texels that are read, with all that moves the look-up but the normal offset
+    double normal_texels = 0;  ///< bias.normal
+    MapWrap wrap = MapWrap::Border;
+    bool whole_maps = false;   ///< what is read depends on the whole of each map that is read
+    bool light_alone = false;  ///< visibility counts only where light arrives
+};
+
+struct CalledMaps {
+    std::vector<MapCells> views;  ///< of each of the light's
+    std::string uncalled;         ///< why all of them are empty; empty: they are not
+};
+
+/// What of the maps of a light that casts is read. A caster may be left out of a view if it covers nothing of its
+/// region.
+CalledMaps called_maps(const FittedLight& light, const SeenBodies& seen, const LookupArea& area);
+
+}  // namespace si

@@ -1,0 +1,186 @@
+// Which parts of maps a camera calls for: no point that it sees may be looked up beside them.
+#include "renderer/view/called_maps.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/scene/clusters.h"
+#include "renderer/scenes/builtin.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/param.h"
+#include "renderer/view/projection.h"
+
+namespace si {
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+Settings settings_of(const Sets& sets) {
+    Settings s;
+    for (const auto& [key, value] : sets) set_setting(s, key, value);
+    return s;
+}
+
+std::vector<std::vector<Bounds>> all_clusters(const Scene& scene) {
+    std::vector<std::vector<Bounds>> out;
+    for (const Mesh& m : scene.meshes) out.push_back(clusters_of(m));
+    return out;
+}
+
+TEST(Clusters, HoldEveryTriangle) {
+    for (const char* name : {"boxes", "landscape", "figures"}) {
+        const Scene scene = load_scene(name);
+        for (const Mesh& m : scene.meshes) {
+            const std::vector<Bounds> boxes = clusters_of(m);
+            EXPECT_LE(boxes.size(), m.indices.size() / 3);
+            for (std::size_t i = 0; i + 2 < m.indices.size(); i += 3) {
+                const bool held = std::ranges::any_of(boxes, [&](const Bounds& b) {
+                    for (std::size_t k = i; k < i + 3; ++k) {
+                        const glm::dvec3 p = m.positions[m.indices[k]];
+                        if (glm::any(glm::lessThan(p, b.lo)) || glm::any(glm::greaterThan(p, b.hi))) return false;
+                    }
+                    return true;
+                });
+                ASSERT_TRUE(held) << name << ", " << m.name << ", triangle " << i / 3;
+                if (m.indices.size() > 30000) i += 3 * 100;
+            }
+        }
+    }
+    const Scene scene = load_scene("landscape");
+    const auto large = std::ranges::max_element(scene.meshes, {}, [](const Mesh& m) { return m.indices.size(); });
+    EXPECT_GT(clusters_of(*large).size(), 500u);
+}
+
+TEST(MapCells, MeetWhatTheyHold) {
+    MapCells r;
+    EXPECT_TRUE(r.empty());
+    r.add({{1.2, 0.2}, {1.3, 0.3}}, false);
+    EXPECT_TRUE(r.empty()) << "it lies beyond the map";
+    r.add({{1.2, 0.2}, {1.3, 0.3}}, true);
+    EXPECT_TRUE(r.meets({{0.99, 0.25}, {0.995, 0.26}})) << "the rim stands for it";
+    EXPECT_FALSE(r.meets({{0.5, 0.25}, {0.6, 0.26}}));
+    EXPECT_FALSE(r.meets({{0.99, 0.5}, {1, 0.6}}));
+    EXPECT_TRUE(r.meets({{-1, -1}, {2, 2}}));
+    EXPECT_TRUE(MapCells::whole().holds(r));
+    EXPECT_FALSE(r.holds(MapCells::whole()));
+    r.add({{-1, -1}, {2, 2}}, false);
+    EXPECT_TRUE(r.is_whole());
+    MapCells rim;
+    rim.add_rim();
+    EXPECT_FALSE(rim.meets({{0.1, 0.1}, {0.9, 0.9}}));
+    EXPECT_TRUE(rim.meets({{0.1, 0.1}, {0.9, 0.99}}));
+}
+
+struct Kind {
+    const char* name;
+    Sets sets;
+    bool whole = false;  ///< or nothing of each map
+};
+
+const Kind kKinds[] = {
+    {"directional", {}},
+    {"directional by hand", {{"light.fit", "manual"}, {"light.extent", "0.7"}, {"map.wrap", "clamp"}}},
+    {"spot", {{"light.type", "spot"}, {"light.distance", "3"}}},
+    {"spot among the boxes", {{"light.type", "spot"}, {"light.distance", "0.6"}, {"map.wrap", "clamp"}}},
+    {"spot that looks along the floor",
+     {{"light.type", "spot"}, {"light.distance", "3"}, {"light.elevation", "3"}, {"map.wrap", "clamp"}}},
+    {"spot that repeats",
+     {{"light.type", "spot"}, {"light.distance", "2"}, {"light.cone", "20"}, {"map.wrap", "repeat"}},
+     true},
+    {"directional that repeats", {{"light.fit", "manual"}, {"light.extent", "0.7"}, {"map.wrap", "repeat"}}, true},
+    {"point", {{"light.type", "point"}, {"light.distance", "1"}}},
+    {"point, ranged", {{"light.type", "point"}, {"light.distance", "3"}, {"light.range", "2.5"}}},
+    {"cascades", {{"light.cascades", "4"}, {"light.cascade_blend", "0.2"}}},
+    {"stabilised", {{"light.cascades", "3"}, {"light.fit", "stabilised"}}},
+    {"warped", {{"light.fit", "lispsm"}}, true},
+};
+
+// Points of triangles that the camera sees, looked up as choose_view() has it, lie within what is called for.
+TEST(CalledMaps, HoldAllThatIsSeen) {
+    const Scene scene = load_scene("boxes");
+    const std::vector<std::vector<Bounds>> clusters = all_clusters(scene);
+    Random random(3);
+    for (const Kind& kind : kKinds) {
+        int looked_up = 0, unread = 0, views = 0;
+        for (int round = 0; round < 12; ++round) {
+            Settings s = settings_of(kind.sets);
+            s.camera.source = int(CameraSource::Manual);
+            s.camera.azimuth = random.in(0, 360), s.camera.elevation = random.in(-10, 80);
+            s.camera.distance = random.in(0.3, 9), s.camera.fov = random.in(15, 70);
+            s.camera.target_x = random.in(-3, 3), s.camera.target_z = random.in(-3, 3);
+            s.lights[0].azimuth = random.in(0, 360);
+            const Camera camera = make_camera(scene, s, 1.5);
+            const FittedLight light = fit_lights(scene, s, &camera)[0];
+            ASSERT_TRUE(light.casts) << light.reason;
+            const SeenBodies seen =
+                seen_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Bounds> { return clusters[m]; });
+            const bool light_alone = round % 2 == 0;
+            const LookupArea area{.resolution = 512,
+                                  .reach_texels = 20,
+                                  .normal_texels = 4,
+                                  .wrap = MapWrap(s.map.wrap),
+                                  .light_alone = light_alone};
+            const CalledMaps called = called_maps(light, seen, area);
+            ASSERT_EQ(called.views.size(), light.views.size());
+            for (const MapCells& r : called.views) ++views, unread += !r.is_whole();
+            for (const Object& object : scene.objects) {
+                const Mesh& m = scene.meshes[std::size_t(object.mesh)];
+                for (std::size_t i = 0; i + 2 < m.indices.size(); i += 3 * (1 + m.indices.size() / 600))
+                    for (int k = 0; k < 20; ++k) {
+                        double a = random.in(0, 1), b = random.in(0, 1);
+                        if (a + b > 1) a = 1 - a, b = 1 - b;
+                        const glm::dvec3 p0 = m.positions[m.indices[i]], p1 = m.positions[m.indices[i + 1]],
+                                         p2 = m.positions[m.indices[i + 2]];
+                        const glm::dvec3 p = object.world * glm::dvec4(p0 + a * (p1 - p0) + b * (p2 - p0), 1);
+                        const glm::dvec4 at = camera.project(p, 150, 100);
+                        if (!(at.w > 0 && at.x >= 0 && at.x <= 150 && at.y >= 0 && at.y <= 100 && at.z >= 0 &&
+                              at.z <= 1))
+                            continue;
+                        if (light_alone && light.range_m > 0 && glm::distance(p, light.position) > light.range_m)
+                            continue;
+                        const ChosenView chosen = light.chooser.choose(light.views, p);
+                        for (const std::size_t v : {chosen.view, chosen.other}) {
+                            const LightView& view = light.views[v];
+                            const glm::dvec4 h = (uvd_from_clip(view.curve.convention) * view.clip_from_relative(p))[3];
+                            if (!(h.w > 0)) continue;
+                            // In its cone alone does a spot light bring anything.
+                            if (light_alone && light.type == LightType::Spot &&
+                                glm::dot(glm::normalize(light.position - p), light.to_light) < light.cos_cone_outer)
+                                continue;
+                            ++looked_up;
+                            for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {-1, 1}, {1, -1}, {1, 1}}) {
+                                const glm::dvec2 uv = glm::dvec2(h) / h.w + corner * (24.0 / 512);
+                                const bool repeats = area.wrap == MapWrap::Repeat, clamps = area.wrap == MapWrap::Clamp;
+                                const glm::dvec2 held =
+                                    repeats ? glm::fract(uv) : glm::clamp(uv, glm::dvec2(0), glm::dvec2(1));
+                                if (uv != held && ((!clamps && !repeats) || light.is_cascaded())) continue;
+                                ASSERT_TRUE(called.views[v].meets({held, held}))
+                                    << kind.name << ", round " << round << ", view " << v << ", at " << uv.x << ", "
+                                    << uv.y;
+                            }
+                        }
+                    }
+            }
+        }
+        EXPECT_GT(looked_up, 1000) << kind.name;
+        if (!kind.whole) EXPECT_GT(unread, views / 10) << kind.name;
+    }
+}
+
+TEST(CalledMaps, SayWhyNothingOfThemIs) {
+    const Scene scene = load_scene("boxes");
+    Settings s = settings_of({{"light.intensity", "0"}});
+    const Camera camera = make_camera(scene, s, 1.5);
+    const auto clusters = all_clusters(scene);
+    const SeenBodies seen =
+        seen_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Bounds> { return clusters[m]; });
+    const FittedLight dark = fit_lights(scene, s, &camera)[0];
+    EXPECT_NE(called_maps(dark, seen, {.resolution = 512, .light_alone = true}).uncalled.find("intensity"),
+              std::string::npos);
+    EXPECT_EQ(called_maps(dark, seen, {.resolution = 512}).uncalled, "") << "its visibility may be looked at";
+    EXPECT_NE(called_maps(dark, {seen.view, {}}, {.resolution = 512}).uncalled.find("sees nothing"), std::string::npos);
+    SeenBodies unknown{seen.view, {}, true};
+    EXPECT_TRUE(called_maps(dark, unknown, {.resolution = 512}).views[0].is_whole());
+}
+
+}  // namespace
+}  // namespace si
