@@ -41,9 +41,9 @@ struct Placed {
     double radius, centre;
 };
 
-class ConvexBody : public testing::TestWithParam<Placed> {};
+class ConvexCaster : public testing::TestWithParam<Placed> {};
 
-TEST_P(ConvexBody, NeverShadowsItself) {
+TEST_P(ConvexCaster, NeverShadowsItself) {
     const auto [radius, centre] = GetParam();
     const Mesh bodies[] = {make_sphere(radius), make_box(glm::dvec3(radius)), make_capsule(radius, radius),
                            make_cylinder(radius, 2 * radius)};
@@ -71,7 +71,7 @@ TEST_P(ConvexBody, NeverShadowsItself) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(ScalesAndPlaces, ConvexBody,
+INSTANTIATE_TEST_SUITE_P(ScalesAndPlaces, ConvexCaster,
                          testing::Values(Placed{1, 0}, Placed{1e3, 0}, Placed{1e6, 0}, Placed{1, 1e2}, Placed{1, 1e4},
                                          Placed{1, 1e6}, Placed{1e3, 1e6}, Placed{1e-6, 0}, Placed{1e-3, 1e3}),
                          [](const auto& named) {
@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(ScalesAndPlaces, ConvexBody,
                              return "radius_" + text(named.param.radius) + "_at_" + text(named.param.centre);
                          });
 
-TEST(ConvexBody, IsWhollyLitByALargeLight) {
+TEST(ConvexCaster, IsWhollyLitByALargeLight) {
     const Scene scene = make_scene(make_sphere(1));
     const auto geometry = geometry_of(scene);
     const Truth truth = trace_visibility(TruthScene(geometry), all_over(*geometry),
