@@ -46,16 +46,21 @@ build_asan() {
   cmake -S "$root" --preset asan && cmake --build "$root/build/asan" --parallel "$jobs" --target test_unit test_gl
 }
 
+# What one front end and one plan decide on every driver: what compiles, what is kept, what is left out.
+decided_by_the_plan="EveryPermutationCompiles|RandomWalkTest|CachedPicturesEqualFreshOnes|WasteTest|SavingsTest.ForcedDrawsTheSameBytesOfRealModels"
+# That, and what draws one thing hundreds of times over to compare numbers.
+drawn_over_and_over="$decided_by_the_plan|(IdleTest|LeastBiasTwins|CuresTest|SavingsTest|AdviceTest)\\.|AreTheSameInCxxAndOnTheGpu"
+drawn_over_and_over+="|PerTexelBiasesLeaveNoAcneOnPlanes|FitsTest.What|GatherAndShadowSamplerGiveOnePicture|LookupSavingsTest.ForcedGives"
+
 # All that draws, but for the editor and the commands, which are the same on every driver; that both draw each preset
-# alike is among the commands' tests; and what compiles and what is kept between frames, which one front end and one plan decide.
+# alike is among the commands' tests.
 tests_on_zink() {
   local zink=$root/scripts/on_zink.sh
-  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|invariant)$' "$zink" "EveryPermutationCompiles|RandomWalkTest"
+  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|invariant)$' "$zink" "$decided_by_the_plan"
 }
 
-# Without those that draw one thing hundreds of times over to compare numbers, and take a third of the time.
 tests_asan() {
-  tests asan '^(unit|gl)$' '' '(IdleTest|LeastBiasTwins|CuresTest|RandomWalkTest|SavingsTest|AdviceTest)\.|EveryPermutationCompiles|AreTheSameInCxxAndOnTheGpu'
+  tests asan '^(unit|gl)$' '' "$drawn_over_and_over"
 }
 
 # By clang-format of Debian 12, whose version decides what is well formed.
