@@ -82,7 +82,7 @@ TEST(PlanCommand, PrintsADashWhereNothingWasMeasured) {
     EXPECT_NE(r.out.find("shadow map 0"), std::string::npos);
     EXPECT_EQ(run_program({"plan", "boxes", "--rounds", "9"}).code, 2) << "rounds of nothing";
     EXPECT_EQ(run_program({"plan", "boxes", "--measure", "--rounds", "0"}).code, 2);
-    EXPECT_EQ(run_program({"plan", "no-such-scene"}).code, 1);
+    EXPECT_EQ(run_program({"plan", "no-such-scene"}).code, 2);
 }
 
 }  // namespace
