@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -79,12 +80,25 @@ double Process::cpu_seconds() const {
     return double(user + system) / double(sysconf(_SC_CLK_TCK));
 }
 
-bool Process::sleeps() const {
+namespace {
+
+/// Of a thread's /proc/.../stat, from its state (field 3) on: whether it takes only time that nobody wants (field 41).
+bool takes_idle_time(const std::string& from_state) {
+    std::istringstream fields(from_state);
+    std::string field;
+    for (int i = 3; i <= 41; ++i) fields >> field;
+    return field == std::to_string(SCHED_IDLE);
+}
+
+}  // namespace
+
+bool Process::sleeps(bool idle_threads_too) const {
     std::error_code ended;
     for (const auto& task : fs::directory_iterator("/proc/" + std::to_string(pid_) + "/task", ended)) {
         const std::string text = text_of(task.path() / "stat");
         const auto name_end = text.rfind(')');
-        if (name_end != std::string::npos && text.compare(name_end + 2, 1, "S") != 0) return false;
+        if (name_end == std::string::npos || text.compare(name_end + 2, 1, "S") == 0) continue;
+        if (idle_threads_too || !takes_idle_time(text.substr(name_end + 2))) return false;
     }
     return true;
 }
@@ -207,14 +221,14 @@ void Window::mouse(int x, int y) const {
     breathe();
 }
 
-void Window::breathe() const {
+void Window::breathe(bool idle_threads_too) const {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     if (!program_) return;
     // Twelve looks in a row: between two frames, or waiting for the driver, it would be found awake in one of them.
     int asleep = 0;
     const auto end = Clock::now() + kHung;
     while (asleep < 12 && program_->running() && Clock::now() < end) {
-        asleep = server_->sleeps() && program_->sleeps() ? asleep + 1 : 0;
+        asleep = server_->sleeps(true) && program_->sleeps(idle_threads_too) ? asleep + 1 : 0;
         std::this_thread::sleep_for(std::chrono::milliseconds(15));
     }
 }

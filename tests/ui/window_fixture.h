@@ -33,7 +33,8 @@ public:
     /// Processor time used so far; 0 when it is gone.
     double cpu_seconds() const;
     /// No thread wants the processor.
-    bool sleeps() const;
+    /// @param idle_threads_too those that take only idle time, which on a busy machine is none, too
+    bool sleeps(bool idle_threads_too) const;
 
 private:
     pid_t pid_ = -1;
@@ -64,7 +65,8 @@ protected:
     /// Until it is so, however slow the machine is, or the program or its server has ended. @returns whether it is so.
     bool wait_until(const std::function<bool()>& done) const;
     /// Until the editor has drawn what the last event calls for and sleeps again, however slow the machine is.
-    void breathe() const;
+    /// What a thread foresees in idle time is waited for only where `idle_threads_too`.
+    void breathe(bool idle_threads_too = false) const;
     void drag(int x, int y, int dx, int dy) const;
     void click(int x, int y) const { drag(x, y, 0, 0); }
     /// Until it has had its effect: where two presses take too long to arrive they are two clicks.

@@ -180,7 +180,9 @@ TEST_F(Window, FlyingGoesOnWhereTheScreenEnds) {
 TEST_F(Window, AStillEditorSleepsAndAResizeIsFollowed) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(900, 700);
+    breathe(true);  // what a click will ask for is foreseen
     std::this_thread::sleep_for(std::chrono::seconds(2));
+    breathe(true);
     const double before = program_->cpu_seconds();
     ASSERT_GT(before, 0);
     std::this_thread::sleep_for(std::chrono::seconds(3));
