@@ -39,34 +39,24 @@ TEST_F(Window, WaitingEndsWithTheProgramAndWithTheServer) {
 }
 
 TEST_F(Window, ADotOfAFrontierIsClicked) {
-    const std::string command =
-        std::string("cd '") + folder_.string() +
-        "' && '" SI_PROGRAM
-        "' sweep boxes --vary filter.kernel=pcf3,pcf9 --vary map.resolution=64,4096 --size 64x48 --rounds 1 -o swept "
-        "> sweep.log 2>&1";
+    const std::string command = std::string("cd '") + folder_.string() +
+                                "' && '" SI_PROGRAM
+                                "' sweep boxes --vary filter.kernel=pcf3,pcf9 --vary map.resolution=64,4096 --size "
+                                "64x48 --rounds 1 --cost forced -o swept "
+                                "> sweep.log 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0);
-    // Where the dots are is found in the same editor without a window.
-    EditorOptions options;
-    options.session.scene = "boxes";
-    options.sweep = folder_ / "swept";
-    options.width = 1280, options.height = 720, options.headless = true, options.scale = 1;
     const auto is_dot = [](const ByteImage& image, int x, int y) {
         const std::uint8_t* p = &image.data[4 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x))];
         return p[0] == 86 && p[1] == 180 && p[2] == 233;
     };
-    glm::ivec2 first{-1};
-    {
-        HeadlessEditor headless(options);
-        headless.model().state.sweep.follow = false;
-        headless.settle();
-        const ByteImage picture = headless.picture();
-        for (int x = 0; x < 900 && first.x < 0; ++x)
-            for (int y = 500; y < 718 && first.x < 0; ++y)
-                if (is_dot(picture, x, y) && is_dot(picture, x + 3, y)) first = {x + 3, y};
-    }
-    ASSERT_GE(first.x, 0) << "no dot of the frontier is drawn";
     ASSERT_NO_FATAL_FAILURE(start({"--size", "1280x720", "--sweep", (folder_ / "swept").string()}));
-    click(21, 631);  // do not measure the present settings: the plot stays as it is
+    click(21, 631);  // do not measure the present settings: from now on the plot stays as it is
+    const ByteImage shown = screen("window_dots");
+    glm::ivec2 first{-1};
+    for (int x = 0; x < 900 && first.x < 0; ++x)
+        for (int y = 500; y < 718 && first.x < 0; ++y)
+            if (is_dot(shown, x, y) && is_dot(shown, x + 3, y)) first = {x + 3, y};
+    ASSERT_GE(first.x, 0) << "no dot of the frontier is drawn";
     click(first.x, first.y);
     const nlohmann::json settings = saved();
     screen("window_frontier");
