@@ -107,9 +107,10 @@ void choose_taps(FrameState& f) {
         {"RAY", spiral_places(f.settings.filter.rays)}};
     // Compilers for CPUs run both sides of a branch, but leave loops that nobody needs.
     const bool keeps_loops = f.asks_bounds && f.driver.software;
-    const bool from_image = f.driver.software && (keeps_loops || std::ranges::any_of(lists, [](const auto& list) {
-                                                      return int(list.second.size()) > kDiskConstants;
-                                                  }));
+    const bool from_image =
+        f.driver.blocks_as_images && (keeps_loops || std::ranges::any_of(lists, [](const auto& list) {
+                                          return int(list.second.size()) > kDiskConstants;
+                                      }));
     f.defines.push_back({"MAP_BOUNDS", f.asks_bounds ? "1" : "0"});
     f.defines.push_back({"KEEPS_LOOPS", keeps_loops ? "1" : "0"});
     f.defines.push_back({"DISK_FROM_IMAGE", from_image ? "1" : "0"});
