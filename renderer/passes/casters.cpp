@@ -7,6 +7,7 @@
 
 #include "renderer/frame/driver.h"
 #include "renderer/passes/mesh_boxes.h"
+#include "renderer/passes/of_meshes.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/box_sight.h"
@@ -49,11 +50,8 @@ void set_raster_bias(const FrameState& f, bool reversed) {
 struct Side {
     glm::dvec3 normal, corner;
 };
-/// By mesh, of closed ones, found when first asked for. None: there are very many, all of them small.
-struct SidesOfMeshes {
-    std::uint64_t key = 0;
-    std::vector<std::optional<std::vector<Side>>> meshes;
-};
+/// Of a closed mesh, found when first asked for. None: there are very many, all of them small.
+using SidesOfMesh = std::optional<std::vector<Side>>;
 constexpr std::size_t kMostSides = 1024;
 
 /// Sine of the angle to a ray below which a side is taken to be seen edge-on.
@@ -82,13 +80,7 @@ std::vector<Side> sides_of(const Mesh& mesh) {
 }
 
 const std::vector<Side>& sides_of(FrameState& f, std::size_t mesh) {
-    SidesOfMeshes& known = f.gl.owned.get<SidesOfMeshes>();
-    Key key;
-    // Poses of one scene share their rigid meshes.
-    f.scene.rig ? key.add(reinterpret_cast<std::uintptr_t>(f.scene.rig.get())) : key.add(f.scene.id);
-    if (known.key != key.value() || known.meshes.size() != f.scene.meshes.size())
-        known = {key.value(), std::vector<std::optional<std::vector<Side>>>(f.scene.meshes.size())};
-    auto& sides = known.meshes[mesh];
+    SidesOfMesh& sides = f.gl.owned.get<OfMeshes<SidesOfMesh>>().of(f.scene, mesh);
     if (!sides) sides = sides_of(f.scene.meshes[mesh]);
     return *sides;
 }

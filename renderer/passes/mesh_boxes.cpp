@@ -1,8 +1,8 @@
 #include "renderer/passes/mesh_boxes.h"
 
-#include <memory>
 #include <optional>
 
+#include "renderer/passes/of_meshes.h"
 #include "renderer/scene/clusters.h"
 
 namespace si {
@@ -13,18 +13,8 @@ struct BoxesOfMesh {
     std::optional<std::vector<Bounds>> runs;
 };
 
-struct BoxesOfMeshes {
-    std::shared_ptr<const Rig> rig;  ///< of poses that share their rigid meshes; held, so that no other takes its place
-    std::uint64_t scene = 0;         ///< where there is none
-    std::vector<BoxesOfMesh> meshes;
-};
-
 BoxesOfMesh& boxes_of(const FrameState& f, std::size_t mesh) {
-    BoxesOfMeshes& known = f.gl.owned.get<BoxesOfMeshes>();
-    const Scene& scene = f.scene;
-    if (known.rig != scene.rig || (!scene.rig && known.scene != scene.id) || known.meshes.size() != scene.meshes.size())
-        known = {scene.rig, scene.id, std::vector<BoxesOfMesh>(scene.meshes.size())};
-    return known.meshes[mesh];
+    return f.gl.owned.get<OfMeshes<BoxesOfMesh>>().of(f.scene, mesh);
 }
 
 }  // namespace
