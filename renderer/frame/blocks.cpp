@@ -11,6 +11,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/view/kernel_reach.h"
 #include "renderer/view/projection.h"
+#include "shaders/shared/units.h"
 
 namespace si {
 namespace {
@@ -79,28 +80,20 @@ shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std:
 
 }  // namespace
 
-BlockBuffer::BlockBuffer(std::string_view label, GLuint block, GLuint image)
-    : buffer_(gl::Buffer::create(label)),
-      texels_(gl::Texture::create(label, GL_TEXTURE_BUFFER)),
-      block_(block),
-      image_(image) {}
+TexelBuffer::TexelBuffer(std::string_view label)
+    : buffer_(gl::Buffer::create(label)), texels_(gl::Texture::create(label, GL_TEXTURE_BUFFER)) {}
 
-void BlockBuffer::put(std::span<const std::byte> bytes) {
+void TexelBuffer::put(std::span<const std::byte> bytes) {
     glNamedBufferData(buffer_.id(), GLsizeiptr(bytes.size()), bytes.data(), GL_STREAM_DRAW);
-    glTextureBuffer(texels_.id(), GL_RGBA32UI, buffer_.id());
-    glBindBufferBase(GL_UNIFORM_BUFFER, block_, buffer_.id());
-    glBindImageTexture(image_, texels_.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32UI);
 }
 
-DiskBuffer::DiskBuffer()
-    : buffer_(gl::Buffer::create("places of disks")),
-      texels_(gl::Texture::create("places of disks", GL_TEXTURE_BUFFER)) {}
+void TexelBuffer::bind_block(GLuint block) const {
+    glBindBufferBase(GL_UNIFORM_BUFFER, block, buffer_.id());
+}
 
-void DiskBuffer::put(std::span<const glm::vec2> places) {
-    if (places.empty()) return;
-    glNamedBufferData(buffer_.id(), GLsizeiptr(places.size_bytes()), places.data(), GL_STREAM_DRAW);
-    glTextureBuffer(texels_.id(), GL_RG32UI, buffer_.id());
-    glBindImageTexture(shared::IMAGE_DISK_PLACES, texels_.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RG32UI);
+void TexelBuffer::bind_image(GLuint image, GLenum format) const {
+    glTextureBuffer(texels_.id(), format, buffer_.id());
+    glBindImageTexture(image, texels_.id(), 0, GL_FALSE, 0, GL_READ_ONLY, format);
 }
 
 std::string blocks_text(bool as_images) {
@@ -139,9 +132,19 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
         for (std::size_t v = 0; v < light.views.size(); ++v)
             block.views[std::size_t(f.first_view[i]) + v] = view_block(f, light, v);
     }
-    resources.blocks.frame.put(std::as_bytes(std::span(&block, 1)));
-    resources.blocks.disk.put(f.disk_texels);
-    resources.blocks.settings.put(settings_block_bytes(f.settings));
+    Blocks& blocks = resources.blocks;
+    blocks.frame.put(std::as_bytes(std::span(&block, 1)));
+    blocks.frame.bind_block(shared::BLOCK_FRAME);
+    blocks.settings.put(settings_block_bytes(f.settings));
+    blocks.settings.bind_block(shared::BLOCK_SETTINGS);
+    if (f.blocks_as_images()) {
+        blocks.frame.bind_image(shared::IMAGE_FRAME_BLOCK, GL_RGBA32UI);
+        blocks.settings.bind_image(shared::IMAGE_SETTINGS_BLOCK, GL_RGBA32UI);
+    }
+    if (!f.disk_texels.empty()) {
+        blocks.disk.put(std::as_bytes(std::span(f.disk_texels)));
+        blocks.disk.bind_image(shared::IMAGE_DISK_PLACES, GL_RG32UI);
+    }
     set_samplers(f);
 }
 

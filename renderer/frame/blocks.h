@@ -2,39 +2,25 @@
 #pragma once
 
 #include <cstddef>
-#include <glm/glm.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "renderer/gl/handle.h"
-#include "shaders/shared/units.h"
 
 namespace si {
 
-/// A buffer that shaders see as a uniform block and as an image of RGBA32UI texels, four numbers each. Drivers that
-/// draw on the CPU fetch each number of a uniform block anew for every few pixels: Mesa 22.3's llvmpipe takes 0.94 ns
-/// for one and eight pixels, and 1.0 ns for a texel of four from an image.
-class BlockBuffer {
+/// A buffer that shaders can read texel by texel, as an image. Drivers that draw on the CPU fetch each number of a
+/// uniform block anew for every few pixels: Mesa 22.3's llvmpipe takes 0.94 ns for one and eight pixels, and 1.0 ns for
+/// a texel of four from an image.
+class TexelBuffer {
 public:
-    BlockBuffer() = default;
-    /// @param block,image where shaders find it (shared/units.h)
-    BlockBuffer(std::string_view label, GLuint block, GLuint image);
-    /// Replaces what it holds, and binds it as both. @param bytes a multiple of 16
+    explicit TexelBuffer(std::string_view label);
+    /// Replaces what it holds.
     void put(std::span<const std::byte> bytes);
-
-private:
-    gl::Buffer buffer_;
-    gl::Texture texels_;
-    GLuint block_ = 0, image_ = 0;
-};
-
-/// Places of disks, which shaders read as an image of RG32UI texels.
-class DiskBuffer {
-public:
-    DiskBuffer();
-    /// Replaces what it holds, and binds it to shared::IMAGE_DISK_PLACES.
-    void put(std::span<const glm::vec2> places);
+    void bind_block(GLuint block) const;
+    /// @param format of a texel, GL_RGBA32UI or GL_RG32UI
+    void bind_image(GLuint image, GLenum format) const;
 
 private:
     gl::Buffer buffer_;
@@ -42,9 +28,8 @@ private:
 };
 
 struct Blocks {
-    DiskBuffer disk;
-    BlockBuffer frame{"frame uniforms", shared::BLOCK_FRAME, shared::IMAGE_FRAME_BLOCK};
-    BlockBuffer settings{"settings uniforms", shared::BLOCK_SETTINGS, shared::IMAGE_SETTINGS_BLOCK};
+    TexelBuffer frame{"frame uniforms"}, settings{"settings uniforms"};
+    TexelBuffer disk{"places of disks"};  ///< of kernels that sample a circle
 };
 
 /// How shaders read them, as GLSL text that stands before every shader.

@@ -110,8 +110,7 @@ void Plan::add(Pass pass) {
     if (!pass.reads.empty()) {
         Key key;
         key.add(pass.key);
-        for (const ResultRef& read : pass.reads)
-            if (const std::uint64_t of = key_of(read); of != Key().value()) key.add(of);
+        for (const ResultRef& read : pass.reads) key.add(key_of(read));
         pass.key = key.value();
     }
     passes_.push_back(std::move(pass));

@@ -261,7 +261,7 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"BIAS_SLOPED", f.settings.bias.slope != 0 ? "1" : "0"});
     add_shading_defines(f);
     for (gl::Define& d : lookup_saving_defines(f)) f.defines.push_back(std::move(d));
-    f.preamble = blocks_text(f.request.blocks_as_images.value_or(f.driver.blocks_as_images)) + light_constants(f);
+    f.preamble = blocks_text(f.blocks_as_images()) + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
     const auto& batches = f.gl.scene->batches();
     f.mask_levels = std::any_of(batches.begin(), batches.end(), [&](const Batch& b) {

@@ -86,15 +86,13 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
 
 std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     FrameState f = impl_->prepare(scene, settings, request);
-    plan_frame(f);
     Key key;
+    // Not those of planning: whether look-ups ask for bounds changes with what is kept of the last frame, and who makes
+    // programs makes both ways.
+    for (const gl::Define& d : f.defines) key.add(d.name).add(d.value);
+    plan_frame(f);
     key.add(f.preamble).add(f.gl.programs.source().generation()).add(f.map_format()).add(f.settings.map.samples);
     key.add(filter_of(f.settings).file).add(bias_of(f.settings).file).add(request.forced.value());
-    // Whether look-ups ask for bounds changes with what is kept of the last frame: who makes programs makes both ways.
-    constexpr std::string_view kTurns[] = {"MAP_BOUNDS", "KEEPS_LOOPS", "DISK_FROM_IMAGE"};
-    for (const gl::Define& d : f.defines)
-        if (std::ranges::find(kTurns, d.name) == std::end(kTurns) && !d.name.ends_with("_PLACES"))
-            key.add(d.name).add(d.value);
     for (const FrameState::ShownPane& pane : f.panes) key.add(pane.overlay);
     for (int i = 0; i < f.settings.light_count; ++i) key.add(source_of(f.settings, i).key);
     const std::vector<PassInfo> infos = plan_passes(f.plan.passes(), wanted_results(f), true, false);

@@ -78,7 +78,6 @@ struct FrameState {
     bool paged = false;                          ///< the maps are drawn by pages: there are some, and map.virtual acts
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn
-    bool asks_bounds = false;                  ///< look-ups ask for the maps' bounds before they fetch taps
     std::vector<glm::vec2> disk_texels;        ///< places of the kernel's disks that shaders read from an image
     bool filter_sampler = false;               ///< the kernel compares in a shadow sampler
     std::vector<gl::Define> defines;           ///< from settings and kernel
@@ -108,6 +107,8 @@ struct FrameState {
     bool maps_are_whole = true;         ///< FrameResult::maps_are_whole; the same
     bool camera_depth_renewed = false;  ///< where the request forces it: once a frame
 
+    /// How shaders read numbers of Blocks.
+    bool blocks_as_images() const { return request.blocks_as_images.value_or(driver.blocks_as_images); }
     /// An image of a result; one without a texture where nothing of the frame makes it.
     const gl::Target& result(const ResultRef& of, std::size_t image = 0) const { return plan.target(of, image); }
     /// Binds results to the texture units that they were placed at. Done before each pass for what it reads.

@@ -60,8 +60,8 @@ std::string glsl_list(std::span<const glm::vec2> places) {
     return "vec2[](" + out + ")";
 }
 
-/// Compilers for CPUs unroll loops of so many taps, Mesa's up to 32; then places are numbers within the code.
-constexpr int kDiskConstants = 32;
+/// Of so many taps Mesa unrolls a loop; a compiler for CPUs then has places as numbers within the code.
+constexpr std::size_t kMostUnrolled = 32;
 
 }  // namespace
 
@@ -99,25 +99,24 @@ std::vector<gl::Define> lookup_saving_defines(const FrameState& f) {
             {"SKIPS_UNLIT", saved_or_not(f, Saving::Facing)}};
 }
 
-void choose_taps(FrameState& f) {
+void choose_taps(FrameState& f, bool asks_bounds) {
     const Filter& row = filter_of(f.settings);
     const std::pair<const char*, std::vector<glm::vec2>> lists[] = {
         {"TAP", disk_of(row, f.settings, f.settings.filter.taps)},
         {"BLOCKER", disk_of(row, f.settings, f.settings.filter.blocker_taps)},
         {"RAY", spiral_places(f.settings.filter.rays)}};
     // Compilers for CPUs run both sides of a branch, but leave loops that nobody needs.
-    const bool keeps_loops = f.asks_bounds && f.driver.software;
-    const bool from_image =
-        f.driver.blocks_as_images && (keeps_loops || std::ranges::any_of(lists, [](const auto& list) {
-                                          return int(list.second.size()) > kDiskConstants;
-                                      }));
-    f.defines.push_back({"MAP_BOUNDS", f.asks_bounds ? "1" : "0"});
+    const bool keeps_loops = asks_bounds && f.driver.software;
+    const bool from_image = f.blocks_as_images() && (keeps_loops || std::ranges::any_of(lists, [](const auto& list) {
+                                                         return list.second.size() > kMostUnrolled;
+                                                     }));
+    f.defines.push_back({"MAP_BOUNDS", asks_bounds ? "1" : "0"});
     f.defines.push_back({"KEEPS_LOOPS", keeps_loops ? "1" : "0"});
     f.defines.push_back({"DISK_FROM_IMAGE", from_image ? "1" : "0"});
-    f.defines.push_back({"DISK_CONSTANTS", std::to_string(kDiskConstants)});
+    f.defines.push_back({"DISK_CONSTANTS", std::to_string(kDiskTable)});
     f.disk_texels.clear();
     for (const auto& [name, places] : lists) {
-        const bool listed = !from_image && int(places.size()) <= kDiskConstants;
+        const bool listed = !from_image && int(places.size()) <= kDiskTable;
         f.defines.push_back({fmt::format("{}_COUNT", name), std::to_string(places.size())});
         f.defines.push_back({fmt::format("{}_PLACES", name), listed ? glsl_list(places) : "0"});
         if (from_image) f.disk_texels.insert(f.disk_texels.end(), places.begin(), places.end());

@@ -15,9 +15,9 @@ std::string why_no_bounds(const FrameState& f);
 /// Which of them the frame's look-ups make.
 std::vector<gl::Define> lookup_saving_defines(const FrameState& f);
 
-/// How kernels go through their taps, once FrameState::asks_bounds is known: unrolled, with their places in the code,
-/// or in loops that look-ups can leave.
-void choose_taps(FrameState& f);
+/// How kernels go through their taps: unrolled, with their places in the code, or in loops that look-ups can leave.
+/// @param asks_bounds look-ups ask for the maps' bounds before they fetch taps
+void choose_taps(FrameState& f, bool asks_bounds);
 
 /// How many cells beside a block hold texels that the kernel may read from it.
 int bounds_reach_cells(const FrameState& f, const FittedLight& light);

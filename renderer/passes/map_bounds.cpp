@@ -53,9 +53,8 @@ void add_map_bounds_pass(FrameState& f) {
     pass.idle_reason = "nothing samples a shadow map";
     pass.aid = true;
     pass.unneeded = why_no_bounds(f);
-    f.asks_bounds = pass.unneeded.empty();
-    choose_taps(f);
-    if (!f.asks_bounds) {
+    choose_taps(f, pass.unneeded.empty());
+    if (!pass.unneeded.empty()) {
         f.plan.release([&f] { f.gl.owned.drop<BoundsTargets>(); });
         f.plan.add(std::move(pass));
         return;

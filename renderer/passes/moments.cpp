@@ -155,8 +155,7 @@ std::string description(const FrameState& f) {
 
 std::vector<ResultRef> lookup_reads(const FrameState& f) {
     if (samples_moments(f)) return {Result::ShadowMaps, Result::Moments};
-    if (f.asks_bounds) return {Result::ShadowMaps, Result::MapBounds};
-    return {Result::ShadowMaps};
+    return {Result::ShadowMaps, Result::MapBounds};
 }
 
 void add_moments_pass(FrameState& f) {

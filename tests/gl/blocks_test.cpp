@@ -33,6 +33,7 @@ TEST_F(BlocksTest, AreReadAsTheSameBitsEitherWay) {
         {{"filter.kernel", "pcf3"}, {"light.type", "point"}, {"light.range", "30"}},
         {{"filter.kernel", "evsm4"}, {"light.cascades", "3"}, {"light.cascade_blend", "0.2"}},
         {{"filter.kernel", "vogel"}, {"bias.kind", "receiver-plane"}, {"map.virtual", "true"}},
+        {{"filter.kernel", "poisson"}, {"filter.taps", "48"}},
         {{"light.fit", "lispsm"}, {"map.format", "linear"}, {"light.count", "3"}, {"bias.normal", "2"}},
     };
     const Scene scene = load_scene("boxes");

@@ -50,9 +50,7 @@ TEST(PlanTest, AnAidIsMadeForThoseThatRunAndChangesNoKey) {
         aid.aid = true;
         if (!aids) aid.unneeded = "not now";
         plan.add(std::move(aid));
-        std::vector<ResultRef> reads = {Result::ShadowMaps};
-        if (aids) reads.push_back(Result::MapBounds);
-        plan.add(pass_of("shading", reads, {Result::Shaded}, &shading_held));
+        plan.add(pass_of("shading", {Result::ShadowMaps, Result::MapBounds}, {Result::Shaded}, &shading_held));
         return plan;
     };
     const auto states = [&](const Plan& plan) {
