@@ -93,8 +93,18 @@ private:
 
     /// @param axis 0 along x, 1 along y
     void average(From from, int radius, int axis, bool last) {
-        const bool summed = filter_of(f_.settings).moments.summed;
         const gl::Framebuffer into = begin(last);
+        // Only near the map's sides are windows cut: to find how far, texel by texel, costs a frame's fifteenth.
+        const int n = f_.map_resolution, cut = std::min(radius, (n + 1) / 2);
+        average_strip(from, radius, axis, last, true, cut, n - cut);
+        average_strip(from, radius, axis, last, false, 0, cut);
+        average_strip(from, radius, axis, last, false, std::max(cut, n - cut), n);
+    }
+
+    /// Texels from `first` to before `end` along the axis. @param whole none of their windows is cut
+    void average_strip(From from, int radius, int axis, bool last, bool whole, int first, int end) {
+        if (first >= end) return;
+        const bool summed = filter_of(f_.settings).moments.summed;
         const GLuint id = f_.program("passes/fullscreen.vert.glsl", "passes/moments.frag.glsl",
                                      {{"BLUR_COLUMNS", std::to_string(axis)},
                                       {"MOMENTS_FROM_SAMPLES", std::to_string(int(From::Samples))},
@@ -102,6 +112,7 @@ private:
                                       {"MOMENTS_FROM", std::to_string(int(from))},
                                       {"MOMENTS_AS_SUMS", summed ? "1" : "0"},
                                       {"BLUR_RADIUS", std::to_string(radius)},
+                                      {"BLUR_WINDOW_IS_WHOLE", whole ? "1" : "0"},
                                       {"MOMENTS_LAST", last ? "1" : "0"}});
         glUseProgram(id);
         if (from == From::Samples) glBindTextureUnit(shared::UNIT_MAP_SAMPLES, t_.samples.texture.id());
@@ -109,7 +120,12 @@ private:
         glUniform1i(glGetUniformLocation(id, "layer"), layer_);
         glUniform4f(glGetUniformLocation(id, "curve"), float(curve.near), float(curve.far),
                     curve.perspective ? 1.f : 0.f, 0.f);
+        const int n = f_.map_resolution;
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(axis == 0 ? first : 0, axis == 0 ? 0 : first, axis == 0 ? end - first : n,
+                  axis == 0 ? n : end - first);
         FrameState::draw_fullscreen(info_);
+        glDisable(GL_SCISSOR_TEST);
     }
 
     /// Sums along an axis, of what was drawn last; along the last axis into the layer.

@@ -39,8 +39,13 @@ float weight_of(int step) {
 }
 
 void main() {
-    ivec2 centre = ivec2(gl_FragCoord.xy), window = blur_window(centre);
+    ivec2 centre = ivec2(gl_FragCoord.xy);
+#if BLUR_WINDOW_IS_WHOLE
+    const int reach = radius;
+#else
+    ivec2 window = blur_window(centre);
     int reach = min(-window.x, window.y);
+#endif
     float weights = 0.0;
     for (int i = -radius; i <= radius; ++i) weights += abs(i) <= reach ? weight_of(i) : 0.0;
     vec4 mean = vec4(0.0);

@@ -655,6 +655,33 @@ TEST(Moments, AreShownByTheMapViewer) {
     }
 }
 
+// All texels of a map, those whose windows the map's sides cut on both sides and those that they leave whole: also
+// where windows are as wide as the map, or wider.
+TEST(Moments, AreMeansOfWindowsThatTheMapsSidesCut) {
+    const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
+    Renderer& renderer = hard_renderer();
+    const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
+    for (const int n : {5, 16, 33})
+        for (const int radius : {0, 1, 3, 8}) {
+            Settings s = texel_settings("vsm", n, 2.0 * n / 16);
+            s.filter.moment_format = int(MomentFormat::Bits32), s.filter.blur = 0;
+            const FrameResult plain = renderer.render(scene, s, maps);
+            const Shares shares(renderer.read_shadow_map(plain, 0, 0), plain.lights[0].views[0].curve);
+            s.view.map_channel = 1, s.view.map = int(MapView::Raw), s.filter.blur = radius;
+            const FloatImage numbers = renderer.read_map_view_depth(renderer.render(scene, s, maps));
+            ASSERT_EQ(numbers.width, n);
+            for (int y = 0; y < n; ++y)
+                for (int x = 0; x < n; ++x) {
+                    const int across = std::min({radius, x, n - 1 - x}), along = std::min({radius, y, n - 1 - y});
+                    double sum = 0;
+                    for (int v = y - along; v <= y + along; ++v)
+                        for (int u = x - across; u <= x + across; ++u) sum += shares.at(u, v);
+                    ASSERT_NEAR(numbers.at(x, n - 1 - y), sum / ((2 * across + 1) * (2 * along + 1)), 1e-6)
+                        << x << "," << y << " of " << n << ", radius " << radius;
+                }
+        }
+}
+
 // Of a mip level each texel has the mean of the four below it, in the number itself.
 TEST(Moments, AreShownByMipLevels) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
