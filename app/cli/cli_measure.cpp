@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -26,6 +27,15 @@ CLI::Validator above_zero() {
                 return fmt::format("\"{}\" is not a number above 0", text);
             },
             "NUMBER > 0"};
+}
+
+/// One of these words, or those that it may be.
+CLI::Validator one_of(const std::vector<std::string_view>& words) {
+    return {[words](std::string& text) -> std::string {
+                if (std::find(words.begin(), words.end(), text) != words.end()) return {};
+                return fmt::format("\"{}\" is none of {}", text, fmt::join(words, ", "));
+            },
+            fmt::format("{}", fmt::join(words, ", "))};
 }
 
 constexpr const char* kAreaHelp =
@@ -200,6 +210,62 @@ void add_advise(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
     });
 }
 
+void add_precision(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
+                   const AddSessionOptions& add_session) {
+    auto* c =
+        app.add_subcommand("precision",
+                           "Say how far places in the map and depths by single precision are off those by double, "
+                           "by each way of computing them (map.origin, map.transform)");
+    add_session(*c, o.precision.session);
+    c->add_option(
+         "--over", o.precision.over,
+         fmt::format("As the scene moves away, grows, or its depths stretch: {}", fmt::join(precision_series(), ", ")))
+        ->check(one_of(precision_series()))
+        ->type_name("WHAT");
+    c->add_option("--size", o.size, "Size of the picture in pixels (default 640x360)")->type_name("WxH");
+    c->add_flag("--json", o.precision.json, "As JSON");
+    c->callback([&o, &run] {
+        run = [&o] {
+            if (!o.size.empty()) o.precision.size = parse_size(o.size);
+            run_precision(o.precision);
+        };
+    });
+}
+
+void add_shimmer(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
+                 const AddSessionOptions& add_session) {
+    auto* c = app.add_subcommand("shimmer",
+                                 "Say how much edges of shadows crawl while camera or light move by parts of a texel, "
+                                 "with maps in whole texels and without");
+    ShimmerCommandOptions& s = o.shimmer;
+    add_session(*c, s.session);
+    std::vector<std::string_view> motions;
+    for (const ShimmerMotionRow& row : shimmer_motions()) motions.push_back(row.key);
+    c->add_option_function<std::string>(
+         "--motion",
+         [&s](const std::string& key) {
+             for (const ShimmerMotionRow& row : shimmer_motions())
+                 if (row.key == key) s.shimmer.motion = row.motion;
+         },
+         fmt::format("What moves: {} (default camera)", fmt::join(motions, ", ")))
+        ->check(one_of(motions))
+        ->type_name("WHAT");
+    c->add_option("--steps", s.shimmer.steps, "How many (default 32)")->check(CLI::Range(1, 10'000))->type_name("N");
+    c->add_option("--step-texels", s.shimmer.step_texels, "Texels of the map that a step moves by (default 0.3)")
+        ->check(number_between(1e-3, 100))
+        ->type_name("T");
+    c->add_option("-o,--output", s.output, "A picture of the share of steps in which each pixel flips: .png or .pfm")
+        ->type_name("OUT");
+    c->add_option("--size", o.size, "Size of the picture in pixels (default 640x360)")->type_name("WxH");
+    c->add_flag("--json", s.json, "As JSON");
+    c->callback([&o, &run] {
+        run = [&o] {
+            if (!o.size.empty()) o.shimmer.size = parse_size(o.size);
+            run_shimmer(o.shimmer);
+        };
+    });
+}
+
 }  // namespace
 
 void add_measure_commands(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
@@ -209,6 +275,8 @@ void add_measure_commands(CLI::App& app, MeasureCliOptions& o, std::function<voi
     add_tune(app, o, run, add_session);
     add_plan(app, o, run, add_session);
     add_advise(app, o, run, add_session);
+    add_precision(app, o, run, add_session);
+    add_shimmer(app, o, run, add_session);
 }
 
 }  // namespace si

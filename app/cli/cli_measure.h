@@ -15,6 +15,8 @@ struct MeasureCliOptions {
     TuneOptions tune;
     PlanOptions plan;
     AdviseOptions advise;
+    PrecisionOptions precision;
+    ShimmerCommandOptions shimmer;
     std::string size;
     bool no_time = false, area = false;
 };

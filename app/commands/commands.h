@@ -9,6 +9,7 @@
 
 #include "app/session/session.h"
 #include "app/sweep/timing.h"
+#include "renderer/measure/shimmer.h"
 #include "renderer/reference/metrics.h"
 #include "renderer/reference/truth.h"
 
@@ -66,6 +67,27 @@ struct PlanOptions {
 };
 /// What a frame of the scene simulates, and what not and why.
 void run_plan(const PlanOptions& options);
+
+struct PrecisionOptions {
+    SessionOptions session;
+    PictureSize size{640, 360};
+    std::string over;  ///< one of precision_series(); empty: as the settings are
+    bool json = false;
+};
+/// What single precision costs by each way of computing places in the map.
+void run_precision(const PrecisionOptions& options);
+/// What it can be told over.
+std::vector<std::string_view> precision_series();
+
+struct ShimmerCommandOptions {
+    SessionOptions session;
+    PictureSize size{640, 360};
+    ShimmerOptions shimmer;
+    std::string output;  ///< how often each pixel flips a step, .png or .pfm; empty: no picture
+    bool json = false;
+};
+/// How much edges of shadows crawl while camera or light move by parts of a texel.
+void run_shimmer(const ShimmerCommandOptions& options);
 
 struct TuneOptions {
     SessionOptions session;

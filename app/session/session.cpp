@@ -10,6 +10,7 @@
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/placement.h"
 
 namespace si {
 namespace {
@@ -84,20 +85,21 @@ void apply_suggested(const Scene& scene, Settings& settings) {
 }
 
 std::string pose_scene(Scene& scene, const SceneSettings& settings) {
+    std::string remark;
     if (!scene.rig || scene.rig->animations.empty()) {
-        const SceneSettings still{.index = settings.index};
-        return settings == still
-                   ? ""
-                   : fmt::format("{} has no animation: scene.animation and scene.time have no effect", scene.name);
+        if (settings.animation != SceneSettings{}.animation || settings.time != SceneSettings{}.time)
+            remark = fmt::format("{} has no animation: scene.animation and scene.time have no effect", scene.name);
+    } else {
+        const int count = int(scene.rig->animations.size());
+        if (settings.animation < -1 || settings.animation >= count) {
+            throw UsageError(
+                fmt::format("scene.animation {}: {} has {} animation{}; choose 0 to {}, or -1 for the rest pose",
+                            settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
+        }
+        pose(scene, settings.animation, settings.time);
     }
-    const int count = int(scene.rig->animations.size());
-    if (settings.animation < -1 || settings.animation >= count) {
-        throw UsageError(
-            fmt::format("scene.animation {}: {} has {} animation{}; choose 0 to {}, or -1 for the rest pose",
-                        settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
-    }
-    pose(scene, settings.animation, settings.time);
-    return "";
+    if (const glm::dmat4 placement = placement_of(settings); placement != scene.placement) place(scene, placement);
+    return remark;
 }
 
 SessionPlan plan_session(const SessionOptions& options) {
@@ -126,6 +128,7 @@ ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, c
     } else {
         apply_suggested(scene, out.settings);
     }
+    carry_settings(out.settings, out.settings.scene, moment);
     for (const std::string& assignment : plan.sets) apply_set(out.settings, assignment);
     out.settings.scene = moment;
     check_objects(scene, out.settings, {}, left_out);
@@ -145,7 +148,7 @@ Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::s
     } catch (const UsageError& e) {
         if (!left_out) throw;
         left_out->push_back(e.what());
-        moment = {.index = moment.index};
+        moment.animation = SceneSettings{}.animation, moment.time = SceneSettings{}.time;
         pose_scene(scene, moment);
     }
     ComposedSettings composed = compose_settings(plan, scene, moment, left_out);

@@ -22,6 +22,7 @@ namespace si {
 struct TruthPicture;  // renderer/reference/truth_picture.h
 struct LightMap;      // renderer/reference/light_map.h
 struct LiveError;     // renderer/reference/live_error.h
+struct Precision;     // renderer/inspect/precision.h
 namespace gl {
 struct Target;
 }
@@ -35,9 +36,10 @@ struct Outputs {
     bool surface_ids = false;      ///< the object and triangle behind each pixel
     bool map_coordinates = false;  ///< where in the map of view.light each pixel's kernel is centred
     bool texels_read = false;      ///< which texels of the shown map the kernels of all pixels fetch
-    bool error = false;     ///< what is wrong with the shadows of view.light, in numbers; needs FrameRequest::truth
-    bool judged = false;    ///< the same pixel by pixel; needs FrameRequest::truth
-    bool evidence = false;  ///< all trials of every pixel (CauseEvidence); takes FrameRequest::truth where it is there
+    bool error = false;      ///< what is wrong with the shadows of view.light, in numbers; needs FrameRequest::truth
+    bool judged = false;     ///< the same pixel by pixel; needs FrameRequest::truth
+    bool precision = false;  ///< how far look-ups are off by single precision: FrameResult::precision
+    bool evidence = false;   ///< all trials of every pixel (CauseEvidence); takes FrameRequest::truth where it is there
     bool unfiltered_map = false;  ///< what trials of a probed pixel read is up to date
     bool true_colour = false;     ///< the picture as the truth lights it; needs FrameRequest::truth
     bool operator==(const Outputs&) const = default;
@@ -183,9 +185,10 @@ struct FrameResult {
     std::array<Image, kEvidenceImages> evidence;  ///< RGBA32F each, in the order of CauseEvidence
     bool mask_levels = false;                     ///< of the evidence's CauseContext
     TruthNeed truth;
-    std::vector<TruthNeed> traced;           ///< by light, of those whose source is ray traced; empty where none is
-    std::vector<LightMapNeed> light_maps;    ///< by light, of those whose source that is; empty where none is
-    std::shared_ptr<const LiveError> error;  ///< null unless asked for and truth.met
+    std::vector<TruthNeed> traced;               ///< by light, of those whose source is ray traced; empty where none is
+    std::vector<LightMapNeed> light_maps;        ///< by light, of those whose source that is; empty where none is
+    std::shared_ptr<const LiveError> error;      ///< null unless asked for and truth.met
+    std::shared_ptr<const Precision> precision;  ///< null unless asked for, or where view.light has no map
     int map_resolution = 0;
     bool map_holds_distances = false;        ///< see holds_distances()
     bool maps_are_whole = true;              ///< else they hold no more than look-ups of the picture read

@@ -47,6 +47,8 @@ std::string_view result_name(Result result) {
             return "evidence";
         case Result::TruePicture:
             return "true picture";
+        case Result::Precision:
+            return "errors of single precision";
         case Result::Shaded:
             return "shaded picture";
         case Result::Overlay:

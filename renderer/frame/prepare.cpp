@@ -32,7 +32,7 @@ constexpr double kMapBudgetBytes = 2.0 * 1024 * 1024 * 1024;
 Key lights_as_placed_key(const FrameState& f) {
     Key key;
     key.add(f.scene.id).add(f.settings.light_count).add(f.settings.map.resolution).add(f.settings.map.reversed_z);
-    key.add(f.settings.map.format).add(face_margin_texels(f.settings));
+    key.add(f.settings.map.format).add(face_margin_texels(f.settings)).add(f.settings.map.origin);
     for (const Param& p : params())
         if (p.scope == Scope::Light)
             for (int i = 0; i < std::min(f.settings.light_count, kMaxLights); ++i)
@@ -449,7 +449,7 @@ FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, 
 
     if (f.settings.camera.source == int(CameraSource::Light) && resources.fitted.empty())
         f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
-    f.origin = f.camera.origin();
+    f.origin = frame_origin(f.camera, f.settings);
     if (!resources.scene || resources.scene->scene_id() != scene.id)
         resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
     resources.scene->arrange(scene, f.settings, !request.forced.contains(Saving::Order));

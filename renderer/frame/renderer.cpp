@@ -55,6 +55,7 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
         wanted.push_back(Result::UnfilteredMap);
         for (const ResultRef& read : lookup_reads(f)) wanted.push_back(read);
     }
+    if (o.precision) wanted.push_back(Result::Precision);
     if (o.evidence) wanted.push_back(Result::Evidence);
     if (o.true_colour) wanted.push_back(Result::TruePicture);
     if (o.map_coordinates) wanted.push_back(Result::MapCoordinates);
@@ -121,6 +122,7 @@ void plan_frame(FrameState& f) {
     add_truth_passes(f);
     add_true_shade_pass(f);
     add_shade_pass(f);
+    add_precision_pass(f);
     add_pane_passes(f);
     add_map_coordinates_pass(f);
     add_texels_read_pass(f);

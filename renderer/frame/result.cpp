@@ -66,6 +66,7 @@ void describe_frame(FrameState& f, FrameResult& result) {
     if (made.contains(Result::MapView)) describe_map_view(f, result);
     if (made.contains(Result::Visibility)) result.visibility = visibility_image(f, f.settings.view.light);
     if (made.contains(Result::Error)) result.error = live_error(f);
+    if (made.contains(Result::Precision)) result.precision = found_precision(f);
     if (made.contains(Result::Evidence)) {
         for (std::size_t i = 0; i < result.evidence.size(); ++i)
             result.evidence[i] = image_of(f.result(Result::Evidence, i));

@@ -26,6 +26,7 @@ enum class Result {
     Error,           ///< how far off the picture is, in numbers
     Evidence,        ///< all trials of every pixel
     TruePicture,     ///< lit as the truth says
+    Precision,       ///< how far look-ups are off by single precision
     Shaded,          ///< the picture
     Overlay,         ///< a pane's values
     Composed,        ///< those over the picture

@@ -204,6 +204,9 @@ std::shared_ptr<const LiveError> live_error(const FrameState& f);
 void draw_evidence(const FrameState& f, int light, bool truth_known, PassInfo& info);
 void add_true_shade_pass(FrameState& f);
 void add_shade_pass(FrameState& f);
+/// Holds where the shown light's map is looked up against double precision.
+void add_precision_pass(FrameState& f);
+std::shared_ptr<const Precision> found_precision(const FrameState& f);
 void add_pane_passes(FrameState& f);
 void add_map_coordinates_pass(FrameState& f);
 /// Which texels of the shown map the kernels of all pixels fetch, exactly.

@@ -87,7 +87,7 @@ std::vector<SettingRef> amounts_of(const Bias& row) {
 BiasAccount account_of(const MeasuredError& measured, const Settings& settings, const Receiver& r,
                        const RasterTraits& driver) {
     return bias_account(measured.lights[std::size_t(measured.light)], settings, measured.map_resolution,
-                        {r.position_ws, r.normal_ws, r.normal_ws, measured.camera.origin()}, driver);
+                        {r.position_ws, r.normal_ws, r.normal_ws, frame_origin(measured.camera, settings)}, driver);
 }
 
 const Bias& row_of(BiasFamily family) {

@@ -80,6 +80,7 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
     pass.reads = lookup_reads(f);
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
     if (pane.row() && pane.row()->reads_truth) pass.reads.insert(pass.reads.end(), {Result::Truth, Result::Judged});
+    if (pane.row() && pane.row()->reads_precision) pass.reads.push_back(Result::Precision);
     pass.writes = {{Result::Overlay, pane.slot}};
     pass.idle_reason = "the overlay was not asked for";
     if (!pane.row()) {

@@ -226,7 +226,7 @@ void apply_pose(Scene& scene, int animation, double time_s) {
         // finalise() drops things whose place is not finite; the numbers would no longer fit.
         if (things.size() != nodes.size()) return;
         for (std::size_t i = 0; i < things.size(); ++i)
-            things[i].world = scene.nodes[static_cast<std::size_t>(nodes[i])].world;
+            things[i].world = things[i].home = scene.nodes[static_cast<std::size_t>(nodes[i])].world;
     };
     follow(scene.cameras, rig.camera_nodes);
     follow(scene.lights, rig.light_nodes);
@@ -234,6 +234,7 @@ void apply_pose(Scene& scene, int animation, double time_s) {
 
 void pose(Scene& scene, int animation, double time_s) {
     if (!scene.rig) return;
+    scene.placement = glm::dmat4(1);
     apply_pose(scene, animation, time_s);
     refresh(scene);
     suggest_lights(scene);

@@ -78,7 +78,8 @@ struct Deformer {
 };
 
 /// Poses the scene by animation `animation` (-1: at rest) at `time_s`, held before the first and after the last key:
-/// node transforms, deformed vertices, bounds, cameras, lights and what they suggest; the scene gets a new id.
+/// node transforms, deformed vertices, bounds, cameras, lights and what they suggest; the scene gets a new id, and is
+/// placed nowhere (Scene::placement).
 /// Does nothing to a scene without a rig. @throws Error when there is no such animation.
 void pose(Scene& scene, int animation, double time_s);
 

@@ -386,12 +386,14 @@ void finalise(Scene& scene) {
     place_objects(scene);
     drop_unplaced(scene.cameras, "camera", scene);
     drop_unplaced(scene.lights, "light", scene);
+    for (SceneCamera& camera : scene.cameras) camera.home = camera.world;
+    for (SceneLight& light : scene.lights) light.home = light.world;
     scene.id = next_scene_id();
 }
 
 void refresh(Scene& scene) {
     for (Node& node : scene.nodes)
-        node.world = node.parent >= 0 ? scene.nodes[node.parent].world * node.local : node.local;
+        node.world = (node.parent >= 0 ? scene.nodes[node.parent].world : scene.placement) * node.local;
     for (Mesh& mesh : scene.meshes) {
         if (!mesh.deformer) continue;
         if (!all_finite(mesh.positions)) mesh.indices.clear();
@@ -403,6 +405,13 @@ void refresh(Scene& scene) {
         if (finite(o.world)) scene.bounds.add(scene.meshes[o.mesh].bounds.transformed(o.world));
     }
     scene.id = next_scene_id();
+}
+
+void place(Scene& scene, const glm::dmat4& placement) {
+    scene.placement = placement;
+    for (SceneCamera& camera : scene.cameras) camera.world = placement * camera.home;
+    for (SceneLight& light : scene.lights) light.world = placement * light.home;
+    refresh(scene);
 }
 
 }  // namespace si

@@ -93,6 +93,7 @@ struct Object {
 struct SceneCamera {
     std::string name;
     glm::dmat4 world{1.0};  ///< looks along -z
+    glm::dmat4 home{1.0};   ///< `world` before Scene::placement; set by finalise()
     bool orthographic = false;
     double fov_y_deg = 45;
     double height = 10;
@@ -103,6 +104,7 @@ struct SceneLight {
     std::string name;
     int type = 0;           ///< LightType
     glm::dmat4 world{1.0};  ///< shines along -z
+    glm::dmat4 home{1.0};   ///< `world` before Scene::placement; set by finalise()
     glm::dvec3 colour{1};
     double intensity = 1;
     double range = 0;  ///< 0: unlimited
@@ -118,6 +120,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
     std::vector<Node> nodes;
+    glm::dmat4 placement{1.0};  ///< of all nodes without a parent, cameras and lights: see place()
     std::vector<Object> objects;
     std::vector<SceneCamera> cameras;
     std::vector<SceneLight> lights;
@@ -140,5 +143,9 @@ void finalise(Scene& scene);
 /// After Node::local or vertices of deformed meshes changed: world transforms and bounds again, degenerate triangles of
 /// deformed meshes dropped, and a new id. Nothing else changes; no warnings are added.
 void refresh(Scene& scene);
+
+/// Moves, turns and scales all of the scene from where its nodes have it, whatever placed it before: refresh(), and
+/// cameras and lights with it. What the scene suggests stays as it was.
+void place(Scene& scene, const glm::dmat4& placement);
 
 }  // namespace si

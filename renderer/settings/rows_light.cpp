@@ -206,6 +206,11 @@ constexpr auto kLight = with_scope(
          .help = "Where the light's shadows come from. All can be held against the ray-traced truth."},
         {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", .choices = fit_choices, .idle = map_idle,
          .help = "Who chooses what the shadow map covers."},
+        {SI_LIGHT_FIELD(snap), .label = "Whole texels", .unit = "",
+         SI_IDLE(of(s, i).fit != at(LightFit::Stabilised),
+                 "without effect: only the fit stabilised moves by whole texels"),
+         .help = "Moves the stabilised map by whole texels, so that edges of shadows stay as they are while the camera "
+                 "moves. Off: it follows by fractions of them, and edges crawl."},
         {SI_LIGHT_FIELD(projection), .label = "Projection", .unit = "", SI_CHOICES(kProjections),
          .idle = projection_idle, .help = "The projection of the shadow map."},
         {SI_LIGHT_FIELD(near_far), .label = "Near and far", .unit = "", SI_CHOICES(kNearFar), .idle = near_far_idle,
@@ -218,6 +223,12 @@ constexpr auto kLight = with_scope(
          .idle = planes_idle,
          .help = "Distance of the map's far plane from the light; 0 is the fit's value. A longer range makes coarser "
                  "steps of depth."},
+        {SI_LIGHT_FIELD(stretch), .label = "Range stretched", .unit = "", .min = 1, .max = 1e5, .logarithmic = true,
+         .idle = near_far_idle,
+         .help =
+             "Makes the range of depths longer than near and far say: of parallel rays this many times as long, about "
+             "its middle; of a light that shines from a point near is divided by it, and far multiplied. Steps of "
+             "stored depth grow with it. 1 leaves it alone."},
         {SI_LIGHT_FIELD(extent), .label = "Extent", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .idle = extent_idle,
          .help =

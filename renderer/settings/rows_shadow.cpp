@@ -50,6 +50,13 @@ constexpr Choice kCompares[] = {
     {"lequal", "less or equal", "Lit when the fragment's depth is nearer than or equal to the stored depth."},
 };
 
+constexpr Choice kOrigins[] = {
+    {"near", "a place nearby",
+     "A place near the camera, and for the maps the middle of the scene: differences are taken in double precision, "
+     "before anything is rounded."},
+    {"world", "the world's origin", "As many engines do: the farther away, the coarser."},
+};
+
 constexpr Choice kTransforms[] = {
     {"world", "from the world",
      "A surface's place in the map from its place in the scene, by one matrix that was multiplied in double "
@@ -135,6 +142,9 @@ constexpr auto kMap = of_map(std::to_array<Param>({
      .help = "How a surface's place in the map is found. Both are the same in exact numbers; the overlay "
              "transform-difference shows by how many texels they differ in single precision.",
      .shader = true},
+    {SI_FIELD(map.origin), .label = "Positions from", .unit = "", SI_CHOICES(kOrigins),
+     .help = "What the positions that the graphics card computes with count from. Both are the same in exact numbers; "
+             "single precision has some seven digits, which far from the world's origin the way there uses up."},
     {.key = "map.virtual",
      .field = [](Settings& s, int, ObjectSettings*) -> FieldRef { return &s.map.paged; },
      .label = "Virtual map",

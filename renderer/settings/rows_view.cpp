@@ -98,6 +98,13 @@ constexpr auto kCamera = std::to_array<Param>({
 });
 static_assert(kCamera.size() == members<CameraSettings>(), "a member of CameraSettings has no row");
 
+constexpr Choice kPlacedAlong[] = {
+    {"aslant", "aslant", "Along (2, 1, 5): no step of the way lies on any grid."},
+    {"x", "x", "Along the world's x axis."},
+    {"y", "y", "Upwards."},
+    {"z", "z", "Along the world's z axis."},
+};
+
 constexpr auto kScene = std::to_array<Param>({
     {SI_FIELD(scene.index), .label = "Scene of the file", .unit = "", .min = -1, .max = 9999,
      .help =
@@ -109,6 +116,16 @@ constexpr auto kScene = std::to_array<Param>({
     {SI_FIELD(scene.time), .label = "Time", .unit = "s", .min = 0, .max = 1e6,
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
      .help = "The moment of the animation that is shown. After its last key the scene stands still."},
+    {SI_FIELD(scene.distance), .label = "Moved by", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
+     .help =
+         "How far the scene is moved from where its file has it, with its cameras and lights. Far from the world's "
+         "origin single precision has few digits left for a shadow's edge: see map.origin. At 0 it is where it was."},
+    {SI_FIELD(scene.direction), .label = "Moved along", .unit = "", SI_CHOICES(kPlacedAlong),
+     SI_IDLE(s.scene.distance == 0, "without effect: scene.distance is 0"), .help = "Which way the scene is moved."},
+    {SI_FIELD(scene.scale), .label = "Scaled by", .unit = "", .min = 1e-3, .max = 1e6, .logarithmic = true,
+     .help =
+         "By how much the scene is larger than its file has it, with its cameras and lights. The camera by hand and "
+         "settings in metres grow with it; what --set says in metres is taken as it is."},
 });
 static_assert(kScene.size() == members<SceneSettings>(), "a member of SceneSettings has no row");
 

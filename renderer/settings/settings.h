@@ -41,6 +41,8 @@ enum class Panes { One, Two, Four };
 enum class OverlayRange { Declared, Fitted, Manual };
 enum class Composition { Ambient, DimLit };
 enum class MapTransform { World, Eye };
+enum class MapOrigin { Near, World };
+enum class PlacedAlong { Aslant, X, Y, Z };
 enum class Slabs { None, Stored, Biased, Both };
 
 struct CameraSettings {
@@ -58,9 +60,12 @@ struct CameraSettings {
 
 /// What of a file is shown.
 struct SceneSettings {
-    int index = -1;     ///< of the file's scenes; -1: its default one
-    int animation = 0;  ///< -1: the rest pose
-    double time = 0;    ///< s
+    int index = -1;       ///< of the file's scenes; -1: its default one
+    int animation = 0;    ///< -1: the rest pose
+    double time = 0;      ///< s
+    double distance = 0;  ///< m
+    int direction = 0;    ///< PlacedAlong
+    double scale = 1;
     bool operator==(const SceneSettings&) const = default;
 };
 
@@ -75,6 +80,7 @@ struct MapSettings {
     int blur_texels = 0;
     int samples = 1;
     int transform = 0;   ///< MapTransform
+    int origin = 0;      ///< MapOrigin
     bool paged = false;  ///< map.virtual, a word that C++ keeps to itself
     int page_size = 128;
     int page_pool = 1024;
@@ -158,9 +164,10 @@ struct LightSettings {
     double contact = 0;
     int source = 0;           ///< row of the source table
     int fit = default_fit();  ///< LightFit, row of the fit table
-    int projection = 0;       ///< LightProjection
-    int near_far = 0;         ///< NearFar
-    double near = 0, far = 0, extent = 0;
+    bool snap = true;
+    int projection = 0;  ///< LightProjection
+    int near_far = 0;    ///< NearFar
+    double near = 0, far = 0, stretch = 1, extent = 0;
     int cascades = 1;
     int depth_bounds = 0;  ///< DepthBounds
     int split = 2;         ///< Split, row of the split table

@@ -21,8 +21,7 @@ struct Camera {
     double aspect = 1;
     glm::dmat4 projection() const;
     glm::dmat4 clip_from_relative(const glm::dvec3& origin) const;
-    /// The point that instance transforms and uniforms are relative to: a grid point near the eye, so that small
-    /// camera moves leave it where it is.
+    /// A grid point near the eye, so that small moves of the camera leave it where it is.
     glm::dvec3 origin() const;
     /// World-space ray through a pixel's centre; (0,0) is the top left pixel.
     void pixel_ray(double x, double y, int width, int height, glm::dvec3& ray_origin, glm::dvec3& ray_dir) const;
@@ -38,6 +37,9 @@ struct Camera {
 ///     needed
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
                    std::span<const FittedLight> as_placed = {});
+
+/// The point that a picture's instance transforms and uniforms are relative to, as map.origin says.
+glm::dvec3 frame_origin(const Camera& camera, const Settings& settings);
 
 /// `settings` with the camera that make_camera() finds written out by hand, so that it can be moved. A light's near and
 /// far planes stay behind: as the camera moves away they would cut the scene at odd places.

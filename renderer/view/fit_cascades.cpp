@@ -90,7 +90,8 @@ void fit_sphere(FittedLight& light, LightView view, const FitContext& c, const C
     const double texel = view.texel_size(1, c.resolution);
     // Counted from the scene's centre: its place in the world takes no digits away.
     const glm::dmat3 to_view = glm::transpose(view.axes);
-    const glm::dvec3 steps = glm::round(to_view * (sphere.centre - c.shape.centre) / texel);
+    const glm::dvec3 away = to_view * (sphere.centre - c.shape.centre) / texel;
+    const glm::dvec3 steps = c.settings.snap ? glm::round(away) : away;
     const double along = (to_view * (view.eye - c.shape.centre)).z;
     view.eye = c.shape.centre + view.axes * glm::dvec3(steps.x * texel, steps.y * texel, along);
     const ViewExtent all = extent_of(c.shape, view);

@@ -42,6 +42,18 @@ void manual_range(FittedLight& light, const LightSettings& s, DepthCurve& curve)
     }
 }
 
+/// light.stretch.
+void stretch_range(const LightSettings& s, DepthCurve& curve) {
+    const double by = std::clamp(finite_or(s.stretch, 1), 1.0, 1e5);
+    if (by == 1) return;
+    if (curve.perspective) {
+        curve.near /= by, curve.far *= by;
+        return;
+    }
+    const double middle = 0.5 * (curve.near + curve.far), half = 0.5 * by * (curve.far - curve.near);
+    curve.near = middle - half, curve.far = middle + half;
+}
+
 }  // namespace
 
 void note(PlacedLight& light, std::string text) {
@@ -56,6 +68,7 @@ double with_margin(double half, double scale, int resolution, double margin) {
 
 void finish_view(FittedLight& light, LightView view, const FitContext& c, double reference_z) {
     manual_range(light, c.settings, view.curve);
+    stretch_range(c.settings, view.curve);
     // An orthographic depth is affine: only what doubles resolve that far from the light matters besides the scene.
     const double scale =
         view.curve.perspective ? view.curve.far : std::max(c.shape.radius, 0x1p-30 * std::abs(view.curve.far));

@@ -106,6 +106,8 @@ PlacedLights place_lights(const Scene& scene, const Settings& settings) {
     PlacedLights out{shape, {}};
     for (int i = 0; i < std::clamp(settings.light_count, 0, kMaxLights); ++i)
         out.lights.push_back(place(settings.lights[std::size_t(i)], *shape));
+    if (settings.map.origin == int(MapOrigin::World))
+        for (PlacedLight& light : out.lights) light.map_origin = glm::dvec3(0);
     normalise_punctual(out.lights, settings, *shape);
     return out;
 }

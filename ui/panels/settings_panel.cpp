@@ -9,6 +9,7 @@
 
 #include "renderer/measure/tuner.h"
 #include "renderer/settings/owners.h"
+#include "renderer/view/placement.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/state/light_list.h"
 #include "ui/state/panels.h"
@@ -36,7 +37,7 @@ constexpr Group kGroups[] = {
     {"blob", "Blobs", false},
     {"light_map", "Light maps", false},
     {"camera", "Camera", false},
-    {"scene", "Scene and time", false},
+    {"scene", "Scene, time and place", false},
     {"shading", "Shading", false},
     {"view", "View", false},
     {"truth", "Truth", false},
@@ -191,10 +192,12 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& 
     ImGui::Dummy({0, em * 0.1f});
     ImGui::BeginChild("rows", {0, 0}, false);
     bool any = false;
+    const SceneSettings placed = state.settings.scene;
     for (const Group& group : groups()) {
         any |= !rows_of(state, group.prefix).empty();
         draw_group(state, frame, actions, group);
     }
+    carry_settings(state.settings, placed, state.settings.scene);
     if (!any) ImGui::TextDisabled(state.only_changed ? "Nothing is changed." : "No setting matches.");
     if (frame.result && !frame.result->notes.empty()) {
         ImGui::Dummy({0, em * 0.3f});

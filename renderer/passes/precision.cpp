@@ -1,0 +1,87 @@
+// How far look-ups are off by single precision: drawn, read back, held against double precision on the CPU.
+#include "renderer/inspect/precision.h"
+
+#include <cmath>
+
+#include "renderer/passes/camera_pass.h"
+
+namespace si {
+namespace {
+
+struct PrecisionTargets {
+    gl::Target uvd;    ///< RGBA32F, see DrawnLookUps
+    gl::Target error;  ///< RGBA32F: texels or -1, steps of depth or -1
+    std::shared_ptr<const Precision> found;
+};
+
+template <class T>
+void flip(std::vector<T>& data, int width, int height, int channels) {
+    const std::ptrdiff_t row = std::ptrdiff_t(width) * channels;
+    for (int y = 0; y < height / 2; ++y)
+        std::swap_ranges(data.begin() + y * row, data.begin() + (y + 1) * row, data.begin() + (height - 1 - y) * row);
+}
+
+DrawnLookUps read_back(const gl::Target& ids, const gl::Target& uvd, int width, int height) {
+    const std::size_t pixels = std::size_t(width) * std::size_t(height);
+    DrawnLookUps out{{width, height, std::vector<glm::uvec2>(pixels)},
+                     {width, height, 4, std::vector<float>(pixels * 4)}};
+    gl::begin_reading();
+    glGetTextureImage(ids.texture.id(), 0, GL_RG_INTEGER, GL_UNSIGNED_INT, GLsizei(pixels * sizeof(glm::uvec2)),
+                      out.ids.data.data());
+    glGetTextureImage(uvd.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(pixels * sizeof(glm::vec4)), out.uvd.data.data());
+    flip(out.ids.data, width, height, 1);
+    flip(out.uvd.data, width, height, 4);
+    return out;
+}
+
+void upload(const Precision& found, gl::Target& to) {
+    const int width = found.error.width, height = found.error.height;
+    std::vector<float> rows;
+    rows.reserve(found.error.data.size());
+    for (int y = height - 1; y >= 0; --y)
+        for (int x = 0; x < width; ++x)
+            for (int c = 0; c < 2; ++c) {
+                const float v = found.error.at(x, y, c);
+                rows.push_back(std::isnan(v) ? -1.f : v);  // not all drivers keep NaN
+            }
+    to.ensure("errors of single precision", GL_RG32F, width, height);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(to.texture.id(), 0, 0, 0, width, height, GL_RG, GL_FLOAT, rows.data());
+}
+
+}  // namespace
+
+void add_precision_pass(FrameState& f) {
+    PrecisionTargets& t = f.gl.owned.get<PrecisionTargets>();
+    f.plan.place(Result::Precision, {&t.error, shared::UNIT_PRECISION});
+    Pass pass;
+    pass.name = "single against double precision";
+    pass.category = PassCategory::Tool;
+    pass.reads = {Result::SurfaceIds};
+    pass.writes = {Result::Precision};
+    pass.idle_reason = "nobody asks how far look-ups are off";
+    if (!f.shown_view()) {
+        pass.unneeded = "the light shown has no map";
+        f.plan.add(std::move(pass));
+        return;
+    }
+    pass.key = f.shown_light_key().value();
+    pass.cached = &t.error.key;
+    pass.run = [&f, &t](PassInfo& info) {
+        CameraPass(f, "look-ups", GL_RGBA32F, t.uvd)
+            .clear(glm::vec4(0))
+            .draw("passes/look_ups.frag.glsl", {{"LIGHT_INDEX", std::to_string(f.settings.view.light)}}, info);
+        const DrawnLookUps drawn =
+            read_back(f.plan.target(Result::SurfaceIds), t.uvd, f.request.width, f.request.height);
+        t.found = std::make_shared<const Precision>(find_precision(
+            f.scene, f.camera, f.gl.fitted[std::size_t(f.settings.view.light)], f.map_resolution, drawn));
+        upload(*t.found, t.error);
+    };
+    f.plan.add(std::move(pass));
+}
+
+std::shared_ptr<const Precision> found_precision(const FrameState& f) {
+    return f.gl.owned.get<PrecisionTargets>().found;
+}
+
+}  // namespace si
