@@ -255,8 +255,9 @@ void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_option("--screenshot", o.editor.screenshot, "Where --headless writes the picture")->type_name("F.png");
     add_size(*c, o, "1600x900");
     c->add_option("--probe", o.probe.pixel, "Probe this pixel of the scene's picture at the start")->type_name("X,Y");
-    c->add_option("--tab", o.editor.tab,
-                  "The tab in front at the start: effects, probe, error, objects, compare, frontier, advice or log");
+    c->add_option(
+        "--tab", o.editor.tab,
+        "The tab in front at the start: effects, probe, error, objects, compare, frontier, advice, lab or log");
     c->add_option("--sweep", o.editor.sweep, "Show the sweep in this folder in the tab frontier")->type_name("DIR");
     c->add_flag("--no-state", o.no_state,
                 "Neither read nor keep layout, recent files and autosaves "

@@ -18,7 +18,9 @@ bool BackgroundWork::poll(const Scene* scene) {
     const bool tuned = poll_tuning(scene);
     const bool cured = poll_found(cures_);
     const bool advised = poll_found(advice_);
-    return poll_found(saved_) || advised || cured || tuned;
+    const bool compared = poll_found(pipelines_);
+    const bool shimmered = poll_found(shimmer_);
+    return poll_found(saved_) || shimmered || compared || advised || cured || tuned;
 }
 
 bool BackgroundWork::fulfil_saved(const SceneDesk& scenes, const FrameRequest& request, const EditorActions& actions) {
@@ -85,6 +87,12 @@ bool BackgroundWork::fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<
     wish(actions.find_advice.has_value(),
          [&] { advice_.start(scenes.require(), state_.settings, size.x, size.y, *actions.find_advice); });
     if (actions.cancel_advice) advice_.cancel();
+    const auto present = [&] { return LabOf{scenes.require().id, state_.settings, size.x, size.y}; };
+    wish(actions.compare_pipelines, [&] { pipelines_.start(scenes.require(), present()); });
+    if (actions.cancel_pipelines) pipelines_.cancel();
+    wish(actions.measure_shimmer.has_value(),
+         [&] { shimmer_.start(scenes.require(), present(), *actions.measure_shimmer); });
+    if (actions.cancel_shimmer) shimmer_.cancel();
     wish(actions.start_sweep.has_value(),
          [&] { sweep_.start(scenes.require(), state_.scene_name, state_.settings, *actions.start_sweep); });
     wish(actions.cancel_sweep, [&] { sweep_.cancel(); });
@@ -117,6 +125,8 @@ void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) c
     f.cures = cures_.facts(scene ? scene->id : 0, state_.settings, size.x, size.y);
     saved_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
     advice_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
+    const LabOf present{scene ? scene->id : 0, state_.settings, size.x, size.y};
+    pipelines_.fill(f, present), shimmer_.fill(f, present);
     f.sweep = &sweep_.facts();
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/editor/advice.h"
 #include "app/editor/cures.h"
+#include "app/editor/lab.h"
 #include "app/editor/saved.h"
 #include "app/editor/scene_desk.h"
 #include "app/editor/sweep.h"
@@ -35,12 +36,16 @@ public:
     void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
 
     bool busy() const {
-        return sweep_.busy() || tuner_.running() || cures_.running() || saved_.running() || advice_.running();
+        return sweep_.busy() || tuner_.running() || cures_.running() || saved_.running() || advice_.running() ||
+               pipelines_.running() || shimmer_.running();
     }
     bool moved() const {
-        return sweep_.moved() || tuner_.moved() || cures_.moved() || saved_.moved() || advice_.moved();
+        return sweep_.moved() || tuner_.moved() || cures_.moved() || saved_.moved() || advice_.moved() ||
+               pipelines_.moved() || shimmer_.moved();
     }
-    void finish() const { sweep_.wait(), tuner_.wait(), cures_.wait(), saved_.wait(), advice_.wait(); }
+    void finish() const {
+        sweep_.wait(), tuner_.wait(), cures_.wait(), saved_.wait(), advice_.wait(), pipelines_.wait(), shimmer_.wait();
+    }
 
 private:
     bool poll_tuning(const Scene* scene);
@@ -56,6 +61,8 @@ private:
     EditorCures cures_;
     EditorSaved saved_;
     EditorAdvice advice_;
+    EditorPipelines pipelines_;
+    EditorShimmer shimmer_;
 };
 
 }  // namespace si

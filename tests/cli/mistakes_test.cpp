@@ -51,6 +51,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"no_output", {"render", "boxes"}, 2, "--output"},
         Mistake{
             "unknown_key", {"render", "boxes", "-o", "a.png", "--set", "bias.slop=1"}, 2, "did you mean bias.slope?"},
+        Mistake{"series", {"precision", "boxes", "--over", "sideways"}, 2, "distance, scale, stretch"},
+        Mistake{"motion", {"shimmer", "boxes", "--motion", "jump"}, 2, "camera, turn, light"},
+        Mistake{"step", {"shimmer", "boxes", "--step-texels", "nan"}, 2, "--step-texels"},
+        Mistake{
+            "shimmer_unlit", {"shimmer", "boxes", "--set", "light.cast=off", "--size", "32x18"}, 1, "no shadow map"},
+        Mistake{
+            "precision_unlit", {"precision", "boxes", "--set", "light.count=0", "--size", "32x18"}, 1, "view.light"},
         Mistake{"no_value", {"render", "boxes", "-o", "a.png", "--set", "bias.slope"}, 2, "KEY=VALUE"},
         Mistake{"nan", {"render", "boxes", "-o", "a.png", "--set", "bias.slope=nan"}, 2, "not finite"},
         Mistake{"range", {"render", "boxes", "-o", "a.png", "--set", "map.resolution=0"}, 2, "1 to 16384"},

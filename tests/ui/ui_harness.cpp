@@ -121,6 +121,7 @@ EditorActions UiHarness::frame() {
         static_cast<EffectsShown&>(facts) = effects;
         if (effects.effects.empty()) facts.effects = effects_;
         static_cast<AdviceShown&>(facts) = advice;
+        static_cast<LabShown&>(facts) = lab;
     }
     ImGui::NewFrame();
     EditorActions actions = draw_editor(state, facts);

@@ -49,6 +49,7 @@ public:
     CureSearch cures;
     EffectsShown effects;  ///< where its list is empty, that of the made-up frame
     AdviceShown advice;
+    LabShown lab;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
     double frame_seconds = 1.0 / 60;

@@ -11,8 +11,8 @@
 namespace si {
 namespace {
 
-constexpr double kHitPixels = 10;   // radius at scale 1
-constexpr double kClickPixels = 3;  // a press that moves further is a drag
+constexpr double kHitPixels = 10;         // radius at scale 1
+constexpr double kHandleClickPixels = 3;  // a press that moves further is a drag
 
 bool shows_lights(const EditorState& state, const EditorFrame& frame) {
     return state.settings.view.frustum && frame.result && shown_light(state.settings) >= 0;
@@ -76,7 +76,7 @@ void follow(EditorState& state, const EditorFrame& frame, const PictureView& vie
         light = drag.before;
         drag.over = true;
     }
-    drag.moved = drag.moved || glm::distance(mouse, drag.pressed_at) > kClickPixels * view.ui_scale;
+    drag.moved = drag.moved || glm::distance(mouse, drag.pressed_at) > kHandleClickPixels * view.ui_scale;
     if (drag.over || !drag.moved) return;
     const double radius = frame.scene ? frame.scene->bounds.radius() : drag.start.distance;
     const double step = ImGui::GetIO().KeyCtrl ? snap_step(radius) : 0;

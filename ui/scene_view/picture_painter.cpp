@@ -9,7 +9,7 @@
 namespace si {
 namespace {
 
-constexpr ImU32 kEdge = IM_COL32(0, 0, 0, 115);
+constexpr ImU32 kHalo = IM_COL32(0, 0, 0, 115);
 constexpr double kDash = 5, kGap = 4;  // pixels at scale 1
 constexpr double kBeyond = 8;          // pixels that a line may leave the picture by, so that its end is not seen
 
@@ -26,7 +26,7 @@ void PicturePainter::line(const glm::dvec3& from, const glm::dvec3& to, ImU32 co
     const auto on = visible(from, to);
     if (!on) return;
     const unsigned alpha = (colour & IM_COL32_A_MASK) >> IM_COL32_A_SHIFT;
-    list_.AddLine(to_imgui(on->first), to_imgui(on->second), faded(kEdge, 115 * alpha / 255), px(width + 1.6));
+    list_.AddLine(to_imgui(on->first), to_imgui(on->second), faded(kHalo, 115 * alpha / 255), px(width + 1.6));
     list_.AddLine(to_imgui(on->first), to_imgui(on->second), colour, px(width));
 }
 
@@ -43,7 +43,7 @@ void PicturePainter::dashes(const glm::dvec3& from, const glm::dvec3& to, ImU32 
     for (double t = 0; t < length; t += (kDash + kGap) * scale) {
         const ImVec2 a = to_imgui(on->first + way * t),
                      b = to_imgui(on->first + way * std::min(t + kDash * scale, length));
-        list_.AddLine(a, b, kEdge, px(width + 1.4));
+        list_.AddLine(a, b, kHalo, px(width + 1.4));
         list_.AddLine(a, b, colour, px(width));
     }
 }

@@ -16,6 +16,7 @@
 #include "ui/panels/compare.h"
 #include "ui/panels/cures.h"
 #include "ui/panels/effects.h"
+#include "ui/panels/lab.h"
 #include "ui/panels/presets.h"
 #include "ui/panels/probed.h"
 #include "ui/panels/truth.h"
@@ -39,7 +40,7 @@ struct EditorLayout {
     bool operator==(const EditorLayout&) const = default;
 };
 
-enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice, Log };
+enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice, Lab, Log };
 
 /// What of the editor's state its frames, and the numbers read from them, depend on.
 struct PictureState {
@@ -69,6 +70,7 @@ struct EditorState : PictureState {
     bool only_changed = false;
     TunePanel tune;
     AdvicePanel advice;
+    LabPanel lab;
     EditorLayout layout;
     MapWindow map_window;
     bool exact_texels = false;                ///< the map viewer marks the texels that kernels fetch
@@ -103,7 +105,7 @@ struct LoadingFacts {
 };
 
 /// What the last frame found out. Pointers may be null: the editor draws without them.
-struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown, AdviceShown {
+struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown, AdviceShown, LabShown {
     const FrameResult* result = nullptr;
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
@@ -127,7 +129,8 @@ struct EditorActions : MapActions,
                        TuneActions,
                        CureActions,
                        EffectsActions,
-                       AdviceActions {
+                       AdviceActions,
+                       LabActions {
     int scene_width = 0, scene_height = 0;  ///< wanted size of the scene picture; 0: not shown
     bool want_overlay_values = false;       ///< a scene picture is hovered
     bool want_timing = false;

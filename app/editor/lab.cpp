@@ -1,0 +1,66 @@
+#include "app/editor/lab.h"
+
+#include "app/context/headless_context.h"
+
+namespace si {
+namespace {
+
+/// Whether a measurement still says what the present settings would.
+bool holds(const LabOf& of, const LabOf& present) {
+    Settings a = of.settings, b = present.settings;
+    a.view = b.view = {.light = b.view.light};
+    a.view.light = of.settings.view.light;
+    return of.scene == present.scene && of.width == present.width && of.height == present.height && a == b;
+}
+
+}  // namespace
+
+void EditorPipelines::start(const Scene& scene, const LabOf& of) {
+    job_.start(
+        [copy = std::make_shared<const Scene>(scene), of](const Workers&, const auto&) {
+            const HeadlessContext context;
+            Renderer renderer;
+            return PipelinesFound{compare_pipelines(renderer, *copy, of.settings, of.width, of.height), of};
+        },
+        {"four ways", 0});
+}
+
+void EditorPipelines::fill(LabShown& shown, const LabOf& present) const {
+    shown.comparing_pipelines = job_.progress();
+    if (!found_) return;
+    shown.pipelines = found_->errors;
+    // The ways compared are all there are, whichever is chosen.
+    LabOf of = found_->of;
+    of.settings.map.origin = present.settings.map.origin, of.settings.map.transform = present.settings.map.transform;
+    shown.pipelines_current = holds(of, present);
+}
+
+void EditorShimmer::start(const Scene& scene, const LabOf& of, const ShimmerOptions& options) {
+    job_.start(
+        [copy = std::make_shared<const Scene>(scene), of, options](const Workers& workers, const auto& report) {
+            ShimmerFound out{{}, options, of};
+            const HeadlessContext context;
+            Renderer renderer;
+            const std::vector<ShimmerVariant> variants = shimmer_variants(of.settings);
+            for (const ShimmerVariant& v : variants) {
+                const double before = double(out.variants.size()) / double(variants.size());
+                out.variants.push_back(
+                    {v.label,
+                     measure_shimmer(renderer, *copy, v.settings, of.width, of.height, options, workers,
+                                     [&](double share) {
+                                         report({std::string(v.label), before + share / double(variants.size())});
+                                     })});
+            }
+            return out;
+        },
+        {"the first frame", 0});
+}
+
+void EditorShimmer::fill(LabShown& shown, const LabOf& present) const {
+    shown.measuring_shimmer = job_.progress();
+    if (!found_) return;
+    shown.shimmer = found_->variants, shown.shimmer_of = found_->options;
+    shown.shimmer_current = holds(found_->of, present);
+}
+
+}  // namespace si

@@ -1,0 +1,209 @@
+// What single precision costs: errors against a second computation in double, and against what rounding must cost.
+#include "renderer/inspect/precision.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/session/session.h"
+#include "renderer/measure/pipelines.h"
+#include "renderer/measure/shimmer.h"
+#include "renderer/settings/overlays.h"
+#include "renderer/view/placement.h"
+#include "tests/support/hard_case.h"
+
+namespace si::test {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 64;
+
+/// hard_settings() with the scene and all else moved away.
+Settings settings_at(Scene& scene, double distance, LightType type = LightType::Directional) {
+    Settings s = hard_settings();
+    s.lights[0].type = int(type);
+    SceneSettings away = s.scene;
+    away.distance = distance;
+    pose_scene(scene, away);
+    carry_settings(s, s.scene, away);
+    s.scene = away;
+    return s;
+}
+
+// Each pixel once more, from the ray that meets the scene to the map by other code than the product's.
+TEST(PrecisionTest, IsThatOfASecondComputation) {
+    for (const LightType type : kLightTypes)
+        for (const double distance : {0.0, 1e5}) {
+            Scene scene = floor_and_box();
+            Settings s = settings_at(scene, distance, type);
+            s.map.origin = int(MapOrigin::World), s.bias.normal = 0;
+            const FrameRequest request{.width = kWidth, .height = kHeight, .outputs = {.precision = true}};
+            const FrameResult frame = hard_renderer().render(scene, s, request);
+            ASSERT_TRUE(frame.precision);
+            const RayTruth rays(scene);
+            int compared = 0;
+            for (int y = 20; y < kHeight; y += 7)
+                for (int x = 5; x < kWidth; x += 9) {
+                    const Probe p = hard_renderer().probe(scene, s, request, x, y);
+                    if (!p.hit || p.lights[0].where != "inside") continue;
+                    glm::dvec3 origin, dir;
+                    frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
+                    const auto hit = rays.first_hit(origin, dir);
+                    const float told = frame.precision->error.at(x, y, 0);
+                    if (!hit || std::isnan(told)) continue;
+                    const LightView& view = p.lights[0].fitted.views[std::size_t(p.lights[0].face)];
+                    const glm::dvec4 uvd = uvdw(view, hit->position);
+                    const double texels =
+                        glm::distance(glm::dvec2(uvd), glm::dvec2(p.lights[0].uvd)) * frame.map_resolution;
+                    EXPECT_NEAR(told, texels, 2e-3 * texels + 2e-4) << int(type) << " " << x << "," << y;
+                    ++compared;
+                }
+            EXPECT_GT(compared, 20) << int(type);
+        }
+}
+
+// From a place nearby errors are the same small ones everywhere; from the world's origin they are what rounding a
+// position of that size to 24 bits is worth in texels.
+TEST(PrecisionTest, FromTheWorldsOriginIsWhatRoundingCosts) {
+    for (const double distance : {0.0, 1e3, 1e5, 1e7}) {
+        Scene scene = floor_and_box();
+        const Settings s = settings_at(scene, distance);
+        const std::vector<PipelineError> ways = compare_pipelines(hard_renderer(), scene, s, kWidth, kHeight);
+        ASSERT_EQ(ways.size(), 4u);
+        for (const PipelineError& e : ways) {
+            EXPECT_GT(e.pixels, 250u);
+            if (e.origin == MapOrigin::Near) {
+                EXPECT_LT(e.texels.median, 0.01) << distance;
+                EXPECT_LT(e.texels.p99, 0.1) << distance;
+                EXPECT_EQ(e.flips, 0u) << distance;
+                continue;
+            }
+            const FittedLight light = fit_lights(scene, s)[0];
+            const double texel = light.views[0].texel_size(1, s.map.resolution);
+            const double rounding = std::exp2(std::floor(std::log2(std::max(distance, 1e-3))) - 24) / texel;
+            if (distance < 1e3) continue;
+            EXPECT_GT(e.texels.median, 0.1 * rounding) << distance;
+            EXPECT_LT(e.texels.median, 10 * rounding) << distance;
+            if (distance >= 1e7) {
+                EXPECT_GT(e.flips, 50u);
+            }
+        }
+    }
+}
+
+// Scales of powers of ten round differently, and no more.
+TEST(PrecisionTest, IsTheSameAtEveryScale) {
+    for (const double scale : {1e-3, 1.0, 1e6}) {
+        Scene scene = floor_and_box();
+        Settings s = hard_settings();
+        SceneSettings sized = s.scene;
+        sized.scale = scale;
+        pose_scene(scene, sized);
+        carry_settings(s, s.scene, sized);
+        s.scene = sized;
+        const PipelineError e = compare_pipelines(hard_renderer(), scene, s, kWidth, kHeight)[0];
+        EXPECT_LT(e.texels.median, 0.002) << scale;
+        EXPECT_LT(e.ulps.median, 4) << scale;
+    }
+}
+
+TEST(PrecisionTest, OverlaysShowTheNumbers) {
+    Scene scene = floor_and_box();
+    Settings s = settings_at(scene, 1e4);
+    s.map.origin = int(MapOrigin::World);
+    for (const auto& [key, channel] : {std::pair{"precision-texels", 0}, {"precision-ulps", 1}}) {
+        const auto row =
+            std::find_if(overlays().begin(), overlays().end(), [&](const Overlay& o) { return o.key == key; });
+        s.view.overlay = int(row - overlays().begin()) + 1;
+        const FrameResult frame = hard_renderer().render(
+            scene, s,
+            {.width = kWidth, .height = kHeight, .outputs = {.colour = false, .overlay = true, .precision = true}});
+        ASSERT_TRUE(frame.precision);
+        const FloatImage values = hard_renderer().read_float(frame.overlay, 1);
+        int shown = 0;
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                const float told = frame.precision->error.at(x, y, channel);
+                if (std::isnan(told)) continue;
+                ASSERT_EQ(values.at(x, y), told) << key;
+                ++shown;
+            }
+        EXPECT_GT(shown, 250) << key;
+    }
+}
+
+// Nothing of it is made unless it is asked for, and it is not made twice.
+TEST(PrecisionTest, CostsNothingUnasked) {
+    Scene scene = floor_and_box();
+    const Settings s = hard_settings();
+    FrameRequest request{.width = kWidth, .height = kHeight};
+    const char* const name = "single against double precision";
+    Renderer& renderer = hard_renderer();
+    EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Skipped);
+    request.outputs.precision = true;
+    EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Ran);
+    EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Reused);
+}
+
+/// Cascades over what the camera sees of a wide floor with a box.
+Settings crawling(bool snap) {
+    Settings s = hard_settings();
+    s.lights[0].fit = int(LightFit::Stabilised), s.lights[0].snap = snap;
+    s.lights[0].cascades = 2;
+    s.camera.distance = 6;
+    s.map.resolution = 128;
+    return s;
+}
+
+TEST(ShimmerTest, CountsWhatCrawlsWithoutWholeTexelsAndNothingWithThem) {
+    const Scene scene = floor_and_box(60);
+    const ShimmerOptions options{.steps = 6, .step_texels = 0.3};
+    const Shimmer snapped = measure_shimmer(hard_renderer(), scene, crawling(true), kWidth, kHeight, options);
+    const Shimmer free = measure_shimmer(hard_renderer(), scene, crawling(false), kWidth, kHeight, options);
+    EXPECT_EQ(snapped.most_flips, 0u);
+    EXPECT_EQ(snapped.restless, 0u);
+    EXPECT_GT(free.flips_a_step, 1);
+    EXPECT_GT(free.change, 0);
+    ASSERT_EQ(free.flips.size(), 6u);
+    double sum = 0;
+    for (const float flips : free.flips_of.data) sum += flips;
+    std::size_t told = 0;
+    for (const std::size_t flips : free.flips) told += flips;
+    EXPECT_EQ(sum, double(told));
+    EXPECT_NEAR(free.flips_a_step, double(told) / 6, 1e-9);
+    EXPECT_GT(free.places, free.restless);
+}
+
+TEST(ShimmerTest, MapsThatFollowNoCameraStandStillAndALightThatTurnsDoesNot) {
+    const Scene scene = floor_and_box();
+    const Settings s = hard_settings();
+    Renderer& renderer = hard_renderer();
+    for (const ShimmerMotion still : {ShimmerMotion::CameraMoves, ShimmerMotion::CameraTurns})
+        EXPECT_EQ(measure_shimmer(renderer, scene, s, kWidth, kHeight, {.motion = still, .steps = 3}).change, 0);
+    const Shimmer turned = measure_shimmer(renderer, scene, s, kWidth, kHeight,
+                                           {.motion = ShimmerMotion::LightTurns, .steps = 3, .step_texels = 2});
+    EXPECT_GT(turned.change, 0);
+    Settings dark = s;
+    dark.lights[0].cast = false;
+    EXPECT_THROW(measure_shimmer(renderer, scene, dark, kWidth, kHeight, {}), Error);
+}
+
+TEST(StretchTest, MakesRangesAsMuchLongerAsItSays) {
+    const Scene scene = floor_and_box();
+    for (const LightType type : kLightTypes) {
+        Settings s = hard_settings();
+        s.lights[0].type = int(type);
+        const DepthCurve before = fit_lights(scene, s)[0].views[0].curve;
+        s.lights[0].stretch = 100;
+        const DepthCurve after = fit_lights(scene, s)[0].views[0].curve;
+        if (type == LightType::Directional) {
+            EXPECT_NEAR(after.far - after.near, 100 * (before.far - before.near), 1e-6);
+            EXPECT_NEAR(after.far + after.near, before.far + before.near, 1e-6);
+        } else {
+            EXPECT_NEAR(after.near, before.near / 100, 1e-9);
+            EXPECT_NEAR(after.far, before.far * 100, 1e-6);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace si::test

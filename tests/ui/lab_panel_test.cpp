@@ -1,0 +1,97 @@
+// The lab's sliders, what its buttons wish for and what it shows, and both measurements in a real editor.
+#include <gtest/gtest.h>
+
+#include "app/base/output.h"
+#include "app/editor/headless_editor.h"
+#include "renderer/settings/overlays.h"
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+std::string shown_by(const UiHarness& ui) {
+    std::string out;
+    for (const char32_t c : ui.printed())
+        if (c != U' ') out += c < 128 ? char(c) : '?';
+    return out;
+}
+
+class LabPanelTest : public ::testing::Test {
+protected:
+    UiHarness ui{1900, 1000};
+
+    void SetUp() override {
+        ui.state.open_tab = BottomTab::Lab;
+        ui.state.layout.bottom_height = 32;
+        ui.frames(4);
+        ASSERT_EQ(ui.state.tab, BottomTab::Lab);
+    }
+};
+
+TEST_F(LabPanelTest, ShowsWhatWasMeasured) {
+    PipelineError e{.origin = MapOrigin::World, .transform = MapTransform::Eye, .pixels = 10};
+    e.texels = {.median = 12.5, .p99 = 46.25, .worst = 99, .worst_at = {1, 2}};
+    e.ulps = {.median = 577, .p99 = 2700, .worst = 9999, .worst_at = {1, 2}};
+    e.flips = 4711;
+    const std::vector<PipelineError> errors{e};
+    std::vector<ShimmerShown> shimmer{{"Stabilised, unsnapped", {}}};
+    shimmer[0].shimmer.flips_a_step = 96.125, shimmer[0].shimmer.restless = 357, shimmer[0].shimmer.places = 40514;
+    ui.lab.pipelines = errors, ui.lab.shimmer = shimmer;
+    ui.frames(2);
+    const std::string text = shown_by(ui);
+    for (const char* wanted :
+         {"12.5", "46.2", "577", "4711", "theworld'sorigin,fromtheeye", "96.12", "357", "40514", "Ofothersettings"})
+        EXPECT_NE(text.find(wanted), std::string::npos) << wanted;
+}
+
+TEST_F(LabPanelTest, ItsButtonsWish) {
+    ui.state.lab.shimmer = {.motion = ShimmerMotion::LightTurns, .steps = 5, .step_texels = 0.5};
+    ui.frames(2);
+    const auto press = [&](const std::string& window, const std::string& label) {
+        const auto at = ui.find(window, "", label);
+        ASSERT_TRUE(at) << label;
+        ui.click(*at);
+    };
+    press("ways", "Compare ways");
+    EXPECT_TRUE(ui.last_wish.compare_pipelines);
+    press("crawling", "Measure shimmer");
+    ASSERT_TRUE(ui.last_wish.measure_shimmer);
+    EXPECT_EQ(ui.last_wish.measure_shimmer->motion, ShimmerMotion::LightTurns);
+    EXPECT_EQ(ui.last_wish.measure_shimmer->steps, 5);
+    ui.lab.measuring_shimmer = TuneFacts{"As set", 0.4};
+    ui.frames(2);
+    EXPECT_NE(shown_by(ui).find("40%"), std::string::npos);
+}
+
+TEST(EditorLab, MeasuresInTheBackgroundAndChangesNothing) {
+    EditorOptions o;
+    o.session.scene = "boxes";
+    o.width = 1280, o.height = 720, o.headless = true;
+    HeadlessEditor editor(o);
+    EditorModel& model = editor.model();
+    model.state.open_tab = BottomTab::Lab;
+    model.state.layout.bottom_height = 27;
+    editor.settle();
+    EditorActions wish;
+    wish.scene_width = model.facts().result->colour.width, wish.scene_height = model.facts().result->colour.height;
+    wish.compare_pipelines = true, wish.measure_shimmer = ShimmerOptions{.steps = 2};
+    const Settings settings = model.state.settings;
+    model.fulfil(wish);
+    EXPECT_TRUE(model.facts().comparing_pipelines);
+    editor.settle();
+    EXPECT_EQ(model.state.settings, settings);
+    ASSERT_EQ(model.facts().pipelines.size(), 4u);
+    EXPECT_TRUE(model.facts().pipelines_current);
+    ASSERT_EQ(model.facts().shimmer.size(), 3u);
+    EXPECT_TRUE(model.facts().shimmer_current);
+    EXPECT_GT(model.facts().shimmer[0].shimmer.places, 100u);
+    for (int i = 0; i < 3; ++i) editor.frame();
+    write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "lab_panel.png", editor.picture());
+    model.state.settings.scene.distance = 1e6;
+    editor.settle();
+    EXPECT_FALSE(model.facts().pipelines_current) << "the scene is elsewhere now";
+    EXPECT_FALSE(model.facts().shimmer_current);
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,223 @@
+// The lab: sliders that put the scene far away and make it large, small or deep; what single precision makes of that,
+// and how much edges crawl under small motions.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "renderer/inspect/precision.h"
+#include "renderer/settings/overlays.h"
+#include "renderer/settings/param.h"
+#include "renderer/view/placement.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/right_aligned.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+void hint(const std::string& text) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void heading(const char* text) {
+    ImGui::PushFont(theme::strong());
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+}
+
+/// Buttons that show the overlays of what single precision costs, or take them off again.
+void precision_overlays(Settings& settings) {
+    for (std::size_t i = 0; i < overlays().size(); ++i) {
+        const Overlay& row = overlays()[i];
+        if (!row.reads_precision) continue;
+        const int number = int(i) + 1;
+        const bool shown = settings.view.overlay == number;
+        if (shown) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyle().Colors[ImGuiCol_ButtonActive]);
+        if (ImGui::Button(std::string(row.label).c_str())) settings.view.overlay = shown ? 0 : number;
+        if (shown) ImGui::PopStyleColor();
+        hint(std::string(row.help));
+    }
+}
+
+void place_rows(EditorState& state) {
+    heading("Where the scene is");
+    if (!ImGui::BeginTable("place", 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) return;
+    ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch, 0.44f);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.56f);
+    const SceneSettings placed = state.settings.scene;
+    for (const std::string_view key :
+         {"scene.distance", "scene.direction", "scene.scale", "light.stretch", "map.origin", "map.transform"}) {
+        SettingRef ref = *find_setting(key);
+        if (ref.param->scope == Scope::Light) {
+            if (state.settings.light_count <= 0) continue;
+            ref.light = std::max(shown_light(state.settings), 0);
+        }
+        setting_row(state.settings, ref);
+    }
+    carry_settings(state.settings, placed, state.settings.scene);
+    ImGui::EndTable();
+    precision_overlays(state.settings);
+}
+
+/// A button that starts a measurement, or how far it is and one that ends it.
+bool measure_button(const char* label, const char* about, const std::optional<TuneFacts>& running, bool ready,
+                    bool& cancel) {
+    bool pressed = false;
+    if (running) {
+        if (ImGui::Button("Cancel")) cancel = true;
+        ImGui::SameLine();
+        progress_bar(running->progress, fmt::format("{:.0f} %  {}", 100 * running->progress, running->about));
+    } else {
+        ImGui::BeginDisabled(!ready);
+        pressed = ImGui::Button(label);
+        ImGui::EndDisabled();
+        hint(about);
+    }
+    return pressed;
+}
+
+bool begin_numbers(const char* id, std::initializer_list<std::pair<const char*, const char*>> columns) {
+    if (!ImGui::BeginTable(id, int(columns.size()),
+                           ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_SizingStretchProp))
+        return false;
+    for (const auto& [name, about] : columns) ImGui::TableSetupColumn(name);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    int column = 0;
+    for (const auto& [name, about] : columns) {
+        ImGui::TableSetColumnIndex(column);
+        if (column++ == 0)
+            ImGui::TextDisabled("%s", name);
+        else
+            right_aligned(name, theme::kMuted);
+        hint(about);
+    }
+    return true;
+}
+
+std::string choice_label(std::string_view key, int value) {
+    return std::string(find_setting(key)->param->choices()[std::size_t(value)].label);
+}
+
+void pipelines_part(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    heading("Single precision against double");
+    if (measure_button(
+            "Compare ways",
+            "Draws the picture by each way of computing places in the map, in the background, and holds each "
+            "pixel's against double precision.",
+            frame.comparing_pipelines, frame.scene != nullptr, actions.cancel_pipelines))
+        actions.compare_pipelines = true;
+    if (frame.result && frame.result->precision && !frame.comparing_pipelines) {
+        const Precision& p = *frame.result->precision;
+        ImGui::SameLine();
+        ImGui::TextDisabled("shown: %.3g texels, %.3g ULP (median)", p.texels.median, p.ulps.median);
+    }
+    if (frame.pipelines.empty()) return ImGui::TextDisabled("Not measured yet.");
+    if (!begin_numbers("pipelines",
+                       {{"Positions from, matrix", "The settings map.origin and map.transform"},
+                        {"Texels", "Median distance in the map from the place by double precision"},
+                        {"99 %", "of pixels are nearer than this, texels"},
+                        {"ULP", "Median distance of the depth from the surface's plane, in steps of a 32-bit float"},
+                        {"99 %", "of pixels are nearer than this, steps"},
+                        {"Flips", "Pixels on the other side of one half than by the first row"}}))
+        return;
+    const ImU32 colour = frame.pipelines_current ? theme::kText : theme::kMuted;
+    for (const PipelineError& e : frame.pipelines) {
+        const bool used =
+            int(e.origin) == state.settings.map.origin && int(e.transform) == state.settings.map.transform;
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::PushStyleColor(ImGuiCol_Text, colour);
+        ImGui::TextUnformatted(fmt::format("{}{}, {}", used ? "\u25cf " : "", choice_label("map.origin", int(e.origin)),
+                                           choice_label("map.transform", int(e.transform)))
+                                   .c_str());
+        ImGui::PopStyleColor();
+        for (const double number : {e.texels.median, e.texels.p99, e.ulps.median, e.ulps.p99})
+            right_cell(fmt::format("{:.3g}", number), colour);
+        right_cell(fmt::format("{}", e.flips), colour);
+    }
+    ImGui::EndTable();
+    if (!frame.pipelines_current) ImGui::TextDisabled("Of other settings or another size: compare again.");
+}
+
+void motion_widgets(ShimmerOptions& options) {
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextItemWidth(em * 11);
+    const ShimmerMotionRow& chosen = shimmer_motions()[std::size_t(options.motion)];
+    if (ImGui::BeginCombo("##motion", std::string(chosen.label).c_str())) {
+        for (const ShimmerMotionRow& row : shimmer_motions()) {
+            if (ImGui::Selectable(std::string(row.label).c_str(), row.motion == options.motion))
+                options.motion = row.motion;
+            hint(std::string(row.help));
+        }
+        ImGui::EndCombo();
+    }
+    hint(std::string(chosen.help));
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(em * 4);
+    ImGui::InputInt("steps", &options.steps, 0);
+    options.steps = std::clamp(options.steps, 1, 10'000);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(em * 4);
+    ImGui::InputDouble("texels each", &options.step_texels, 0, 0, "%.3g");
+    hint("Texels of the light's first map that each step moves what is looked at by");
+    options.step_texels = std::clamp(options.step_texels, 1e-3, 100.0);
+}
+
+void shimmer_part(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    heading("Shimmer");
+    motion_widgets(state.lab.shimmer);
+    if (measure_button("Measure shimmer",
+                       "Moves the camera that maps are made for, or the light, by parts of a texel while the picture "
+                       "stands still, and counts the pixels whose visibility crosses one half.",
+                       frame.measuring_shimmer, frame.scene != nullptr, actions.cancel_shimmer))
+        actions.measure_shimmer = state.lab.shimmer;
+    if (frame.shimmer.empty()) return ImGui::TextDisabled("Not measured yet.");
+    if (!begin_numbers("shimmer", {{"Map", "The present settings, and the fit stabilised with and without light.snap"},
+                                   {"Flips a step", "Pixels whose visibility crosses one half, mean over steps"},
+                                   {"At most", "of a step"},
+                                   {"Restless", "Pixels that ever flip"},
+                                   {"Change", "Mean of |visibility changed by| over pixels and steps"}}))
+        return;
+    const ImU32 colour = frame.shimmer_current ? theme::kText : theme::kMuted;
+    for (const ShimmerShown& s : frame.shimmer) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::PushStyleColor(ImGuiCol_Text, colour);
+        ImGui::TextUnformatted(std::string(s.label).c_str());
+        ImGui::PopStyleColor();
+        right_cell(fmt::format("{:.2f}", s.shimmer.flips_a_step), colour);
+        right_cell(fmt::format("{}", s.shimmer.most_flips), colour);
+        right_cell(fmt::format("{}", s.shimmer.restless), colour);
+        right_cell(fmt::format("{:.2g}", s.shimmer.change), colour);
+    }
+    ImGui::EndTable();
+    ImGui::TextDisabled("%s: %d steps of %g texels, %zu pixels%s",
+                        std::string(shimmer_motions()[std::size_t(frame.shimmer_of.motion)].label).c_str(),
+                        frame.shimmer_of.steps, frame.shimmer_of.step_texels, frame.shimmer.front().shimmer.places,
+                        frame.shimmer_current ? "" : "; of other settings or another size");
+}
+
+}  // namespace
+
+void draw_lab(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    const float gap = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x - 2 * gap;
+    const auto part = [&](const char* id, float share, const auto& draw) {
+        ImGui::BeginChild(id, {share * width, 0}, false);
+        draw();
+        ImGui::EndChild();
+    };
+    part("place", 0.28f, [&] { place_rows(state); });
+    ImGui::SameLine(0, gap);
+    part("ways", 0.40f, [&] { pipelines_part(state, frame, actions); });
+    ImGui::SameLine(0, gap);
+    part("crawling", 0.32f, [&] { shimmer_part(state, frame, actions); });
+}
+
+}  // namespace si
