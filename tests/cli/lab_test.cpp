@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json json_of(std::vector<std::string> words) {
+Json told_by(std::vector<std::string> words) {
     words.push_back("--json");
     const ProcessResult r = run_program(words);
     EXPECT_EQ(r.code, 0) << r.err;
@@ -18,10 +18,10 @@ Json json_of(std::vector<std::string> words) {
 }
 
 TEST(LabCommands, PrecisionIsToldOverDistance) {
-    const Json now = json_of({"precision", "boxes", "--size", "64x36"});
+    const Json now = told_by({"precision", "boxes", "--size", "64x36"});
     ASSERT_EQ(now["pipelines"].size(), 4u);
     EXPECT_EQ(now["pipelines"][0]["map.origin"], "near");
-    const Json over = json_of({"precision", "boxes", "--size", "64x36", "--over", "distance"});
+    const Json over = told_by({"precision", "boxes", "--size", "64x36", "--over", "distance"});
     const Json& last = over["series"].back();
     EXPECT_EQ(last["value"], 1e7);
     EXPECT_LT(last["pipelines"][0]["texels"]["median"], 0.05);
@@ -31,7 +31,7 @@ TEST(LabCommands, PrecisionIsToldOverDistance) {
 
 TEST(LabCommands, ShimmerIsToldByWholeTexelsAndWithout) {
     const auto folder = fresh_test_folder();
-    const Json told = json_of({"shimmer", "stage", "--preset", "cascades", "--size", "96x54", "--steps", "4", "-o",
+    const Json told = told_by({"shimmer", "stage", "--preset", "cascades", "--size", "96x54", "--steps", "4", "-o",
                                (folder / "flips.png").string()});
     ASSERT_EQ(told["variants"].size(), 3u);
     EXPECT_EQ(told["variants"][1]["variant"], "snapped");

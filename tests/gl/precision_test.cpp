@@ -36,24 +36,26 @@ TEST(PrecisionTest, IsThatOfASecondComputation) {
             Scene scene = floor_and_box();
             Settings s = settings_at(scene, distance, type);
             s.map.origin = int(MapOrigin::World), s.bias.normal = 0;
-            const FrameRequest request{.width = kWidth, .height = kHeight, .outputs = {.precision = true}};
-            const FrameResult frame = hard_renderer().render(scene, s, request);
+            const FrameResult frame = hard_renderer().render(
+                scene, s,
+                {.width = kWidth, .height = kHeight, .outputs = {.map_coordinates = true, .precision = true}});
             ASSERT_TRUE(frame.precision);
+            const FloatImage coordinates = hard_renderer().read_float(frame.map_coordinates, 4);
             const RayTruth rays(scene);
             int compared = 0;
-            for (int y = 20; y < kHeight; y += 7)
-                for (int x = 5; x < kWidth; x += 9) {
-                    const Probe p = hard_renderer().probe(scene, s, request, x, y);
-                    if (!p.hit || p.lights[0].where != "inside") continue;
+            for (int y = 2; y < kHeight; y += 5)
+                for (int x = 2; x < kWidth; x += 5) {
                     glm::dvec3 origin, dir;
                     frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
                     const auto hit = rays.first_hit(origin, dir);
                     const float told = frame.precision->error.at(x, y, 0);
-                    if (!hit || std::isnan(told)) continue;
-                    const LightView& view = p.lights[0].fitted.views[std::size_t(p.lights[0].face)];
-                    const glm::dvec4 uvd = uvdw(view, hit->position);
+                    if (!hit || std::isnan(told) || coordinates.at(x, y, 3) == 0) continue;
+                    const LightView& view = frame.lights[0].views[std::size_t(coordinates.at(x, y, 2))];
+                    const glm::dvec2 looked_up(coordinates.at(x, y, 0), coordinates.at(x, y, 1));
                     const double texels =
-                        glm::distance(glm::dvec2(uvd), glm::dvec2(p.lights[0].uvd)) * frame.map_resolution;
+                        glm::distance(glm::dvec2(uvdw(view, hit->position)), looked_up) * frame.map_resolution;
+                    // At its edges a pixel's ray may miss the triangle whose rounded corners cover it.
+                    if (texels > 50 && told < 50) continue;
                     EXPECT_NEAR(told, texels, 2e-3 * texels + 2e-4) << int(type) << " " << x << "," << y;
                     ++compared;
                 }

@@ -128,7 +128,8 @@ EditorActions UiHarness::frame() {
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
     if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures || actions.forget_cures ||
-        actions.measure_saved || actions.cancel_saved || actions.find_advice || actions.cancel_advice)
+        actions.measure_saved || actions.cancel_saved || actions.find_advice || actions.cancel_advice ||
+        actions.compare_pipelines || actions.measure_shimmer)
         last_wish = actions;
     io.MouseWheel = 0;
     return actions;
