@@ -26,8 +26,6 @@
 namespace si {
 namespace {
 
-constexpr double kMapBudgetBytes = 2.0 * 1024 * 1024 * 1024;
-
 /// Everything that place_lights() and fit_maps() read but the camera.
 Key lights_as_placed_key(const FrameState& f) {
     Key key;
@@ -123,7 +121,7 @@ void fit_within_limits(FrameState& f) {
         f.notes.push_back(fmt::format("map.resolution {} is beyond the driver's limit; {} is used", asked, n));
     fit(f);
     const int before = n;
-    const double bytes = (f.settings.map.blur_texels > 0 ? 8.0 : 4.0) + prefilter_bytes(f.settings).kept;
+    const double bytes = kept_texel_bytes(f.settings);
     while (!draws_pages(f.settings) && n > 1 && bytes * n * n * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
     if (n != before) {
         f.notes.push_back(

@@ -48,6 +48,12 @@ constexpr SavingRow kRows[] = {
      .label = "What of maps the camera cannot read",
      .help = "Maps, cascades and faces in which nothing lies that the camera sees are not drawn, nor are casters that "
              "cover no texel within the kernel's reach of what it sees. Whatever reads whole maps has them whole."},
+    {.key = "static",
+     .label = "Casters at rest",
+     .help = "Where casters move under a light whose maps keep their views, those at rest are kept in a map of their "
+             "own, which is copied where others were, and only what moves is drawn over it: of all that covers a "
+             "texel the nearest depth stays, in whatever order. It takes the maps' memory once more, while something "
+             "moves."},
 };
 static_assert(std::size(kRows) == kSavings);
 

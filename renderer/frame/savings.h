@@ -21,6 +21,7 @@ enum class Saving {
     BackFaces,  ///< of closed casters
     Casters,    ///< of which nothing lies in a map
     Views,      ///< maps, and casters into them, of which no look-up of the picture reads anything
+    Resting,    ///< casters that did not move, where others did
     kCount
 };
 inline constexpr std::size_t kSavings = std::size_t(Saving::kCount);

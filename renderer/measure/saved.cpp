@@ -86,8 +86,10 @@ SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings&
 
 std::vector<Saving> named_savings(std::span<const Effect> effects) {
     std::vector<Saving> out;
+    // What rests is kept from the frame before, and frames that are measured keep nothing.
     for (const Effect& effect : effects)
-        if (effect.saving && std::find(out.begin(), out.end(), *effect.saving) == out.end())
+        if (effect.saving && *effect.saving != Saving::Resting &&
+            std::find(out.begin(), out.end(), *effect.saving) == out.end())
             out.push_back(*effect.saving);
     return out;
 }

@@ -103,6 +103,7 @@ public:
     CasterDrawer(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info)
         : f_(f),
           view_(view),
+          which_(view.which),
           seen_(seen),
           info_(info),
           sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.resolution),
@@ -129,6 +130,7 @@ private:
 
     FrameState& f_;
     const CasterView& view_;
+    const CasterChoice& which_;
     const SeenOf& seen_;
     PassInfo& info_;
     BoxSight sight_;
@@ -139,19 +141,21 @@ private:
 
     /// Lengthens the run by an instance, or draws it and what can be seen of the instance.
     void add(const Batch& batch, GLuint instance, bool closed, Run& run) {
+        if (which_.only && !(*which_.only)[instance]) return finish(run);
         if (skips_ && sight_.misses(box_of(instance))) {
             ++spared.beside;
             return finish(run);
         }
-        if (view_.called && !covers_called(box_of(instance))) {
+        if (which_.called && !covers_called(box_of(instance))) {
             ++spared.unread;
             return finish(run);
         }
-        const Seen what = seen_ ? seen_(instance, parts_) : view_.called ? called_of(instance) : Seen::Whole;
+        const Seen what = seen_ ? seen_(instance, parts_) : which_.called ? called_of(instance) : Seen::Whole;
         if (what == Seen::Parts && parts_.empty()) {
             ++spared.unread;
             return finish(run);
         }
+        if (which_.covered && what != Seen::Nothing) note_covered(box_of(instance));
         const bool fronts_alone =
             closed && what != Seen::Nothing && sight_.has_before_it(box_of(instance)) && !shows_edge(instance);
         spared.closed += fronts_alone;
@@ -182,13 +186,23 @@ private:
         return Seen::Parts;
     }
 
-    bool covers_called(const SkewBox& box) const {
+    /// What it may cover; nothing: any texel.
+    std::optional<MapRect> covered_by(const SkewBox& box) const {
         const double before = view_.curve.perspective ? kBeforeShare * view_.curve.near : 0;
         std::optional<MapRect> rect = rect_of(box, uvd_from_relative_, view_.origin, before);
-        if (!rect) return true;
         const glm::dvec2 room(kCasterRoomTexels / view_.resolution);
-        rect->lo -= room, rect->hi += room;
-        return view_.called->meets(*rect);
+        if (rect) rect->lo -= room, rect->hi += room;
+        return rect;
+    }
+
+    bool covers_called(const SkewBox& box) const {
+        const std::optional<MapRect> rect = covered_by(box);
+        return !rect || which_.called->meets(*rect);
+    }
+
+    void note_covered(const SkewBox& box) {
+        const std::optional<MapRect> rect = covered_by(box);
+        rect ? which_.covered->add(*rect, false) : which_.covered->add(MapCells::whole());
     }
 
     SkewBox box_of(GLuint instance) const {
@@ -310,18 +324,19 @@ SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& 
 }
 
 SparedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                           const LightView& view, PassInfo& info, const MapCells* called) {
+                           const LightView& view, PassInfo& info, const CasterChoice& which) {
     const GLuint framebuffer = into.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);
-    clear_casters(f, framebuffer, view.curve.convention);
-    const CasterView whole{view.clip_from_relative(light.map_origin),
-                           view.curve,
-                           light.map_origin,
-                           unfiltered,
-                           view.clamps_near,
-                           f.map_resolution,
-                           called && !called->is_whole() ? called : nullptr};
+    if (!which.over) clear_casters(f, framebuffer, view.curve.convention);
+    CasterView whole{view.clip_from_relative(light.map_origin),
+                     view.curve,
+                     light.map_origin,
+                     unfiltered,
+                     view.clamps_near,
+                     f.map_resolution,
+                     which};
+    if (which.called && which.called->is_whole()) whole.which.called = nullptr;
     return draw_casters(f, whole, {}, info);
 }
 

@@ -9,14 +9,22 @@
 
 namespace si {
 
+/// Which of the casters that lie in a map are drawn.
+struct CasterChoice {
+    const MapCells* called = nullptr;         ///< what of the map is read; null: all
+    const std::vector<bool>* only = nullptr;  ///< by instance as SceneGpu orders them; null: all
+    bool over = false;                        ///< over what the map holds; else it is cleared first
+    MapCells* covered = nullptr;              ///< takes up all that those drawn may cover; null: nobody asks
+};
+
 struct CasterView {
     glm::dmat4 clip_from_relative{1.0};  ///< from positions relative to `origin`
     DepthCurve curve;
     glm::dvec3 origin{0};
-    bool unfiltered = false;           ///< without polygon offset, masks at their finest level
-    bool clamps_near = false;          ///< what lies before the near plane is drawn at it
-    int resolution = 1;                ///< texels along a side
-    const MapCells* called = nullptr;  ///< what of it is read; null: all
+    bool unfiltered = false;   ///< without polygon offset, masks at their finest level
+    bool clamps_near = false;  ///< what lies before the near plane is drawn at it
+    int resolution = 1;        ///< texels along a side
+    CasterChoice which;
 };
 
 /// Indices of a mesh, counted from its first.
@@ -50,9 +58,8 @@ struct SparedCasters {
 
 /// Draws every caster, or what of them can be seen, into the bound framebuffer and viewport.
 SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info);
-/// Clears the framebuffer of a whole map, and draws what of a light's casters lies in its view.
-/// @param called what of it is read; null: all
+/// Draws what of a light's casters lies in its view into the framebuffer of a whole map.
 SparedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                           const LightView& view, PassInfo& info, const MapCells* called = nullptr);
+                           const LightView& view, PassInfo& info, const CasterChoice& which = {});
 
 }  // namespace si

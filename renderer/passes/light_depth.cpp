@@ -2,10 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
 #include "renderer/passes/map_extents.h"
 #include "renderer/passes/pages.h"
+#include "renderer/passes/resting_casters.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 
 namespace si {
@@ -15,12 +19,21 @@ std::string_view type_name(LightType type) {
     return type == LightType::Directional ? "directional" : type == LightType::Spot ? "spot" : "point";
 }
 
+/// What of a light is drawn apart from what moves.
+struct RestingOfLight {
+    RestingCasters casters;
+    std::uint64_t geometry = 0;  ///< that was drawn last
+    std::uint64_t views = 0;     ///< key of that map but for its casters
+};
+
 struct DrawnMaps {
     gl::Target maps, unfiltered;                   ///< a layer a view
+    gl::Target resting;                            ///< the same of the casters that rest; none where nothing moves
     gl::Target depth;                              ///< beside a colour map, of one view
     std::array<std::uint64_t, kMaxLights> keys{};  ///< by light, of its layers' contents
     /// By light, what of each of its layers was drawn: of the rest nothing has been called for yet.
     std::array<std::vector<MapCells>, kMaxLights> held;
+    std::array<RestingOfLight, kMaxLights> at_rest;
 };
 
 /// @returns whether what they held is lost
@@ -28,11 +41,11 @@ bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) 
     return maps.ensure(label, f.map_format(), f.map_resolution, f.map_resolution, f.map_layers());
 }
 
+/// @param map one of the DrawnMaps
 /// @param emptied nothing is drawn into it
-SparedCasters draw_view(FrameState& f, bool unfiltered, const FittedLight& light, const LightView& view, int layer,
-                        PassInfo& info, const MapCells* called = nullptr, bool emptied = false) {
+SparedCasters draw_view(FrameState& f, const gl::Target& map, const FittedLight& light, const LightView& view,
+                        int layer, PassInfo& info, const CasterChoice& which = {}, bool emptied = false) {
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
-    const gl::Target& map = unfiltered ? t.unfiltered : t.maps;
     if (map.layers == 0) layer = -1;  // a plain texture
     const bool colour = is_colour(f.settings.map.format);
     if (colour)
@@ -41,7 +54,7 @@ SparedCasters draw_view(FrameState& f, bool unfiltered, const FittedLight& light
         t.depth = {};
     const gl::Framebuffer into = colour ? gl::make_framebuffer("shadow map", &map, &t.depth, layer)
                                         : gl::make_framebuffer("shadow map", nullptr, &map, -1, layer);
-    if (!emptied) return draw_casters(f, into, unfiltered, light, view, info, called);
+    if (!emptied) return draw_casters(f, into, &map == &t.unfiltered, light, view, info, which);
     clear_casters(f, into.id(), view.curve.convention);
     return {};
 }
@@ -56,8 +69,9 @@ std::string name_of_view(const FittedLight& light, std::size_t view, std::size_t
 std::uint64_t draw_part(FrameState& f, std::size_t light, std::size_t view, const MapCells& called, PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
     const std::uint64_t draws = info.draws, triangles = info.triangles;
-    const SparedCasters spared = draw_view(f, false, l, l.views[view], f.first_view[light] + int(view), info, &called,
-                                           f.request.emptied == MapOfLight{int(light), int(view)});
+    const SparedCasters spared =
+        draw_view(f, f.gl.owned.get<DrawnMaps>().maps, l, l.views[view], f.first_view[light] + int(view), info,
+                  {.called = &called}, f.request.emptied == MapOfLight{int(light), int(view)});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Ran};
     part.draws = info.draws - draws, part.triangles = info.triangles - triangles;
     part.left_out = spared.beside + spared.unread, part.unit = "casters";
@@ -136,9 +150,10 @@ bool all_whole(const std::vector<MapCells>& regions) {
     return std::ranges::all_of(regions, [](const MapCells& r) { return r.is_whole(); });
 }
 
-Key light_maps_key(const FrameState& f, std::size_t light) {
+/// Of all that a light's maps depend on but what casts into them.
+Key light_views_key(const FrameState& f, std::size_t light) {
     const FittedLight& l = f.gl.fitted[light];
-    Key key = f.with_settings(f.geometry_key, ReadBy::Maps);
+    Key key = f.with_settings({}, ReadBy::Maps);
     key.add(f.map_layers()).add(f.request.forced.value());
     for (const LightView& v : l.views)
         key.add(v.clip_from_relative(l.map_origin))
@@ -149,28 +164,160 @@ Key light_maps_key(const FrameState& f, std::size_t light) {
     return key.add(l.map_origin).add(f.first_view[light]).add(f.gl.programs.source().generation());
 }
 
+Key light_maps_key(const FrameState& f, std::size_t light) {
+    return light_views_key(f, light).add(f.geometry_key);
+}
+
 void clear_layers(const FrameState& f, const gl::Target& maps) {
     const float far_depth = f.settings.map.reversed_z ? 0.f : 1.f;
     glClearTexImage(maps.texture.id(), 0, gl::one_channel(maps.format), GL_FLOAT, &far_depth);
 }
 
+/// How the maps of one light are drawn, by what of its casters rests.
+struct RestingWork {
+    RestingCasters::Draws draws = RestingCasters::Draws::All;
+    std::string reason;                ///< why all are drawn, where some moved
+    std::vector<bool> resting, moved;  ///< by instance, unless all are drawn
+    std::uint64_t count = 0;           ///< of those that rest
+};
+
+/// Why no map of what rests is made, whatever moves. Empty: there may be one.
+std::string why_none_rests(const FrameState& f) {
+    if (is_colour(f.settings.map.format))
+        return "map.format keeps colours: the depths that what moves would be tested against are not kept";
+    const double texels = double(f.map_resolution) * f.map_resolution * f.view_count;
+    if ((kept_texel_bytes(f.settings) + 4) * texels > kMapBudgetBytes)
+        return "a second map of what rests would take more than the 2 GiB that maps may";
+    return {};
+}
+
+RestingWork choose_resting(const FrameState& f, std::size_t light, RestingOfLight& known) {
+    using Draws = RestingCasters::Draws;
+    RestingWork work;
+    const std::uint64_t views = light_views_key(f, light).value(), geometry = f.geometry_key.value();
+    const bool moved = known.geometry != 0 && known.geometry != geometry;
+    const std::uint64_t views_before = std::exchange(known.views, views);
+    known.geometry = geometry;
+    if (f.request.forced.contains(Saving::Resting))
+        work.reason = "all are drawn, which is forced";
+    else if (moved)
+        work.reason = why_none_rests(f);
+    if (f.request.force || f.request.emptied || !work.reason.empty()) {
+        known.casters.forget();
+        if (!moved) work.reason.clear();
+        return work;
+    }
+    if (moved) {
+        const CasterContent& content = caster_content(f);
+        const auto& order = f.gl.scene->instance_objects();
+        std::vector<std::uint64_t> triangles;
+        for (const std::uint32_t object : order)
+            triangles.push_back(f.scene.meshes[std::size_t(f.scene.objects[object].mesh)].indices.size() / 3);
+        std::string_view reason;
+        work.draws = known.casters.choose(views, weighed_casters(content.of, triangles), reason);
+        work.reason = views == views_before ? reason : "its views changed with what moved, and with them every texel";
+    } else if (views != views_before) {
+        known.casters.forget();
+    } else if (known.casters.keeps(views)) {
+        work.draws = Draws::Moved;
+    }
+    if (work.draws == Draws::All) return work;
+    for (const std::uint64_t of : caster_content(f).of) {
+        work.resting.push_back(of != 0 && known.casters.rests(of));
+        work.moved.push_back(of != 0 && !work.resting.back());
+        work.count += work.resting.back();
+    }
+    return work;
+}
+
+PartInfo resting_part(const FrameState& f, std::size_t light, const RestingWork& work) {
+    using Draws = RestingCasters::Draws;
+    PartInfo part{.name = fmt::format("casters at rest in maps of light {}", light), .unit = "casters"};
+    part.by = Saving::Resting;
+    if (f.request.forced.contains(Saving::Resting)) part.state = PassState::Ran;
+    part.reason = work.reason;
+    if (work.draws == Draws::All) return part;
+    part.state = work.draws == Draws::Anew ? PassState::Ran : PassState::Reused;
+    if (work.draws == Draws::Moved) part.left_out = work.count;
+    part.reason =
+        work.draws == Draws::Anew
+            ? fmt::format("{} that did not move are drawn into a map of their own, and what moved over it", work.count)
+            : "they are kept in a map of their own, and what moves is drawn over it";
+    return part;
+}
+
+void copy_texels(const gl::Target& from, const gl::Target& to, int layer, const MapCells& cells) {
+    const GLenum target = from.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+    for (const TexelRect& r : cells.texels(from.width))
+        glCopyImageSubData(from.texture.id(), target, 0, r.from.x, r.from.y, layer, to.texture.id(), target, 0,
+                           r.from.x, r.from.y, layer, r.to.x - r.from.x, r.to.y - r.from.y, 1);
+}
+
+/// Draws one of a light's views as a copy of what rests with what moved over it.
+/// @param of what the light's map is made of so far
+/// @returns the closed casters drawn without their backs
+std::uint64_t draw_over_resting(FrameState& f, std::size_t light, std::size_t view, const MapCells& called,
+                                const RestingWork& work, RestingView& of, PassInfo& info) {
+    DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
+    const FittedLight& l = f.gl.fitted[light];
+    const int layer = f.first_view[light] + int(view);
+    const std::uint64_t draws = info.draws, triangles = info.triangles;
+    SparedCasters spared;
+    const bool kept = of.drawn && of.holds.holds(called);
+    if (!kept) {
+        // One that is drawn again is drawn whole: what is called for goes with what moves.
+        of.holds = of.drawn ? MapCells::whole() : called;
+        of.below = false;
+        spared = draw_view(f, t.resting, l, l.views[view], layer, info, {.called = &of.holds, .only = &work.resting});
+        of.drawn = true;
+    }
+    copy_texels(t.resting, t.maps, layer, of.below ? of.over : MapCells::whole());
+    of.over = {}, of.below = true;
+    const SparedCasters over = draw_view(f, t.maps, l, l.views[view], layer, info,
+                                         {.called = &called, .only = &work.moved, .over = true, .covered = &of.over});
+    PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Ran};
+    part.draws = info.draws - draws, part.triangles = info.triangles - triangles;
+    if (kept) part.by = Saving::Resting;
+    part.reason = !kept             ? "what rests in it is drawn apart, and what moved over it"
+                  : part.draws == 0 ? "what rests in it is kept, and nothing that moves covers what is called for"
+                                    : "what rests in it is kept, and what moves is drawn over it";
+    info.parts.push_back(std::move(part));
+    return spared.closed + over.closed;
+}
+
 void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& work, PassInfo& info) {
-    // A light that is not in this frame would take its layers for kept.
     const bool lost = ensure_maps(f, t.maps, "shadow maps");
     if (lost) {
         t.keys = {};
         clear_layers(f, t.maps);
+        t.at_rest = {};
     }
+    // A light that is not in this frame would take its layers for kept.
+    for (std::size_t other = 0; other < t.keys.size(); ++other)
+        if (other >= f.gl.fitted.size() || !f.gl.fitted[other].casts) t.keys[other] = 0, t.at_rest[other] = {};
     t.held[i].clear();
     const FittedLight& l = f.gl.fitted[i];
+    RestingOfLight rest = std::exchange(t.at_rest[i], {});  // of what an exception leaves nothing is known
+    const RestingWork resting = choose_resting(f, i, rest);
+    const bool apart = resting.draws != RestingCasters::Draws::All;
+    if (apart && ensure_maps(f, t.resting, "casters at rest")) {
+        for (RestingOfLight& other : t.at_rest) other.casters.views.clear();
+        rest.casters.views.clear();
+    }
+    std::vector<RestingView>& views = rest.casters.views;
+    views.resize(apart ? l.views.size() : 0);
     std::uint64_t closed = 0;
     for (std::size_t v = 0; v < l.views.size(); ++v) {
-        if (work.drawn[v] || (lost && !work.holds[v].empty()))
-            closed += draw_part(f, i, v, work.holds[v], info);
-        else
+        if (!work.drawn[v] && !(lost && !work.holds[v].empty()))
             info.parts.push_back(left_part(f, i, v, !work.holds[v].empty()));
+        else if (apart)
+            closed += draw_over_resting(f, i, v, work.holds[v], resting, views[v], info);
+        else
+            closed += draw_part(f, i, v, work.holds[v], info);
     }
     t.held[i] = work.holds;
+    if (apart || !resting.reason.empty()) info.parts.push_back(resting_part(f, i, resting));
+    t.at_rest[i] = std::move(rest);
     if (closed > 0) info.parts.push_back(back_faces_part(f, i, closed));
     if (!work.uncalled.empty()) {
         info.state = PassState::Skipped;
@@ -183,12 +330,20 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
     info.reason += masks ? "; masked materials bring their alpha test" : "; no masked material, so no alpha variant";
 }
 
+/// Whether some light's map still is one over which what moves may be drawn.
+bool keeps_resting(const FrameState& f, const DrawnMaps& t) {
+    for (std::size_t i = 0; !f.paged && i < f.gl.fitted.size(); ++i)
+        if (f.gl.fitted[i].casts && t.at_rest[i].casters.keeps(light_views_key(f, i).value())) return true;
+    return false;
+}
+
 }  // namespace
 
 void add_light_depth_passes(FrameState& f) {
     f.layers_drawn.assign(std::size_t(f.view_count), true);
-    if (f.paged) return;
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
+    if (!keeps_resting(f, t)) f.plan.release([&t] { t.resting = {}; });
+    if (f.paged) return;
     f.plan.place(Result::DrawnMaps, {&t.maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
     std::vector<ResultRef> writes = {Result::DrawnMaps};
     if (!f.blurs_depths()) {
@@ -255,7 +410,7 @@ void add_unfiltered_map_pass(FrameState& f) {
             for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
                 const FittedLight& l = f.gl.fitted[i];
                 for (std::size_t v = 0; l.casts && v < l.views.size(); ++v)
-                    draw_view(f, true, l, l.views[v], f.first_view[i] + int(v), info);
+                    draw_view(f, t.unfiltered, l, l.views[v], f.first_view[i] + int(v), info);
             }
         };
     }

@@ -10,6 +10,7 @@
 #include "renderer/frame/driver.h"
 #include "renderer/frame/page_cache.h"
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
@@ -82,63 +83,29 @@ PageTargets& targets(const FrameState& f) {
     return f.gl.owned.get<PageTargets>();
 }
 
-std::uint64_t content_of(const Mesh& mesh, bool masked) {
-    Key key;
-    const auto add = [&](const auto& list) {
-        key.add(list.size());
-        if (!list.empty()) key.bytes(list.data(), list.size() * sizeof list[0]);
-    };
-    add(mesh.positions), add(mesh.indices);
-    if (masked) add(mesh.uv), add(mesh.colours);
-    return key.value();
-}
-
-std::uint64_t content_of(const Texture& t) {
-    Key key;
-    key.add(t.width).add(t.height).add(t.wrap_s).add(t.wrap_t).add(t.nearest_mag).add(t.nearest_min).add(t.mipmaps);
-    return key.bytes(t.rgba.data(), t.rgba.size()).value();
-}
-
 /// By what there is, not by which scene it is of, so that pages outlast what moves elsewhere.
 void find_casters(const FrameState& f, Casters& casters) {
-    const std::uint64_t key =
-        Key().add(f.geometry_key).add(f.settings.caster.blend).add(f.settings.shading.textures).value();
-    if (casters.key == key) return;
+    const CasterContent& content = caster_content(f);
+    if (casters.key == content.key) return;
     const Scene& scene = f.scene;
-    std::vector<std::uint64_t> meshes(scene.meshes.size(), 0), textures(scene.textures.size(), 0);
     const auto& order = f.gl.scene->instance_objects();
-    casters.content.assign(order.size(), 0);
+    casters.content = content.of;
     casters.corners.assign(order.size(), {});
     casters.indices.assign(order.size(), 0);
     casters.parts.assign(order.size(), {});
     for (const Batch& batch : f.gl.scene->batches()) {
         if (!draws_into_maps(f, batch)) continue;
-        const bool masked = batch.masked || batch.blend;
         const std::vector<Bounds> parts =
             run_boxes_of(scene.meshes[std::size_t(scene.objects[order[batch.first_instance]].mesh)]);
         for (GLuint i = batch.first_instance; i < batch.first_instance + GLuint(batch.instances); ++i) {
             const Object& object = scene.objects[order[i]];
             const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
-            std::uint64_t& of_mesh = meshes[std::size_t(object.mesh)];
-            if (of_mesh == 0) of_mesh = content_of(mesh, masked);
-            Key content;
-            content.add(of_mesh).add(object.world).add(batch.cull).add(batch.mirrored).add(masked);
-            if (masked && mesh.material >= 0) {
-                const Material& m = scene.materials[std::size_t(mesh.material)];
-                content.add(m.alpha).add(m.alpha_cutoff).add(m.base_colour.a).add(batch.texture != 0);
-                if (batch.texture) {
-                    std::uint64_t& of_texture = textures[std::size_t(m.base_colour_texture)];
-                    if (of_texture == 0) of_texture = content_of(scene.textures[std::size_t(m.base_colour_texture)]);
-                    content.add(of_texture);
-                }
-            }
-            casters.content[i] = content.value();
             casters.corners[i] = mesh.bounds.corners(object.world);
             casters.indices[i] = mesh.indices.size();
             for (const Bounds& part : parts) casters.parts[i].push_back(part.corners(object.world));
         }
     }
-    casters.key = key;
+    casters.key = content.key;
 }
 
 /// One layer of the maps, and how pages of it are drawn.

@@ -458,6 +458,10 @@ PrefilterBytes prefilter_bytes(const Settings& settings) {
     return bytes;
 }
 
+double kept_texel_bytes(const Settings& settings) {
+    return (settings.map.blur_texels > 0 ? 8.0 : 4.0) + prefilter_bytes(settings).kept;
+}
+
 int shown_channel(const Settings& settings) {
     const Filter& row = filter_of(settings);
     if (row.samples != Samples::Moments || settings.view.map_source == int(MapSource::Camera)) return 0;

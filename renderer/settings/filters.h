@@ -108,6 +108,8 @@ struct PrefilterBytes {
     double scratch = 0;  ///< for each texel of one map, while it is made
 };
 PrefilterBytes prefilter_bytes(const Settings& settings);
+/// Of a map's texel, with its blurred depth and what kernels read in its place; taken for 4 bytes in any format.
+double kept_texel_bytes(const Settings& settings);
 
 /// Which of its moments the map viewer shows, counted from 1; 0: depth, as view.map_channel asks for none that there
 /// is.

@@ -5,6 +5,9 @@
 
 namespace si {
 
+/// Most bytes that maps take with all that is kept of them.
+inline constexpr double kMapBudgetBytes = 2.0 * 1024 * 1024 * 1024;
+
 /// Whether a map is a colour image that the fragment shader writes, with a depth buffer beside it while it is drawn.
 constexpr bool is_colour(int map_format) {
     return map_format >= int(MapFormat::Colour);

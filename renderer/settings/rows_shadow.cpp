@@ -98,8 +98,9 @@ constexpr auto kMap = of_map(std::to_array<Param>({
     {SI_FIELD(map.resolution), .label = "Resolution", .unit = "texels", .min = 1, .max = 16384, .logarithmic = true,
      .cost = Cost::Target,
      .help = "Width and height of each shadow map image. Twice the resolution halves the texel's size on the ground "
-             "and takes four times the memory. Clamped to what the driver can allocate. Under map.virtual only pages "
-             "that are read take memory.",
+             "and takes four times the memory. Clamped to what the driver can allocate. While casters move "
+             "below a light whose map stays, as much again for those at rest. Under map.virtual only pages that are "
+             "read take memory.",
      .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(map.format), .label = "Format", .unit = "", .cost = Cost::Target, SI_CHOICES(kFormats),
      .help = "How the map stores depth. Fewer bits make larger steps of depth, which call for more bias.",

@@ -1,6 +1,7 @@
 #include "renderer/view/map_cells.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -87,6 +88,26 @@ void MapCells::add(const MapRect& rect, bool beyond) {
 void MapCells::add_rim() {
     rows_.front() = rows_.back() = kFullRow;
     for (std::uint64_t& row : rows_) row |= std::uint64_t(1) | std::uint64_t(1) << (kCells - 1);
+}
+
+void MapCells::add(const MapCells& other) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] |= other.rows_[i];
+}
+
+std::vector<TexelRect> MapCells::texels(int resolution) const {
+    const auto first = [&](int cell) { return int(std::int64_t(cell) * resolution / kCells); };
+    const auto end = [&](int cell) { return int((std::int64_t(cell) * resolution + kCells - 1) / kCells); };
+    std::vector<TexelRect> out;
+    for (int row = 0, next; row < kCells; row = next) {
+        std::uint64_t left = rows_[std::size_t(row)];
+        for (next = row + 1; next < kCells && rows_[std::size_t(next)] == left;) ++next;
+        while (left) {
+            const int from = std::countr_zero(left), to = from + std::countr_one(left >> from);
+            out.push_back({{first(from), first(row)}, {end(to), end(next)}});
+            left &= to < kCells ? kFullRow << to : 0;
+        }
+    }
+    return out;
 }
 
 }  // namespace si

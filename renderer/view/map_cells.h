@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <vector>
 
 #include "renderer/base/key.h"
 #include "renderer/view/box_sight.h"
@@ -15,6 +16,12 @@ namespace si {
 /// Map coordinates; all from 0 to 1 lie in the map.
 struct MapRect {
     glm::dvec2 lo{0}, hi{1};
+};
+
+/// Texels of a map, from the first to before the last.
+struct TexelRect {
+    glm::ivec2 from{0}, to{0};
+    bool operator==(const TexelRect&) const = default;
 };
 
 /// Around what a box covers in a map; nothing where that may be anything, as part of the box lies behind the viewer.
@@ -36,6 +43,10 @@ public:
     void add(const MapRect& rect, bool beyond);
     /// The cells along the sides.
     void add_rim();
+    void add(const MapCells& other);
+    /// Few rectangles that together hold the cells' texels. They overlap only where a texel lies in two cells.
+    /// @param resolution texels along a side of the map
+    std::vector<TexelRect> texels(int resolution) const;
     void add_to(Key& key) const { key.bytes(rows_.data(), sizeof rows_); }
     bool operator==(const MapCells&) const = default;
 

@@ -2,6 +2,8 @@
 // and each saving against the same map with it forced.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+
 #include "app/context/headless_context.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/scenes/shapes.h"
@@ -40,6 +42,17 @@ Scene ten_thousand_objects() {
     add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(110, 110), grey));
     for (int i = 0; i < 10000; ++i)
         add_object(scene, "Object", -1, shapes[i % 3], moved(i % 100 - 50, 0.4, i / 100 - 50) * turned(i * 7));
+    finalise(scene);
+    return scene;
+}
+
+/// Each of 960 triangles.
+Scene balls_on_a_floor(int count) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    const int ball = add_mesh(scene, "Ball", make_sphere(0.4, 32, 16), grey);
+    add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(10, 10), grey));
+    for (int i = 0; i < count; ++i) add_object(scene, "Ball", -1, ball, moved(i % 8 - 3.5, 0.4, i / 8 - 3.5));
     finalise(scene);
     return scene;
 }
@@ -92,6 +105,62 @@ void seen_map(benchmark::State& state, const Scene& scene, Settings s) {
         state, [&] { turn(), renderer.render(scene, s, whole); }, [&] { turn(), renderer.render(scene, s, request); });
 }
 
+/// Frames in which small boxes of a scene move on, of maps drawn whole (first) and with what rests kept. The scene
+/// is laid out anew for each: what that takes is no part of the times.
+void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) {
+    HeadlessContext context;
+    Renderer renderer, others;
+    const Bounds b = scene.bounds;
+    const double size = 0.02 * b.radius();
+    const int box = add_mesh(scene, "Mover", make_box(glm::dvec3(size)), -1);
+    for (unsigned i = 0; i < 8; ++i) {  // posts, between which the scene's bounds stay
+        const glm::dvec3 at =
+            b.centre() + 0.55 * (b.hi - b.lo) * glm::dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+        add_object(scene, "Post", -1, box, moved(at.x, at.y, at.z) * scaled(0.01, 0.01, 0.01));
+    }
+    const int first = int(scene.nodes.size());
+    for (int i = 0; i < movers; ++i) add_object(scene, "Mover", -1, box);
+    finalise(scene);
+    FrameRequest request{.width = 16, .height = 9}, whole = request, nothing = request;
+    request.forced = {Saving::Views};  // the camera sees them whole
+    whole.forced = {Saving::Views, Saving::Resting};
+    nothing.outputs.colour = false;
+    double turn = 0;
+    int kept = 0;
+    const auto map_ms = [&](Renderer& by, const FrameRequest& asked) {
+        nothing.forced = asked.forced;
+        by.render(scene, s, nothing);
+        FrameResult frame;
+        const double ms = finished_ms([&] { frame = by.render(scene, s, asked); });
+        for (const PassInfo& pass : frame.passes)
+            for (const PartInfo& part : pass.parts) kept += part.by == Saving::Resting && part.left_out > 0;
+        return ms;
+    };
+    const auto move_on = [&] {
+        turn += 0.37;
+        for (int i = 0; i < movers; ++i) {
+            const double angle = turn + i * 2.4, r = 0.5 * b.radius() * std::sqrt((i + 0.5) / movers);
+            scene.nodes[std::size_t(first + i)].local =
+                moved(b.centre().x + r * std::cos(angle), b.centre().y, b.centre().z + r * std::sin(angle));
+        }
+        refresh(scene);
+    };
+    for (int i = 0; i < 4; ++i) move_on(), map_ms(others, whole), map_ms(renderer, request);
+    kept = 0;
+    std::vector<double> first_ms, ratios;
+    for (auto _ : state) {
+        move_on();
+        first_ms.push_back(map_ms(others, whole));
+        const double ms = map_ms(renderer, request);
+        ratios.push_back(ms / first_ms.back());
+        state.SetIterationTime(ms / 1000);
+    }
+    const Quartiles ratio(std::move(ratios));
+    state.counters["first_ms"] = median(first_ms), state.counters["kept"] = kept;
+    state.counters["ratio"] = ratio.median, state.counters["ratio_p25"] = ratio.p25;
+    state.counters["ratio_p75"] = ratio.p75;
+}
+
 /// From a corner of the scene, along one of its sides.
 Settings seeing_a_part(Settings s) {
     s.camera.source = int(CameraSource::Manual);
@@ -111,6 +180,20 @@ const int kRegistered = [] {
     add("casters/map/directional", [=](benchmark::State& s) { agreed_map(s, directional); });
     add("casters/map/point", [=](benchmark::State& s) { agreed_map(s, point); });
     add("casters/map/cascades_4", [=](benchmark::State& s) { agreed_map(s, cascades); });
+    for (const int balls : {1, 4, 16, 64})
+        add(("casters/moving_box/" + std::to_string(balls) + "_balls").c_str(),
+            [=](benchmark::State& s) { moving_boxes(s, balls_on_a_floor(balls), directional, 1); });
+    add("casters/moving_box/1_ball_64_boxes",
+        [=](benchmark::State& s) { moving_boxes(s, balls_on_a_floor(1), directional, 64); });
+    add("casters/moving_box/1_ball_1000_boxes",
+        [=](benchmark::State& s) { moving_boxes(s, balls_on_a_floor(1), directional, 1000); });
+    add("casters/moving_box/10000_objects",
+        [=](benchmark::State& s) { moving_boxes(s, ten_thousand_objects(), directional, 1); });
+    add("casters/moving_box/100k_triangles", [=](benchmark::State& s) {
+        moving_boxes(s, test::agreed_scene(test::AgreedSize::Triangles100k), directional, 1);
+    });
+    add("casters/moving_box/100k_triangles_point",
+        [=](benchmark::State& s) { moving_boxes(s, test::agreed_scene(test::AgreedSize::Triangles100k), point, 1); });
     add("casters/seen/10000_objects_all",
         [=](benchmark::State& s) { seen_map(s, ten_thousand_objects(), directional); });
     add("casters/seen/10000_objects_part",

@@ -1,0 +1,92 @@
+#include "renderer/passes/caster_content.h"
+
+#include <memory>
+
+#include "renderer/passes/casters.h"
+#include "renderer/passes/of_meshes.h"
+
+namespace si {
+namespace {
+
+/// Of a rigid mesh; 0: not found yet.
+struct RigidContent {
+    std::uint64_t opaque = 0, masked = 0;
+};
+
+struct KnownContent {
+    CasterContent casters;
+    std::shared_ptr<const Rig> rig;       ///< of poses that share their textures
+    std::vector<std::uint64_t> textures;  ///< 0: not found yet
+};
+
+std::uint64_t content_of(const Mesh& mesh, bool masked) {
+    Key key;
+    const auto add = [&](const auto& list) {
+        key.add(list.size());
+        if (!list.empty()) key.bytes(list.data(), list.size() * sizeof list[0]);
+    };
+    add(mesh.positions), add(mesh.indices);
+    if (masked) add(mesh.uv), add(mesh.colours);
+    return key.value();
+}
+
+std::uint64_t content_of(const Texture& t) {
+    Key key;
+    key.add(t.width).add(t.height).add(t.wrap_s).add(t.wrap_t).add(t.nearest_mag).add(t.nearest_min).add(t.mipmaps);
+    return key.bytes(t.rgba.data(), t.rgba.size()).value();
+}
+
+/// @param deformed of the meshes that change with the pose, by number
+std::uint64_t content_of_mesh(const FrameState& f, std::size_t number, bool masked,
+                              std::vector<std::uint64_t>& deformed) {
+    const Mesh& mesh = f.scene.meshes[number];
+    std::uint64_t* known = &deformed[number];
+    if (!mesh.deformer) {
+        RigidContent& rigid = f.gl.owned.get<OfMeshes<RigidContent>>().of(f.scene, number);
+        known = masked ? &rigid.masked : &rigid.opaque;
+    }
+    if (*known == 0) *known = content_of(mesh, masked);
+    return *known;
+}
+
+}  // namespace
+
+const CasterContent& caster_content(const FrameState& f) {
+    KnownContent& known = f.gl.owned.get<KnownContent>();
+    CasterContent& casters = known.casters;
+    const std::uint64_t key =
+        Key().add(f.geometry_key).add(f.settings.caster.blend).add(f.settings.shading.textures).value();
+    if (casters.key == key) return casters;
+    const Scene& scene = f.scene;
+    if (!scene.rig || scene.rig != known.rig || known.textures.size() != scene.textures.size())
+        known.textures.assign(scene.textures.size(), 0);
+    known.rig = scene.rig;
+    std::vector<std::uint64_t> deformed(scene.meshes.size(), 0);
+    const auto& order = f.gl.scene->instance_objects();
+    casters.of.assign(order.size(), 0);
+    for (const Batch& batch : f.gl.scene->batches()) {
+        if (!draws_into_maps(f, batch)) continue;
+        const bool masked = batch.masked || batch.blend;
+        for (GLuint i = batch.first_instance; i < batch.first_instance + GLuint(batch.instances); ++i) {
+            const Object& object = scene.objects[order[i]];
+            const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
+            Key content;
+            content.add(content_of_mesh(f, std::size_t(object.mesh), masked, deformed));
+            content.add(object.world).add(batch.cull).add(batch.mirrored).add(batch.closed).add(masked);
+            if (masked && mesh.material >= 0) {
+                const Material& m = scene.materials[std::size_t(mesh.material)];
+                content.add(m.alpha).add(m.alpha_cutoff).add(m.base_colour.a).add(batch.texture != 0);
+                if (batch.texture) {
+                    std::uint64_t& of_texture = known.textures[std::size_t(m.base_colour_texture)];
+                    if (of_texture == 0) of_texture = content_of(scene.textures[std::size_t(m.base_colour_texture)]);
+                    content.add(of_texture);
+                }
+            }
+            casters.of[i] = content.value();
+        }
+    }
+    casters.key = key;
+    return casters;
+}
+
+}  // namespace si
