@@ -3,13 +3,12 @@
 #include <optional>
 
 #include "renderer/passes/of_meshes.h"
-#include "renderer/scene/clusters.h"
 
 namespace si {
 namespace {
 
 struct BoxesOfMesh {
-    std::vector<Bounds> clusters;
+    std::vector<Cluster> clusters;
     std::optional<std::vector<Bounds>> runs;
 };
 
@@ -19,9 +18,9 @@ BoxesOfMesh& boxes_of(const FrameState& f, std::size_t mesh) {
 
 }  // namespace
 
-std::span<const Bounds> clusters_of_mesh(const FrameState& f, std::size_t mesh) {
+std::span<const Cluster> clusters_of_mesh(const FrameState& f, std::size_t mesh) {
     const Mesh& m = f.scene.meshes[mesh];
-    if (m.deformer) return {&m.bounds, 1};
+    if (m.deformer) return {};
     BoxesOfMesh& boxes = boxes_of(f, mesh);
     if (boxes.clusters.empty()) boxes.clusters = clusters_of(m);
     return boxes.clusters;

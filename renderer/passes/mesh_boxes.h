@@ -4,11 +4,12 @@
 #include <span>
 
 #include "renderer/frame/state.h"
+#include "renderer/scene/clusters.h"
 
 namespace si {
 
-/// See clusters_of(); of a mesh that changes with the pose its own box.
-std::span<const Bounds> clusters_of_mesh(const FrameState& f, std::size_t mesh);
+/// See clusters_of(); none of a mesh that changes with the pose.
+std::span<const Cluster> clusters_of_mesh(const FrameState& f, std::size_t mesh);
 /// See run_boxes_of(); none of a mesh that changes with the pose.
 std::span<const Bounds> run_boxes_of_mesh(const FrameState& f, std::size_t mesh);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace si {
 namespace {
@@ -19,26 +20,63 @@ glm::ivec3 divided(const glm::dvec3& size, double cells) {
     return glm::ivec3(along(side));
 }
 
+/// Sine of an angle that sides have to be clear of, for what a driver's floats make of normals and places.
+constexpr double kClear = 1e-2;
+
+glm::dvec3 unit_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 n = glm::cross(b - a, c - a);
+    const double length = glm::length(n);
+    return length > 0 ? n / length : glm::dvec3(0);
+}
+
 }  // namespace
 
-std::vector<Bounds> clusters_of(const Mesh& mesh) {
+Shows shown_side(const Cluster& cluster, const glm::dvec4& from) {
+    if (cluster.axis == glm::dvec3(0)) return Shows::Either;
+    const glm::dvec3 there = glm::dvec3(from) - from.w * cluster.box.centre();
+    const double distance = glm::length(there), radius = from.w * cluster.box.radius();
+    if (!(distance > radius)) return Shows::Either;
+    // By how much of a right angle the way there is clear of the axis's plane, for all of the normals and places.
+    const double least = cluster.spread + std::asin(radius / distance) + kClear;
+    if (!(least < 0.5 * std::numbers::pi)) return Shows::Either;
+    const double cosine = glm::dot(cluster.axis, there) / distance;
+    return cosine > std::sin(least) ? Shows::Front : cosine < -std::sin(least) ? Shows::Back : Shows::Either;
+}
+
+std::vector<Cluster> clusters_of(const Mesh& mesh) {
     const std::size_t triangles = mesh.indices.size() / 3;
-    if (triangles < kLeastTriangles || mesh.bounds.empty()) return {mesh.bounds};
+    if (triangles < kLeastTriangles || mesh.bounds.empty()) return {{mesh.bounds}};
     const glm::dvec3 size = mesh.bounds.hi - mesh.bounds.lo;
     const glm::ivec3 cells = divided(size, std::min(double(triangles) / kTrianglesACluster, kMostCells));
     const glm::dvec3 per_m = glm::dvec3(cells) / glm::max(size, glm::dvec3(1e-300));
-    std::vector<Bounds> all(std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z));
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const glm::dvec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
-                         c = mesh.positions[mesh.indices[i + 2]];
-        const glm::dvec3 at = ((a + b + c) / 3.0 - mesh.bounds.lo) * per_m;
-        const glm::ivec3 cell =
-            glm::clamp(glm::ivec3(glm::clamp(at, glm::dvec3(0), glm::dvec3(1e6))), glm::ivec3(0), cells - 1);
-        Bounds& box = all[(std::size_t(cell.z) * std::size_t(cells.y) + std::size_t(cell.y)) * std::size_t(cells.x) +
-                          std::size_t(cell.x)];
-        box.add(a), box.add(b), box.add(c);
+    std::vector<Cluster> all(std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z));
+    const auto each_triangle = [&](auto&& add) {
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            const glm::dvec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
+                             c = mesh.positions[mesh.indices[i + 2]];
+            const glm::dvec3 at = ((a + b + c) / 3.0 - mesh.bounds.lo) * per_m;
+            const glm::ivec3 cell =
+                glm::clamp(glm::ivec3(glm::clamp(at, glm::dvec3(0), glm::dvec3(1e6))), glm::ivec3(0), cells - 1);
+            add(all[(std::size_t(cell.z) * std::size_t(cells.y) + std::size_t(cell.y)) * std::size_t(cells.x) +
+                    std::size_t(cell.x)],
+                a, b, c);
+        }
+    };
+    each_triangle([](Cluster& to, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        to.box.add(a), to.box.add(b), to.box.add(c);
+        to.axis += unit_normal(a, b, c);
+    });
+    std::vector<double> least(all.size(), 1);  // cosines to the axis
+    for (Cluster& c : all) c.axis = glm::length(c.axis) > 0 ? glm::normalize(c.axis) : glm::dvec3(0);
+    each_triangle([&](Cluster& to, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        double& cosine = least[std::size_t(&to - all.data())];
+        cosine = std::min(cosine, glm::dot(to.axis, unit_normal(a, b, c)));
+    });
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!(least[i] > 0)) all[i].axis = glm::dvec3(0);
+        all[i].spread = std::acos(std::clamp(least[i], -1.0, 1.0));
     }
-    std::erase_if(all, [](const Bounds& box) { return box.empty(); });
+    std::erase_if(all, [](const Cluster& c) { return c.box.empty(); });
     return all;
 }
 

@@ -187,6 +187,25 @@ private:
     }
 };
 
+/// Whether angles in a mesh's space are nearly those in the world: sides that are clear there are clear here.
+bool keeps_sides(const glm::dmat4& world) {
+    constexpr double kMostSkew = 30;
+    const glm::dmat3 m(world), back = glm::inverse(m);
+    double there = 0, here = 0;
+    for (int i = 0; i < 3; ++i) there += glm::dot(m[i], m[i]), here += glm::dot(back[i], back[i]);
+    return std::sqrt(there * here) < kMostSkew;
+}
+
+/// Whether all that the camera sees of a body is of triangles whose other side the light meets: shaders take normals on
+/// the camera's side, and look nothing up where those face away, whatever is shaded by.
+bool is_turned_away(const SeenBody& body, const SeenBodies& seen, const FittedLight& light) {
+    if (body.side == Shows::Either) return false;
+    const glm::dvec4 from =
+        light.type == LightType::Directional ? glm::dvec4(light.to_light, 0) : glm::dvec4(light.position, 1);
+    const Shows side = shown_side(body.cluster, seen.mesh_from_world[body.object] * from);
+    return side != Shows::Either && side != body.side;
+}
+
 std::string none_arrives(const FittedLight& light) {
     return light.range_m > 0 ? "nothing that the camera sees lies within the light's range and cone"
                              : "nothing that the camera sees lies where the light shines";
@@ -195,9 +214,11 @@ std::string none_arrives(const FittedLight& light) {
 }  // namespace
 
 SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
-                       const std::function<std::span<const Bounds>(std::size_t mesh)>& clusters) {
+                       const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters) {
     SeenBodies out{wider(camera, lines), {}};
-    for (const Object& object : scene.objects) {
+    out.mesh_from_world.resize(scene.objects.size());
+    for (std::size_t number = 0; number < scene.objects.size(); ++number) {
+        const Object& object = scene.objects[number];
         const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
         if (mesh.indices.size() < 3 || mesh.bounds.empty()) continue;
         const Box box = mesh.bounds.corners(object.world);
@@ -207,17 +228,22 @@ SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
         }
         const Lies where = out.view.lies(box);
         if (where == Lies::Beyond) continue;
-        const std::span<const Bounds> parts = clusters(std::size_t(object.mesh));
+        const std::span<const Cluster> parts = clusters(std::size_t(object.mesh));
         if (parts.size() > 1) {
-            for (const Bounds& part : parts) {
-                const Box corners = part.corners(object.world);
-                if (where == Lies::Within || out.view.lies(corners) != Lies::Beyond)
-                    out.bodies.push_back({corners, {}});
+            const bool sides = keeps_sides(object.world);
+            glm::dmat4& mesh_from_world = out.mesh_from_world[number];
+            if (sides) mesh_from_world = glm::inverse(object.world);
+            const glm::dvec4 eye =
+                mesh_from_world * (camera.orthographic ? glm::dvec4(camera.axes[2], 0) : glm::dvec4(camera.eye, 1));
+            for (const Cluster& part : parts) {
+                const Box corners = part.box.corners(object.world);
+                if (where != Lies::Within && out.view.lies(corners) == Lies::Beyond) continue;
+                out.bodies.push_back({corners, {}, part, sides ? shown_side(part, eye) : Shows::Either, number});
             }
         } else if (where == Lies::Within) {
-            out.bodies.push_back({box, {}});
+            out.bodies.push_back({.box = box, .seen = {}});
         } else if (std::vector<glm::dvec3> seen = out.view.seen_of(box); !seen.empty()) {
-            out.bodies.push_back({box, std::move(seen)});
+            out.bodies.push_back({.box = box, .seen = std::move(seen)});
         }
     }
     return out;
@@ -236,10 +262,14 @@ CalledMaps called_maps(const FittedLight& light, const SeenBodies& seen, const L
     }
     std::vector<ViewRegion> views;
     for (std::size_t v = 0; v < light.views.size(); ++v) views.emplace_back(light, v, area);
-    bool arrives = false;
+    bool arrives = false, turned = false;
     for (const SeenBody& body : seen.bodies) {
         if (area.light_alone && !arrives_at(light, ball_around(body.points()))) continue;
         arrives = true;
+        if (is_turned_away(body, seen, light)) {
+            turned = true;
+            continue;
+        }
         for (ViewRegion& view : views) view.add(seen, body);
     }
     bool called = false;
@@ -250,6 +280,7 @@ CalledMaps called_maps(const FittedLight& light, const SeenBodies& seen, const L
     if (!called)
         out.uncalled = seen.bodies.empty() ? "the camera sees nothing"
                        : !arrives          ? none_arrives(light)
+                       : turned            ? "all that the camera sees is turned away from the light, or lies beside it"
                                            : "nothing that the camera sees is looked up in it";
     return out;
 }

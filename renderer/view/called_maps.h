@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/scene/clusters.h"
 #include "renderer/scene/scene.h"
 #include "renderer/view/camera.h"
 #include "renderer/view/cascades.h"
@@ -20,6 +21,9 @@ namespace si {
 struct SeenBody {
     Box box{};
     std::vector<glm::dvec3> seen;  ///< points around the part of it that is seen; none: all of it may be
+    Cluster cluster;               ///< that it is, where `side` is known
+    Shows side = Shows::Either;    ///< of its triangles that the camera sees
+    std::size_t object = 0;        ///< in Scene::objects;
     std::span<const glm::dvec3> points() const {
         return seen.empty() ? std::span<const glm::dvec3>(box) : std::span<const glm::dvec3>(seen);
     }
@@ -29,13 +33,14 @@ struct SeenBody {
 struct SeenBodies {
     CameraSlice view;  ///< a little wider than the picture
     std::vector<SeenBody> bodies;
-    bool unknown = false;  ///< a body has no place: anything may be seen
+    bool unknown = false;                     ///< a body has no place: anything may be seen
+    std::vector<glm::dmat4> mesh_from_world;  ///< by object; of those whose clusters show a side
 };
 
-/// @param clusters of a mesh: boxes that together hold it, as clusters_of() finds them
+/// @param clusters of a mesh: as clusters_of() finds them; none: it is one
 /// @param lines pixels of the picture's height
 SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
-                       const std::function<std::span<const Bounds>(std::size_t mesh)>& clusters);
+                       const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters);
 
 /// How a picture's look-ups read.
 struct LookupArea {

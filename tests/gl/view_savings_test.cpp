@@ -116,6 +116,37 @@ TEST_F(ViewSavingsTest, FacesThatNothingSeenIsLookedUpInAreNotDrawn) {
         }
 }
 
+TEST_F(ViewSavingsTest, AgainstTheLightWhatFacesAwayCallsForNoCasters) {
+    // A large ball that fills the picture, and beside the picture many small ones between it and the light.
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "Large", -1, add_mesh(scene, "Large", make_sphere(2, 160, 80), grey));
+    const int ball = add_mesh(scene, "Ball", make_sphere(0.1, 24, 12), grey);
+    for (int i = 0; i < 49; ++i)
+        add_object(scene, "Ball", -1, ball, moved(0.2 * (i % 7 - 3), 10.6 + 0.2 * (i / 7 - 3), -22.6));
+    finalise(scene);
+    for (const char* type : {"directional", "spot", "point"})
+        for (const bool against : {false, true}) {
+            const Settings s = settings_for(scene, {{"camera.source", "manual"},
+                                                    {"camera.target_y", "0"},
+                                                    {"camera.elevation", against ? "0" : "-10"},
+                                                    {"camera.azimuth", against ? "0" : "180"},
+                                                    {"camera.distance", "9"},
+                                                    {"camera.fov", "24"},
+                                                    {"filter.kernel", "pcf3"},
+                                                    {"light.type", type},
+                                                    {"light.elevation", "25"},
+                                                    {"light.azimuth", "180"},
+                                                    {"light.distance", "40"}});
+            const auto [few, all] = expect_one_picture(scene, s, type);
+            if (type != std::string("directional")) continue;  // cells of the others hold more
+            if (against)
+                EXPECT_LT(few, all / 2) << "the small ones cover only what faces away from the camera";
+            else
+                EXPECT_GT(few, all / 2) << "their shadows are seen";
+        }
+}
+
 // A face is chosen by the surface's place, whatever the kernel: also where those of moments, or maps that repeat, read
 // all of it.
 TEST_F(ViewSavingsTest, PicturesAreTheSameFromAnywhere) {
