@@ -173,8 +173,12 @@ std::string light_constants(const FrameState& f) {
     };
     const auto& lights = f.gl.fitted;
     // Written out per light: a loop that the compiler does not unroll would index uniforms per pixel.
-    std::string each = "#define EACH_LIGHT(DO)";
-    for (std::size_t i = 0; i < count; ++i) each += fmt::format(" DO({})", i);
+    std::string each = "#define EACH_LIGHT(DO)", shining = "\n#define EACH_SHINING_LIGHT(DO)";
+    for (std::size_t i = 0; i < count; ++i) {
+        each += fmt::format(" DO({})", i);
+        if (f.shades_by(i)) shining += fmt::format(" DO({})", i);
+    }
+    each += shining;
     return each + "\n" + array("LIGHT_TYPE", [&](std::size_t i) { return int(lights[i].type); }) +
            array("LIGHT_RANGED", [&](std::size_t i) { return int(lights[i].range_m > 0); }) +
            array("LIGHT_CASTS", [&](std::size_t i) { return int(lights[i].casts); }) +

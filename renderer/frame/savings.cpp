@@ -13,7 +13,8 @@ namespace {
 constexpr SavingRow kRows[] = {
     {.key = "uncalled",
      .label = "What nothing calls for",
-     .help = "Passes and look-ups for lights without a shadow are left out: what they would find is lit everywhere."},
+     .help = "Passes and look-ups for lights without a shadow are left out: what they would find is lit everywhere. "
+             "Shading leaves out lights that are black or reach nothing of the scene."},
     {.key = "blockers",
      .label = "Searches without a penumbra",
      .help = "A kernel that searches for blockers looks once where its light is too small for a penumbra: all places "

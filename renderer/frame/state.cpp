@@ -56,6 +56,12 @@ GLenum FrameState::map_format() const {
     return map_internal_format(MapFormat(settings.map.format));
 }
 
+bool FrameState::shades_by(std::size_t light) const {
+    // What is lit shows under that composition by the visibility alone.
+    return gl.fitted[light].dark.empty() || settings.shading.composition == int(Composition::DimLit) ||
+           request.forced.contains(Saving::Uncalled);
+}
+
 bool FrameState::draws_unfiltered() const {
     return offsets_polygons(settings) || mask_levels;
 }

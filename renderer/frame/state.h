@@ -75,6 +75,7 @@ struct FrameState {
     GLenum map_format() const;                   ///< as OpenGL names it
     bool blurs_depths() const;                   ///< map.blur_texels has maps to blur
     bool has_contacts(std::size_t light) const;  ///< contact shadows darken the light
+    bool shades_by(std::size_t light) const;     ///< the light may change the picture: else shading leaves it out
     bool paged = false;                          ///< the maps are drawn by pages: there are some, and map.virtual acts
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn

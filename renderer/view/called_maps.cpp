@@ -48,19 +48,6 @@ BoundingBall ball_around(std::span<const glm::dvec3> points) {
     return ball;
 }
 
-/// Whether some of the light arrives within a ball, whatever stands between.
-bool arrives_at(const FittedLight& light, const BoundingBall& ball) {
-    if (light.type == LightType::Directional) return true;
-    const glm::dvec3 d = ball.centre - light.position;
-    if (light.range_m > 0 && glm::length(d) - ball.radius > light.range_m * (1 + kRangeShare)) return false;
-    if (light.type != LightType::Spot || !(light.cos_cone_outer > kRangeShare)) return true;
-    const double along = -glm::dot(d, light.to_light);
-    const double aside = std::sqrt(std::max(glm::dot(d, d) - along * along, 0.0));
-    const double cosine = light.cos_cone_outer, sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
-    // How far its centre is from the cone's side, or from its tip.
-    return aside * cosine - along * sine <= ball.radius + kRangeShare * glm::length(d);
-}
-
 /// Where points lie in a map. Nothing of what lies behind a light is looked up.
 struct Projected {
     MapRect rect{glm::dvec2(std::numeric_limits<double>::infinity()),
@@ -213,6 +200,20 @@ std::string none_arrives(const FittedLight& light) {
 
 }  // namespace
 
+bool arrives_at(const FittedLight& light, std::span<const glm::dvec3> points) {
+    if (light.type == LightType::Directional) return true;
+    const BoundingBall ball = ball_around(points);
+    if (!std::isfinite(ball.radius)) return true;
+    const glm::dvec3 d = ball.centre - light.position;
+    if (light.range_m > 0 && glm::length(d) - ball.radius > light.range_m * (1 + kRangeShare)) return false;
+    if (light.type != LightType::Spot || !(light.cos_cone_outer > kRangeShare)) return true;
+    const double along = -glm::dot(d, light.to_light);
+    const double aside = std::sqrt(std::max(glm::dot(d, d) - along * along, 0.0));
+    const double cosine = light.cos_cone_outer, sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
+    // How far its centre is from the cone's side, or from its tip.
+    return aside * cosine - along * sine <= ball.radius + kRangeShare * glm::length(d);
+}
+
 SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
                        const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters) {
     SeenBodies out{wider(camera, lines), {}};
@@ -253,7 +254,7 @@ CalledMaps called_maps(const FittedLight& light, const SeenBodies& seen, const L
     CalledMaps out;
     if (area.light_alone && light.radiance == glm::dvec3(0)) {
         out.views.resize(light.views.size());
-        out.uncalled = "the light brings nothing: its colour or its intensity is 0";
+        out.uncalled = kBringsNothing;
         return out;
     }
     if (seen.unknown || light.chooser.choice == ViewChoice::Distance) {
@@ -264,7 +265,7 @@ CalledMaps called_maps(const FittedLight& light, const SeenBodies& seen, const L
     for (std::size_t v = 0; v < light.views.size(); ++v) views.emplace_back(light, v, area);
     bool arrives = false, turned = false;
     for (const SeenBody& body : seen.bodies) {
-        if (area.light_alone && !arrives_at(light, ball_around(body.points()))) continue;
+        if (area.light_alone && !arrives_at(light, body.points())) continue;
         arrives = true;
         if (is_turned_away(body, seen, light)) {
             turned = true;

@@ -11,6 +11,7 @@
 #include "renderer/settings/fits.h"
 #include "renderer/settings/paging.h"
 #include "renderer/settings/sources.h"
+#include "renderer/view/called_maps.h"
 #include "renderer/view/fit_context.h"
 #include "renderer/view/map_limits.h"
 #include "renderer/view/near_far.h"
@@ -30,6 +31,16 @@ bool reaches_anything(const FittedLight& light, const SceneShape& shape) {
             return e.hi.z > 0 && z < light.range_m;
         });
     });
+}
+
+std::string why_dark(const FittedLight& light, const Scene& scene) {
+    if (light.radiance == glm::dvec3(0)) return kBringsNothing;
+    if (light.type == LightType::Directional) return {};
+    const bool arrives = std::ranges::any_of(scene.objects, [&](const Object& object) {
+        const Bounds& bounds = scene.meshes[std::size_t(object.mesh)].bounds;
+        return !bounds.empty() && arrives_at(light, bounds.corners(object.world));
+    });
+    return arrives ? "" : "nothing lies within the light's range and cone";
 }
 
 /// Maps about the camera that pages are drawn of.
@@ -103,6 +114,7 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
             fit_one_view(light, context);
         if (light.range_m > 0 && !reaches_anything(light, shape))
             note(light, fmt::format("light.range: nothing lies within {:.4g} m of light {}", light.range_m, i));
+        light.dark = why_dark(light, scene);
         if (!s.cast)
             light.reason = "light.cast is off";
         else if (!shape.triangles)

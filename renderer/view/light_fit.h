@@ -48,6 +48,7 @@ struct FittedLight : PlacedLight {
     bool shadowed = false;          ///< light.cast is on and something casts and receives, by whatever source
     bool casts = false;             ///< the same, and the source is a map: has views and anything to draw into them
     std::string reason;             ///< why it has no map
+    std::string dark;               ///< why no surface of the scene gets anything of it; empty: some may
     std::vector<LightView> views;   ///< all perspective or none; six faces: +x -x +y -y +z -z; cascades
     ViewChooser chooser;            ///< which of them a point is looked up in
     std::vector<ClipLevel> levels;  ///< where its views lie, if they are clip levels; else none

@@ -73,7 +73,7 @@ void main() {
     Surface s = make_surface();
     vec3 sum = vec3(shading_ambient);
 #define ADD_LIGHT(i) sum += light_share(i, s);
-    EACH_LIGHT(ADD_LIGHT)
+    EACH_SHINING_LIGHT(ADD_LIGHT)
 #ifdef LIT_PASS
     if (!any_lit) discard;
 #endif

@@ -75,6 +75,13 @@ void register_lookup_benchmarks(int rounds) {
     cases.push_back({"pcss", Saving::Blockers, {{"light.size", "0"}}});
     cases.push_back({"hard", Saving::Facing, {}});
     cases.push_back({"pcf3", Saving::Facing, {}});
+    for (const char* kernel : {"hard", "pcf5"})  // one light of four shines
+        cases.push_back({kernel,
+                         Saving::Uncalled,
+                         {{"light.count", "4"},
+                          {"light.1.intensity", "0"},
+                          {"light.2.intensity", "0"},
+                          {"light.3.intensity", "0"}}});
     for (const LookupCase& c : cases)
         for (const bool anew : {false, true})
             benchmark::RegisterBenchmark(

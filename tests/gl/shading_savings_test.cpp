@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "renderer/frame/effects.h"
 #include "renderer/frame/savings.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
@@ -70,6 +71,62 @@ TEST_F(ShadingSavingsTest, FusedVisibilityDrawsTheSceneOnce) {
     const FrameResult forced = renderer.render(scene, s, request);
     EXPECT_EQ(forced.pass("visibility")->state, PassState::Ran);
     EXPECT_GT(forced.pass("visibility")->draws, 0);
+}
+
+/// Samplers that the program in use may fetch from.
+int active_samplers() {
+    GLint program = 0, count = 0;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+    glGetProgramiv(GLuint(program), GL_ACTIVE_UNIFORMS, &count);
+    int samplers = 0;
+    for (GLint i = 0; i < count; ++i) {
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(GLuint(program), GLuint(i), 0, nullptr, &size, &type, nullptr);
+        for (const GLenum sampler :
+             {GL_SAMPLER_2D, GL_SAMPLER_2D_ARRAY, GL_SAMPLER_2D_SHADOW, GL_SAMPLER_2D_ARRAY_SHADOW})
+            samplers += type == sampler;
+    }
+    return samplers;
+}
+
+TEST_F(ShadingSavingsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
+    const Scene scene = load_scene("boxes");
+    const Sets lone[] = {{{"light.intensity", "0"}},
+                         {{"light.red", "0"}, {"light.green", "0"}, {"light.blue", "0"}, {"light.type", "point"}},
+                         {{"light.type", "point"}, {"light.range", "2"}, {"light.distance", "200"}},
+                         {{"light.type", "spot"}, {"light.range", "2"}, {"light.distance", "200"}}};
+    for (const Sets& sets : lone) {
+        Sets all = {{"filter.kernel", "pcf5"}};
+        all.insert(all.end(), sets.begin(), sets.end());
+        const Settings s = settings_for(scene, all);
+        FrameRequest request = small();
+        const FrameResult saved = renderer.render(scene, s, request);
+        const int fetched = active_samplers();
+        const ByteImage seen = renderer.read_colour(saved.colour);
+        for (const Effect& e : frame_effects(scene, s, saved))
+            if (e.name == "look-ups of light 0") {
+                EXPECT_EQ(e.state, EffectState::NotCalledFor);
+                EXPECT_EQ(e.saving, Saving::Uncalled);
+                EXPECT_NE(e.reason.find(sets.size() == 3 && sets[0].first == "light.type" ? "range" : "light"),
+                          std::string::npos)
+                    << e.reason;
+            }
+        request.forced = {Saving::Uncalled};
+        const FrameResult forced = renderer.render(scene, s, request);
+        EXPECT_GT(active_samplers(), 0);
+        EXPECT_EQ(fetched, 0) << sets[0].first;
+        EXPECT_EQ(different_pixels(seen, renderer.read_colour(forced.colour)), 0u) << sets[0].first;
+    }
+    // Beside lights that do reach it, and where visibility alone shows.
+    for (const Sets& sets : {Sets{{"light.count", "3"}, {"light.1.intensity", "0"}, {"light.2.type", "point"}},
+                             Sets{{"light.intensity", "0"}, {"shading.composition", "dim-lit"}},
+                             Sets{{"light.intensity", "0"}, {"shading.separate_visibility", "true"}}}) {
+        const Settings s = settings_for(scene, sets);
+        FrameRequest forced = small();
+        forced.forced = {Saving::Uncalled};
+        EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u) << sets.back().first;
+    }
 }
 
 // The encoding is a polynomial: every level that eight bits have, of grey that the light leaves as it is, within one
