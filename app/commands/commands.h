@@ -171,6 +171,7 @@ std::string cell(std::string_view text);
 std::string settings_page();
 std::string presets_page();
 std::string metrics_page();
+std::string hard_cases_page();
 /// The table of settings as --help shows it.
 std::string settings_help();
 

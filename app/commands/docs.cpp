@@ -91,11 +91,14 @@ void run_docs(const std::string& what, const std::string& output, bool check) {
         if (output.empty()) throw UsageError("docs techniques: -o FILE says where page and pictures go");
         return run_docs_techniques(output);
     }
-    const std::map<std::string, std::string (*)()> pages = {
-        {"settings", settings_page}, {"presets", presets_page}, {"metrics", metrics_page}};
+    const std::map<std::string, std::string (*)()> pages = {{"settings", settings_page},
+                                                            {"presets", presets_page},
+                                                            {"metrics", metrics_page},
+                                                            {"hard-cases", hard_cases_page}};
     const auto wanted = pages.find(what);
     if (wanted == pages.end())
-        throw UsageError(fmt::format("docs {}: there are pages of settings, presets, metrics and techniques", what));
+        throw UsageError(
+            fmt::format("docs {}: there are pages of settings, presets, metrics, hard-cases and techniques", what));
     const std::string page = wanted->second();
     if (check) {
         if (read_text_file(output) == page) return;

@@ -1,10 +1,11 @@
-// The tour of the guided presets (docs/presets.md).
+// The tours of the guided presets (docs/presets.md) and of the hard cases (docs/hard-cases.md).
 #include <fmt/format.h>
 
 #include "app/commands/commands.h"
 #include "app/session/command_line.h"
 #include "app/session/presets.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/scenes/hard_cases.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -22,15 +23,26 @@ constexpr std::string_view kPresetsIntro =
     "claim\n"
     "is counted against ray-traced truth in `tests/hard_cases/guided_presets_test.cpp`.\n";
 
+constexpr std::string_view kHardCasesIntro =
+    "# Hard cases\n\n"
+    "Written by `shadow-inspector docs hard-cases -o docs/hard-cases.md` from the table in "
+    "`renderer/scenes/hard_cases.cpp`; do not\nedit by hand.\n\n"
+    "Corners in which shadow maps break. Each is a small scene and a preset of one name: in the editor, *Hard cases* "
+    "in "
+    "the top bar,\nthen Page down and Page up; on the command line, `render hard/NAME -o OUT.png`, or the name "
+    "wherever "
+    "a preset may stand. Where a\nsetting brings the fault back, `hard/NAME` shows it and `hard/NAME-fixed` what mends "
+    "it. The tests `HardCase<number>` hold each\nmeasure to its limit, show that the fault is there without the "
+    "remedy, and write what came out into [stability.md](stability.md).\n";
+
 /// Whether the setting only chooses where one stands.
 bool is_view_point(const SettingRef& ref) {
     const std::string key = setting_key(ref);
     return key.starts_with("camera.") || key == "view.frustum";
 }
 
-/// What the preset changes of its scene's own settings: "`bias.normal` 0 texels, …".
-std::string changes(const Preset& preset) {
-    const Settings base = base_settings(load_scene(preset.scene));
+/// What the preset changes of other settings: "`bias.normal` 0 texels, …".
+std::string changes(const Preset& preset, const Settings& base) {
     std::string text;
     for (const SettingRef& ref : differing_settings(base, preset.settings)) {
         if (is_view_point(ref)) continue;
@@ -47,7 +59,23 @@ std::string presets_page() {
     for (const BuiltinPreset& p : builtin_presets()) {
         if (p.topic != topic) text += fmt::format("\n## {}\n", topic = p.topic);
         text += fmt::format("\n**{}** (`{}`, scene `{}`)  \n{}  \nSets {}.\n", p.title, p.key, p.scene, p.about,
-                            changes(load_preset(p.key)));
+                            changes(load_preset(p.key), base_settings(load_scene(p.scene))));
+    }
+    return text;
+}
+
+std::string hard_cases_page() {
+    std::string text(kHardCasesIntro);
+    for (const HardCase& c : hard_cases()) {
+        text += fmt::format("\n## {}. {}\n\n{} {}\n\n", c.number, c.title, c.fault, c.remedy);
+        text += fmt::format("Measured: {}; at most {:.4g} {}, because {}. Without the remedy: {}, at least {:.4g}.\n\n",
+                            c.measure, c.limit, c.unit, c.why, c.without, c.shown);
+        for (const bool fixed : {false, true}) {
+            const HardCaseView view{&c, fixed};
+            if (!fixed && c.broken.empty()) continue;
+            text += fmt::format("`{}` sets {}.{}\n", view.name(), changes(load_preset(view.name()), Settings()),
+                                fixed ? "" : "  ");
+        }
     }
     return text;
 }

@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/reference/metrics.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/scenes/hard_cases.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
@@ -153,6 +154,22 @@ Json preset_rows() {
     return list;
 }
 
+Json hard_case_rows() {
+    Json list = Json::array();
+    for (const HardCase& c : hard_cases()) {
+        Json json = row(HardCaseView{&c, false}.name(), c.title, c.fault);
+        json["number"] = c.number;
+        json["remedy"] = c.remedy;
+        json["measure"] = c.measure;
+        json["limit"] = c.limit;
+        json["unit"] = c.unit;
+        json["why"] = c.why;
+        json["fixed"] = HardCaseView{&c, true}.name();
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
 std::string range_text(const Json& setting) {
     if (setting["type"] == "bool") return "true false";
     if (setting["type"] == "choice") {
@@ -207,9 +224,9 @@ struct ListKind {
 
 const std::vector<ListKind>& kinds_of_lists() {
     static const std::vector<ListKind> kinds = {
-        {"settings", setting_rows}, {"filters", filter_rows}, {"biases", bias_rows},      {"sources", source_rows},
-        {"fits", fit_rows},         {"views", view_rows},     {"overlays", overlay_rows}, {"metrics", metric_rows},
-        {"scenes", scene_rows},     {"presets", preset_rows}};
+        {"settings", setting_rows}, {"filters", filter_rows}, {"biases", bias_rows},         {"sources", source_rows},
+        {"fits", fit_rows},         {"views", view_rows},     {"overlays", overlay_rows},    {"metrics", metric_rows},
+        {"scenes", scene_rows},     {"presets", preset_rows}, {"hard-cases", hard_case_rows}};
     return kinds;
 }
 

@@ -33,8 +33,7 @@ std::string age_text(double seconds) {
 }
 
 void EditorMemory::note_scene(const std::string& path) {
-    for (const BuiltinScene& scene : builtin_scenes())
-        if (scene.key == path) return;
+    if (is_builtin_scene(path)) return;
     workspace_.change([&](WorkspaceData& d) { put_first(d.recent_scenes, whole_path(path)); });
 }
 

@@ -17,8 +17,7 @@ std::string whole_path(const fs::path& path) {
 
 /// The scene as the preset's folder finds it, wherever the program is started: below that folder by its relative path.
 std::string scene_for(const fs::path& preset, const std::string& scene) {
-    for (const BuiltinScene& row : builtin_scenes())
-        if (row.key == scene) return scene;
+    if (is_builtin_scene(scene)) return scene;
     const std::string file = whole_path(scene);
     const fs::path relative = fs::path(file).lexically_relative(fs::path(whole_path(preset)).parent_path());
     return relative.empty() || *relative.begin() == ".." ? file : relative.string();
@@ -28,10 +27,12 @@ std::string scene_for(const fs::path& preset, const std::string& scene) {
 
 PresetDesk::PresetDesk() {
     for (const BuiltinPreset& p : builtin_presets()) entries_.push_back({p.key, p.title, p.topic, p.about});
+    for (const BuiltinPreset& p : hard_case_presets()) hard_cases_.push_back({p.key, p.title, p.topic, p.about});
 }
 
 bool PresetDesk::is_built_in(const std::string& key) const {
-    return std::any_of(entries_.begin(), entries_.end(), [&](const PresetEntry& p) { return p.key == key; });
+    const auto named = [&](const PresetEntry& p) { return p.key == key; };
+    return std::ranges::any_of(entries_, named) || std::ranges::any_of(hard_cases_, named);
 }
 
 GuideNote PresetDesk::opened(const std::string& name_or_path, const Preset& preset) {

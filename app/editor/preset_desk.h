@@ -19,6 +19,8 @@ public:
 
     /// Those that ship with the program, in order.
     const std::vector<PresetEntry>& entries() const { return entries_; }
+    /// The hard cases among them, which stand apart, by number.
+    const std::vector<PresetEntry>& hard_cases() const { return hard_cases_; }
     bool is_built_in(const std::string& key) const;
 
     /// A preset was opened: what it says, and from now on its file may be saved to.
@@ -38,7 +40,7 @@ public:
     const ComparisonFacts& compare(const CompareWith& with, const Settings& base, const std::string& scene);
 
 private:
-    std::vector<PresetEntry> entries_;
+    std::vector<PresetEntry> entries_, hard_cases_;
     std::map<std::string, Preset> files_;  ///< as opened or saved, by absolute path
     std::optional<ComparisonFacts> comparison_;
 };

@@ -80,6 +80,7 @@ void PresetWork::restore_lost() {
 
 void PresetWork::fill(EditorFrame& frame) const {
     frame.presets = desk_.entries();
+    frame.hard_cases = desk_.hard_cases();
     frame.comparison = comparison_;
     frame.unsaved = unsaved_;
 }

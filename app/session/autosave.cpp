@@ -29,8 +29,7 @@ void remove_session(const fs::path& file) {
 
 /// The scene as another working directory finds it.
 std::string lasting_name(const std::string& scene) {
-    for (const BuiltinScene& row : builtin_scenes())
-        if (row.key == scene) return scene;
+    if (is_builtin_scene(scene)) return scene;
     std::error_code error;
     const fs::path absolute = fs::absolute(scene, error);
     return error ? scene : absolute.string();

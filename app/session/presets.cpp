@@ -12,6 +12,7 @@
 #include "renderer/base/embedded.h"
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
+#include "renderer/scenes/hard_cases.h"
 #include "renderer/settings/earlier.h"
 #include "renderer/settings/param.h"
 
@@ -78,6 +79,15 @@ std::string preset_key(const EmbeddedFile& file) {
     return digits != 0 && digits != std::string::npos && stem[digits] == '-' ? stem.substr(digits + 1) : stem;
 }
 
+Preset preset_of(const HardCaseView& view) {
+    return {.title = fmt::format("{}. {}{}", view.row->number, view.row->title,
+                                 view.fixed && !view.row->broken.empty() ? ", mended" : ""),
+            .topic = "Hard cases",
+            .about = view.about(),
+            .scene = view.name(),
+            .settings = view.settings()};
+}
+
 }  // namespace
 
 Preset parse_preset(std::string_view text, const std::string& name) {
@@ -136,6 +146,9 @@ Preset load_preset(const std::string& name_or_path) {
         keys.push_back(preset_key(*file));
         if (keys.back() == name_or_path) return parse_preset(file->text, name_or_path);
     }
+    if (const auto view = find_hard_case(name_or_path)) return preset_of(*view);
+    if (name_or_path.starts_with(kHardPrefix))
+        for (const HardCaseView& view : hard_case_views()) keys.push_back(view.name());
     std::error_code error;
     if (!std::filesystem::exists(name_or_path, error) && lower_extension(name_or_path) != kExtension && !keys.empty()) {
         throw UsageError(fmt::format("no preset '{}': there is no built-in one of that name, and files end in .json{}",
@@ -153,6 +166,15 @@ std::vector<BuiltinPreset> builtin_presets() {
     for (const EmbeddedFile* file : preset_files()) {
         Preset preset = parse_preset(file->text, std::string(file->path));
         list.push_back({preset_key(*file), preset.title, preset.topic, preset.about, preset.scene});
+    }
+    return list;
+}
+
+std::vector<BuiltinPreset> hard_case_presets() {
+    std::vector<BuiltinPreset> list;
+    for (const HardCaseView& view : hard_case_views()) {
+        const Preset preset = preset_of(view);
+        list.push_back({view.name(), preset.title, preset.topic, preset.about, preset.scene});
     }
     return list;
 }

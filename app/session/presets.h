@@ -35,5 +35,8 @@ struct BuiltinPreset {
 };
 /// The presets that travel inside the program, in the order in which a lecture walks through them.
 std::vector<BuiltinPreset> builtin_presets();
+/// The hard cases, each with its fault and with its remedy (renderer/scenes/hard_cases.h); load_preset() takes their
+/// keys, too.
+std::vector<BuiltinPreset> hard_case_presets();
 
 }  // namespace si

@@ -7,6 +7,7 @@
 
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
+#include "renderer/scenes/hard_cases.h"
 #include "renderer/scenes/makers.h"
 #include "renderer/settings/param.h"
 
@@ -44,11 +45,19 @@ std::span<const BuiltinScene> builtin_scenes() {
     return kScenes;
 }
 
+bool is_builtin_scene(std::string_view name) {
+    return std::ranges::find(kScenes, name, &BuiltinScene::key) != std::end(kScenes) || find_hard_case(name);
+}
+
 Scene load_scene(std::string_view name_or_path, const GltfOptions& options) {
     std::vector<std::string> keys;
     for (const BuiltinScene& row : kScenes) {
         if (row.key == name_or_path) return row.make();
         keys.emplace_back(row.key);
+    }
+    if (name_or_path.starts_with(kHardPrefix)) {
+        if (const auto view = find_hard_case(name_or_path)) return view->scene();
+        for (const HardCaseView& view : hard_case_views()) keys.push_back(view.name());
     }
     const std::filesystem::path path{std::string(name_or_path)};
     const std::string extension = lower_extension(path);

@@ -17,8 +17,11 @@ struct BuiltinScene {
 /// The first row is the default scene.
 std::span<const BuiltinScene> builtin_scenes();
 
-/// A built-in scene by key, or a .gltf/.glb file by path. `options` are for files; built-in scenes take a moment and
-/// report nothing. @throws Error naming file, place and remedy.
+/// Whether load_scene() makes it without a file: a row above, or a hard case ("hard/grazing").
+bool is_builtin_scene(std::string_view name);
+
+/// A built-in scene by key, a hard case by name, or a .gltf/.glb file by path. `options` are for files; built-in scenes
+/// take a moment and report nothing. @throws Error naming file, place and remedy.
 Scene load_scene(std::string_view name_or_path, const GltfOptions& options = {});
 
 }  // namespace si

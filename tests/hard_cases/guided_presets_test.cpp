@@ -6,6 +6,7 @@
 #include "app/base/output.h"
 #include "app/session/presets.h"
 #include "app/session/session.h"
+#include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/earlier.h"
 #include "renderer/settings/param.h"

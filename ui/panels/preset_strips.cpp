@@ -92,22 +92,21 @@ bool hint_button(const char* label, const char* hint, bool enabled = true) {
 void draw_guide(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
     const GuideNote& guide = state.guide;
     if (guide.about.empty() || state.hidden_guide == guide.key) return;
-    const auto at = std::find_if(frame.presets.begin(), frame.presets.end(),
-                                 [&](const PresetEntry& p) { return p.key == guide.key; });
-    const bool built_in = at != frame.presets.end();
+    const std::span<const PresetEntry> walk = open_walk(state, frame);
+    const auto at = std::ranges::find(walk, guide.key, &PresetEntry::key);
+    const bool built_in = at != walk.end();
     std::vector<Run> runs;
     if (built_in)
-        runs.push_back({fmt::format("{}/{}", at - frame.presets.begin() + 1, frame.presets.size()), ImGui::GetFont(),
-                        theme::kMuted});
+        runs.push_back({fmt::format("{}/{}", at - walk.begin() + 1, walk.size()), ImGui::GetFont(), theme::kMuted});
     if (!guide.title.empty()) runs.push_back({guide.title, theme::strong(), theme::kText});
     runs.push_back({guide.about, ImGui::GetFont(), theme::kText});
     const float buttons = built_in ? buttons_width({"Previous", "Next", "Hide"}) : buttons_width({"Hide"});
     strip("guide", width, buttons, runs, [&] {
         if (built_in) {
-            if (hint_button("Previous", "The guided preset before this (Page up)", at != frame.presets.begin()))
+            if (hint_button("Previous", "The preset before this (Page up)", at != walk.begin()))
                 actions.load_preset = neighbour_preset(state, frame, -1);
             ImGui::SameLine();
-            if (hint_button("Next", "The guided preset after this (Page down)", std::next(at) != frame.presets.end()))
+            if (hint_button("Next", "The preset after this (Page down)", std::next(at) != walk.end()))
                 actions.load_preset = neighbour_preset(state, frame, +1);
             ImGui::SameLine();
         }
@@ -129,15 +128,21 @@ void draw_lost(const EditorFrame& frame, EditorActions& actions, float width) {
 
 }  // namespace
 
+std::span<const PresetEntry> open_walk(const EditorState& state, const EditorFrame& frame) {
+    const bool hard = std::ranges::find(frame.hard_cases, state.guide.key, &PresetEntry::key) != frame.hard_cases.end();
+    return hard ? frame.hard_cases : frame.presets;
+}
+
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step) {
-    const int count = int(frame.presets.size());
+    const std::span<const PresetEntry> walk = open_walk(state, frame);
+    const int count = int(walk.size());
     if (count == 0) return {};
     int at = -1;
     for (int i = 0; i < count; ++i)
-        if (frame.presets[std::size_t(i)].key == state.guide.key) at = i;
+        if (walk[std::size_t(i)].key == state.guide.key) at = i;
     const int to = at < 0 ? (step > 0 ? 0 : count - 1) : at + step;
     if (to < 0 || to >= count) return {};
-    return frame.presets[std::size_t(to)].key;
+    return walk[std::size_t(to)].key;
 }
 
 void draw_strips(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {

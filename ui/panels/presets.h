@@ -24,7 +24,7 @@ struct Replacement {
 };
 
 struct PresetsShown {
-    std::span<const PresetEntry> presets;
+    std::span<const PresetEntry> presets, hard_cases;            ///< two walks, each in its order
     std::span<const std::string> recent_scenes, recent_presets;  ///< paths, the newest first
     bool unsaved = false;  ///< state.preset_path does not hold the present settings
     std::optional<LostFacts> lost;

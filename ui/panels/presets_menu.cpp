@@ -1,4 +1,4 @@
-// The guided presets by topic, each with its sentence.
+// Guided presets and hard cases by topic, each with its sentence.
 #include <imgui.h>
 
 #include <algorithm>
@@ -35,14 +35,15 @@ float presets_menu_width() {
     return std::min(em * 46, ImGui::GetIO().DisplaySize.x - 4 * em);
 }
 
-void draw_presets_menu(const EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const EditorState& state,
+                       EditorActions& actions) {
     const float em = ImGui::GetFontSize();
     const float height = std::min(em * 44, ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() * 2.5f);
     ImGui::SetNextWindowSize({presets_menu_width(), height});
-    if (!ImGui::BeginPopup("guided presets", ImGuiWindowFlags_NoMove)) return;
-    if (frame.presets.empty()) ImGui::TextDisabled("No presets ship with this build.");
+    if (!ImGui::BeginPopup(id, ImGuiWindowFlags_NoMove)) return;
+    if (presets.empty()) ImGui::TextDisabled("No presets ship with this build.");
     std::string topic;
-    for (const PresetEntry& preset : frame.presets) {
+    for (const PresetEntry& preset : presets) {
         if (preset.topic != topic) {
             if (!topic.empty()) ImGui::Dummy({0, em * 0.3f});
             topic = preset.topic;

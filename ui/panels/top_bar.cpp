@@ -81,10 +81,14 @@ void guided_presets(EditorState& state, const EditorFrame& frame, EditorActions&
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     menu_button("Guided presets", "guided presets", "Artefacts and remedies, each with a sentence on what to look at",
                 presets_menu_width());
-    draw_presets_menu(state, frame, actions);
+    draw_presets_menu("guided presets", frame.presets, state, actions);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::ArrowButton("next preset", ImGuiDir_Right) && after) actions.load_preset = after;
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("The guided preset after (Page down)");
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    menu_button("Hard cases", "hard cases", "Corners in which shadow maps break, with and without what mends them",
+                presets_menu_width());
+    draw_presets_menu("hard cases", frame.hard_cases, state, actions);
 }
 
 /// The end of a text that fits, behind an ellipsis: of a path the file's name matters most.
@@ -120,6 +124,7 @@ std::string scene_label(const std::string& name) {
     if (name.empty()) return "No scene";
     for (const BuiltinScene& scene : builtin_scenes())
         if (scene.key == name) return std::string(scene.label);
+    if (is_builtin_scene(name)) return name;
     const auto slash = name.find_last_of('/');
     return slash == std::string::npos ? name : name.substr(slash + 1);
 }

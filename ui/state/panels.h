@@ -30,13 +30,16 @@ void draw_shortcuts(EditorState& state);
 /// Only where time_bar_height() is not 0: the scene has animations.
 void draw_time_bar(EditorState& state, const EditorFrame& frame);
 float time_bar_height(const EditorFrame& frame);
-/// The popup "guided presets", while it is open.
-void draw_presets_menu(const EditorState& state, const EditorFrame& frame, EditorActions& actions);
+/// The popup `id` of presets by topic, while it is open.
+void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const EditorState& state,
+                       EditorActions& actions);
 float presets_menu_width();
 /// What to look at and what a crash left, where there is such a thing; as wide as asked, as high as the text needs.
 void draw_strips(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width);
 
-/// The guided preset `step` places after the open one; none beyond either end.
+/// The walk that the open preset belongs to: the hard cases, or (also while none is open) the guided presets.
+std::span<const PresetEntry> open_walk(const EditorState& state, const EditorFrame& frame);
+/// The preset of that walk `step` places after the open one; none beyond either end.
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step);
 
 /// The colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner; `room` is the

@@ -1,11 +1,12 @@
-// Kernels across the borders of a point light's faces: no seam shows where two faces meet.
+// Hard case 30: kernels across the borders of a point light's faces. No seam shows where two faces meet.
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/scenes/shapes.h"
+#include "renderer/scenes/hard_scenes.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/kernel_reach.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/stability.h"
 
 namespace si {
 namespace {
@@ -14,25 +15,14 @@ using Sets = std::vector<std::pair<std::string, std::string>>;
 
 struct Seams {
     std::size_t near = 0, near_wrong = 0, inside = 0, inside_wrong = 0;
+    std::size_t across = 0;  ///< whose kernel reaches beyond a face of exactly a right angle
     double excess() const {
         return double(near_wrong) / double(std::max<std::size_t>(near, 1)) -
                double(inside_wrong) / double(std::max<std::size_t>(inside, 1));
     }
 };
 
-/// A floor under a sheet that stretches across several faces of a light amid it, and two posts.
-Scene around_a_lamp(const glm::dvec3& at) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(16, 16), grey));
-    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(2.4, 5), grey), moved(2.1, 1, 0.2));
-    add_object(scene, "post", -1, add_mesh(scene, "post", make_box({0.5, 2, 0.5}), grey), moved(-2, 1, 2));
-    add_object(scene, "beam", -1, add_mesh(scene, "beam", make_box({0.4, 0.4, 5}), grey), moved(-2.5, 1.2, -1.5));
-    test::move_scene(scene, at);
-    return scene;
-}
-
-class FaceSeamsTest : public testing::Test {
+class HardCase30 : public testing::Test {
 protected:
     /// Pixels that are wrong though nothing changes in the kernel's reach of them, near a border of two faces and
     /// elsewhere.
@@ -53,18 +43,20 @@ protected:
             const bool wrong = truth.lit[i] == test::Lit::Lit ? v < 0.98 : v > 0.02;
             const bool near = aside < reach + 3;
             (near ? out.near : out.inside) += 1;
+            out.across += aside < reach - 1.5;
             (near ? out.near_wrong : out.inside_wrong) += wrong;
         }
         return out;
     }
 };
 
-TEST_F(FaceSeamsTest, AreNoWorseThanTheFaces) {
+TEST_F(HardCase30, AreNoWorseThanTheFaces) {
     for (const glm::dvec3& at : {glm::dvec3(0), glm::dvec3(4e3, -120, 9e3)})
         for (const glm::dvec3& lamp : {glm::dvec3(0, 2, 0), glm::dvec3(0.3, 1.7, -0.4)})
             for (const char* kernel : {"pcf3", "pcf9", "poisson", "pcss", "vsm"}) {
                 SCOPED_TRACE(testing::Message() << kernel << " " << lamp.x << " " << at.x);
-                const Scene scene = around_a_lamp(at);
+                Scene scene = hard_lamp();
+                test::move_scene(scene, at);
                 Settings s = test::texel_settings(kernel, 256, 0);
                 s.bias.unit = int(BiasUnit::Metres), s.bias.constant = 0.25, s.bias.normal = 3;
                 LightSettings& light = s.lights[0];
@@ -77,14 +69,14 @@ TEST_F(FaceSeamsTest, AreNoWorseThanTheFaces) {
                 const Seams seams = count(scene, s);
                 EXPECT_GT(seams.near, 500u);
                 EXPECT_GT(seams.inside, 3000u);
-                EXPECT_LE(seams.excess(), 5e-4)
-                    << seams.near_wrong << " of " << seams.near << ", " << seams.inside_wrong << " of " << seams.inside;
+                test::judge(30, std::max(0.0, seams.excess()));
+                test::shows_fault(30, double(seams.across));
             }
 }
 
 // What a look-up may reach is in the face that it is made in: nothing beyond the sides is ever read.
-TEST_F(FaceSeamsTest, NothingIsReadBesideAFace) {
-    const Scene scene = around_a_lamp({0, 0, 0});
+TEST_F(HardCase30, NothingIsReadBesideAFace) {
+    const Scene scene = hard_lamp();
     for (const Sets& reach : {Sets{{"filter.kernel", "pcf9"}, {"bias.normal", "6"}},
                               {{"filter.kernel", "pcss"}, {"light.size", "0.3"}},
                               {{"filter.kernel", "pcf3"}, {"map.blur_texels", "5"}}}) {

@@ -1,0 +1,349 @@
+#include "renderer/scenes/hard_cases.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "renderer/base/error.h"
+#include "renderer/scenes/hard_scenes.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+constexpr std::string_view kPixels = "share of pixels", kCount = "pixels";
+
+// What all rows of one kind give as the reason of their limit.
+constexpr std::string_view kExact =
+    "nothing on this plane is in shadow, and the bias is the theory's upper bound: one dark pixel refutes it";
+constexpr std::string_view kTwin =
+    "the two differ by rounding alone, which moves texels' middles across an edge on at most 1 pixel in 2000";
+
+constexpr HardCase kCases[] = {
+    {1, "grazing", "Light that grazes",
+     "The flatter the light, the more depth one texel spans: a bias that suits steep light leaves stripes.",
+     "The bias each pixel's plane needs under this kernel and map, in closed form (bias.kind=adaptive).",
+     "lit pixels of a plane darker than lit, at the predicted least bias, 0 to 89.5 degrees", 0, kPixels, kExact,
+     "share of the plane that shadows itself without bias", 0.45, hard_floor_and_box,
+     "map.resolution=512 light.elevation=6 light.fit=scene bias.normal=0 filter.kernel=hard",
+     "bias.kind=constant bias.constant=1", "bias.kind=adaptive"},
+    {2, "terminator", "Where light ends on a ball",
+     "Towards the terminator the slope of the surface, and with it the bias that it needs, grows without bound.",
+     "A normal offset is bounded at any angle, and faces turned away are dark without any look-up.",
+     "light lost on a ball, weighed by N.L", 1.0 / 255, "of the light", "less than one step of an 8-bit picture",
+     "the same without bias", 1.0 / 255, hard_sphere,
+     "map.resolution=512 light.azimuth=-40 light.elevation=30 filter.kernel=hard bias.constant=0", "bias.normal=0",
+     "bias.normal=3"},
+    {3, "depth-steps", "Steps of depth",
+     "Perspective depth spends its values near the light: 16 bits from 3 cm to 32 m step by 20 cm on the floor.",
+     "The format's own step is part of the least bias; 32-bit floats under reversed depth step by micrometres.",
+     "lit pixels of a plane darker than lit, at the predicted least bias, far/near 10 to 100,000", 0, kPixels, kExact,
+     "share of the plane that shadows itself without bias, where steps are small", 0.3, hard_spot_floor,
+     "map.resolution=512 light.type=spot light.cone=60 light.elevation=75 light.distance=20 light.fit=manual "
+     "light.near=0.032 light.far=32 bias.normal=0 bias.constant=2 filter.kernel=hard",
+     "map.format=d16", "map.format=d32f map.reversed_z=true"},
+    {4, "reversed-depth", "Reversed depth",
+     "A range of 1 to 100,000 leaves 32-bit floats coarse far from the light; reversed with one wrong sign, all is "
+     "dark.",
+     "Clear value, comparison, linearisation and bias sign all follow from the one convention of the projection.",
+     "pixels that differ from the picture of standard depth", 5e-4, kPixels, kTwin,
+     "share of pixels in shadow, all of which a wrong sign would turn", 0.01, hard_spot_floor,
+     "map.resolution=512 light.type=spot light.cone=60 light.elevation=75 light.distance=20 light.fit=manual "
+     "light.near=0.00032 light.far=32 bias.normal=0 bias.constant=0.5 filter.kernel=hard map.format=d32f",
+     "map.reversed_z=false", "map.reversed_z=true"},
+    {5, "polygon-offset", "Polygon offset",
+     "What glPolygonOffset's units are worth differs by driver and format; its slope by how the driver measures it.",
+     "Both are measured on the driver at start, and the bias account counts them by that.",
+     "lit pixels of a plane darker than lit, at the polygon offset that it needs by the measured worth", 0, kPixels,
+     kExact, "share of the plane that shadows itself without offset", 0.4, hard_floor_and_box,
+     "map.resolution=512 light.elevation=40 light.fit=scene bias.normal=0 bias.constant=0 filter.kernel=hard "
+     "map.format=d24",
+     "bias.raster_slope=0", "bias.raster_slope=2 bias.raster_units=4"},
+    {6, "light-above", "Light straight above",
+     "A basis by a cross product with \"up\" is 0/0 when the light comes exactly from there, and the shadow is gone.",
+     "Axes without a branch (Duff et al. 2017), sines and cosines exact at right angles.",
+     "pixels that change as the light leaves the vertical by 0.0001 rad", 1e-3, kPixels,
+     "0.0001 rad moves the shadow of a plate 1 m up by 0.1 mm: only pixels on its edge may change",
+     "share of pixels in shadow", 0.01, hard_plate_above, "map.resolution=512 light.elevation=90 light.azimuth=90", "",
+     ""},
+    {7, "light-inside", "Light inside a body",
+     "A lamp within the geometry asks for a near plane at or behind itself: a projection that divides by 0.",
+     "The near plane stays a share of the far plane before the lamp, and casters that it cuts are counted and named.",
+     "near planes that are not before their lamp", 0, "maps", "depth has no meaning otherwise",
+     "casters that reach behind the near plane", 1, hard_floor_and_box,
+     "map.resolution=256 light.type=point light.elevation=90 light.distance=0.25", "", ""},
+    {8, "behind-spot", "Behind a spot light",
+     "Behind the lamp w is negative: divided by it, the map lies mirrored on what stands there.",
+     "Points with w not above 0 are answered before the division.", "lit pixels behind the lamp that are darkened", 0,
+     kCount, "the lamp's map says nothing of them", "pixels that would read a nearer depth there without the guard", 50,
+     hard_wall,
+     "map.resolution=512 light.type=spot light.azimuth=0 light.elevation=2 light.cone=100 light.distance=1.5", "", ""},
+    {9, "spot-angle", "Spot angles without sense",
+     "The tangent of half a cone of 0 or 180 degrees is 0 or, in single precision, minus 22 million.",
+     "Half angles are kept between 0.001 and 1.5 rad, wider cones are six faces, and what was clamped is said.",
+     "tangent of a map's half angle, of the widest that is allowed", 1.05, "of tan 1.5", "5 % for the kernel's margin",
+     "tangent of a right angle in single precision, its size", 1e7, hard_floor_and_box,
+     "map.resolution=512 light.type=spot light.cone=179.8 light.distance=6", "", ""},
+    {10, "far-away", "Far from the origin",
+     "At 1,000 km a float resolves 6 cm: absolute matrices shift shadows by tens of texels, and they shake as the "
+     "camera moves.",
+     "Transforms in double, relative to the camera and to the scene's centre before they are rounded.",
+     "pixels that differ from the same scene at the origin", 5e-4, kPixels, kTwin,
+     "texels that one absolute matrix in single precision is off there", 1, hard_far_away,
+     "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
+    {11, "scale", "A scene of a few centimetres",
+     "A bias in metres that suits a room swallows the shadows of a model of 1/100 its size.",
+     "Bias, offset, fit and near planes count in texels or shares of the scene, none in metres.",
+     "pixels that differ from the same scene at scale 1, from 1/1000 to 1,000,000", 5e-4, kPixels, kTwin,
+     "share of pixels that differ under a bias in metres", 0.01, hard_tiny,
+     "map.resolution=512 light.azimuth=30 light.elevation=40 bias.kind=constant bias.normal=0",
+     "bias.unit=metres bias.constant=0.05", "bias.unit=texels bias.constant=5"},
+    {12, "snapping", "Edges that crawl",
+     "Maps that are fitted to what is seen slide over the ground as the camera moves: turn it, and hard edges crawl.",
+     "A map around the sphere about its part of the view keeps its size, and moves by whole texels found in double.",
+     "probes that change their texel, in 1000 steps of less than a texel and a full turn", 0, "probes",
+     "snapped maps hold the same texels, wherever they are", "share of probes that do under a tight fit", 0.5,
+     hard_field, "map.resolution=256 light.cascades=2 filter.kernel=hard view.frustum=false", "light.fit=view",
+     "light.fit=stabilised"},
+    {13, "degenerate", "Triangles without area",
+     "Points and lines among the triangles rasterise to depths beyond 0 and 1 on some drivers; a blur spreads them.",
+     "They are dropped as the scene is read, by their exact area, and counted.",
+     "pixels that differ from the mesh without them", 0, kCount, "what has no area shadows nothing",
+     "triangles without area in the mesh", 4, hard_degenerate, "map.resolution=512 light.azimuth=30 light.elevation=40",
+     "", ""},
+    {14, "stretched", "Uneven scale",
+     "A normal that is transformed like a point tilts under an uneven scale, and the bias along it is wrong.",
+     "Normals by the cofactors of the matrix.", "angle between a face and the normal that the bias uses, at most", 0.1,
+     "degrees", "a tenth of a degree is a quarter of the bias that flat light needs",
+     "degrees that a normal transformed like a point is off", 5, hard_stretched,
+     "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
+    {15, "mirrored", "Mirrored",
+     "A node that mirrors turns every triangle's winding: culling takes the wrong side, and single planes lose their "
+     "shadow.",
+     "The front face follows the sign of the matrix's determinant.",
+     "pixels whose shadow differs from the mirrored picture of the straight scene, at one half", 5e-3, kPixels,
+     "the mirrored light's map has other axes, so that edges meet its texels elsewhere",
+     "share of pixels in which the two ways of culling differ", 0.02, hard_mirrored,
+     "map.resolution=512 light.azimuth=-30 light.elevation=40 caster.cull=front", "", ""},
+    {16, "flattened", "A scale of 0",
+     "A matrix of scale 0 has no inverse: normals become NaN, and on some engines the object before stays.",
+     "Cofactors, which need no division; a point casts nothing, a plate its shadow.",
+     "pixels that an object of scale 0 changes", 0, kPixels, "a point has no area",
+     "share of pixels that a box flattened to a plate changes", 1e-3, hard_flattened,
+     "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
+    {17, "nothing-casts", "Nothing casts",
+     "Bounds of no casters are infinite the wrong way round: a mirrored map, drawn at full cost.",
+     "No map at all, all lit, and the plan says why.", "draws of the shadow pass where nothing casts or receives", 0,
+     "draws", "there is nothing to draw", "draws with casters", 1, hard_floor_and_box,
+     "map.resolution=512 object.Case/Floor.cast=false object.Case/Box.cast=false object.Case/Ball.cast=false", "", ""},
+    {18, "no-depth", "Hardly any depth",
+     "Straight above a plane near and far are equal: a division by 0 where the depth range is.",
+     "A range of at least two texels, and of 1024 steps of the numbers that hold it.",
+     "lit pixels of a plane darker than lit under a light straight above", 0, kCount, kExact,
+     "pixels that a plate hardly above the plane shadows", 500, hard_plate_on_floor,
+     "map.resolution=2048 light.elevation=90 bias.unit=metres bias.constant=0.001 bias.normal=0 filter.kernel=hard", "",
+     ""},
+    {19, "bad-numbers", "Settings without sense",
+     "Near beyond far, NaN and infinities in sliders and files make matrices of NaN.",
+     "Every value is repaired before it is used, and the repair is said.",
+     "bad settings that were taken without a word", 0, "settings", "a silent repair hides a mistake",
+     "bad settings tried", 20, hard_floor_and_box,
+     "map.resolution=512 light.azimuth=30 light.elevation=40 light.fit=manual light.near=20 light.far=2", "", ""},
+    {20, "map-size", "A map of one texel",
+     "One texel holds one depth for the whole scene; a map beyond the driver's limit is no map at all.",
+     "Sizes are clamped to what the driver says, kernels wider than the map stay in it, and errors fall as texels "
+     "shrink.",
+     "wrong pixels more than at a quarter of the map's side", 0.005, kPixels,
+     "a coarse map may be lucky where its texels fall", "share of pixels wrong at one texel", 0.02, hard_floor_and_box,
+     "light.azimuth=30 light.elevation=40 filter.kernel=hard", "map.resolution=1", "map.resolution=1024"},
+    {21, "thin-caster", "Thinner than a texel",
+     "A wire covers a texel's middle only here and there: its shadow is a row of dots, or none.",
+     "No setting but smaller texels; pixels wrong for that reason are named undersampled.",
+     "shadow that is missing beyond the share that a width of less than a texel predicts", 0.1, "of the wires' shadow",
+     "wires of one direction meet the rows of texels at like places, so that counts are not independent",
+     "share of the wires' shadow missing at a quarter of a texel", 0.5, hard_wires,
+     "light.azimuth=30 light.elevation=60 light.fit=scene filter.kernel=hard bias.normal=0 bias.kind=adaptive",
+     "map.resolution=256", "map.resolution=4096"},
+    {22, "variance-cancels", "Variance below zero",
+     "Mean of squares less square of the mean cancels in single precision: a third of flat texels has a variance below "
+     "0.",
+     "Never less than a least variance, and no root of the raw difference.",
+     "pixels of a lit slope not lit, or not within 0 and 1", 0, kPixels, "a slope that nothing shades is lit",
+     "share of the map's texels whose variance is below 0 as single precision has it", 0.1, hard_slope,
+     "map.resolution=512 light.elevation=70 light.azimuth=0 light.fit=scene filter.kernel=vsm filter.blur=2 "
+     "filter.bleed=0 bias.normal=0 bias.constant=0",
+     "filter.min_variance=0", "filter.min_variance=1e-5"},
+    {23, "exponents", "Exponents that overflow",
+     "Squares of exp(c) leave single precision beyond c = 44, half precision beyond 5.5, and a blur spreads what is "
+     "infinite.",
+     "Exponents are held to what the format takes, 43.7 and 5.2, and what was clamped is said.",
+     "pixels not within 0 and 1, or lit ones below one half, at every exponent", 0, kCount,
+     "nothing else is visibility", "formats in which the square of the largest exponential that can be set is infinite",
+     2, hard_slope,
+     "map.resolution=512 light.elevation=70 light.azimuth=0 light.fit=scene filter.kernel=evsm4 filter.blur=2 "
+     "filter.exponent=88 filter.negative_exponent=88 bias.normal=4",
+     "", ""},
+    {24, "moment-steps", "Four moments in 16 bits",
+     "The roots that four moments stand for lie close together on a plane: 16 bits move them past each other, and lit "
+     "planes turn grey.",
+     "A small share of fixed moments is mixed in, 0.00006 in 16 bits.",
+     "pixels of a lit slope not lit, or not within 0 and 1", 0.001, kPixels,
+     "the share of fixed moments is chosen for this", "share of the slope that is grey without", 0.05, hard_slope,
+     "map.resolution=512 light.elevation=70 light.azimuth=0 light.fit=scene filter.kernel=msm_hamburger "
+     "filter.moment_format=16-bit filter.blur=2 filter.bleed=0 bias.normal=0 bias.constant=0.1",
+     "filter.moment_bias=0", "filter.moment_bias=6e-4"},
+    {25, "summed-areas", "Sums over the whole map",
+     "A table of sums in single precision forgets what one window adds: differences of large numbers, noise that grows "
+     "with the map.",
+     "Sums of integers, whose differences are exact however they overflow.",
+     "mean difference from a blur of the same width", 1e-4, "of visibility", "single steps of a 16-bit fraction",
+     "the same of a table in single precision", 1e-3, hard_floor_and_box,
+     "map.resolution=2048 light.azimuth=30 light.elevation=40 filter.kernel=savsm filter.window=3 filter.bleed=0 "
+     "filter.min_variance=0 bias.normal=0.5",
+     "filter.sums=float", "filter.sums=integer"},
+    {26, "no-blockers", "A search that finds nothing",
+     "The mean depth of no occluders is 0/0; one at the receiver itself gives a penumbra of negative width.",
+     "No occluder: lit, before any division; widths are clamped at 0.",
+     "largest difference from 1 where nothing blocks, from 0 where all does", 0, "of visibility", "both are exact",
+     "pixels whose search finds nothing, of which 0/0 is asked", 1000, hard_two_covers,
+     "map.resolution=512 light.azimuth=30 light.elevation=60 light.size=1 filter.kernel=pcss", "", ""},
+    {27, "edge-on-planes", "Planes seen edge-on",
+     "A plane's slope by screen derivatives divides by a determinant that is 0 edge-on: in single precision what comes "
+     "out is noise, or no number.",
+     "The plane of the triangle itself: a quotient without an inverse, and no look-up where it is edge-on.",
+     "wrong pixels inside shadow or light, on stairs a pixel wide", 0.005, kPixels,
+     "pixels on the steps' own edges may show either face",
+     "of 100 planes within 0.00001 rad of edge-on, those whose slope by float derivatives is off by its own size", 50,
+     hard_stairs,
+     "map.resolution=2048 light.azimuth=30 light.elevation=40 filter.kernel=pcf filter.size=5 bias.normal=0 "
+     "bias.constant=0.5 bias.kind=receiver-plane",
+     "", ""},
+    {28, "split-ends", "Splits at their ends",
+     "Logarithmic splits from a near plane of 0 are log(0); equal planes leave a slice of nothing.",
+     "Near is at least a millionth of far, each slice has a least depth, and splits push their neighbours.",
+     "receivers in no cascade, and splits not beyond the one before", 0, "faults",
+     "every surface that is seen must have a map", "splits that are no numbers by the bare formula", 1, hard_field,
+     "map.resolution=256 light.cascades=4 light.split=logarithmic camera.near=0.0001 view.frustum=false", "", ""},
+    {29, "map-border", "Beyond the map",
+     "What lies beside the map reads its outermost texels again: streaks from its sides.",
+     "A border that counts as lit, or a test of the range, and a margin as wide as the kernel.",
+     "pixels beyond the map's reach that are not lit", 0, kCount, "the map says nothing of them",
+     "the same where texels are clamped or repeated", 50, hard_bar,
+     "map.resolution=128 light.azimuth=30 light.elevation=40 light.fit=manual light.extent=2", "map.wrap=clamp",
+     "map.wrap=border"},
+    {30, "cube-seams", "Between a lamp's faces",
+     "A kernel at the side of one of six faces reads what that face does not hold: lines on the floor where faces "
+     "meet.",
+     "Each face is wider than a right angle by the kernel's reach.",
+     "wrong pixels near a seam beyond those within the faces", 5e-4, kPixels, kTwin,
+     "pixels whose kernel crosses the side of a face of exactly a right angle", 200, hard_lamp,
+     "map.resolution=256 light.type=point light.distance=0.001 light.target_y=0.5 filter.kernel=pcf filter.size=5 "
+     "bias.unit=metres bias.constant=0.25",
+     "", ""},
+    {31, "pancaking", "Casters before the near plane",
+     "Casters between the light and what is seen are cut off by a near plane behind them, or bent by clamped vertices.",
+     "Depth is clamped for each texel, not for each vertex (GL_DEPTH_CLAMP).",
+     "pixels that differ from the picture of a range that holds all casters", 5e-4, kPixels, kTwin,
+     "share of pixels that differ where the near plane cuts", 0.02, hard_high_sheet,
+     "map.resolution=512 light.azimuth=30 light.elevation=80 light.fit=view filter.kernel=hard",
+     "light.near_far=manual light.near=36 light.far=64", "light.near_far=pancaking"},
+    {32, "alpha", "Holes of alpha",
+     "A mask that the shadow pass ignores casts a whole sheet; what blends casts nothing at all.",
+     "Masked casters are drawn with their holes; blended ones as masks where caster.blend says so.",
+     "wrong pixels inside shadow or light, against rays that know the mask", 0, kPixels, "the same holes",
+     "share of pixels that differ where the mask is ignored", 0.01, hard_blended_sheet,
+     "map.resolution=1024 light.azimuth=30 light.elevation=60 filter.kernel=hard bias.kind=adaptive bias.normal=0",
+     "caster.blend=none", "caster.blend=mask"},
+    {33, "not-finite", "Vertices that are no numbers",
+     "One NaN or infinity in a file makes bounds infinite, and with them every map.",
+     "A mesh with such vertices is left out, and named.", "pixels that differ from the scene without that mesh", 0,
+     kCount, "the rest does not change", "meshes that are left out", 1, hard_not_finite,
+     "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
+    {34, "large-indices", "More than 65,536 vertices",
+     "16-bit indices wrap, and 65,535 reads as primitive restart: triangles that span the scene, or holes.",
+     "32-bit indices, and no primitive restart.", "pixels that differ from the same plate of two triangles", 5e-4,
+     kPixels, kTwin, "indices that 16 bits would lose", 1000, hard_many_vertices,
+     "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
+    {35, "smooth-terminator", "A ball of few facets",
+     "Smooth normals shade what the facets shadow: dark facets with hard sides, which no bias cures and which look "
+     "like acne.",
+     "Facets turned from the light are told as such, and not counted as acne.",
+     "pixels on facets turned away that count as wrong", 0, kCount, "they are right: the facet faces away",
+     "pixels that smooth normals light on facets turned away", 20, hard_low_polygon,
+     "map.resolution=1024 light.azimuth=-40 light.elevation=20", "", ""},
+    {36, "truth", "The truth's own sanity",
+     "A ray that starts on a surface may hit that surface: a truth that shadows convex bodies with themselves judges "
+     "all else wrongly.",
+     "Rays start off their surface by what its numbers resolve, in a scene that is centred and scaled before it is "
+     "traced.",
+     "pixels of convex bodies that are turned to the light and shadowed by themselves", 0, kCount,
+     "a convex body cannot shadow itself",
+     "share of such rays in single precision that hit their own triangle, without that", 0.2, hard_convex_bodies,
+     "light.azimuth=30 light.elevation=40 light.source=traced", "", ""},
+};
+
+/// Calls `use` with key and value of each "KEY=VALUE" of a list.
+template <class Use>
+void each_setting(std::string_view list, Use use) {
+    while (!list.empty()) {
+        const auto end = std::min(list.find(' '), list.size());
+        const std::string_view one = list.substr(0, end);
+        list.remove_prefix(std::min(end + 1, list.size()));
+        if (const auto equals = one.rfind('='); equals != std::string_view::npos)
+            use(one.substr(0, equals), one.substr(equals + 1));
+    }
+}
+
+}  // namespace
+
+std::span<const HardCase> hard_cases() {
+    return kCases;
+}
+
+std::string HardCaseView::name() const {
+    const bool mended = fixed && !row->broken.empty();
+    return fmt::format("{}{}{}", kHardPrefix, row->key, mended ? kFixedSuffix : std::string_view());
+}
+
+std::string HardCaseView::about() const {
+    if (row->broken.empty()) return fmt::format("{} As it holds here: {}", row->fault, row->remedy);
+    return fixed ? fmt::format("Mended. {} Without: {}", row->remedy, row->fault)
+                 : fmt::format("{} What mends it (Page down): {}", row->fault, row->remedy);
+}
+
+Settings HardCaseView::settings() const {
+    Settings s;
+    for (const std::string_view list : {row->view, fixed ? row->fixed : row->broken})
+        each_setting(list, [&](std::string_view key, std::string_view value) { set_setting(s, key, value); });
+    return s;
+}
+
+Scene HardCaseView::scene() const {
+    Scene scene = row->make();
+    scene.name = name();
+    scene.about = about();
+    for (const std::string_view list : {row->view, fixed ? row->fixed : row->broken})
+        each_setting(list,
+                     [&](std::string_view key, std::string_view value) { scene.suggested.emplace_back(key, value); });
+    return scene;
+}
+
+std::span<const HardCaseView> hard_case_views() {
+    static const std::vector<HardCaseView> views = [] {
+        std::vector<HardCaseView> list;
+        for (const HardCase& row : kCases) {
+            if (!row.broken.empty()) list.push_back({&row, false});
+            list.push_back({&row, true});
+        }
+        return list;
+    }();
+    return views;
+}
+
+std::optional<HardCaseView> find_hard_case(std::string_view name) {
+    for (const HardCaseView& view : hard_case_views())
+        if (view.name() == name) return view;
+    return {};
+}
+
+}  // namespace si

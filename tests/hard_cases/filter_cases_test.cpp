@@ -1,0 +1,120 @@
+// Hard cases 22 to 26: kernels that read averages of functions of depth, tables of sums, and searches for occluders.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "renderer/settings/filters.h"
+#include "renderer/view/kernel_reach.h"
+#include "tests/support/hard_view.h"
+#include "tests/support/stability.h"
+
+namespace si::test {
+namespace {
+
+/// Errors beyond the reach of the kernel and its blur.
+TruthErrors errors(const DrawnCase& c, const Shot& shot) {
+    const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + c.settings.filter.blur;
+    return compare(shot, c.scene, reach + 2);
+}
+
+double grey_share(const DrawnCase& c) {
+    const TruthErrors e = errors(c, shoot(c));
+    EXPECT_GT(e.domain - e.shadow - e.boundary, 3000);
+    return double(e.any_acne) / std::max(e.domain, 1);
+}
+
+// Of depths that are all but equal, what single precision leaves of E(z^2) - E(z)^2 has either sign.
+TEST(HardCase22, VarianceIsNeverNegative) {
+    const DrawnCase mended = hard_view("variance-cancels", true), bare = hard_view("variance-cancels", false);
+    const Shot shot = shoot(mended);
+    judge(22, double(errors(mended, shot).any_acne) / errors(mended, shot).domain);
+    const FloatImage& map = shot.maps.at(0);
+    const int radius = mended.settings.filter.blur;
+    int negative = 0, flat = 0;
+    for (int y = radius; y < map.height - radius; y += 3)
+        for (int x = radius; x < map.width - radius; x += 3) {
+            float first = 0, second = 0;
+            float least = 1, most = 0;
+            for (int j = -radius; j <= radius; ++j)
+                for (int i = -radius; i <= radius; ++i) {
+                    const float z = map.at(x + i, y + j);
+                    first += z, second += z * z;
+                    least = std::min(least, z), most = std::max(most, z);
+                }
+            if (most == 1 || most - least > 1e-4f) continue;
+            const auto n = float((2 * radius + 1) * (2 * radius + 1));
+            ++flat;
+            negative += second / n - (first / n) * (first / n) < 0;
+        }
+    EXPECT_GT(flat, 1000);
+    shows_fault(22, double(negative) / std::max(flat, 1));
+    EXPECT_GT(grey_share(bare), 1e-3) << "without a least variance the sheet must be speckled";
+}
+
+TEST(HardCase23, NoExponentMakesNumbersThatAreNone) {
+    int formats = 0;
+    const float large = std::exp(88.f);
+    formats += std::isinf(large * large) ? 1 : 0;  // 32 bits
+    formats += large > 65504.f ? 1 : 0;            // 16 bits
+    shows_fault(23, formats);
+    for (const char* kernel : {"esm", "evsm2", "evsm4"})
+        for (const char* format : {"32-bit", "16-bit"})
+            for (const char* exponent : {"0.5", "40", "88"}) {
+                SCOPED_TRACE(std::string(kernel) + " " + format + " " + exponent);
+                const DrawnCase c = hard_view("exponents", true,
+                                              {{"filter.kernel", kernel},
+                                               {"filter.moment_format", format},
+                                               {"filter.exponent", exponent},
+                                               {"filter.negative_exponent", exponent}});
+                const Shot shot = shoot(c);
+                judge(23, errors(c, shot).false_shadow);
+                if (std::string(exponent) == "88") {
+                    EXPECT_FALSE(shot.frame.notes.empty()) << "a clamped exponent must be said";
+                }
+            }
+}
+
+TEST(HardCase24, FixedMomentsKeepSixteenBitsLit) {
+    for (const char* kernel : {"msm_hamburger", "msm_hausdorff"}) {
+        judge(24, grey_share(hard_view("moment-steps", true, {{"filter.kernel", kernel}})));
+        shows_fault(24, grey_share(hard_view("moment-steps", false, {{"filter.kernel", kernel}})));
+    }
+}
+
+TEST(HardCase25, SumsOfIntegersAreABlur) {
+    const Shot blurred = shoot(hard_view("summed-areas", true, {{"filter.kernel", "vsm"}, {"filter.blur", "2"}}));
+    const auto off = [&](bool fixed) {
+        const Shot summed = shoot(hard_view("summed-areas", fixed));
+        double total = 0;
+        for (std::size_t i = 0; i < summed.visibility.data.size(); ++i)
+            total += std::abs(double(summed.visibility.data[i]) - blurred.visibility.data[i]);
+        return total / double(summed.visibility.data.size());
+    };
+    EXPECT_GT(shadow_share(blurred), 0.01);
+    judge(25, off(true));
+    shows_fault(25, off(false));
+}
+
+TEST(HardCase26, NothingAndAllBeforeTheSurface) {
+    for (const char* kernel : {"pcss", "dpcf"})
+        for (const char* size : {"0", "1"}) {
+            SCOPED_TRACE(std::string(kernel) + " " + size);
+            const DrawnCase c = hard_view("no-blockers", true, {{"filter.kernel", kernel}, {"light.size", size}});
+            const Shot shot = shoot(c);
+            const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + 2;
+            const TruthImage truth = trace_truth(RayTruth(c.scene), shot.frame.camera, shot.light(), shot.width,
+                                                 shot.height, shot.frame.map_resolution, reach);
+            double worst = 0;
+            int clear = 0, covered = 0;
+            for (std::size_t i = 0; i < truth.lit.size(); ++i) {
+                if (truth.lit[i] == Lit::Lit) ++clear, worst = std::max(worst, std::abs(1.0 - shot.visibility.data[i]));
+                if (truth.lit[i] == Lit::Shadow) ++covered, worst = std::max(worst, double(shot.visibility.data[i]));
+            }
+            judge(26, worst);
+            shows_fault(26, clear);
+            EXPECT_GT(covered, 100);
+        }
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,195 @@
+// Hard cases 21, 27, 32, 33, 35 and 36: thin casters and receivers, holes, numbers that are none, facets under smooth
+// normals, and the truth itself.
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/reference/error_task.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/filters.h"
+#include "renderer/view/kernel_reach.h"
+#include "tests/support/hard_view.h"
+#include "tests/support/stability.h"
+
+namespace si::test {
+namespace {
+
+MeasuredError measured(const DrawnCase& c, int width = 160, int height = 120) {
+    TruthCache cache;
+    return measure_error(hard_renderer(), c.scene, c.settings, {.width = width, .height = height}, 0, {}, cache);
+}
+
+/// The share of a strip's points whose texel's middle lies in the strip, too: what a map catches of a wire. `width` and
+/// a texel's sides across the strip in like units.
+double caught_share(double width, const glm::dvec2& texel_across) {
+    constexpr int kSteps = 200;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i)
+        for (int j = 0; j < kSteps; ++j) {
+            const glm::dvec2 off = (glm::dvec2(i, j) + 0.5) / double(kSteps) - 0.5;
+            sum += std::max(0.0, 1 - std::abs(glm::dot(off, texel_across)) / width);
+        }
+    return sum / (kSteps * kSteps);
+}
+
+TEST(HardCase21, WiresLoseWhatTheirWidthPredicts) {
+    double before = 1;
+    for (const char* resolution : {"256", "512", "1024", "2048", "4096"}) {
+        SCOPED_TRACE(resolution);
+        const DrawnCase c = hard_view("thin-caster", true, {{"map.resolution", resolution}});
+        const Shot shot = shoot(c, 320, 240);
+        const LightView& view = shot.view();
+        const double texel = view.texel_size(1, shot.frame.map_resolution), side = 1.0 / 128;
+        const glm::dmat3 turn(turned(10));
+        const glm::dvec3 along = turn * glm::dvec3(0, 0, 1);
+        const glm::dvec3 across = glm::normalize(glm::cross(along, shot.light().to_light));
+        const double width = side * (std::abs(glm::dot(across, turn * glm::dvec3(1, 0, 0))) + std::abs(across.y));
+        const double caught =
+            caught_share(width, texel * glm::dvec2(glm::dot(across, view.axes[0]), glm::dot(across, view.axes[1])));
+        const RayTruth rays(c.scene);
+        const TruthImage truth =
+            trace_truth(rays, shot.frame.camera, shot.light(), shot.width, shot.height, shot.frame.map_resolution, 0);
+        int shadow = 0, missing = 0;
+        for (std::size_t i = 0; i < truth.lit.size(); ++i) {
+            if (!truth.hits[i] || truth.hits[i]->position.y > 1e-3 || truth.lit[i] != Lit::Shadow) continue;
+            // Not the bar's shadow, which crosses that of the wires at their end.
+            const glm::dvec3 p = truth.hits[i]->position + shot.light().to_light * (0.75 / shot.light().to_light.y);
+            if (glm::dot(p - glm::dvec3(0, 0.75, -1.75), turn * glm::dvec3(0, 0, 1)) < 0.25) continue;
+            ++shadow, missing += shot.visibility.data[i] > 0.5f;
+        }
+        ASSERT_GT(shadow, 200);
+        const double share = double(missing) / shadow;
+        judge(21, std::max(0.0, share - (1 - caught)));
+        EXPECT_LE(share, before + 0.05) << "finer maps lose less";
+        before = share;
+        if (std::string(resolution) == "256") {
+            EXPECT_LT(width, 0.5 * texel);
+            shows_fault(21, share);
+            const MeasuredError e = measured(c);
+            std::size_t lost = 0, told = 0;
+            for (const JudgedPixel& pixel : e.judged) {
+                lost += pixel.has(JudgedPixel::kFalseLight);
+                told += pixel.has(JudgedPixel::kFalseLight) && pixel.artefact == Artefact::Undersampled;
+            }
+            EXPECT_GT(lost, 50u);
+            EXPECT_GE(double(told), 0.9 * double(lost)) << "they must be told for what they are";
+        }
+    }
+    EXPECT_LT(before, 0.1);
+}
+
+/// The depth gradient of a plane from its steps to two neighbouring pixels, in single precision, as shaders that take
+/// screen derivatives solve for it.
+glm::vec2 gradient_by_derivatives(const glm::vec3& at, const glm::vec3& right, const glm::vec3& below) {
+    const glm::vec3 dx = right - at, dy = below - at;
+    return glm::vec2(dx.z * dy.y - dy.z * dx.y, dy.z * dx.x - dx.z * dy.x) / (dx.x * dy.y - dx.y * dy.x);
+}
+
+TEST(HardCase27, FacesOfAPixelsWidthHaveTheirOwnPlane) {
+    const DrawnCase c = hard_view("edge-on-planes", true);
+    const Shot shot = shoot(c);
+    const TruthErrors e = compare(shot, c.scene, reach_of(c.settings).edge + 1);
+    EXPECT_GT(e.domain - e.boundary, 2000);
+    judge(27, double(e.false_shadow + e.false_light) / e.domain);
+    int off = 0;
+    for (int i = 0; i < 100; ++i) {
+        const double a = 0.0628 * i, edge_on = 1e-5;
+        const glm::dvec3 level(std::cos(a), std::sin(a), 0), steep(-edge_on * std::sin(a), edge_on * std::cos(a), 1);
+        const glm::dvec3 at(0.37, 0.61, 0.5);
+        const glm::vec2 found = gradient_by_derivatives(glm::vec3(at), glm::vec3(at + 1e-3 * level + 3e-4 * steep),
+                                                        glm::vec3(at - 4e-4 * level + 1e-3 * steep));
+        const glm::dvec2 wanted(-std::sin(a) / edge_on, std::cos(a) / edge_on);
+        off += !(glm::distance(glm::dvec2(found), wanted) < glm::length(wanted));
+    }
+    shows_fault(27, off);
+}
+
+/// Pixels that are wrong for another reason than where texels lie.
+double wrong_share(const ErrorMetrics& e) {
+    std::size_t wrong = 0;
+    for (std::size_t cause = 0; cause < kArtefacts; ++cause) {
+        const auto a = Artefact(cause);
+        if (a != Artefact::None && a != Artefact::EdgeAliasing && a != Artefact::Undersampled)
+            wrong += e.artefacts[cause];
+    }
+    return double(wrong) / double(std::max<std::size_t>(e.counted, 1));
+}
+
+TEST(HardCase32, HolesOfAlphaLetTheLightThrough) {
+    const DrawnCase c = hard_view("alpha", true);
+    const MeasuredError e = measured(c);
+    EXPECT_GT(e.metrics.counted, 5000u);
+    judge(32, wrong_share(e.metrics));
+    DrawnCase solid = c;
+    for (Material& m : solid.scene.materials) m.alpha = AlphaMode::Opaque;
+    finalise(solid.scene);
+    const Shot masked = shoot(c);
+    shows_fault(32, std::min(differing_share(masked, shoot(solid), 0.5),
+                             differing_share(masked, shoot(hard_view("alpha", false)), 0.5)));
+}
+
+TEST(HardCase33, AMeshThatIsNotFiniteIsLeftOutAndTheRestStays) {
+    const DrawnCase c = hard_view("not-finite", true);
+    const DrawnCase box = hard_view("reversed-depth", true);  // the same floor and box, without the other mesh
+    EXPECT_TRUE(std::isfinite(c.scene.bounds.radius()));
+    shows_fault(33, double(std::ranges::count_if(
+                        c.scene.warnings, [](const std::string& w) { return w.find("Broken") != std::string::npos; })));
+    DrawnCase clean{box.scene, c.settings};
+    clean.scene.cameras = c.scene.cameras;
+    for (LightType type : kLightTypes) {
+        DrawnCase dirty = c;
+        dirty.settings.lights[0].type = clean.settings.lights[0].type = int(type);
+        const Shot a = shoot(dirty), b = shoot(clean);
+        EXPECT_GT(shadow_share(a), 0.01);
+        judge(33, differing_share(a, b, 0) * double(a.visibility.data.size()));
+    }
+}
+
+TEST(HardCase35, FacetsTurnedAwayAreNoAcne) {
+    const DrawnCase c = hard_view("smooth-terminator", true);
+    const MeasuredError e = measured(c);
+    const glm::dvec3 middle(0, 1.25, 0), to_light = e.lights[0].to_light;
+    int smooth_lit = 0, counted_wrong = 0;
+    for (std::size_t i = 0; i < e.traced.truth->state.size(); ++i) {
+        const Receiver& r = e.traced.receivers->pixels[i];
+        if (!r.hit() || e.traced.truth->state[i] != PixelState::FacesAway) continue;
+        counted_wrong += e.judged[i].artefact != Artefact::None;
+        smooth_lit += r.position_ws.y > 1e-3 && glm::dot(glm::normalize(r.position_ws - middle), to_light) > 0.02;
+    }
+    judge(35, counted_wrong);
+    shows_fault(35, smooth_lit);
+    EXPECT_EQ(e.metrics.any_acne, 0);
+}
+
+/// Whether a ray in single precision from a point of the triangle meets the triangle beyond its start.
+bool meets_own(const Triangle& t, const glm::vec3& from, const glm::vec3& along) {
+    const glm::vec3 a(t.a), e1(glm::vec3(t.b) - a), e2(glm::vec3(t.c) - a), p = glm::cross(along, e2);
+    const float det = glm::dot(e1, p);
+    if (det == 0) return false;
+    return glm::dot(e2, glm::cross(from - a, e1)) / det > 0;
+}
+
+TEST(HardCase36, ConvexBodiesDoNotShadowThemselves) {
+    const DrawnCase c = hard_view("truth", true);
+    const MeasuredError e = measured(c);
+    const RayTruth rays(c.scene);
+    EXPECT_EQ(rays.triangle_count(), c.scene.triangle_count()) << "truth and picture see different scenes";
+    int shadowed = 0, bodies = 0, own = 0;
+    for (std::size_t i = 0; i < e.traced.truth->state.size(); ++i) {
+        const Receiver& r = e.traced.receivers->pixels[i];
+        if (e.traced.truth->state[i] != PixelState::Counted || r.position_ws.y < 1e-3) continue;
+        ++bodies;
+        shadowed += e.traced.truth->visibility.data[i] < 0.5f;
+        const auto hit = rays.first_hit(e.camera.eye, glm::normalize(r.position_ws - e.camera.eye));
+        if (!hit) continue;
+        const glm::dvec3 from = r.position_ws - c.scene.bounds.centre();
+        own += meets_own(rays.triangle(hit->triangle), glm::vec3(from), glm::vec3(e.lights[0].to_light));
+    }
+    EXPECT_GT(bodies, 500);
+    judge(36, shadowed);
+    shows_fault(36, double(own) / std::max(bodies, 1));
+    EXPECT_GT(e.traced.truth->visibility.data.size(), 0u);
+    EXPECT_LT(e.metrics.mae, 1e-6) << "rays as the source are the truth";
+}
+
+}  // namespace
+}  // namespace si::test
