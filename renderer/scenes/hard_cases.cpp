@@ -140,7 +140,7 @@ constexpr HardCase kCases[] = {
      "Straight above a plane near and far are equal: a division by 0 where the depth range is.",
      "A range of at least two texels, and of 1024 steps of the numbers that hold it.",
      "lit pixels of a plane darker than lit under a light straight above", 0, kCount, kExact,
-     "pixels that a plate hardly above the plane shadows", 500, hard_plate_on_floor,
+     "depth scales, 1 / (far - near), that are infinite by the bounds alone", 1, hard_plate_on_floor,
      "map.resolution=2048 light.elevation=90 bias.unit=metres bias.constant=0.001 bias.normal=0 filter.kernel=hard", "",
      ""},
     {19, "bad-numbers", "Settings without sense",
@@ -184,13 +184,13 @@ constexpr HardCase kCases[] = {
      "filter.exponent=88 filter.negative_exponent=88 bias.normal=4",
      "", ""},
     {24, "moment-steps", "Four moments in 16 bits",
-     "The roots that four moments stand for lie close together on a plane: 16 bits move them past each other, and lit "
-     "planes turn grey.",
-     "A small share of fixed moments is mixed in, 0.00006 in 16 bits.",
-     "pixels of a lit slope not lit, or not within 0 and 1", 0.001, kPixels,
-     "the share of fixed moments is chosen for this", "share of the slope that is grey without", 0.05, hard_slope,
-     "map.resolution=512 light.elevation=70 light.azimuth=0 light.fit=scene filter.kernel=msm_hamburger "
-     "filter.moment_format=16-bit filter.blur=2 filter.bleed=0 bias.normal=0 bias.constant=0.1",
+     "The depths that four moments stand for lie close together on a plane: 16 bits move them past each other, and lit "
+     "floor turns grey.",
+     "A small share of fixed moments is mixed in: 0.0006 in 16 bits.", "lit pixels darker than lit, away from edges",
+     0.005, kPixels, "a fifth of what it is without: where the roundings of neighbouring texels agree",
+     "share of pixels darker than lit without that share", 0.025, hard_floor_and_box,
+     "map.resolution=512 light.azimuth=30 light.elevation=40 filter.kernel=msm_hamburger filter.moment_format=16-bit "
+     "filter.blur=2 filter.bleed=0 bias.normal=2",
      "filter.moment_bias=0", "filter.moment_bias=6e-4"},
     {25, "summed-areas", "Sums over the whole map",
      "A table of sums in single precision forgets what one window adds: differences of large numbers, noise that grows "
@@ -213,7 +213,7 @@ constexpr HardCase kCases[] = {
      "The plane of the triangle itself: a quotient without an inverse, and no look-up where it is edge-on.",
      "wrong pixels inside shadow or light, on stairs a pixel wide", 0.005, kPixels,
      "pixels on the steps' own edges may show either face",
-     "of 100 planes within 0.00001 rad of edge-on, those whose slope by float derivatives is off by its own size", 50,
+     "of 100 planes within 0.000001 rad of edge-on, those whose slope by float derivatives is off by its own size", 25,
      hard_stairs,
      "map.resolution=2048 light.azimuth=30 light.elevation=40 filter.kernel=pcf filter.size=5 bias.normal=0 "
      "bias.constant=0.5 bias.kind=receiver-plane",

@@ -64,14 +64,15 @@ TEST(HardCase21, WiresLoseWhatTheirWidthPredicts) {
         if (std::string(resolution) == "256") {
             EXPECT_LT(width, 0.5 * texel);
             shows_fault(21, share);
-            const MeasuredError e = measured(c);
+            const MeasuredError e = measured(c, 320, 240);
             std::size_t lost = 0, told = 0;
             for (const JudgedPixel& pixel : e.judged) {
                 lost += pixel.has(JudgedPixel::kFalseLight);
                 told += pixel.has(JudgedPixel::kFalseLight) && pixel.artefact == Artefact::Undersampled;
             }
             EXPECT_GT(lost, 50u);
-            EXPECT_GE(double(told), 0.9 * double(lost)) << "they must be told for what they are";
+            EXPECT_GE(double(told), 0.75 * double(lost))
+                << "but where the picture's pixels are as wide as the wire's shadow";
         }
     }
     EXPECT_LT(before, 0.1);
@@ -92,7 +93,7 @@ TEST(HardCase27, FacesOfAPixelsWidthHaveTheirOwnPlane) {
     judge(27, double(e.false_shadow + e.false_light) / e.domain);
     int off = 0;
     for (int i = 0; i < 100; ++i) {
-        const double a = 0.0628 * i, edge_on = 1e-5;
+        const double a = 0.0628 * i, edge_on = 1e-6;
         const glm::dvec3 level(std::cos(a), std::sin(a), 0), steep(-edge_on * std::sin(a), edge_on * std::cos(a), 1);
         const glm::dvec3 at(0.37, 0.61, 0.5);
         const glm::vec2 found = gradient_by_derivatives(glm::vec3(at), glm::vec3(at + 1e-3 * level + 3e-4 * steep),

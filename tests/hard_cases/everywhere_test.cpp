@@ -1,0 +1,247 @@
+// Every hard case everywhere: far from the origin, at all scales, mirrored, under lights along every axis. What is
+// seen, what is true and why it is wrong are those of home.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "renderer/reference/error_task.h"
+#include "tests/support/hard_view.h"
+#include "tests/support/placements.h"
+
+namespace si::test {
+namespace {
+
+constexpr int kAcross = 96, kDown = 72, kMostTexels = 256;
+/// Of all pixels of a case: what rounding may move across an edge.
+constexpr double kMostDiffering = 5e-4;
+constexpr double kMostOfOne = 1.5e-3;  ///< of one picture's pixels, ten
+constexpr double kSameCause = 0.99;
+// What a double resolves at the offset, in sizes of the scene: beyond the first no picture can be the same, beyond the
+// second the light's own place, which is a sum of no few powers of two, is rounded otherwise than at home.
+constexpr double kFinestPlace = 1e-6, kFinestSameBytes = 1e-9;
+
+std::string key_name(const testing::TestParamInfo<const HardCase*>& info) {
+    std::string name(info.param->key);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+/// Why a case's picture may differ more than by rounding.
+struct Allowance {
+    std::string_view key, why;
+    double look = 0.02;  ///< of visibility: less is no difference
+    bool mirrors = true;
+    std::size_t inside = 0;  ///< pixels of one picture away from what is an edge at home
+};
+constexpr Allowance kAllowances[] = {
+    {"no-blockers", "the places of its taps turn by pixel, and are no mirror image", 0.02, false},
+    {"edge-on-planes",
+     "kernels span several steps, whose depths lie at all distances from the plane: a tap of 25 may turn", 0.1},
+    {"thin-caster", "a wire that no texel caught at home is an edge that no pixel shows", 0.02, true, 2},
+};
+
+Allowance allowance_of(std::string_view key) {
+    for (const Allowance& a : kAllowances)
+        if (a.key == key) return a;
+    return {key, ""};
+}
+
+/// What a double resolves there, in radii of the scene.
+double resolved(const HardCase& row, const Placement& placement) {
+    const glm::dvec3& at = distances()[placement.distance].offset;
+    return glm::length(at) * 0x1p-53 / (row.make().bounds.radius() * scales()[placement.scale].factor);
+}
+
+/// A picture with its truth.
+struct Judged {
+    std::vector<float> visibility, truth;
+    std::vector<PixelState> state;
+    std::vector<Artefact> cause;
+    bool operator==(const Judged&) const = default;
+};
+
+std::optional<Judged> judged(const HardCase& row, bool fixed, const Placement& placement) {
+    DrawnCase c = hard_view(row.key, fixed);
+    c.settings.map.resolution = std::min(c.settings.map.resolution, kMostTexels);
+    if (!place_settings(c.settings, placement) || resolved(row, placement) > kFinestPlace) return {};
+    if (!placement.at_home()) place_scene(c.scene, placement.matrix());
+    TruthCache cache;
+    const MeasuredError e =
+        measure_error(hard_renderer(), c.scene, c.settings, {.width = kAcross, .height = kDown}, 0, {}, cache);
+    Judged out;
+    for (int y = 0; y < kDown; ++y)
+        for (int x = 0; x < kAcross; ++x) {
+            const auto i = std::size_t(y * kAcross + (placement.mirrored ? kAcross - 1 - x : x));
+            out.visibility.push_back(e.judged[i].visibility);
+            out.truth.push_back(e.traced.truth->visibility.data[i]);
+            out.state.push_back(e.traced.truth->state[i]);
+            out.cause.push_back(e.judged[i].artefact);
+        }
+    for (const std::string& message : hard_renderer().take_gl_messages()) ADD_FAILURE() << "driver: " << message;
+    return out;
+}
+
+/// Whether anything changes at home within two pixels: where rounding may show.
+bool near_edge(const Judged& home, std::size_t i) {
+    const int x = int(i) % kAcross, y = int(i) / kAcross;
+    for (int v = std::max(y - 2, 0); v <= std::min(y + 2, kDown - 1); ++v)
+        for (int u = std::max(x - 2, 0); u <= std::min(x + 2, kAcross - 1); ++u) {
+            const auto k = std::size_t(v * kAcross + u);
+            if (std::abs(home.visibility[k] - home.visibility[i]) > 0.02f || home.truth[k] != home.truth[i] ||
+                home.state[k] != home.state[i])
+                return true;
+        }
+    return false;
+}
+
+struct Differences {
+    std::size_t pixels = 0, visibility = 0, truth = 0, inside = 0, wrong = 0, other_cause = 0;
+    void add(const Judged& home, const Judged& there, double look) {
+        pixels += home.state.size();
+        for (std::size_t i = 0; i < home.state.size(); ++i) {
+            const bool seen = std::abs(home.visibility[i] - there.visibility[i]) > look;
+            const bool known = std::abs(home.truth[i] - there.truth[i]) > 0.02f || home.state[i] != there.state[i];
+            visibility += seen, truth += known;
+            inside += (seen || known) && !near_edge(home, i);
+            if (home.cause[i] == Artefact::None || there.cause[i] == Artefact::None) continue;
+            ++wrong, other_cause += home.cause[i] != there.cause[i];
+        }
+    }
+};
+
+/// What of two pictures is not the same, in words.
+std::string bytes_off(const Judged& a, const Judged& b) {
+    std::size_t visibility = 0, truth = 0, state = 0, cause = 0;
+    float most = 0;
+    for (std::size_t i = 0; i < a.state.size(); ++i) {
+        visibility += a.visibility[i] != b.visibility[i], truth += a.truth[i] != b.truth[i];
+        state += a.state[i] != b.state[i], cause += a.cause[i] != b.cause[i];
+        most = std::max(most, std::abs(a.visibility[i] - b.visibility[i]));
+    }
+    return std::to_string(visibility) + " visibilities by up to " + std::to_string(most) + ", " +
+           std::to_string(truth) + " truths, " + std::to_string(state) + " states and " + std::to_string(cause) +
+           " causes differ";
+}
+
+/// Homes by case, remedy and light.
+class Homes {
+public:
+    const Judged& of(const HardCase& row, bool fixed, std::size_t light) {
+        const auto key = std::tuple(row.number, fixed, light);
+        if (const auto it = homes_.find(key); it != homes_.end()) return it->second;
+        return homes_[key] = *judged(row, fixed, {.light = light});
+    }
+
+private:
+    std::map<std::tuple<int, bool, std::size_t>, Judged> homes_;
+};
+
+/// Compares placements of a case with its home. Returns how many were compared.
+int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>& placements, Homes& homes,
+                   Differences& all) {
+    const Allowance allowed = allowance_of(row.key);
+    int compared = 0;
+    for (const Placement& placement : placements) {
+        if (placement.at_home() || (placement.mirrored && !allowed.mirrors)) continue;
+        SCOPED_TRACE(std::string(row.key) + ": " + placement.name());
+        const Judged& home = homes.of(row, fixed, placement.light);
+        const auto there = judged(row, fixed, placement);
+        if (!there) continue;
+        ++compared;
+        if (placement.exact() && resolved(row, placement) <= kFinestSameBytes) {
+            EXPECT_TRUE(home == *there) << "no number is rounded on the way: the same bytes are due, of which "
+                                        << bytes_off(home, *there);
+        }
+        Differences here;
+        here.add(home, *there, allowed.look);
+        EXPECT_LE(here.inside, allowed.inside)
+            << "of " << here.visibility << " pixels that look and " << here.truth << " that are otherwise";
+        EXPECT_LE(std::max(here.visibility, here.truth), std::size_t(kMostOfOne * double(here.pixels)));
+        all.add(home, *there, allowed.look);
+    }
+    return compared;
+}
+
+void expect_alike(const Differences& d, double most = kMostDiffering) {
+    testing::Test::RecordProperty("differing", std::to_string(d.visibility) + " look and " + std::to_string(d.truth) +
+                                                   " are otherwise of " + std::to_string(d.pixels) + "; " +
+                                                   std::to_string(d.other_cause) + " of " + std::to_string(d.wrong) +
+                                                   " wrong ones have another cause");
+    EXPECT_LE(double(d.visibility), most * double(d.pixels)) << "pixels that look otherwise, of " << d.pixels;
+    EXPECT_LE(double(d.truth), kMostDiffering * double(d.pixels)) << "pixels that are otherwise, of " << d.pixels;
+    EXPECT_GE(double(d.wrong - d.other_cause), kSameCause * double(d.wrong)) << "wrong pixels of one cause";
+}
+
+class HardCasesEverywhere : public testing::TestWithParam<const HardCase*> {};
+
+TEST_P(HardCasesEverywhere, LookAndErrAsAtHome) {
+    Homes homes;
+    Differences d;
+    const int compared = compare_places(*GetParam(), true, one_by_one(), homes, d);
+    EXPECT_GE(compared, 14) << "most placements must lie in the settings' ranges";
+    expect_alike(d);
+}
+
+std::vector<const HardCase*> all_rows() {
+    std::vector<const HardCase*> rows;
+    for (const HardCase& row : hard_cases()) rows.push_back(&row);
+    return rows;
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, HardCasesEverywhere, testing::ValuesIn(all_rows()), key_name);
+
+// Pairs of all factors, the case among them.
+constexpr std::uint32_t kSeed = 20260101;
+constexpr std::size_t kParts = 6;  // so that shards share the work
+
+class HardCasesPairwise : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(HardCasesPairwise, LookAndErrAsAtHome) {
+    const auto rows = hard_cases();
+    std::map<std::size_t, std::vector<Placement>> of_case;
+    for (const CaseAndPlacement& c : pairwise(rows.size(), kSeed))
+        if (c.of % kParts == GetParam()) of_case[c.of].push_back(c.placement);
+    EXPECT_EQ(of_case.size(), rows.size() / kParts);
+    Differences d;
+    for (const auto& [of, placements] : of_case) {
+        Homes homes;
+        compare_places(rows[of], true, placements, homes, d);
+    }
+    expect_alike(d);
+    EXPECT_GT(d.wrong, 150u) << "too few wrong pixels to compare causes of";
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, HardCasesPairwise, testing::Range(std::size_t(0), kParts));
+
+// Label `long`: SI_LONG=1, or ctest -L long.
+TEST_P(HardCasesEverywhere, LookAndErrAsAtHomeInEveryPlacement) {
+    if (!std::getenv("SI_LONG")) GTEST_SKIP() << "the full product takes minutes a case: SI_LONG=1";
+    Homes homes;
+    Differences d;
+    compare_places(*GetParam(), true, all_placements(), homes, d);
+    expect_alike(d);
+}
+
+// The covering array covers.
+TEST(HardCasesPlacements, PairsAreAllThere) {
+    const auto rows = pairwise(36, kSeed);
+    std::set<std::array<std::size_t, 4>> pairs;
+    for (const CaseAndPlacement& c : rows) {
+        const Placement& p = c.placement;
+        const std::size_t v[] = {c.of, p.distance, p.scale, p.light, p.mirrored ? 1u : 0u};
+        for (std::size_t a = 0; a < 5; ++a)
+            for (std::size_t b = a + 1; b < 5; ++b) pairs.insert({a, v[a], b, v[b]});
+    }
+    const std::size_t d = distances().size(), s = scales().size(), l = lights_from().size();
+    // Less those of mirrored under lights that no mirror keeps, and of rows that are at home, which compare nothing.
+    const std::size_t whole = 36 * (d + s + l + 2) + d * s + d * l + 2 * d + s * l + 2 * s + 2 * l;
+    EXPECT_GE(pairs.size() + 60, whole);
+    RecordProperty("rows", int(rows.size()));
+    EXPECT_LT(rows.size(), 500u);
+}
+
+}  // namespace
+}  // namespace si::test

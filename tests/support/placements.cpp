@@ -1,0 +1,160 @@
+#include "tests/support/placements.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/param.h"
+
+namespace si::test {
+namespace {
+
+// Off any grid: no sum of few powers of two.
+constexpr Distance kDistances[] = {{"home"},
+                                   {"100 m", {70.3, -13.7, 70.1}},
+                                   {"10 km", {-7071.3, 130.7, 7071.1}},
+                                   {"1000 km", {707106.3, -1300.7, -707108.1}},
+                                   {"10000 km", {-7071067.3, 13000.7, -7071063.9}},
+                                   {"1024 m", {1024, -2048, 512}, true},
+                                   {"1048576 m", {1048576, 524288, -1048576}, true}};
+constexpr Scale kScales[] = {{"as it is"},          {"x 0.001", 1e-3},  {"x 0.1", 0.1},
+                             {"x 1000", 1e3},       {"x 1000000", 1e6}, {"x 1/1024", 1.0 / 1024, true},
+                             {"x 1024", 1024, true}};
+constexpr LightFrom kLights[] = {{"its own light", {}, false},
+                                 {"from above", LightAngles{0, 90}, true},
+                                 {"from above, turned", LightAngles{-270, 90}, false},
+                                 {"from +z", LightAngles{0, 0}, true},
+                                 {"from -z", LightAngles{180, 0}, true},
+                                 {"from +x", LightAngles{90, 0}, false},
+                                 {"from -x", LightAngles{-90, 0}, false},
+                                 {"from +x, 45 up", LightAngles{90, 45}, false},
+                                 {"from -z, 45 up", LightAngles{-180, 45}, true}};
+
+bool may_stand(const Placement& p) {
+    return !p.mirrored || lights_from()[p.light].mirrors;
+}
+
+}  // namespace
+
+std::span<const Distance> distances() {
+    return kDistances;
+}
+std::span<const Scale> scales() {
+    return kScales;
+}
+std::span<const LightFrom> lights_from() {
+    return kLights;
+}
+
+std::string Placement::name() const {
+    return fmt::format("{}, {}, {}{}", kDistances[distance].name, kScales[scale].name, kLights[light].name,
+                       mirrored ? ", mirrored" : "");
+}
+
+bool Placement::exact() const {
+    if (mirrored || (distance > 0 && !kDistances[distance].exact) || (scale > 0 && !kScales[scale].exact)) return false;
+    // Shaders count from a grid whose spacing is up to 512 sizes of these scenes.
+    const glm::dvec3 steps = kDistances[distance].offset / (512 * kScales[scale].factor);
+    return steps == glm::round(steps);
+}
+
+glm::dmat4 Placement::matrix() const {
+    const double f = kScales[scale].factor;
+    const glm::dvec3& at = kDistances[distance].offset;
+    return moved(at.x, at.y, at.z) * scaled(mirrored ? -f : f, f, f);
+}
+
+std::vector<Placement> one_by_one() {
+    std::vector<Placement> out;
+    for (std::size_t i = 1; i < std::size(kDistances); ++i) out.push_back({.distance = i});
+    for (std::size_t i = 1; i < std::size(kScales); ++i) out.push_back({.scale = i});
+    for (std::size_t i = 1; i < std::size(kLights); ++i) out.push_back({.distance = 5, .light = i});
+    out.push_back({.light = 8, .mirrored = true});
+    return out;
+}
+
+std::vector<Placement> all_placements() {
+    std::vector<Placement> out;
+    for (std::size_t d = 0; d < std::size(kDistances); ++d)
+        for (std::size_t s = 0; s < std::size(kScales); ++s)
+            for (std::size_t l = 0; l < std::size(kLights); ++l)
+                for (const bool mirrored : {false, true})
+                    if (const Placement p{d, s, l, mirrored}; may_stand(p) && !p.at_home()) out.push_back(p);
+    return out;
+}
+
+void place_scene(Scene& scene, const glm::dmat4& placed) {
+    for (Node& node : scene.nodes)
+        if (node.parent < 0) node.local = placed * node.local;
+    for (SceneCamera& camera : scene.cameras) camera.world = placed * camera.world;
+    finalise(scene);
+}
+
+bool place_settings(Settings& settings, const Placement& placement) {
+    LightSettings& light = settings.lights[0];
+    if (const auto& angles = kLights[placement.light].angles) {
+        light.azimuth = angles->azimuth;
+        light.elevation = angles->elevation;
+    }
+    const double factor = kScales[placement.scale].factor;
+    if (placement.mirrored) light.target_x = -light.target_x;
+    bool within = true;
+    for (const SettingRef& ref : changed_settings(settings)) {
+        const Value value = get_value(settings, ref);
+        const double* number = std::get_if<double>(&value);
+        const std::string_view unit = shown_unit(settings, *ref.param);
+        const bool radius = ref.param->unit == "deg or m" && light.type != int(LightType::Directional);
+        if (!number || (unit != "m" && unit != "metres" && !radius) || factor == 1) continue;
+        const double scaled_by = *number * factor;
+        within = within && (scaled_by == 0 || (std::abs(scaled_by) <= ref.param->max && scaled_by >= ref.param->min));
+        set_value(settings, ref, scaled_by);
+    }
+    return within;
+}
+
+std::vector<CaseAndPlacement> pairwise(std::size_t cases, std::uint32_t seed) {
+    using Row = std::array<std::size_t, 5>;  // case, distance, scale, light, mirrored
+    const Row sizes = {cases, std::size(kDistances), std::size(kScales), std::size(kLights), 2};
+    const auto placement = [](const Row& r) { return Placement{r[1], r[2], r[3], r[4] == 1}; };
+    using Pair = std::array<std::size_t, 4>;
+    std::set<Pair> wanted;
+    for (std::size_t a = 0; a < sizes.size(); ++a)
+        for (std::size_t b = a + 1; b < sizes.size(); ++b)
+            for (std::size_t i = 0; i < sizes[a]; ++i)
+                for (std::size_t j = 0; j < sizes[b]; ++j) {
+                    if (a == 3 && b == 4 && j == 1 && !kLights[i].mirrors) continue;
+                    wanted.insert({a, i, b, j});
+                }
+    const auto pairs_of = [&](const Row& r) {
+        std::size_t gain = 0;
+        for (std::size_t a = 0; a < r.size(); ++a)
+            for (std::size_t b = a + 1; b < r.size(); ++b) gain += wanted.contains({a, r[a], b, r[b]});
+        return gain;
+    };
+    Random random(seed);
+    std::vector<CaseAndPlacement> out;
+    while (!wanted.empty()) {
+        Row best{};
+        std::size_t most = 0;
+        for (int trial = 0; trial < 60; ++trial) {
+            Row row;
+            for (std::size_t i = 0; i < row.size(); ++i) row[i] = random.next() % sizes[i];
+            // Always one that is still wanted, so that every row brings something.
+            auto it = wanted.begin();
+            std::advance(it, std::ptrdiff_t(random.next() % wanted.size()));
+            row[(*it)[0]] = (*it)[1], row[(*it)[2]] = (*it)[3];
+            if (!may_stand(placement(row))) continue;
+            if (const std::size_t gain = pairs_of(row); gain > most) most = gain, best = row;
+        }
+        if (most == 0) continue;
+        for (std::size_t a = 0; a < best.size(); ++a)
+            for (std::size_t b = a + 1; b < best.size(); ++b) wanted.erase({a, best[a], b, best[b]});
+        if (!placement(best).at_home()) out.push_back({best[0], placement(best)});
+    }
+    return out;
+}
+
+}  // namespace si::test
