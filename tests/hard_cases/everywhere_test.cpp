@@ -63,10 +63,12 @@ struct Judged {
     bool operator==(const Judged&) const = default;
 };
 
-std::optional<Judged> judged(const HardCase& row, bool fixed, const Placement& placement) {
+/// @param turn of the light's elevation, degrees
+std::optional<Judged> judged(const HardCase& row, bool fixed, const Placement& placement, double turn = 0) {
     DrawnCase c = hard_view(row.key, fixed);
     c.settings.map.resolution = std::min(c.settings.map.resolution, kMostTexels);
     if (!place_settings(c.settings, placement) || resolved(row, placement) > kFinestPlace) return {};
+    c.settings.lights[0].elevation += turn;
     if (!placement.at_home()) place_scene(c.scene, placement.matrix());
     TruthCache cache;
     const MeasuredError e =
@@ -183,6 +185,31 @@ TEST_P(HardCasesEverywhere, LookAndErrAsAtHome) {
     const int compared = compare_places(*GetParam(), true, one_by_one(), homes, d);
     EXPECT_GE(compared, 14) << "most placements must lie in the settings' ranges";
     expect_alike(d);
+}
+
+// Exactly along an axis, where sines are 0 and faces stand parallel to the light, nothing changes that does not change
+// a ten thousandth of a radian beside it.
+TEST_P(HardCasesEverywhere, AxesAreNothingSpecial) {
+    // More would move the shadows of light that grazes; upwards, it would light a strip below tops of one height.
+    const double turn = -1e-6 * 180 / M_PI;
+    std::size_t pixels = 0, look = 0, wrong = 0, other_cause = 0;
+    for (std::size_t light = 1; light < lights_from().size(); ++light) {
+        const Placement placement{.light = light};
+        const auto exact = judged(*GetParam(), true, placement);
+        const auto beside = judged(*GetParam(), true, placement, turn);
+        ASSERT_TRUE(exact && beside);
+        for (std::size_t i = 0; i < exact->state.size(); ++i) {
+            // Faces parallel to the light face away from it, and a little towards it beside.
+            if (exact->state[i] != PixelState::Counted || beside->state[i] != PixelState::Counted) continue;
+            ++pixels, look += std::abs(exact->visibility[i] - beside->visibility[i]) > 0.5f;
+            if (exact->cause[i] == Artefact::None || beside->cause[i] == Artefact::None) continue;
+            ++wrong, other_cause += exact->cause[i] != beside->cause[i];
+        }
+    }
+    RecordProperty("beside", std::to_string(look) + " of " + std::to_string(pixels) + " look otherwise; " +
+                                 std::to_string(other_cause) + " of " + std::to_string(wrong) + " causes");
+    EXPECT_LE(double(look), 1e-3 * double(pixels));
+    EXPECT_LE(double(other_cause), std::max(1.0, (1 - kSameCause) * double(wrong)));
 }
 
 std::vector<const HardCase*> all_rows() {
