@@ -9,6 +9,7 @@
 
 #include "app/commands/commands.h"
 #include "app/session/presets.h"
+#include "renderer/scenes/hard_cases.h"
 #include "renderer/settings/param.h"
 #include "tests/support/process.h"
 
@@ -312,6 +313,30 @@ TEST(List, PresetsStandInColumns) {
     EXPECT_EQ(found, presets.size());
 }
 
+TEST(HardCases, AreListedAndOpenByNameAsSceneAndAsPreset) {
+    const Json list = json_of({"list", "hard-cases", "--json"});
+    EXPECT_EQ(list.size(), hard_cases().size());
+    const Json* grazing = row(list, "hard/grazing");
+    ASSERT_TRUE(grazing);
+    EXPECT_EQ((*grazing)["number"], 1);
+    EXPECT_EQ((*grazing)["fixed"], "hard/grazing-fixed");
+    const Json whole = json_of({"measure", "hard/grazing", "--json", "--size", "96x72"});
+    const Json preset = json_of({"measure", "--preset", "hard/grazing", "--json", "--size", "96x72"});
+    const Json mended = json_of({"measure", "hard/grazing-fixed", "--json", "--size", "96x72"});
+    EXPECT_GT(whole["error"]["acne"].get<double>(), 0.1);
+    EXPECT_EQ(preset["error"], whole["error"]);
+    EXPECT_LT(mended["error"]["acne"].get<double>(), 0.01);
+    const ProcessResult diff = run_program({"preset", "diff", "hard/grazing", "hard/grazing-fixed"});
+    EXPECT_EQ(diff.code, 0) << diff.err;
+    EXPECT_NE(diff.out.find("bias.kind"), std::string::npos) << diff.out;
+    for (const std::vector<std::string>& misspelt :
+         {std::vector<std::string>{"scene", "hard/grazig"}, {"render", "--preset", "hard/grazig", "-o", "x.png"}}) {
+        const ProcessResult r = run_program(misspelt, fresh_test_folder());
+        EXPECT_EQ(r.code, 2);
+        EXPECT_NE(r.err.find("did you mean hard/grazing"), std::string::npos) << r.err;
+    }
+}
+
 TEST(Docs, TheWrittenPagesAreUpToDate) {
     EXPECT_EQ(file_bytes(std::filesystem::path(SI_SOURCE_DIR) / "docs/settings.md"), settings_page())
         << "write it with: shadow-inspector docs settings -o docs/settings.md";
@@ -319,6 +344,8 @@ TEST(Docs, TheWrittenPagesAreUpToDate) {
         << "write it with: shadow-inspector docs presets -o docs/presets.md";
     EXPECT_EQ(file_bytes(std::filesystem::path(SI_SOURCE_DIR) / "docs/metrics.md"), metrics_page())
         << "write it with: shadow-inspector docs metrics -o docs/metrics.md";
+    EXPECT_EQ(file_bytes(std::filesystem::path(SI_SOURCE_DIR) / "docs/hard-cases.md"), hard_cases_page())
+        << "write it with: shadow-inspector docs hard-cases -o docs/hard-cases.md";
 }
 
 }  // namespace

@@ -22,6 +22,12 @@ std::vector<PresetEntry> guided() {
     return list;
 }
 
+std::vector<PresetEntry> hard() {
+    std::vector<PresetEntry> list;
+    for (const BuiltinPreset& p : hard_case_presets()) list.push_back({p.key, p.title, p.topic, p.about});
+    return list;
+}
+
 /// The window whose name holds `part`, as drawn in the last frame; null when it was not.
 ImGuiWindow* window_of(const char* part) {
     for (ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
@@ -57,9 +63,11 @@ TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
     const auto [w, h, scale] = GetParam();
     UiHarness ui(w, h, scale);
     const EditorActions bare = ui.frames(4);
-    ui.presets = guided();
+    ui.presets = guided(), ui.hard_cases = hard();
     ui.lost = LostFacts{"/a/rather/long/folder/name/with/a/scene of many words.glb", "less than a minute ago"};
-    for (const PresetEntry& p : ui.presets) {
+    std::vector<PresetEntry> all = ui.presets;
+    all.insert(all.end(), ui.hard_cases.begin(), ui.hard_cases.end());
+    for (const PresetEntry& p : all) {
         ui.state.guide = {p.key, p.title, p.about};
         const EditorActions actions = ui.frames(3);
         for (const char* name : {"guide", "lost session"}) {
@@ -158,6 +166,36 @@ TEST(PresetsMenu, ShowsEverySentenceUnderItsTopicAndOpensWhatIsClicked) {
                                     [](const EditorActions& a) { return a.load_preset.has_value(); });
     ASSERT_TRUE(chosen);
     EXPECT_EQ(*chosen->load_preset, ui.presets.front().key);
+}
+
+TEST(HardCasesMenu, OpensWhatIsClickedAndPageKeysWalkThroughItAlone) {
+    UiHarness ui(1280, 720);
+    ui.presets = guided(), ui.hard_cases = hard();
+    ui.frames(2);
+    const auto opened = [](const EditorActions&) { return window_of("##Popup") != nullptr; };
+    std::optional<EditorActions> chosen;
+    // Right of the guided presets; the first popup that lists hard cases.
+    for (float x = 380; x < 620 && !(chosen && chosen->load_preset->starts_with("hard/")); x += 24) {
+        if (!click_along(ui, x, x + 6, 19, opened)) continue;
+        ui.frames(3);
+        const ImGuiWindow* menu = window_of("##Popup");
+        ASSERT_TRUE(menu);
+        EXPECT_EQ(menu->ScrollMax.x, 0);
+        chosen = click_along(ui, menu->Pos.x + 100, menu->Pos.x + 130, menu->Pos.y + 60,
+                             [](const EditorActions& a) { return a.load_preset.has_value(); });
+        ui.frames(2);
+    }
+    ASSERT_TRUE(chosen) << "the button was not found";
+    EXPECT_EQ(*chosen->load_preset, ui.hard_cases.front().key);
+    ui.state.guide.key = ui.hard_cases[1].key;
+    press_key(ImGuiKey_PageDown);
+    EXPECT_EQ(ui.frame().load_preset, ui.hard_cases[2].key);
+    release_key(ImGuiKey_PageDown);
+    ui.frame();
+    ui.state.guide.key = ui.hard_cases.back().key;
+    press_key(ImGuiKey_PageDown);
+    EXPECT_EQ(ui.frame().load_preset, std::nullopt) << "the walk ends";
+    release_key(ImGuiKey_PageDown);
 }
 
 TEST(Comparison, ListsDifferencesForEveryKindOfSetting) {

@@ -98,6 +98,7 @@ EditorActions UiHarness::frame() {
     facts.loading = loading;
     if (sweep) facts.sweep = &*sweep;
     facts.presets = presets;
+    facts.hard_cases = hard_cases;
     facts.recent_scenes = recent_scenes;
     facts.recent_presets = recent_presets;
     facts.comparison = comparison ? &*comparison : nullptr;

@@ -32,7 +32,7 @@ public:
     std::optional<LoadingFacts> loading;
     std::optional<Settings> frame_settings;  ///< that the last frame was drawn under; else the present ones
     std::optional<SweepFacts> sweep;
-    std::vector<PresetEntry> presets;
+    std::vector<PresetEntry> presets, hard_cases;
     std::vector<std::string> recent_scenes, recent_presets;
     std::optional<ComparisonFacts> comparison;
     std::optional<LostFacts> lost;

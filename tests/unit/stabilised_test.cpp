@@ -1,5 +1,8 @@
-// Maps that keep still: the spheres and depths that they are made of. What they promise: tests/hard_cases/snapping_test.cpp.
+// Maps that keep still: the spheres and depths that they are made of. What they promise:
+// tests/hard_cases/snapping_test.cpp.
 #include <gtest/gtest.h>
+
+#include <random>
 
 #include "renderer/settings/splits.h"
 #include "renderer/view/cascades.h"
