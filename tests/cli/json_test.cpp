@@ -321,7 +321,8 @@ TEST(HardCases, AreListedAndOpenByNameAsSceneAndAsPreset) {
     EXPECT_EQ((*grazing)["number"], 1);
     EXPECT_EQ((*grazing)["fixed"], "hard/grazing-fixed");
     const Json whole = json_of({"measure", "hard/grazing", "--json", "--size", "96x72"});
-    const Json preset = json_of({"measure", "--preset", "hard/grazing", "--json", "--size", "96x72"});
+    const Json preset =
+        json_of({"measure", "hard/grazing-fixed", "--preset", "hard/grazing", "--json", "--size", "96x72"});
     const Json mended = json_of({"measure", "hard/grazing-fixed", "--json", "--size", "96x72"});
     EXPECT_GT(whole["error"]["acne"].get<double>(), 0.1);
     EXPECT_EQ(preset["error"], whole["error"]);
