@@ -330,8 +330,8 @@ TEST(HardCases, AreListedAndOpenByNameAsSceneAndAsPreset) {
     const ProcessResult diff = run_program({"preset", "diff", "hard/grazing", "hard/grazing-fixed"});
     EXPECT_EQ(diff.code, 0) << diff.err;
     EXPECT_NE(diff.out.find("bias.kind"), std::string::npos) << diff.out;
-    for (const std::vector<std::string>& misspelt :
-         {std::vector<std::string>{"scene", "hard/grazig"}, {"render", "--preset", "hard/grazig", "-o", "x.png"}}) {
+    for (const std::vector<std::string>& misspelt : {std::vector<std::string>{"scene", "hard/grazig"},
+                                                     {"render", "boxes", "--preset", "hard/grazig", "-o", "x.png"}}) {
         const ProcessResult r = run_program(misspelt, fresh_test_folder());
         EXPECT_EQ(r.code, 2);
         EXPECT_NE(r.err.find("did you mean hard/grazing"), std::string::npos) << r.err;

@@ -40,7 +40,9 @@ constexpr Allowance kAllowances[] = {
     {"no-blockers", "the places of its taps turn by pixel, and are no mirror image", 0.02, false},
     {"edge-on-planes",
      "kernels span several steps, whose depths lie at all distances from the plane: a tap of 25 may turn", 0.1},
-    {"thin-caster", "a wire that no texel caught at home is an edge that no pixel shows", 0.02, true, 2},
+    {"thin-caster",
+     "a wire that no texel caught at home is an edge that no pixel shows; corners snap otherwise in a mirror", 0.02,
+     true, 4},
 };
 
 Allowance allowance_of(std::string_view key) {
@@ -233,7 +235,7 @@ INSTANTIATE_TEST_SUITE_P(Each, HardCasesEverywhere, testing::ValuesIn(all_rows()
 
 // Label `long`: SI_LONG=1, or ctest -L long.
 TEST_P(HardCasesEverywhere, LookAndErrAsAtHomeInEveryPlacement) {
-    if (!std::getenv("SI_LONG")) GTEST_SKIP() << "the full product takes minutes a case: SI_LONG=1";
+    if (!std::getenv("SI_LONG")) GTEST_SKIP() << "some 700 pictures a case: SI_LONG=1";
     Homes homes;
     Differences d;
     compare_places(*GetParam(), true, all_placements(), homes, d);
