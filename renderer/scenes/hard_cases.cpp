@@ -58,7 +58,7 @@ constexpr HardCase kCases[] = {
      kExact, "share of the plane that shadows itself without offset", 0.4, hard_floor_and_box,
      "map.resolution=512 light.elevation=40 light.fit=scene bias.normal=0 bias.constant=0 filter.kernel=hard "
      "map.format=d24",
-     "bias.raster_slope=0", "bias.raster_slope=2 bias.raster_units=4"},
+     "bias.raster_slope=0", "bias.raster_slope=2 bias.raster_units=2000"},
     {6, "light-above", "Light straight above",
      "A basis by a cross product with \"up\" is 0/0 when the light comes exactly from there, and the shadow is gone.",
      "Axes without a branch (Duff et al. 2017), sines and cosines exact at right angles.",

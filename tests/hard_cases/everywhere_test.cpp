@@ -35,11 +35,14 @@ struct Allowance {
     double look = 0.02;  ///< of visibility: less is no difference
     bool mirrors = true;
     std::size_t inside = 0;  ///< pixels of one picture away from what is an edge at home
+    /// Of the same bytes: pixels whose ray passes an edge by less than a double resolves at a place in the world.
+    std::size_t truths = 0;
 };
 constexpr Allowance kAllowances[] = {
     {"no-blockers", "the places of its taps turn by pixel, and are no mirror image", 0.02, false},
     {"edge-on-planes",
-     "kernels span several steps, whose depths lie at all distances from the plane: a tap of 25 may turn", 0.1},
+     "kernels span several steps, whose depths lie at all distances from the plane: a tap of 25 may turn", 0.1, true, 0,
+     1},
     {"thin-caster",
      "a wire that no texel caught at home is an edge that no pixel shows; corners snap otherwise in a mirror", 0.02,
      true, 4},
@@ -156,8 +159,12 @@ int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>
         if (!there) continue;
         ++compared;
         if (placement.exact() && resolved(row, placement) <= kFinestSameBytes) {
-            EXPECT_TRUE(home == *there) << "no number is rounded on the way: the same bytes are due, of which "
-                                        << bytes_off(home, *there);
+            std::size_t truths = 0;
+            for (std::size_t i = 0; i < home.truth.size(); ++i) truths += home.truth[i] != there->truth[i];
+            const bool same =
+                truths == 0 ? home == *there : home.visibility == there->visibility && home.state == there->state;
+            EXPECT_TRUE(same && truths <= allowed.truths)
+                << "no number is rounded on the way: the same bytes are due, of which " << bytes_off(home, *there);
         }
         Differences here;
         here.add(home, *there, allowed.look);

@@ -97,8 +97,10 @@ public:
         texts[driver_] = table;
         std::string page(kIntro);
         for (const char* driver : kStabilityDrivers)
-            if (texts.contains(driver)) page += fmt::format("\n## {}\n{}", driver, texts[driver]);
-        while (page.ends_with("\n\n")) page.pop_back();
+            if (texts.contains(driver)) {
+                page += fmt::format("\n## {}\n{}", driver, texts[driver]);
+                while (page.ends_with("\n\n")) page.pop_back();
+            }
         write_file(kPage, page);
     }
 
