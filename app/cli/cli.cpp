@@ -95,6 +95,7 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
                   "Make maps that follow a camera, cascades too, for the camera of this preset instead of the "
                   "picture's: what it would not see may lack its shadow")
         ->type_name("F");
+    add_numeric_option(*c, o.render.check_numeric);
     c->add_option("--report", o.render.report, "Write facts of the frame as JSON: fit, settings, passes and times")
         ->type_name("F.json");
     c->callback([&o, &run, view] {
@@ -154,6 +155,7 @@ void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
                 "Against a light of its size (light.size), not a point or direction. As --set truth.area=true");
     c->add_flag("!--no-time", o.measure.time, "Take no times");
     add_cost_option(*c, o.measure.cost);
+    add_numeric_option(*c, o.measure.check_numeric);
     c->add_flag(
         "--cures", o.measure.cures,
         "Draw and judge what may put wrong pixels right: pixels cured and broken, time and bytes of each change");
@@ -175,6 +177,7 @@ void add_probe(CLI::App& app, Options& o, std::function<void()>& run) {
     add_session_options(*c, o.session, true);
     c->add_option("--pixel", o.probe.pixel, "The pixel, counted from the top left")->required()->type_name("X,Y");
     add_size(*c, o, "1280x720");
+    add_numeric_option(*c, o.probe.check_numeric);
     c->add_flag("!--no-truth", o.probe.truth, "Trace no rays: only what the map says, no verdict on it");
     c->add_flag("--json", o.json, "All numbers as JSON");
     c->callback([&o, &run] {
@@ -255,9 +258,9 @@ void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_option("--screenshot", o.editor.screenshot, "Where --headless writes the picture")->type_name("F.png");
     add_size(*c, o, "1600x900");
     c->add_option("--probe", o.probe.pixel, "Probe this pixel of the scene's picture at the start")->type_name("X,Y");
-    c->add_option(
-        "--tab", o.editor.tab,
-        "The tab in front at the start: effects, probe, error, objects, compare, frontier, advice, lab or log");
+    c->add_option("--tab", o.editor.tab,
+                  "The tab in front at the start: effects, probe, error, objects, compare, frontier, advice, lab, "
+                  "numbers or log");
     c->add_option("--sweep", o.editor.sweep, "Show the sweep in this folder in the tab frontier")->type_name("DIR");
     c->add_flag("--no-state", o.no_state,
                 "Neither read nor keep layout, recent files and autosaves "
@@ -284,6 +287,7 @@ void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
         ->required()
         ->type_name("SHEET");
     sheet->add_option("--columns", o.sheet.columns, "Tiles in a row (default 8)")->check(CLI::Range(1, 1000));
+    add_numeric_option(*sheet, o.sheet.check_numeric);
     add_size(*sheet, o, "256x192");
     sheet->callback([&o, &run] {
         run = [&o] {
@@ -307,6 +311,7 @@ void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
     add_session_options(*overview, o.session, false);
     overview->add_option("-o,--output", o.overview.folder, "The folder; made if missing (default out)")
         ->type_name("DIR");
+    add_numeric_option(*overview, o.overview.check_numeric);
     add_size(*overview, o, "1280x720");
     overview->callback([&o, &run] {
         run = [&o] {

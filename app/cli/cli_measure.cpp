@@ -52,6 +52,13 @@ CLI::Validator number_between(double least, double most) {
             fmt::format("NUMBER in [{:g} - {:g}]", least, most)};
 }
 
+void add_numeric_option(CLI::App& command, bool& check) {
+    command.add_flag(
+        "--check-numeric", check,
+        "Search every map, visibility and matrix for NaN, infinite values, depths outside 0 to 1, negative "
+        "variances and overflow; where there is one, say where and exit with 1");
+}
+
 void add_cost_option(CLI::App& command, CostCase& cost) {
     command
         .add_option_function<std::string>(
@@ -160,6 +167,7 @@ void add_plan(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
     c->add_option("--rounds", o.plan.rounds, "With --measure: of these turns (default 15)")
         ->check(CLI::Range(3, 10'000))
         ->needs(measure);
+    add_numeric_option(*c, o.plan.check_numeric);
     c->add_flag("--waste", o.plan.waste,
                 "Leave out each map, face and cascade in turn: what changes no byte of the picture is waste");
     c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");

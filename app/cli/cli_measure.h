@@ -27,6 +27,9 @@ using AddSessionOptions = std::function<void(CLI::App& command, SessionOptions& 
 /// Of an option that takes a finite number within bounds; CLI::Range lets what is no number pass.
 CLI::Validator number_between(double least, double most);
 
+/// Adds --check-numeric to a command.
+void add_numeric_option(CLI::App& command, bool& check);
+
 /// Adds --cost to a command.
 void add_cost_option(CLI::App& command, CostCase& cost);
 

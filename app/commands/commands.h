@@ -30,10 +30,11 @@ struct RenderOptions {
     std::string output, view = "shaded", report;
     bool view_given = false;
     PictureSize size;
-    std::string against;      ///< "truth" or a preset: the picture is held against that one; empty: it stands alone
-    double swipe = -1;        ///< where the line between the two stands, 0..1; negative: beside each other
-    bool difference = false;  ///< |A - B| instead
-    std::string fit_camera;   ///< a preset: maps that follow a camera are made for its own; empty: for the picture's
+    std::string against;         ///< "truth" or a preset: the picture is held against that one; empty: it stands alone
+    double swipe = -1;           ///< where the line between the two stands, 0..1; negative: beside each other
+    bool difference = false;     ///< |A - B| instead
+    bool check_numeric = false;  ///< and fail where a number is none, or lies where none can
+    std::string fit_camera;      ///< a preset: maps that follow a camera are made for its own; empty: for the picture's
 };
 void run_render(const RenderOptions& options);
 
@@ -51,6 +52,7 @@ struct MeasureOptions {
     SessionOptions session;
     PictureSize size;
     bool time = true, json = false;
+    bool check_numeric = false;
     bool cures = false;  ///< and what would put wrong pixels right
     CostCase cost = kDefaultCost;
 };
@@ -62,7 +64,8 @@ struct PlanOptions {
     PictureSize size;
     bool measure = false;  ///< what each saving is worth, in ms
     int rounds = 15;       ///< of frames in turns
-    bool waste = false;    ///< what changes nothing when it is left out
+    bool check_numeric = false;
+    bool waste = false;  ///< what changes nothing when it is left out
     bool json = false;
 };
 /// What a frame of the scene simulates, and what not and why.
@@ -123,7 +126,7 @@ struct ProbeOptions {
     SessionOptions session;
     std::string pixel;  ///< "X,Y" from the top left
     PictureSize size;
-    bool json = false, truth = true;
+    bool json = false, truth = true, check_numeric = false;
 };
 void run_probe(const ProbeOptions& options);
 
@@ -144,6 +147,7 @@ struct ContactSheetOptions {
     std::string folder, output;
     int columns = 8;
     PictureSize size{256, 192};  ///< of each tile
+    bool check_numeric = false;
 };
 /// Draws every .gltf and .glb file below a folder into one picture, and writes an index beside it (.txt).
 void run_contact_sheet(const ContactSheetOptions& options);
@@ -198,6 +202,7 @@ struct OverviewOptions {
     SessionOptions session;
     std::string folder = "out";
     PictureSize size;
+    bool check_numeric = false;
 };
 /// The editor, the scene, its shadow map and visibility as pictures, and a table of passes and times.
 void run_overview(const OverviewOptions& options);

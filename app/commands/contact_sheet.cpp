@@ -10,6 +10,7 @@
 #include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
+#include "app/report/health_report.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/renderer.h"
 
@@ -85,10 +86,11 @@ struct Tile {
     ByteImage picture;
     std::string text;
     std::vector<std::string> notes;
+    std::string unsound;  ///< which of its numbers are none; empty: all are sound, or nobody asked
     bool failed = false;
 };
 
-Tile draw_tile(Renderer& renderer, const fs::path& model, const PictureSize& size) {
+Tile draw_tile(Renderer& renderer, const fs::path& model, const PictureSize& size, bool check_numeric) {
     Tile tile;
     try {
         const Session session = open_session({.scene = model.string()});
@@ -97,6 +99,10 @@ Tile draw_tile(Renderer& renderer, const fs::path& model, const PictureSize& siz
         tile.picture = renderer.read_colour(frame.colour);
         tile.text = fmt::format("{} triangles", session.scene.triangle_count());
         tile.notes = session.scene.warnings;
+        if (check_numeric) {
+            const auto health = search_numbers(renderer, session.scene, session.settings, request);
+            if (!health->sound()) tile.unsound = health_text(*health), tile.notes.push_back(tile.unsound);
+        }
     } catch (const std::exception& e) {
         tile.failed = true;
         tile.text = one_line(e.what());
@@ -125,10 +131,11 @@ void run_contact_sheet(const ContactSheetOptions& options) {
     Renderer renderer;
     Sheet sheet(columns * step_x, rows * step_y);
     std::string index;
+    std::string unsound;
     int failures = 0;
     for (std::size_t i = 0; i < models.size(); ++i) {
         const int x = int(i) % columns * step_x, y = int(i) / columns * step_y;
-        const Tile tile = draw_tile(renderer, models[i], options.size);
+        const Tile tile = draw_tile(renderer, models[i], options.size, options.check_numeric);
         if (tile.failed) {
             ++failures;
             sheet.fill(x, y, options.size.width, options.size.height, {92, 30, 30});
@@ -141,12 +148,14 @@ void run_contact_sheet(const ContactSheetOptions& options) {
                     options.size.width - 6, {230, 230, 230});
         index += fmt::format("{}\t{}\t{}\t{}\n", i + 1, tile.failed ? "NOT SHOWN" : "shown",
                              one_line(fs::relative(models[i], options.folder).string()), tile.text);
+        if (unsound.empty() && !tile.unsound.empty()) unsound = fmt::format("{}: {}", models[i].string(), tile.unsound);
         for (const std::string& note : tile.notes) index += fmt::format("\t\t\t{}\n", one_line(note));
     }
     write_png(options.output, sheet.image());
     write_file(index_path, index);
     fmt::print("{} models in {}, {} of them not shown; {} says which and why\n", models.size(), options.output,
                failures, index_path.string());
+    if (!unsound.empty()) throw Error(fmt::format("--check-numeric: {}", unsound));
 }
 
 }  // namespace si

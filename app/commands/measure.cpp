@@ -10,6 +10,7 @@
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
 #include "app/report/cures_json.h"
+#include "app/report/health_report.h"
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
 #include "app/sweep/progress_line.h"
@@ -86,6 +87,10 @@ void run_measure(const MeasureOptions& options) {
                                line.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
                            });
     }
+    std::shared_ptr<const NumericHealth> health;
+    if (options.check_numeric)
+        health = search_numbers(renderer, session.scene, session.settings,
+                                {.width = options.size.width, .height = options.size.height});
     if (options.json) {
         Json json = {{"format", "shadow-inspector-measurement"},
                      {"version", 1},
@@ -101,6 +106,7 @@ void run_measure(const MeasureOptions& options) {
         json["cost"] = cost_json(judged.cost);
         if (judged.pages) json["pages"] = pages_json(*judged.pages);
         json["cures"] = cures ? cures_json(*cures) : Json();
+        json["numeric_health"] = health ? health_json(*health) : Json();
         json["driver"] = driver_json(renderer.driver());
         fmt::print("{}", json_text(json));
     } else {
@@ -108,9 +114,11 @@ void run_measure(const MeasureOptions& options) {
         print_time_and_cost(time, judged.cost);
         if (judged.pages) fmt::print("{}\n", page_text(*judged.pages));
         if (cures) print_cures(*cures, cures->rows.size());
+        if (health && health->sound()) fmt::print("{}\n", health_text(*health));
     }
     print_notes(session.notes);
     print_notes(judged.notes);
+    if (health) require_sound(*health);
 }
 
 }  // namespace si

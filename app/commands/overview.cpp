@@ -7,6 +7,7 @@
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
 #include "app/editor/editor.h"
+#include "app/report/health_report.h"
 #include "app/report/map_report.h"
 #include "app/report/views.h"
 #include "renderer/base/error.h"
@@ -47,6 +48,7 @@ void run_overview(const OverviewOptions& options) {
     FrameResult frame;
     DriverInfo driver;
     std::optional<MapReport> map;
+    std::shared_ptr<const NumericHealth> health;
     {
         const HeadlessContext context;
         Renderer renderer;
@@ -65,6 +67,7 @@ void run_overview(const OverviewOptions& options) {
         frame = renderer.render(session.scene, session.settings, request);
         driver = renderer.driver();
         map = map_report(renderer, session.scene, session.settings, request);
+        if (options.check_numeric) health = search_numbers(renderer, session.scene, session.settings, request);
     }
     // The editor has a context of its own, so this one has to be gone.
     draw_editor(options, file("editor.png"));
@@ -76,6 +79,7 @@ void run_overview(const OverviewOptions& options) {
                    map->utilisations.size() > 1 ? fmt::format(", face {}", map->face) : "");
     print_notes(session.notes);
     print_notes(frame.notes);
+    if (health) require_sound(*health);
 }
 
 }  // namespace si

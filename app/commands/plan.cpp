@@ -7,6 +7,7 @@
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
 #include "app/report/effects_json.h"
+#include "app/report/health_report.h"
 #include "app/report/report.h"
 #include "app/sweep/progress_line.h"
 #include "renderer/reference/truth_picture.h"
@@ -71,6 +72,7 @@ struct Planned {
     std::optional<SavedTimes> saved;
     std::optional<Waste> waste;
     std::vector<std::string> notes;
+    std::shared_ptr<const NumericHealth> health;
 };
 
 Planned plan_of(const Session& session, const PlanOptions& options, Renderer& renderer, Steps& steps) {
@@ -83,6 +85,11 @@ Planned plan_of(const Session& session, const PlanOptions& options, Renderer& re
     for (Effect& effect : frame_effects(session.scene, session.settings, frame))
         plan.effects.push_back(std::move(effect));
     plan.notes = frame.notes;
+    if (options.check_numeric) {
+        FrameRequest searched = request;
+        searched.outputs.health = true;
+        plan.health = renderer.numeric_health(renderer.render(session.scene, session.settings, searched));
+    }
     if (options.measure)
         plan.saved = measure_saved(renderer, session.scene, session.settings, request, named_savings(plan.effects),
                                    options.rounds, steps.workers(),
@@ -134,6 +141,7 @@ void run_plan(const PlanOptions& options) {
     }
     print_notes(session.notes);
     print_notes(plan.notes);
+    if (plan.health) require_sound(*plan.health);
 }
 
 }  // namespace si

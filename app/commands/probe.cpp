@@ -9,6 +9,7 @@
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
 #include "app/report/cures_json.h"
+#include "app/report/health_report.h"
 #include "app/report/probe_json.h"
 #include "app/report/report.h"
 #include "app/report/views.h"
@@ -201,6 +202,8 @@ void run_probe(const ProbeOptions& options) {
         if (table) print_cures(*table, 8);
     }
     print_notes(session.notes);
+    if (options.check_numeric)
+        require_sound(*search_numbers(renderer, session.scene, session.settings, request, tracing_workers()));
 }
 
 }  // namespace si

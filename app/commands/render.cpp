@@ -7,6 +7,7 @@
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
 #include "app/report/against.h"
+#include "app/report/health_report.h"
 #include "app/report/map_report.h"
 #include "app/report/report.h"
 #include "app/report/views.h"
@@ -109,8 +110,12 @@ void run_render(const RenderOptions& options) {
     } else {
         write_view(renderer, session.scene, session.settings, request, view, options.output, &frame, tracing_workers());
     }
+    std::shared_ptr<const NumericHealth> health;
+    if (options.check_numeric)
+        health = search_numbers(renderer, session.scene, session.settings, request, tracing_workers());
     if (!options.report.empty()) {
         auto report = report_json(session, view.key, request, frame, renderer.driver());
+        if (health) report["numeric_health"] = health_json(*health);
         if (against) report["against"] = {{"what", options.against}, {"mean_difference", mean}};
         const PaneGrid grid = picture_grid(session.settings, request.width, request.height);
         request.width = grid.width, request.height = grid.height;
@@ -122,6 +127,7 @@ void run_render(const RenderOptions& options) {
     print_notes(frame.notes);
     for (std::size_t i = 0; i < frame.lights.size(); ++i)
         print_notes(lost_caster_notes(session.scene, lost_casters(session.scene, session.settings, frame.lights[i])));
+    if (health) require_sound(*health);
 }
 
 }  // namespace si

@@ -20,6 +20,7 @@ void FrameFacts::fill(EditorFrame& f) const {
     f.error = driver ? result.error.get() : nullptr;
     f.against = against;
     f.effects = effects;
+    f.health = health.get();
     f.shader_log = shader_log;
 }
 

@@ -33,7 +33,8 @@ struct FrameFacts {
     ReadingFacts readings;
     std::optional<TruthFacts> truth;
     std::optional<AgainstFacts> against;
-    std::vector<Effect> effects;  ///< empty unless asked for
+    std::vector<Effect> effects;                  ///< empty unless asked for
+    std::shared_ptr<const NumericHealth> health;  ///< null: not asked for, or not there yet
     std::string shader_log;
     std::string problem;  ///< why there is no picture; empty: nothing is wrong
 

@@ -21,6 +21,7 @@ FrameFacts FrameLoop::facts() const {
     f.readings = readings_.facts();
     f.against = against_.facts();
     f.effects = effects_;
+    f.health = health_;
     f.shader_log = shader_log_;
     f.problem = problem_;
     return f;
@@ -32,6 +33,7 @@ void FrameLoop::clear() {
     truth_.clear();
     against_.clear();
     frame_effects_.clear(), effects_.clear();
+    health_.reset();
 }
 
 FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const EditorActions& actions,
@@ -52,8 +54,19 @@ FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const
         report(e.what());
         news_.changed = true;
     }
+    news_.changed |= follow_health();
     news_.changed |= follow_effects(scene, state, actions, drawn);
     return std::move(news_);
+}
+
+bool FrameLoop::follow_health() {
+    std::shared_ptr<const NumericHealth> health;
+    bool waits = false;
+    if (drawn_ && request_.outputs.health && renderer_.holds(result_)) {
+        health = renderer_.numeric_health(result_, false);
+        waits = !health;
+    }
+    return std::exchange(health_, health) != health || waits;
 }
 
 bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, const EditorActions& actions,
@@ -87,6 +100,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     wanted.outputs.map_coordinates = actions.want_links;
     wanted.outputs.texels_read = actions.want_exact_texels;
     wanted.outputs.error = actions.want_error;
+    wanted.outputs.health = actions.want_health;
     wanted.outputs.true_colour = state.against.view != AgainstView::Off && state.against.truth;
     wanted.timing = actions.want_timing;
     wanted.forced = state.effects.forced;

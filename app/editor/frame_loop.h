@@ -63,6 +63,8 @@ private:
     /// Traces and compares what is shown.
     bool follow_truth(const Scene& scene, const PictureState& state, const EditorActions& actions, bool drawn,
                       const ComparisonFacts* comparison);
+    /// Searches the frame's numbers while a panel shows what is found.
+    bool follow_health();
     /// Tells what the frame simulates while a panel shows it.
     bool follow_effects(const Scene& scene, const PictureState& state, const EditorActions& actions, bool drawn);
 
@@ -78,10 +80,11 @@ private:
     EditorReadings readings_;
     EditorTruth truth_;
     EditorAgainst against_;
-    std::vector<Effect> frame_effects_;  ///< of the frame drawn last; empty: not asked for yet
-    std::vector<Effect> effects_;        ///< these, and what stands behind panels
-    std::uint64_t posed_scene_ = 0;      ///< Scene::id of the frame before
-    std::set<std::uint64_t> foreseen_;   ///< Renderer::programs_key() of frames whose followers are
+    std::shared_ptr<const NumericHealth> health_;  ///< of the frame drawn last; null: not asked for, or not there yet
+    std::vector<Effect> frame_effects_;            ///< of the frame drawn last; empty: not asked for yet
+    std::vector<Effect> effects_;                  ///< these, and what stands behind panels
+    std::uint64_t posed_scene_ = 0;                ///< Scene::id of the frame before
+    std::set<std::uint64_t> foreseen_;             ///< Renderer::programs_key() of frames whose followers are
     std::unique_ptr<Rehearsals> rehearsals_;
 };
 

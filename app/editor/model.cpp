@@ -16,7 +16,8 @@ BottomTab tab_named(const std::string& name) {
     static const std::vector<std::pair<std::string, BottomTab>> kTabs = {
         {"effects", BottomTab::Effects}, {"probe", BottomTab::Probe},     {"error", BottomTab::Error},
         {"objects", BottomTab::Objects}, {"compare", BottomTab::Compare}, {"frontier", BottomTab::Frontier},
-        {"advice", BottomTab::Advice},   {"lab", BottomTab::Lab},         {"log", BottomTab::Log}};
+        {"advice", BottomTab::Advice},   {"lab", BottomTab::Lab},         {"numbers", BottomTab::Numbers},
+        {"log", BottomTab::Log}};
     std::string names;
     for (const auto& [key, tab] : kTabs) {
         if (key == name || name.empty()) return tab;

@@ -42,6 +42,9 @@ constexpr PanelRow kPanels[] = {
      [](const PictureState&, const EditorActions& a) { return a.want_present; },
      "The frontier panel follows the settings: they are measured in the background.",
      "The frontier panel is hidden, or does not follow the settings."},
+    {"panel: soundness of all numbers", [](const PictureState&, const EditorActions& a) { return a.want_health; },
+     "The panel Numbers is shown: every map and the visibility are searched once a frame.",
+     "The panel Numbers is hidden."},
     {"panel: pass times", [](const PictureState&, const EditorActions& a) { return a.want_timing; },
      "This panel shows them: each pass is timed.", "No panel shows times."},
 };

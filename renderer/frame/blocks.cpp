@@ -100,7 +100,7 @@ std::string blocks_text(bool as_images) {
     return fmt::format("#define BLOCKS_AS_IMAGES {}\n", int(as_images)) + settings_block_text(as_images);
 }
 
-void Renderer::Impl::upload_blocks(const FrameState& f) {
+shared::FrameBlock frame_block(const FrameState& f) {
     shared::FrameBlock block{};
     block.clip_from_relative = glm::mat4(f.camera.clip_from_relative(f.origin));
     const glm::dmat3& axes = f.camera.axes;
@@ -123,7 +123,7 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
     const bool from_world = f.settings.map.origin == int(MapOrigin::World);
     block.map_origin = glm::vec4(from_world ? glm::vec3(0) : glm::vec3(f.scene.bounds.centre() - f.origin), 0.f);
     block.picture = glm::vec4(f.request.width, f.request.height, 0, 0);
-    const PolygonOffset& offset = driver.offset[std::size_t(f.settings.map.format)];
+    const PolygonOffset& offset = f.driver.offset[std::size_t(f.settings.map.format)];
     block.pixel = glm::vec4(f.pixel_origin, cost_of(f.settings).texels, 0);
     block.offset = glm::vec4(offset.unit_depth, offset.unit_steps, offset.slope_gain, offset.slope_is_length ? 1 : 0);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
@@ -133,6 +133,11 @@ void Renderer::Impl::upload_blocks(const FrameState& f) {
         for (std::size_t v = 0; v < light.views.size(); ++v)
             block.views[std::size_t(f.first_view[i]) + v] = view_block(f, light, v);
     }
+    return block;
+}
+
+void Renderer::Impl::upload_blocks(const FrameState& f) {
+    const shared::FrameBlock block = frame_block(f);
     Blocks& blocks = resources.blocks;
     blocks.frame.put(std::as_bytes(std::span(&block, 1)));
     blocks.frame.bind_block(shared::BLOCK_FRAME);

@@ -27,6 +27,13 @@ private:
     gl::Texture texels_;
 };
 
+struct FrameState;
+namespace shared {
+struct FrameBlock;
+}
+/// What stands in the frame's block.
+shared::FrameBlock frame_block(const FrameState& f);
+
 struct Blocks {
     TexelBuffer frame{"frame uniforms"}, settings{"settings uniforms"};
     TexelBuffer disk{"places of disks"};  ///< of kernels that sample a circle

@@ -329,6 +329,7 @@ const EffectRow kRows[] = {
     {.pass = "drawn depth range",
      .why = SI_WHY("view.map_fit fits the greys of the map viewer to what is drawn"),
      .unasked = viewer_unasked},
+    {.pass = "numeric health", .why = SI_WHY("somebody asks whether all numbers are sound")},
     {.pass = "map viewer", .why = SI_WHY("the map viewer is open")},
 };
 

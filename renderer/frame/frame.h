@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/frame/numeric_health.h"
 #include "renderer/frame/page_facts.h"
 #include "renderer/frame/results.h"
 #include "renderer/frame/savings.h"
@@ -42,6 +43,7 @@ struct Outputs {
     bool evidence = false;   ///< all trials of every pixel (CauseEvidence); takes FrameRequest::truth where it is there
     bool unfiltered_map = false;  ///< what trials of a probed pixel read is up to date
     bool true_colour = false;     ///< the picture as the truth lights it; needs FrameRequest::truth
+    bool health = false;          ///< whether all its numbers are sound: Renderer::numeric_health()
     bool operator==(const Outputs&) const = default;
 };
 

@@ -67,6 +67,8 @@ std::string_view result_name(Result result) {
             return "depth range";
         case Result::MapView:
             return "map view";
+        case Result::Health:
+            return "numeric health";
     }
     return {};
 }

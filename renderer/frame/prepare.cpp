@@ -361,7 +361,7 @@ void arrange_panes(FrameState& f) {
     const int count = v.panes == int(Panes::Four) ? 4 : v.panes == int(Panes::Two) ? 2 : 1;
     const Outputs& o = f.request.outputs;
     find_truth(f, {chosen, std::size_t(count)});
-    f.separate_visibility = o.visibility || f.settings.shading.separate_visibility ||
+    f.separate_visibility = o.visibility || o.health || f.settings.shading.separate_visibility ||
                             f.request.forced.contains(Saving::Fused) ||
                             (f.truth.met && (o.error || o.judged || o.true_colour));
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)

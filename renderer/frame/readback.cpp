@@ -6,6 +6,7 @@
 #include "renderer/base/error.h"
 #include "renderer/frame/map_depths.h"
 #include "renderer/frame/renderer_impl.h"
+#include "renderer/passes/numeric_health.h"
 
 namespace si {
 namespace {
@@ -112,6 +113,11 @@ FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
                       out.data.data());
     flip_rows(out.data, t.width, t.height, 1);
     return out;
+}
+
+std::shared_ptr<const NumericHealth> Renderer::numeric_health(const FrameResult& frame, bool wait) {
+    require(frame, impl_->number, impl_->resources, Result::Health);
+    return read_numeric_health(impl_->resources, wait);
 }
 
 bool Renderer::holds(const FrameResult& frame) const {

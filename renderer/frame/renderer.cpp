@@ -60,6 +60,7 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
     if (o.true_colour) wanted.push_back(Result::TruePicture);
     if (o.map_coordinates) wanted.push_back(Result::MapCoordinates);
     if (o.texels_read) wanted.push_back(Result::TexelsRead);
+    if (o.health) wanted.push_back(Result::Health);
     if (o.shadow_map) wanted.insert(wanted.end(), {Result::MapView, Result::ShadowMaps});
     return wanted;
 }
@@ -127,6 +128,7 @@ void plan_frame(FrameState& f) {
     add_map_coordinates_pass(f);
     add_texels_read_pass(f);
     add_map_view_passes(f);
+    add_numeric_health_pass(f);
 }
 
 FrameResult Renderer::Impl::draw(FrameState& f) {

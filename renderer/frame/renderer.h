@@ -52,6 +52,9 @@ public:
     FloatImage read_shadow_map(const FrameResult& frame, int light, int face);
     /// The depth image behind that frame's `map_view`, as stored, in [0,1]. @throws Error as read_shadow_map() does
     FloatImage read_map_view_depth(const FrameResult& frame);
+    /// What a frame's numbers are worth; that was asked for Outputs::health. Null: the driver is not through with it.
+    /// @param wait for the driver @throws Error when the frame did not ask, or another one was drawn in its place
+    std::shared_ptr<const NumericHealth> numeric_health(const FrameResult& frame, bool wait = true);
     /// Evaluates the shadow test at a pixel of the frame of these (row 0 at the top). It draws what it needs of it, and
     /// leaves images of that frame as they are.
     Probe probe(const Scene& scene, const Settings& settings, const FrameRequest& request, int x, int y);

@@ -36,6 +36,7 @@ enum class Result {
     MapChannel,      ///< one of the moments of the map that the viewer shows
     DepthRange,      ///< smallest and largest depth of what the map viewer shows
     MapView,         ///< the map viewer's picture
+    Health,          ///< which numbers of all these are none, or lie where none can
 };
 
 /// A result in words: "shadow maps".

@@ -213,6 +213,8 @@ void add_map_coordinates_pass(FrameState& f);
 /// Which texels of the shown map the kernels of all pixels fetch, exactly.
 void add_texels_read_pass(FrameState& f);
 void add_map_view_passes(FrameState& f);
+/// Searches all that the frame made so far, maps and visibility, for what is no number.
+void add_numeric_health_pass(FrameState& f);
 /// Of one pane, over its picture so far. The caller names it and what it reads and writes.
 Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane);
 

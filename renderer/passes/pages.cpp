@@ -492,6 +492,11 @@ void add_unfiltered_pages_pass(FrameState& f, Pass pass) {
     f.plan.add(std::move(pass));
 }
 
+ReadPages pages_read(Resources& resources) {
+    const PageTargets& t = resources.owned.get<PageTargets>();
+    return {t.choice.read, t.page};
+}
+
 PageFacts page_facts(Resources& resources, bool drawn) {
     PageFacts facts = resources.owned.get<PageTargets>().facts;
     if (!drawn) facts.kept += facts.drawn, facts.drawn = facts.evicted = 0;

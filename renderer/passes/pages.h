@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "renderer/frame/page_cache.h"
 #include "renderer/frame/state.h"
 
 namespace si {
@@ -11,6 +12,13 @@ namespace si {
 /// page was asked for is as deep as what was never drawn on.
 std::vector<float> read_paged_depths(Resources& resources, int layer, glm::ivec2 first, glm::ivec2 size,
                                      float empty_depth);
+
+/// Pages of the pool that the frame reads, and how many texels a side they have.
+struct ReadPages {
+    std::vector<PlacedPage> pages;
+    int texels = 0;
+};
+ReadPages pages_read(Resources& resources);
 
 /// Of the frame's pages. @param drawn whether the frame drew any itself
 PageFacts page_facts(Resources& resources, bool drawn);

@@ -19,6 +19,7 @@ const int UNIT_JUDGED = 9;
 const int UNIT_UNFILTERED_MAP = 10;
 const int UNIT_MAP_BOUNDS = 12;
 const int UNIT_PRECISION = 13;
+const int UNIT_SEARCHED = 21;        // whose numbers are searched for what is none
 const int UNIT_MOMENTS = 14;
 const int UNIT_LIGHT_MAP = 11;
 const int UNIT_VOLUMES = 15;

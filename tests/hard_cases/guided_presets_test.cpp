@@ -7,6 +7,7 @@
 #include "app/session/presets.h"
 #include "app/session/session.h"
 #include "renderer/reference/truth_picture.h"
+#include "renderer/reference/error_task.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/earlier.h"
 #include "renderer/settings/param.h"
@@ -76,9 +77,12 @@ TEST(GuidedPresetFiles, OpenWithoutRemarksButForTheCastersTheyLose) {
         EXPECT_TRUE(session.notes.empty()) << session.notes.front();
         FrameRequest request;
         request.width = 64, request.height = 36;
+        request.outputs.health = true;
         TruthCache truths;  // what is baked or traced for a picture is there when it is shown
         trace_sources(hard_renderer(), session.scene, session.settings, request, truths);
         const FrameResult frame = hard_renderer().render(session.scene, session.settings, request);
+        const auto health = hard_renderer().numeric_health(frame);
+        EXPECT_TRUE(health->sound()) << health_text(*health);
         for (const std::string& note : frame.notes)
             EXPECT_TRUE((p.topic == "Front-face culling" && note.find("casts no shadow") != std::string::npos) ||
                         (p.key == "full-page-pool" && note.find("map.page_pool") != std::string::npos))

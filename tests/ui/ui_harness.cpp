@@ -123,6 +123,7 @@ EditorActions UiHarness::frame() {
         if (effects.effects.empty()) facts.effects = effects_;
         static_cast<AdviceShown&>(facts) = advice;
         static_cast<LabShown&>(facts) = lab;
+        facts.health = health;
     }
     ImGui::NewFrame();
     EditorActions actions = draw_editor(state, facts);

@@ -50,6 +50,7 @@ public:
     EffectsShown effects;  ///< where its list is empty, that of the made-up frame
     AdviceShown advice;
     LabShown lab;
+    const NumericHealth* health = nullptr;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
     double frame_seconds = 1.0 / 60;

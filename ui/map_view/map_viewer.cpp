@@ -183,6 +183,14 @@ void mark_taps(const MapRect& rect, const Probe::PerLight& p) {
     outline_texels(rect, p.taps_first, p.taps_size, theme::kProbed);
 }
 
+/// The texel of a finding that was clicked, in the map that it is of.
+void mark_finding(const EditorState& state, const FrameResult& result, const MapRect& shown) {
+    const auto& mark = state.marked_texel;
+    if (!mark || mark->light != shown_light(state.settings) || mark->view != shown_face(state.settings, result)) return;
+    if (mark->level == result.shown_map.mip && shown.holds(mark->texel))
+        outline_texels(shown, mark->texel, {1, 1}, theme::kError);
+}
+
 /// The marks of the texels that the picture's kernels fetch, where they are asked for and this frame has them.
 const Image* exact_marks(const EditorState& state, const EditorFrame& frame) {
     const Image& marks = frame.result->texels_read;
@@ -301,6 +309,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
                 if (p.casts && p.light == shown_light(state.settings) && p.face == shown_face(state.settings, result) &&
                     p.where == "inside")
                     mark_taps(rect, p);
+        mark_finding(state, result, shown);
         if (state.hovered_pixel) mark_pixels_texels(state, frame, rect, *state.hovered_pixel, theme::kLinked);
     }
     auto text = title(state.settings, result, fitted);

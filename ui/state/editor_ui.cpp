@@ -117,6 +117,7 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& ac
     tab(state, BottomTab::Frontier, "Frontier", [&] { draw_frontier(state, frame, actions); });
     tab(state, BottomTab::Advice, "Advice", [&] { draw_advice_panel(state, frame, actions); });
     tab(state, BottomTab::Lab, "Lab", [&] { draw_lab(state, frame, actions); });
+    tab(state, BottomTab::Numbers, "Numbers", [&] { draw_health(state, frame, actions); });
     const int errors = state.log.unseen_errors();
     const std::string log = errors > 0 ? fmt::format("Log ({})###Log", errors) : std::string("Log###Log");
     if (errors > 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);

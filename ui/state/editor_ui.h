@@ -16,6 +16,7 @@
 #include "ui/panels/compare.h"
 #include "ui/panels/cures.h"
 #include "ui/panels/effects.h"
+#include "ui/panels/health.h"
 #include "ui/panels/lab.h"
 #include "ui/panels/presets.h"
 #include "ui/panels/probed.h"
@@ -40,7 +41,7 @@ struct EditorLayout {
     bool operator==(const EditorLayout&) const = default;
 };
 
-enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice, Lab, Log };
+enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice, Lab, Numbers, Log };
 
 /// What of the editor's state its frames, and the numbers read from them, depend on.
 struct PictureState {
@@ -74,6 +75,7 @@ struct EditorState : PictureState {
     EditorLayout layout;
     MapWindow map_window;
     bool exact_texels = false;                ///< the map viewer marks the texels that kernels fetch
+    std::optional<MarkedTexel> marked_texel;  ///< that a finding of the panel Numbers stands at
     std::string map_path = "shadow-map.pfm";  ///< that the map viewer's Save writes
     std::optional<glm::ivec2> hovered_pixel;  ///< under the mouse in the scene picture, row 0 at the top
     std::optional<glm::ivec2> hovered_texel;  ///< under the mouse in the map viewer, y up
@@ -105,7 +107,7 @@ struct LoadingFacts {
 };
 
 /// What the last frame found out. Pointers may be null: the editor draws without them.
-struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown, AdviceShown, LabShown {
+struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown, AdviceShown, LabShown, HealthShown {
     const FrameResult* result = nullptr;
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
@@ -130,7 +132,8 @@ struct EditorActions : MapActions,
                        CureActions,
                        EffectsActions,
                        AdviceActions,
-                       LabActions {
+                       LabActions,
+                       HealthActions {
     int scene_width = 0, scene_height = 0;  ///< wanted size of the scene picture; 0: not shown
     bool want_overlay_values = false;       ///< a scene picture is hovered
     bool want_timing = false;

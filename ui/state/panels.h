@@ -25,6 +25,8 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
 void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 /// Where the scene is put, what single precision makes of it, and how much edges crawl.
 void draw_lab(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+/// Which numbers of the frame are none, and where.
+void draw_health(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_log(EditorState& state, const EditorFrame& frame);
 void draw_shortcuts(EditorState& state);
 /// Only where time_bar_height() is not 0: the scene has animations.

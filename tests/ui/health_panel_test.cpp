@@ -1,0 +1,75 @@
+// The panel of the frame's numbers: what it asks for and shows, and that a click on a finding shows its texel.
+#include <gtest/gtest.h>
+
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+std::string letters_of(const UiHarness& ui) {
+    std::string out;
+    for (const char32_t c : ui.printed()) out += c < 128 ? char(c) : '?';
+    return out;
+}
+
+NumericHealth made_up_health() {
+    NumericHealth health;
+    health.findings = {{.fault = NumberFault::NegativeVariance,
+                        .image = Result::ShadowMaps,
+                        .place = "shadow map of light 0",
+                        .light = 0,
+                        .view = 0,
+                        .count = 3,
+                        .first = {40, 7},
+                        .worst = {100, 20},
+                        .value = -0.5,
+                        .unit = "texel"},
+                       {.fault = NumberFault::NotANumber,
+                        .image = Result::Visibility,
+                        .place = "visibility of light 0",
+                        .light = 0,
+                        .count = 1,
+                        .first = {33, 12},
+                        .worst = {33, 12},
+                        .unit = "pixel"}};
+    return health;
+}
+
+TEST(NumbersPanel, AsksOnlyWhileItIsShownAndSaysWhatIsSound) {
+    UiHarness ui(1900, 1000);
+    EXPECT_FALSE(ui.frames(3).want_health);
+    ui.state.open_tab = BottomTab::Numbers;
+    EXPECT_TRUE(ui.frames(4).want_health);
+    EXPECT_NE(letters_of(ui).find("Searching"), std::string::npos);
+    NumericHealth sound;
+    sound.images = 7, sound.numbers = 4321;
+    ui.health = &sound;
+    ui.frames(2);
+    EXPECT_NE(letters_of(ui).find("Allnumbersaresound."), std::string::npos);
+    EXPECT_NE(letters_of(ui).find("4321numbersin7images"), std::string::npos);
+}
+
+TEST(NumbersPanel, AClickShowsTheTexelInTheMapOrProbesThePixel) {
+    UiHarness ui(1300, 800);
+    const NumericHealth health = made_up_health();
+    ui.health = &health;
+    ui.state.open_tab = BottomTab::Numbers;
+    ui.state.settings.view.map_source = int(MapSource::Camera);
+    ui.frames(4);
+    const std::string text = letters_of(ui);
+    for (const char* part : {"avariancebelow0", "shadowmapoflight0", "3texels", "40,7", "100,20", "-0.5", "NaN"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    const auto row = ui.find("Numbers", "findings", "a variance below 0###finding 0");
+    ASSERT_TRUE(row);
+    ui.click(*row);
+    EXPECT_EQ(ui.state.settings.view.map_source, int(MapSource::Light));
+    ASSERT_TRUE(ui.state.marked_texel);
+    EXPECT_EQ(ui.state.marked_texel->texel, glm::ivec2(100, 20));
+    EXPECT_GT(ui.state.map_window.zoom, 2) << "the texel is too small to see";
+    EXPECT_FALSE(ui.state.probe_pixel);
+    for (float y = row->y + 10; y < row->y + 40 && !ui.state.probe_pixel; y += 5) ui.click({row->x, y});
+    EXPECT_EQ(ui.state.probe_pixel, glm::ivec2(33, 12));
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,26 @@
+// What the panel of the frame's numbers is told, wishes for and marks.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "renderer/frame/numeric_health.h"
+
+namespace si {
+
+struct HealthShown {
+    const NumericHealth* health = nullptr;  ///< of the frame shown; null: not asked for, or not there yet
+};
+
+struct HealthActions {
+    bool want_health = false;  ///< the panel is shown: the frame's numbers are searched
+};
+
+/// A texel that the map viewer outlines, from the lower left.
+struct MarkedTexel {
+    int light = 0, view = 0;
+    glm::ivec2 texel{0};
+    int level = 0;  ///< mip level that it is of
+    bool operator==(const MarkedTexel&) const = default;
+};
+
+}  // namespace si

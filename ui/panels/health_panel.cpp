@@ -1,0 +1,109 @@
+// Which of the frame's numbers are none, or lie where none can. A click shows where.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "renderer/settings/filters.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+constexpr float kTexelsShown = 24;  ///< across the map viewer, about a texel that was clicked
+
+bool is_of_map(const NumberFinding& f) {
+    return f.image && f.light >= 0 && f.view >= 0;
+}
+
+/// Has the map viewer show a texel, and outline it.
+void show_texel(EditorState& state, const FrameResult& result, const NumberFinding& f) {
+    ViewSettings& v = state.settings.view;
+    v.map_source = int(MapSource::Light);
+    v.light = f.light;
+    v.face = f.view;
+    const bool moments = f.image == Result::Moments && filter_of(state.settings).samples == Samples::Moments;
+    v.map_channel = moments ? std::max(v.map_channel, 1) : 0;
+    if (moments) v.map_mip = f.level;
+    state.marked_texel = MarkedTexel{f.light, f.view, f.worst, f.level};
+    const float across = float(std::max(result.map_resolution >> f.level, 1));
+    state.map_window = {.zoom = std::max(1.0f, across / kTexelsShown), .centre = (glm::vec2(f.worst) + 0.5f) / across};
+}
+
+void show(EditorState& state, const FrameResult& result, const NumberFinding& f) {
+    if (is_of_map(f))
+        show_texel(state, result, f);
+    else if (f.image)
+        state.probe_pixel = f.worst;
+}
+
+void finding_row(EditorState& state, const FrameResult& result, const NumberFinding& f, int id) {
+    const std::string at = fmt::format("{}, {}", f.first.x, f.first.y);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+    const std::string label(fault_label(f.fault));
+    const bool marked =
+        state.marked_texel && is_of_map(f) && *state.marked_texel == MarkedTexel{f.light, f.view, f.worst, f.level};
+    if (ImGui::Selectable(fmt::format("{}###finding {}", label, id).c_str(), marked,
+                          ImGuiSelectableFlags_SpanAllColumns))
+        show(state, result, f);
+    ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s%s", finding_text(f).c_str(),
+                          is_of_map(f) ? "\nClick to see the worst in the map viewer"
+                          : f.image    ? "\nClick to probe the worst pixel"
+                                       : "");
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(f.place.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(fmt::format("{} {}{}", f.count, f.unit, f.count == 1 ? "" : "s").c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(at.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(fmt::format("{}, {}   {:.6g}", f.worst.x, f.worst.y, f.value).c_str());
+}
+
+}  // namespace
+
+void draw_health(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    actions.want_health = true;
+    if (!frame.result) {
+        ImGui::TextDisabled("No frame yet.");
+        return;
+    }
+    if (!frame.health) {
+        ImGui::TextDisabled("Searching ...");
+        return;
+    }
+    const NumericHealth& health = *frame.health;
+    if (health.sound()) {
+        ImGui::TextUnformatted("All numbers are sound.");
+        const std::string searched = fmt::format(
+            "{} numbers in {} images, and every matrix and block: no NaN, nothing infinite, depths and "
+            "visibility within 0 to 1, no variance below 0, no exponent beyond its format.",
+            health.numbers, health.images);
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextDisabled("%s", searched.c_str());
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
+                                      ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH |
+                                      ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable("findings", 5, flags)) return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    const float em = ImGui::GetFontSize();
+    ImGui::TableSetupColumn("Fault", ImGuiTableColumnFlags_WidthFixed, em * 12);
+    ImGui::TableSetupColumn("Where", ImGuiTableColumnFlags_WidthStretch, 1);
+    ImGui::TableSetupColumn("How many", ImGuiTableColumnFlags_WidthFixed, em * 8);
+    ImGui::TableSetupColumn("First", ImGuiTableColumnFlags_WidthFixed, em * 6);
+    ImGui::TableSetupColumn("Worst", ImGuiTableColumnFlags_WidthFixed, em * 11);
+    ImGui::TableHeadersRow();
+    for (std::size_t i = 0; i < health.findings.size(); ++i)
+        finding_row(state, *frame.result, health.findings[i], int(i));
+    ImGui::EndTable();
+}
+
+}  // namespace si
