@@ -296,6 +296,9 @@ SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& 
     const glm::mat4 matrix(view.clip_from_relative);
     f.gl.scene->bind(f.scene, f.settings, view.origin, 1);
     CasterDrawer drawer(f, view, seen, info);
+    // Beyond the range lies what a near plane flattens, and what is moved there.
+    const bool strays = !view.clamps_near && (view.unfiltered || !offsets_polygons(f.settings));
+    const std::vector<gl::Define> defines = {{"DROPS_STRAYS", strays ? "1" : "0"}};
     GLuint current = 0, texture = 0;
     std::optional<Batch> previous;
     for (const Batch& drawn : f.gl.scene->batches()) {
@@ -305,7 +308,7 @@ SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& 
         const bool same =
             previous && previous->masked == batch.masked && (!batch.masked || !previous->texture == !batch.texture);
         const GLuint id =
-            same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", {}, batch, true);
+            same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", defines, batch, true);
         if (id != current) {
             glUseProgram(current = id);
             glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));

@@ -12,8 +12,12 @@ void main() {
 #ifdef MASKED
     if (masked_out()) discard;
 #endif
+#if DROPS_STRAYS
+    // Seen edge-on a triangle covers texels by rounding alone, with depths of its plane from far beyond it.
+    if (abs(gl_FragCoord.z - 0.5) > 0.50001) discard;
+#endif
 #if MAP_IS_COLOUR
-    stored_out = gl_FragCoord.z;
+    stored_out = clamp(gl_FragCoord.z, 0.0, 1.0);  // as a depth buffer does
 #endif
 #if MAP_HOLDS_DISTANCES
     // 1 / w is what the rasteriser interpolates: of a depth the far part of the range would have lost its last bits.
