@@ -54,11 +54,24 @@ void stretch_range(const LightSettings& s, DepthCurve& curve) {
     curve.near = middle - half, curve.far = middle + half;
 }
 
+void step_view_forward(LightView& view) {
+    DepthCurve& curve = view.curve;
+    if (curve.perspective) return;
+    const double step = step_forward(curve.near, curve.far);
+    view.eye -= view.axes[2] * step;
+    curve.near -= step;
+    curve.far -= step;
+}
+
 }  // namespace
 
 void note(PlacedLight& light, std::string text) {
     if (std::find(light.notes.begin(), light.notes.end(), text) == light.notes.end())
         light.notes.push_back(std::move(text));
+}
+
+double step_forward(double near, double far) {
+    return far - near > kMinShare * std::max(std::abs(near), std::abs(far)) ? 0 : near;
 }
 
 double with_margin(double half, double scale, int resolution, double margin) {
@@ -73,6 +86,7 @@ void finish_view(FittedLight& light, LightView view, const FitContext& c, double
     const double scale =
         view.curve.perspective ? view.curve.far : std::max(c.shape.radius, 0x1p-30 * std::abs(view.curve.far));
     widen_range(view.curve, view.texel_size(reference_z, c.resolution), scale);
+    step_view_forward(view);
     view.projection = projection_matrix(view.curve, view.half_width, view.half_width);
     light.views.push_back(view);
 }

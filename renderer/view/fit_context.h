@@ -37,6 +37,10 @@ struct FitContext {
 /// Says something of a light, once.
 void note(PlacedLight& light, std::string text);
 
+/// Shaders know the ends of a range in single precision. Parallel rays look the same from anywhere along them: where
+/// the light stands so far off that its range would lose its digits, the map is seen from so much nearer; else 0.
+double step_forward(double near, double far);
+
 /// Half extent plus the margin in texels, at least a thousand float steps of `scale`.
 double with_margin(double half, double scale, int resolution, double margin = kMarginTexels);
 

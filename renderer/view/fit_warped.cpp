@@ -164,6 +164,9 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
 
 void fit_warped(FittedLight& light, LightView view, const FitContext& c, const Camera& camera,
                 std::span<const glm::dvec3> points, double margin) {
+    Extent depths;
+    for (const glm::dvec3& p : points) depths.add(glm::dot(view.axes[2], view.eye - p));
+    view.eye -= view.axes[2] * step_forward(depths.lo, depths.hi);
     LightView warped = warped_view(view, c, camera, points, margin);
     // The normal offset goes by a texel's longest side, which a margin in texels does not hold; a wider map has longer
     // ones.

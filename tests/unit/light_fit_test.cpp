@@ -32,6 +32,7 @@ bool all_finite(const FittedLight& light) {
             for (int j = 0; j < 4; ++j) ok = ok && std::isfinite(m[i][j]);
         ok = ok && std::isfinite(v.half_width) && v.half_width > 0 && v.curve.far > v.curve.near;
         ok = ok && (!v.curve.perspective || v.curve.near > 0);
+        ok = ok && float(v.curve.far) > float(v.curve.near);  // as shaders know them
     }
     return ok && !light.views.empty();
 }
@@ -43,6 +44,29 @@ void expect_basis(const glm::dvec3& n) {
         for (int j = 0; j < 3; ++j) ASSERT_LE(std::abs(product[i][j] - (i == j)), 1e-6);
     ASSERT_NEAR(glm::determinant(m), 1, 1e-6);
     ASSERT_EQ(m[2], n);
+}
+
+TEST(LightFit, ADirectionalLightFarOffHasARangeThatShadersKnow) {
+    // Its target, or itself along its rays; found by random settings.
+    for (const auto& [distance, aside] : {std::pair{0.0, 6.2e7}, {1e7, 0.0}, {1e7, -1e8}}) {
+        Settings s = one_light(LightType::Directional);
+        s.lights[0].distance = distance;
+        s.lights[0].target_z = aside;
+        const Scene scene =
+            box_scene({{glm::dvec3(-1, 0, -1), glm::dvec3(1, 2, 1)}, {glm::dvec3(-5, -0.1, -5), glm::dvec3(5, 0, 5)}});
+        const FittedLight light = fit_lights(scene, s)[0];
+        ASSERT_EQ(light.views.size(), 1u);
+        const LightView& view = light.views[0];
+        const float near = float(view.curve.near), far = float(view.curve.far);
+        EXPECT_GT(far - near, 1) << "near " << near;
+        EXPECT_TRUE(std::isfinite(1 / (far - near)));
+        // What lies in the scene still lies in the map.
+        const glm::dvec4 clip = view.clip_from_relative({0, 0, 0}) * glm::dvec4(0, 1, 0, 1);
+        EXPECT_LT(std::abs(clip.x), 1);
+        EXPECT_LT(std::abs(clip.y), 1);
+        EXPECT_GT(clip.z, 0);
+        EXPECT_LT(clip.z, 1);
+    }
 }
 
 TEST(Basis, OrthonormalForEveryDirection) {
