@@ -381,8 +381,8 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .help = "How each moment is stored.", .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.exponent), .label = "Exponent", .unit = "", .min = 0.5, .max = 88, .logarithmic = true,
      .help = "c of e^(c x), where x runs from -1 at the near to 1 at the far plane. Higher: less light bleeds, sharper "
-             "contacts. What the stored numbers can hold is the limit (32-bit: esm 87.3, evsm 43.6; 16-bit: esm 11, "
-             "evsm 5.54); beyond it the limit is used, and said.",
+             "contacts. What the stored numbers can hold is the limit (32-bit: esm 87.3, evsm 43.6, less by the "
+             "shares of a blur; 16-bit: esm 11, evsm 5.54); beyond it the limit is used, and said.",
      .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.negative_exponent), .label = "Negative exponent", .unit = "", .min = 0.5, .max = 88,
      .logarithmic = true,
