@@ -1,0 +1,201 @@
+// Whatever settings are put together, all numbers are numbers, the driver has nothing to complain of, visibility lies
+// within 0 to 1, and shadow makes nothing brighter. docs/property-runs.md says how to run more of them.
+#include "tests/support/random_settings.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+#include "app/context/headless_context.h"
+#include "app/session/presets.h"
+#include "app/session/session.h"
+#include "renderer/base/error.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/reference/error_task.h"
+#include "renderer/settings/param.h"
+#include "tests/support/named_driver.h"
+
+namespace si::test {
+namespace {
+
+constexpr unsigned kParts = 12;  ///< of the run, as shards take tests
+constexpr unsigned kUsualSeeds = 300;
+constexpr unsigned kSeedsARenderer = 150;  ///< that keep each other's programs in memory
+constexpr int kPixels = 64;                ///< of the picture along a side
+constexpr int kRounding = 1;               ///< steps of 255 that two programs may round a colour apart by
+constexpr int kMostTold = 3;               ///< failures of a part that are made small
+
+unsigned number_of(const char* variable, unsigned usual) {
+    const char* text = std::getenv(variable);
+    return text && *text ? unsigned(std::strtoul(text, nullptr, 10)) : usual;
+}
+
+/// What is wrong with a case; empty: nothing.
+struct Verdict {
+    std::string kind, text;
+    bool good() const { return kind.empty(); }
+};
+
+class RandomSettings : public testing::Test {
+protected:
+    HeadlessContext context;
+    std::unique_ptr<Renderer> renderer = std::make_unique<Renderer>();
+
+    void SetUp() override { expect_named_driver(); }
+
+    FrameResult draw(const Scene& scene, const Settings& s, bool health) {
+        FrameRequest request{.width = kPixels, .height = kPixels};
+        request.outputs.health = health;
+        request.outputs.overlay = health;
+        TruthCache truths;
+        trace_sources(*renderer, scene, s, request, truths);
+        return renderer->render(scene, s, request);
+    }
+
+    Verdict judge(const RandomCase& of) {
+        const Scene& scene = small_scene(of.scene);
+        try {
+            const FrameResult frame = draw(scene, of.settings, true);
+            const auto health = renderer->numeric_health(frame);
+            if (!health->sound()) return {"number", health_text(*health)};
+            // Of the picture alone, which other overlays and panes hide.
+            Settings plain = of.settings;
+            plain.view.overlay = plain.view.panes = plain.view.slabs = 0;
+            const FrameResult shadowed = plain == of.settings ? frame : draw(scene, plain, true);
+            const ByteImage a = renderer->read_colour(shadowed.colour);
+            for (int i = 0; i < kMaxLights; ++i) {
+                set_setting(plain, fmt::format("light.{}.source", i), "none");
+                plain.lights[std::size_t(i)].contact = 0;
+            }
+            const FrameResult lit = draw(scene, plain, true);
+            const ByteImage b = renderer->read_colour(lit.colour);
+            // A camera that looks through a light follows the light's fit, of which there may be none.
+            if (lit.camera == shadowed.camera)
+                if (Verdict v = compare(a, b); !v.good()) return v;
+        } catch (const Error& e) {
+            // A sentence that names the row that it cannot be drawn with.
+            const bool refused = std::string_view(e.what()).find("light_map.resolution") != std::string_view::npos;
+            if (!refused) return {"error", e.what()};
+        } catch (const std::exception& e) {
+            return {"error", e.what()};
+        }
+        if (const auto messages = renderer->take_gl_messages(); !messages.empty()) return {"driver", messages[0]};
+        return {};
+    }
+
+    static Verdict compare(const ByteImage& shadowed, const ByteImage& lit) {
+        for (std::size_t i = 0; i < lit.data.size(); ++i)
+            if (i % 4 != 3 && shadowed.data[i] > lit.data[i] + kRounding)
+                return {"brighter", fmt::format("pixel {}, {} is {} of 255 in shadow, and {} without", i / 4 % kPixels,
+                                                i / 4 / kPixels, shadowed.data[i], lit.data[i])};
+        return {};
+    }
+
+    /// Resets what does not matter, row by row.
+    RandomCase shrunk(RandomCase of, const std::string& kind) {
+        for (int round = 0; round < 2; ++round)
+            for (const SettingRef& ref : changed_settings(of.settings)) {
+                RandomCase less = of;
+                set_value(less.settings, ref, default_value(ref));
+                if (judge(less).kind == kind) of = std::move(less);
+            }
+        return of;
+    }
+
+    /// Writes the preset that shows it. @returns how to see it
+    static std::string keep(const RandomCase& of, unsigned seed, const Verdict& verdict) {
+        const auto folder = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "random-settings";
+        std::filesystem::create_directories(folder);
+        const auto file = folder / fmt::format("seed-{}.json", seed);
+        save_preset({.title = fmt::format("Random settings {}", seed),
+                     .about = verdict.text,
+                     .scene = of.scene,
+                     .settings = of.settings},
+                    file);
+        return fmt::format("{} render {} --preset {} -o seed-{}.png --size {}x{} --check-numeric{}", SI_PROGRAM,
+                           of.scene, file.string(), seed, kPixels, kPixels,
+                           verdict.kind == "brighter" ? "   (and the same with --set light.source=none)" : "");
+    }
+};
+
+/// What such runs found once, by the settings that were left of it.
+TEST_F(RandomSettings, WhatTheyFoundStaysMended) {
+    struct Found {
+        const char* scene;
+        std::vector<std::pair<const char*, const char*>> sets;
+    };
+    const Found all[] = {
+        // Triangles seen edge-on wrote depths of far beyond them.
+        {"figures", {{"map.format", "colour"}, {"light.azimuth", "270"}, {"light.elevation", "14.899059362498523"}}},
+        {"figures",
+         {{"map.format", "colour"},
+          {"light.azimuth", "-90"},
+          {"light.elevation", "5.392082575150003"},
+          {"light.fit", "scene"},
+          {"map.resolution", "512"}}},
+        // So far off that near and far were one number to shaders.
+        {"teapot", {{"light.target_z", "62172591.68624878"}, {"map.resolution", "64"}}},
+        {"teapot", {{"light.target_x", "84523618.22128296"}, {"light.fit", "lispsm"}, {"map.resolution", "64"}}},
+        // Shares of what a blur averages were flushed to zero.
+        {"figures", {{"filter.kernel", "evsm4"}, {"filter.exponent", "76"}, {"map.resolution", "512"}}},
+        {"figures",
+         {{"filter.kernel", "esm"},
+          {"filter.exponent", "88"},
+          {"filter.blur", "8"},
+          {"filter.blur_shape", "gaussian"},
+          {"map.resolution", "256"}}},
+    };
+    for (const Found& found : all) {
+        RandomCase of{.scene = found.scene, .settings = {}};
+        for (const auto& [key, value] : found.sets) set_setting(of.settings, key, value);
+        const Verdict verdict = judge(of);
+        EXPECT_TRUE(verdict.good()) << found.scene << " " << found.sets[0].first << ": " << verdict.text;
+    }
+    // In a depth buffer they were at the near plane.
+    Settings s;
+    set_setting(s, "light.azimuth", "270"), set_setting(s, "light.elevation", "14.899059362498523");
+    FrameRequest request{.width = kPixels, .height = kPixels};
+    request.outputs.shadow_map = true;
+    const FloatImage map = renderer->read_shadow_map(renderer->render(small_scene("figures"), s, request), 0, 0);
+    EXPECT_GT(*std::min_element(map.data.begin(), map.data.end()), 0);
+}
+
+class RandomSeeds : public RandomSettings, public testing::WithParamInterface<unsigned> {};
+
+TEST_P(RandomSeeds, GiveNumbersAndNothingBrighterInShadow) {
+    const unsigned first = number_of("SI_RANDOM_FIRST", 0), seeds = number_of("SI_RANDOM_SEEDS", kUsualSeeds);
+    // By whole groups that share programs.
+    const unsigned groups = (seeds + kSeedsAProgram - 1) / kSeedsAProgram;
+    const unsigned from = first + groups * GetParam() / kParts * kSeedsAProgram;
+    const unsigned to = std::min(first + groups * (GetParam() + 1) / kParts * kSeedsAProgram, first + seeds);
+    int failures = 0;
+    for (unsigned seed = from; seed < to; ++seed) {
+        if (seed > from && seed % kSeedsARenderer == 0) renderer.reset(), renderer = std::make_unique<Renderer>();
+        const RandomCase of = random_case(seed);
+        const Verdict verdict = judge(of);
+        if (verdict.good()) continue;
+        renderer->take_gl_messages();
+        if (++failures > kMostTold) {
+            ADD_FAILURE() << "seed " << seed << ": " << verdict.kind << ": " << verdict.text;
+            continue;
+        }
+        const RandomCase least = shrunk(of, verdict.kind);
+        std::string settings;
+        for (const SettingRef& ref : changed_settings(least.settings))
+            settings +=
+                fmt::format(" --set {}={}", setting_key(ref), value_text(*ref.param, get_value(least.settings, ref)));
+        ADD_FAILURE() << "seed " << seed << ": " << verdict.kind << ": " << judge(least).text << "\nscene "
+                      << least.scene << settings << "\n"
+                      << keep(least, seed, verdict);
+        renderer->take_gl_messages();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Part, RandomSeeds, testing::Range(0u, kParts));
+
+}  // namespace
+}  // namespace si::test
