@@ -146,16 +146,23 @@ std::string HeadlessContext::Impl::open(const Candidate& candidate) {
 
 std::string HeadlessContext::Impl::make_context(EGLContext beside) {
     const bool surfaceless = listed(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context");
-    const std::array<EGLint, 9> context_attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                                   4,
-                                                   EGL_CONTEXT_MINOR_VERSION,
-                                                   5,
-                                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                                   EGL_CONTEXT_OPENGL_DEBUG,
-                                                   EGL_TRUE,
-                                                   EGL_NONE};
-    context = eglCreateContext(display, config, beside, context_attributes.data());
+    // A driver that resets says so where it is asked to; one that cannot is asked without.
+    for (const bool tells_of_resets : {true, false}) {
+        const EGLint end = tells_of_resets ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY : EGL_NONE;
+        const std::array<EGLint, 11> context_attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                                        4,
+                                                        EGL_CONTEXT_MINOR_VERSION,
+                                                        5,
+                                                        EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                                        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                                        EGL_CONTEXT_OPENGL_DEBUG,
+                                                        EGL_TRUE,
+                                                        end,
+                                                        EGL_LOSE_CONTEXT_ON_RESET,
+                                                        EGL_NONE};
+        context = eglCreateContext(display, config, beside, context_attributes.data());
+        if (context != EGL_NO_CONTEXT) break;
+    }
     if (context == EGL_NO_CONTEXT) return failed("eglCreateContext(OpenGL 4.5 core)");
     if (!surfaceless) {
         const std::array<EGLint, 5> size{EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};

@@ -1,11 +1,13 @@
 #include "app/editor/against.h"
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "app/report/against.h"
+#include "renderer/gl/trouble.h"
 
 namespace si {
 
@@ -16,7 +18,15 @@ struct EditorAgainst::Texture {
 
     explicit Texture(const ByteImage& image) : width(image.width), height(image.height) {
         glCreateTextures(GL_TEXTURE_2D, 1, &id);
+        gl::forget_errors();
         glTextureStorage2D(id, 1, GL_RGBA8, width, height);
+        try {
+            gl::require_memory(fmt::format("the picture that is held against ({} x {})", width, height),
+                               "make the window smaller, or hold it against nothing");
+        } catch (...) {
+            glDeleteTextures(1, &id);
+            throw;
+        }
         glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);

@@ -213,10 +213,23 @@ bool FrameDesk::update(const Scene& scene, const EditorActions& actions, const C
                   known = comparison ? std::optional(*comparison) : std::nullopt] {
         news_ = loop_->update(scene, state, wished, known ? &*known : nullptr);
         next_facts_ = loop_->facts();
-        if (copies_) copies_->stand_in(next_facts_, news_.changed, shown), glDeleteSync(shown);
+        if (copies_) stand_in(shown);
     });
     hand_->wait_for(patience_);
     return poll() || changed;
+}
+
+void FrameDesk::stand_in(GLsync shown) {
+    try {
+        copies_->stand_in(next_facts_, news_.changed, shown);
+    } catch (const std::exception& e) {
+        // Without its copies there is no picture; settings stay, and the next frame may find memory.
+        news_.remarks.push_back({.kind = LogKind::Error, .text = e.what()});
+        next_facts_ = {};
+        next_facts_.problem = e.what();
+        news_.changed = true;
+    }
+    glDeleteSync(shown);
 }
 
 void FrameDesk::clear() {

@@ -3,6 +3,8 @@
 // does before it draws (it makes programs at the first draw) holds nobody up.
 #pragma once
 
+#include <epoxy/gl.h>
+
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -65,6 +67,8 @@ private:
     class Hand;
     class Copies;
     void call(const std::function<void()>& work);
+    /// Has the next facts name copies, or say why there are none.
+    void stand_in(GLsync shown);
 
     EditorState& state_;
     const std::chrono::milliseconds patience_;

@@ -7,6 +7,7 @@
 
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
+#include "renderer/gl/trouble.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/view/kernel_reach.h"
@@ -81,10 +82,16 @@ shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std:
 }  // namespace
 
 TexelBuffer::TexelBuffer(std::string_view label)
-    : buffer_(gl::Buffer::create(label)), texels_(gl::Texture::create(label, GL_TEXTURE_BUFFER)) {}
+    : buffer_(gl::Buffer::create(label)), texels_(gl::Texture::create(label, GL_TEXTURE_BUFFER)), label_(label) {}
 
 void TexelBuffer::put(std::span<const std::byte> bytes) {
-    glNamedBufferData(buffer_.id(), GLsizeiptr(bytes.size()), bytes.data(), GL_STREAM_DRAW);
+    const auto size = GLsizeiptr(bytes.size());
+    // Whether there is room has been asked before; asking waits for drivers that have a thread.
+    if (std::exchange(size_, 0) == bytes.size())
+        glNamedBufferData(buffer_.id(), size, bytes.data(), GL_STREAM_DRAW);
+    else
+        gl::fill_buffer(buffer_.id(), label_, size, bytes.data(), GL_STREAM_DRAW);
+    size_ = bytes.size();
 }
 
 void TexelBuffer::bind_block(GLuint block) const {

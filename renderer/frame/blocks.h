@@ -25,6 +25,8 @@ public:
 private:
     gl::Buffer buffer_;
     gl::Texture texels_;
+    std::string label_;
+    std::size_t size_ = 0;
 };
 
 struct FrameState;

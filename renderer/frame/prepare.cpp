@@ -113,12 +113,17 @@ void note_shown_view(FrameState& f) {
 }
 
 /// Makes camera and lights at the asked resolution, then halves it until all maps fit into memory.
-void fit_within_limits(FrameState& f) {
+/// @param limit that the driver's memory has set; null: none
+void fit_within_limits(FrameState& f, const Renderer::Impl::MapLimit* limit) {
     int& n = f.settings.map.resolution;
     const int asked = n;
     n = std::clamp(n, 1, f.driver.max_texture_size);
     if (n != asked)
         f.notes.push_back(fmt::format("map.resolution {} is beyond the driver's limit; {} is used", asked, n));
+    if (limit && limit->most < n) {
+        f.notes.push_back(fmt::format("maps of {0}² are used in place of {1}²: {2}", limit->most, n, limit->why));
+        n = limit->most;
+    }
     fit(f);
     const int before = n;
     const double bytes = kept_texel_bytes(f.settings);
@@ -443,7 +448,8 @@ FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, 
     FrameState f{.scene = scene, .settings = repaired->settings, .request = request, .gl = resources, .driver = driver};
     f.notes = repaired->notes;
     limit_moments(f);
-    fit_within_limits(f);
+    if (map_limit && map_limit->asked != settings.map.resolution) map_limit.reset();
+    fit_within_limits(f, map_limit ? &*map_limit : nullptr);
     if (f.settings.bias.raster_slope != 0 || f.settings.bias.raster_units != 0) calibrate_offset(f.settings.map.format);
     if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)
         f.notes.push_back(

@@ -8,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/frame/driver.h"
 #include "renderer/frame/renderer_impl.h"
+#include "renderer/gl/trouble.h"
 #include "renderer/passes/lookup_savings.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
@@ -78,12 +79,29 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
         request.height > impl_->driver.max_texture_size)
         throw Error(fmt::format("a picture of {} x {} pixels cannot be drawn; each side is 1 to {}", request.width,
                                 request.height, impl_->driver.max_texture_size));
-    FrameState f = impl_->prepare(scene, settings, request);
-    plan_frame(f);
-    FrameResult result = impl_->draw(f);
-    result.seen_m = f.seen_m;
-    if (f.seen_m) result.passes.insert(result.passes.begin(), impl_->resources.seen.info);
-    return result;
+    gl::require_context();
+    while (true) {
+        FrameState f = impl_->prepare(scene, settings, request);
+        plan_frame(f);
+        FrameResult result;
+        try {
+            result = impl_->draw(f);
+        } catch (const gl::OutOfMemory& e) {
+            if (!impl_->take_smaller_maps(settings, f, e.what())) throw;
+            continue;
+        }
+        gl::require_context();
+        result.seen_m = f.seen_m;
+        if (f.seen_m) result.passes.insert(result.passes.begin(), impl_->resources.seen.info);
+        return result;
+    }
+}
+
+bool Renderer::Impl::take_smaller_maps(const Settings& asked, const FrameState& f, const std::string& why) {
+    constexpr int kLeastTexels = 64;  // what smaller ones leave free is nothing beside a picture
+    if (f.view_count == 0 || f.map_resolution <= kLeastTexels) return false;
+    map_limit = MapLimit{asked.map.resolution, f.map_resolution / 2, why};
+    return true;
 }
 
 std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request) {

@@ -22,7 +22,16 @@ struct Renderer::Impl {
     };
     std::optional<Repaired> repaired;
 
+    /// Maps that the driver had no memory for: those of this map.resolution are made no larger.
+    struct MapLimit {
+        int asked = 0, most = 0;
+        std::string why;
+    };
+    std::optional<MapLimit> map_limit;
+
     Impl();
+    /// After the driver refused memory: has maps be half as large. @returns whether that may help
+    bool take_smaller_maps(const Settings& asked, const FrameState& f, const std::string& why);
     /// Derives everything of a frame that needs no drawing, but for the depths that the camera sees, which are drawn
     /// and read back first where a fit asks for them.
     FrameState prepare(const Scene& scene, const Settings& settings, const FrameRequest& request);

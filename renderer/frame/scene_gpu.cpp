@@ -1,11 +1,15 @@
 #include "renderer/frame/scene_gpu.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
 
+#include "renderer/base/printable.h"
 #include "renderer/gl/target.h"
+#include "renderer/gl/trouble.h"
 #include "renderer/scene/face_normals.h"
 
 namespace si {
@@ -65,10 +69,9 @@ std::vector<int> mesh_sizes(const Scene& scene) {
 }
 
 template <typename T>
-void store(gl::Buffer& buffer, const std::vector<T>& data) {
-    glNamedBufferStorage(buffer.id(), GLsizeiptr(std::max<std::size_t>(data.size() * sizeof(T), 16)),
-                         data.empty() ? nullptr : data.data(),
-                         data.size() * sizeof(T) >= 16 ? 0 : GL_DYNAMIC_STORAGE_BIT);
+void store(gl::Buffer& buffer, std::string_view label, const std::vector<T>& data) {
+    gl::store_buffer(buffer.id(), label, GLsizeiptr(std::max<std::size_t>(data.size() * sizeof(T), 16)),
+                     data.empty() ? nullptr : data.data(), data.size() * sizeof(T) >= 16 ? 0 : GL_DYNAMIC_STORAGE_BIT);
 }
 
 GLenum wrap_mode(TextureWrap wrap) {
@@ -116,7 +119,8 @@ void SceneGpu::upload_geometry(const Scene& scene) {
     indices_ = gl::Buffer::create("indices");
     faced_indices_ = gl::Buffer::create("indices that end with the triangle's normal");
     const auto allocate = [](gl::Buffer& b, std::size_t bytes) {
-        glNamedBufferStorage(b.id(), GLsizeiptr(std::max<std::size_t>(bytes, 16)), nullptr, GL_DYNAMIC_STORAGE_BIT);
+        gl::store_buffer(b.id(), "scene's vertices", GLsizeiptr(std::max<std::size_t>(bytes, 16)), nullptr,
+                         GL_DYNAMIC_STORAGE_BIT);
     };
     allocate(positions_, vertex_count * sizeof(glm::vec3));
     allocate(attributes_, vertex_count * sizeof(Attributes));
@@ -179,7 +183,7 @@ void SceneGpu::upload_geometry(const Scene& scene) {
     glVertexArrayVertexBuffer(vao, 5, faces_.id(), 0, sizeof(glm::vec3));
     if (coloured) {
         colours_ = gl::Buffer::create("vertex colours");
-        store(colours_, colours);
+        store(colours_, "vertex colours", colours);
         glEnableVertexArrayAttrib(vao, 3);
         glVertexArrayAttribFormat(vao, 3, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
         glVertexArrayAttribBinding(vao, 3, 2);
@@ -205,7 +209,7 @@ void SceneGpu::upload_normal_map_attributes(const Scene& scene, std::size_t vert
         }
     }
     normal_map_ = gl::Buffer::create("normal map coordinates");
-    store(normal_map_, data);
+    store(normal_map_, "normal map coordinates", data);
     const GLuint vao = vao_.id();
     glEnableVertexArrayAttrib(vao, 12);
     glVertexArrayAttribFormat(vao, 12, 3, GL_FLOAT, GL_FALSE, 0);
@@ -224,7 +228,10 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
         }
         auto texture = gl::Texture::create(t.name.empty() ? "texture" : t.name, GLenum(GL_TEXTURE_2D));
         const int levels = t.mipmaps ? gl::mip_levels(std::max(t.width, t.height)) : 1;
+        gl::forget_errors();
         glTextureStorage2D(texture.id(), levels, t.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, t.width, t.height);
+        gl::require_memory(fmt::format("the texture {} ({} x {})", printable(t.name), t.width, t.height),
+                           "use a scene with smaller textures, or map.resolution below what it is");
         glTextureSubImage2D(texture.id(), 0, 0, 0, t.width, t.height, GL_RGBA, GL_UNSIGNED_BYTE, t.rgba.data());
         if (levels > 1) glGenerateTextureMipmap(texture.id());
         const GLint mag_filter = t.nearest_mag ? GL_NEAREST : GL_LINEAR;
@@ -346,7 +353,7 @@ void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dve
             data[i].surface = {receives ? 1.f : 0.f, cutoff, material.unlit ? 1.f : 0.f, float(order_[i])};
         }
         slot.buffer = gl::Buffer::create(slot_index == 0 ? "instances for the camera" : "instances for the lights");
-        store(slot.buffer, data);
+        store(slot.buffer, "matrices of objects", data);
         slot.key = key.value();
     }
     glBindVertexArray(vao_.id());

@@ -5,6 +5,11 @@
 #include <utility>
 
 namespace si::gl {
+namespace {
+
+constexpr int kMostErrors = 100;
+
+}  // namespace
 
 MessageLog::MessageLog() {
     glEnable(GL_DEBUG_OUTPUT);
@@ -26,7 +31,12 @@ void GLAPIENTRY MessageLog::on_message(GLenum, GLenum type, GLuint, GLenum sever
 }
 
 std::vector<std::string> MessageLog::take() {
-    while (const GLenum error = glGetError()) messages_.push_back(fmt::format("glGetError {:#x}", error));
+    // A lost context reports one at every call.
+    for (int i = 0; i < kMostErrors; ++i) {
+        const GLenum error = glGetError();
+        if (error == GL_NO_ERROR) break;
+        messages_.push_back(fmt::format("glGetError {:#x}", error));
+    }
     return std::exchange(messages_, {});
 }
 

@@ -4,9 +4,13 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/key.h"
+#include "renderer/gl/trouble.h"
 
 namespace si::gl {
 namespace {
+
+constexpr const char* kShaderRemedy =
+    "; where this driver cannot build it, choose another kernel, bias, source or overlay, or a newer driver";
 
 std::string info_log(GLuint id, bool program) {
     GLint length = 0;
@@ -30,10 +34,11 @@ GLuint compile(GLenum stage, const std::string& text, const std::vector<std::str
     glCompileShader(shader);
     GLint ok = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (made_to_fail(Trouble::Shader, files.empty() ? std::string_view() : std::string_view(files.front()))) ok = 0;
     if (!ok) {
         const std::string log = info_log(shader, false);
         glDeleteShader(shader);
-        throw Error(fmt::format("shader does not compile (files: {}): {}", numbered(files), log));
+        throw Error(fmt::format("shader does not compile (files: {}): {}{}", numbered(files), log, kShaderRemedy));
     }
     return shader;
 }
@@ -59,7 +64,8 @@ Program ProgramCache::build(const std::string& vertex, const std::string& fragme
     GLint ok = 0;
     glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
     if (!ok)
-        throw Error(fmt::format("shader does not link (files: {}): {}", numbered(files), info_log(program.id(), true)));
+        throw Error(fmt::format("shader does not link (files: {}): {}{}", numbered(files), info_log(program.id(), true),
+                                kShaderRemedy));
     return program;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/base/error.h"
+#include "renderer/gl/trouble.h"
 
 namespace si::gl {
 
@@ -14,8 +15,7 @@ bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h
         return false;
     texture.reset();
     key = 0;
-    while (glGetError() != GL_NO_ERROR) {
-    }
+    forget_errors();
     texture = Texture::create(label, GLenum(more.samples  ? GL_TEXTURE_2D_MULTISAMPLE
                                             : layer_count ? GL_TEXTURE_2D_ARRAY
                                                           : GL_TEXTURE_2D));
@@ -25,13 +25,13 @@ bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h
         glTextureStorage3D(texture.id(), more.levels, internal_format, w, h, layer_count);
     else
         glTextureStorage2D(texture.id(), more.levels, internal_format, w, h);
-    if (glGetError() != GL_NO_ERROR) {
+    try {
+        require_memory(fmt::format("{} ({} x {} x {})", label, w, h, layer_count ? layer_count : 1),
+                       "use a smaller size, map.resolution or fewer lights");
+    } catch (...) {
         texture.reset();
         width = height = layers = 0;
-        throw Error(
-            fmt::format("the driver has no memory for {} ({} x {} x {}); use a smaller size, map.resolution or "
-                        "fewer lights",
-                        label, w, h, layer_count ? layer_count : 1));
+        throw;
     }
     width = w, height = h, layers = layer_count, format = internal_format, extent = more;
     if (more.samples) return true;  // such textures have no sampler's state

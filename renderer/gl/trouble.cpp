@@ -5,7 +5,7 @@
 namespace si::gl {
 namespace {
 
-constexpr int kMostErrors = 64;  ///< a lost context reports one at every call
+constexpr int kMostForgotten = 64;  ///< a lost context reports one at every call
 
 [[noreturn]] void throw_lost(std::string_view why) {
     throw ContextLost(
@@ -27,7 +27,7 @@ bool made_to_fail(Trouble kind, std::string_view what) {
 }
 
 void forget_errors() {
-    for (int i = 0; i < kMostErrors && glGetError() != GL_NO_ERROR; ++i) {
+    for (int i = 0; i < kMostForgotten && glGetError() != GL_NO_ERROR; ++i) {
     }
 }
 
@@ -38,10 +38,25 @@ void require_memory(std::string_view what, std::string_view remedy) {
     throw OutOfMemory(fmt::format("the driver has no memory for {}; {}", what, remedy));
 }
 
+namespace {
+
+void require_buffer(std::string_view label, GLsizeiptr size) {
+    require_memory(fmt::format("the {} ({} bytes)", label, size),
+                   "use a scene of fewer triangles or fewer lights, or close what else draws");
+}
+
+}  // namespace
+
+void store_buffer(GLuint buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLbitfield flags) {
+    forget_errors();
+    glNamedBufferStorage(buffer, size, bytes, flags);
+    require_buffer(label, size);
+}
+
 void fill_buffer(GLuint buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLenum usage) {
     forget_errors();
     glNamedBufferData(buffer, size, bytes, usage);
-    require_memory(fmt::format("{} ({} bytes)", label, size), "use a smaller scene or fewer lights");
+    require_buffer(label, size);
 }
 
 void require_context() {

@@ -36,8 +36,10 @@ TroubleSeam& trouble_seam();
 /// Whether the seam has this call fail.
 bool made_to_fail(Trouble kind, std::string_view what);
 
-/// Gives a buffer its storage and contents. @param bytes null: undefined ones @throws OutOfMemory, ContextLost
+/// Gives a buffer contents, and room for them. @param bytes null: undefined ones @throws OutOfMemory, ContextLost
 void fill_buffer(GLuint buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLenum usage);
+/// The same for good, by glNamedBufferStorage's flags.
+void store_buffer(GLuint buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLbitfield flags);
 /// Forgets errors of calls before, so that those of the next are its own.
 void forget_errors();
 /// Of the calls since forget_errors(). @param what "the shadow maps (1024 x 1024 x 4)" @param remedy a clause

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "renderer/gl/trouble.h"
 #include "renderer/passes/casters.h"
 #include "renderer/settings/sources.h"
 
@@ -51,7 +52,8 @@ void draw_light(const FrameState& f, const gl::Target& into, int light, PassInfo
     const std::vector<glm::vec4> casters = discs(f, fitted);
     if (casters.empty()) return;
     const gl::Buffer buffer = gl::Buffer::create("casters of blobs");
-    glNamedBufferData(buffer.id(), GLsizeiptr(casters.size() * sizeof(glm::vec4)), casters.data(), GL_STATIC_DRAW);
+    gl::fill_buffer(buffer.id(), "casters of blobs", GLsizeiptr(casters.size() * sizeof(glm::vec4)), casters.data(),
+                    GL_STATIC_DRAW);
     const gl::VertexArray vao = gl::VertexArray::create("blobs");
     glEnableVertexArrayAttrib(vao.id(), 0);
     glVertexArrayAttribFormat(vao.id(), 0, 4, GL_FLOAT, GL_FALSE, 0);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "renderer/frame/state.h"
+#include "renderer/gl/trouble.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
@@ -24,8 +25,8 @@ template <typename T>
 gl::Buffer buffer_of(std::string_view label, const std::vector<T>& data) {
     gl::Buffer buffer = gl::Buffer::create(label);
     // OpenGL knows no empty buffers.
-    glNamedBufferData(buffer.id(), GLsizeiptr(std::max<std::size_t>(data.size(), 1) * sizeof(T)),
-                      data.empty() ? nullptr : data.data(), GL_STATIC_DRAW);
+    gl::fill_buffer(buffer.id(), label, GLsizeiptr(std::max<std::size_t>(data.size(), 1) * sizeof(T)),
+                    data.empty() ? nullptr : data.data(), GL_STATIC_DRAW);
     return buffer;
 }
 

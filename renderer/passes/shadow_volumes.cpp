@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "renderer/gl/trouble.h"
 #include "renderer/passes/casters.h"
 #include "renderer/settings/sources.h"
 
@@ -143,8 +144,10 @@ void ShadowVolumes::upload_corners() {
         for (const glm::vec3& p : meshes_[m]->positions)
             for (const float far : {0.f, 1.f}) corners.emplace_back(p, far);
     }
-    corners_ = gl::Buffer::create("corners of shadow volumes");
-    glNamedBufferData(corners_.id(), GLsizeiptr(corners.size() * sizeof(glm::vec4)), corners.data(), GL_STATIC_DRAW);
+    auto stored = gl::Buffer::create("corners of shadow volumes");
+    gl::fill_buffer(stored.id(), "corners of shadow volumes", GLsizeiptr(corners.size() * sizeof(glm::vec4)),
+                    corners.data(), GL_STATIC_DRAW);
+    corners_ = std::move(stored);
     vao_ = gl::VertexArray::create("shadow volumes");
     glEnableVertexArrayAttrib(vao_.id(), 0);
     glVertexArrayAttribFormat(vao_.id(), 0, 4, GL_FLOAT, GL_FALSE, 0);
@@ -189,8 +192,8 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
     upload_corners();
     if (light.uploaded != light.shape) {
         light.buffer = gl::Buffer::create("triangles of shadow volumes");
-        glNamedBufferData(light.buffer.id(), GLsizeiptr(light.indices.size() * sizeof(std::uint32_t)),
-                          light.indices.data(), GL_STATIC_DRAW);
+        gl::fill_buffer(light.buffer.id(), "triangles of shadow volumes",
+                        GLsizeiptr(light.indices.size() * sizeof(std::uint32_t)), light.indices.data(), GL_STATIC_DRAW);
         light.uploaded = light.shape;
     }
     f.gl.scene->bind(f.scene, f.settings, f.origin, 0);

@@ -3,6 +3,7 @@
 
 #include "renderer/frame/map_depths.h"
 #include "renderer/frame/texel_slabs.h"
+#include "renderer/gl/trouble.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/settings/map_storage.h"
 
@@ -62,8 +63,9 @@ void upload_instances(const FrameState& f, SlabTargets& s, const LightView& view
         }
         glVertexArrayBindingDivisor(s.vao.id(), 0, 1);
     }
-    glNamedBufferData(s.instances.id(), GLsizeiptr(std::max<std::size_t>(instances.size(), 1) * sizeof(Instance)),
-                      instances.empty() ? nullptr : instances.data(), GL_STREAM_DRAW);
+    gl::fill_buffer(s.instances.id(), "texel slabs",
+                    GLsizeiptr(std::max<std::size_t>(instances.size(), 1) * sizeof(Instance)),
+                    instances.empty() ? nullptr : instances.data(), GL_STREAM_DRAW);
     glVertexArrayVertexBuffer(s.vao.id(), 0, s.instances.id(), 0, sizeof(Instance));
 }
 
