@@ -14,6 +14,7 @@
 #include "renderer/passes/pages.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
+#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
@@ -179,6 +180,10 @@ std::vector<SearchedLayer> layers_of(const FrameState& f, const Searched& s) {
     if (!s.of_maps) {
         for (int layer = 0; layer < std::max(s.image->layers, 1); ++layer) {
             const bool lit = s.has_layers();
+            // Of other lights nothing is drawn into theirs, nor read.
+            if (s.of == Result::Blobs &&
+                !(f.gl.fitted[std::size_t(layer)].shadowed && source_of(f.settings, layer).needs.blobs))
+                continue;
             add({.image = s.of,
                  .place = lit ? fmt::format("{} of light {}", s.name, layer) : s.name,
                  .light = lit ? layer : -1,
