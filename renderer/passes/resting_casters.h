@@ -23,7 +23,8 @@ std::vector<WeighedCaster> weighed_casters(std::span<const std::uint64_t> conten
                                            std::span<const std::uint64_t> triangles);
 
 /// What rests is kept apart where it has at least one in so many of all triangles. Beside 12 times as many that moved
-/// all over the map it took 0.71 to 0.85 of drawing all on llvmpipe, 0.59 on zink (`bench --benchmark_filter=moving_box`).
+/// all over the map it took 0.71 to 0.85 of drawing all on llvmpipe, 0.59 on zink (`bench
+/// --benchmark_filter=moving_box`).
 inline constexpr std::uint64_t kLeastRestingShare = 16;
 
 /// What one of a light's maps consists of.

@@ -486,8 +486,8 @@ double safe_exponent(const Settings& settings) {
     const double largest = wide ? double(std::numeric_limits<float>::max()) : 65504.0;
     // Averages are made of shares of each texel, in 32 bits: of the outermost of a Gaussian e^-2 of the middle's.
     const FilterSettings& s = settings.filter;
-    const double shares = (2 * s.blur + 1) * (s.blur_shape == 1 ? std::exp(2.0) : 1) *
-                          std::max(settings.map.samples, 1);
+    const double shares =
+        (2 * s.blur + 1) * (s.blur_shape == 1 ? std::exp(2.0) : 1) * std::max(settings.map.samples, 1);
     const double least = wide ? double(std::numeric_limits<float>::min()) * shares : std::exp2(-24);
     return std::floor(100 * std::min(std::log(largest), -std::log(least)) / power) / 100;
 }
