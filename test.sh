@@ -49,7 +49,7 @@ build_asan() {
 # What one front end and one plan decide on every driver: what compiles, what is kept, what is left out.
 decided_by_the_plan="EveryPermutationCompiles|RandomWalkTest|CachedPicturesEqualFreshOnes|WasteTest|SavingsTest.ForcedDrawsTheSameBytesOfRealModels"
 # That, and what draws one thing hundreds of times over to compare numbers.
-drawn_over_and_over="$decided_by_the_plan|(IdleTest|LeastBiasTwins|CuresTest|SavingsTest|AdviceTest)\\.|AreTheSameInCxxAndOnTheGpu"
+drawn_over_and_over="$decided_by_the_plan|(IdleTest|LeastBiasTwins|CuresTest|SavingsTest|RestingSavingsTest|AdviceTest)\\.|AreTheSameInCxxAndOnTheGpu"
 drawn_over_and_over+="|PerTexelBiasesLeaveNoAcneOnPlanes|FitsTest.What|GatherAndShadowSamplerGiveOnePicture|LookupSavingsTest.ForcedGives"
 
 # All that draws, but for the editor and the commands, which are the same on every driver; that both draw each preset
