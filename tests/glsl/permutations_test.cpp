@@ -368,7 +368,7 @@ protected:
                 untold.outputs.evidence = true;
                 untold.force = true;  // passes, too, whose results are there
                 renderer_->render(scene, s, untold);
-                request.outputs.evidence = true;
+                request.outputs.evidence = request.outputs.health = true;
             }
             render_with_truth(*renderer_, scene, s, request, truths_);
             if (recorder_) recorder_->probes_hit = chosen.size() == 1;
