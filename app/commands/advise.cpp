@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
-#include "app/base/interrupt.h"
 #include "app/base/notes.h"
 #include "app/base/output.h"
 #include "app/commands/commands.h"
+#include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
-#include "app/sweep/progress_line.h"
 #include "renderer/base/error.h"
 #include "renderer/measure/autopilot.h"
 
@@ -129,33 +128,12 @@ void print_flight(const AutopilotResult& r) {
     fmt::print("{} of {} combinations in {:.0f} s\n{}\n", r.cases.size(), r.combinations, r.seconds, r.summary);
 }
 
-/// Does long work that Ctrl+C ends, and shows how far it is.
-template <class Work>
-auto interruptible(const Work& work) {
-    InterruptGuard interrupt;
-    std::stop_source stop;
-    const auto ask = [&] {
-        if (interrupt.asked()) stop.request_stop();
-    };
-    try {
-        ProgressLine line;
-        const Workers workers{.stop = stop.get_token()};
-        return work(workers, [&](double share, const std::string& what) {
-            ask();
-            line.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
-        });
-    } catch (const Cancelled&) {
-        tell("shadow-inspector: interrupted; nothing was written\n");
-        interrupt.end();
-    }
-}
-
 class Advisor {
 public:
     explicit Advisor(const AdviseOptions& options) : o_(options), session_(open_session(options.session)) {}
 
     void advise(const Metric& error) {
-        const AdviceReport r = interruptible([&](const Workers& workers, const auto& report) {
+        const AdviceReport r = interruptible("nothing was written", [&](const Workers& workers, const auto& report) {
             return find_advice(renderer_, session_.scene, session_.settings, o_.size.width, o_.size.height,
                                {.error = &error, .cost = o_.cost}, cache_, workers, report);
         });
@@ -174,7 +152,7 @@ public:
                                    .error = &error,
                                    .cost = o_.cost,
                                    .most_seconds = o_.most_seconds};
-        const AutopilotResult r = interruptible([&](const Workers& workers, const auto& report) {
+        const AutopilotResult r = interruptible("nothing was written", [&](const Workers& workers, const auto& report) {
             return fly_autopilot(renderer_, session_.scene, session_.settings, o_.size.width, o_.size.height, goals,
                                  axes, cache_, workers, report);
         });

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include "app/base/interrupt.h"
 #include "app/base/notes.h"
 #include "app/commands/commands.h"
+#include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
 #include "app/report/effects_json.h"
 #include "app/report/health_report.h"
 #include "app/report/report.h"
-#include "app/sweep/progress_line.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/sources.h"
@@ -46,27 +45,6 @@ Effect trace_for(const Session& session, FrameRequest& request, const Workers& w
     return effect;
 }
 
-/// Of the work that takes long, its progress on stderr; Ctrl+C ends it.
-class Steps {
-public:
-    Workers workers() {
-        return {.stop = stop_.get_token(), .progress = [this](double share) { report("rays", share); }};
-    }
-    void report(const char* what, double share) {
-        if (guard_.asked()) stop_.request_stop();
-        line_.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
-    }
-    [[noreturn]] void end() {
-        tell("shadow-inspector: interrupted; nothing was printed\n");
-        guard_.end();
-    }
-
-private:
-    InterruptGuard guard_;
-    std::stop_source stop_;
-    ProgressLine line_;
-};
-
 struct Planned {
     std::vector<Effect> effects;
     std::optional<SavedTimes> saved;
@@ -75,10 +53,11 @@ struct Planned {
     std::shared_ptr<const NumericHealth> health;
 };
 
-Planned plan_of(const Session& session, const PlanOptions& options, Renderer& renderer, Steps& steps) {
+Planned plan_of(const Session& session, const PlanOptions& options, Renderer& renderer, const Workers& workers,
+                const auto& report) {
     Planned plan;
     FrameRequest request{.width = options.size.width, .height = options.size.height};
-    Effect rays = trace_for(session, request, steps.workers());
+    Effect rays = trace_for(session, request, workers);
     const FrameResult frame = renderer.render(session.scene, session.settings, request);
     plan.effects.push_back(posing_effect(session.scene, session.settings.scene, true));
     plan.effects.push_back(std::move(rays));
@@ -92,11 +71,10 @@ Planned plan_of(const Session& session, const PlanOptions& options, Renderer& re
     }
     if (options.measure)
         plan.saved = measure_saved(renderer, session.scene, session.settings, request, named_savings(plan.effects),
-                                   options.rounds, steps.workers(),
-                                   [&](double share) { steps.report("frames in turns", share); });
+                                   options.rounds, workers, [&](double share) { report(share, "frames in turns"); });
     if (options.waste)
-        plan.waste = find_waste(renderer, session.scene, session.settings, request, steps.workers(),
-                                [&](double share) { steps.report("left out in turn", share); });
+        plan.waste = find_waste(renderer, session.scene, session.settings, request, workers,
+                                [&](double share) { report(share, "left out in turn"); });
     return plan;
 }
 
@@ -121,13 +99,10 @@ void run_plan(const PlanOptions& options) {
     const Session session = open_session(options.session);
     const HeadlessContext context;
     Renderer renderer;
-    Steps steps;
-    Planned plan;
-    try {
-        plan = plan_of(session, options, renderer, steps);
-    } catch (const Cancelled&) {
-        steps.end();
-    }
+    const Planned plan = interruptible("nothing was printed", [&](Workers workers, const auto& report) {
+        workers.progress = [&](double share) { report(share, "rays"); };
+        return plan_of(session, options, renderer, workers, report);
+    });
     if (options.json) {
         fmt::print("{}", json_text(plan_json(session, options, plan, renderer.driver())));
     } else {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 
 #include "app/base/notes.h"
 #include "app/commands/commands.h"

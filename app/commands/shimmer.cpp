@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "app/base/interrupt.h"
 #include "app/base/notes.h"
 #include "app/base/output.h"
 #include "app/commands/commands.h"
+#include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
 #include "app/report/report.h"
-#include "app/sweep/progress_line.h"
 
 namespace si {
 namespace {
@@ -37,23 +36,14 @@ void run_shimmer(const ShimmerCommandOptions& options) {
     if (!options.output.empty()) require_writable(options.output);
     const HeadlessContext context;
     Renderer renderer;
-    InterruptGuard interrupt;
-    std::stop_source stop;
-    std::vector<Measured> measured;
-    try {
-        ProgressLine line;
+    const auto measured = interruptible("nothing was printed", [&](const Workers& workers, const auto& report) {
+        std::vector<Measured> out;
         for (const ShimmerVariant& variant : shimmer_variants(session.settings))
-            measured.push_back(
-                {variant,
-                 measure_shimmer(renderer, session.scene, variant.settings, options.size.width, options.size.height,
-                                 options.shimmer, {.stop = stop.get_token()}, [&](double share) {
-                                     if (interrupt.asked()) stop.request_stop();
-                                     line.show(fmt::format("{:3.0f} %  {}", 100 * share, variant.label), false);
-                                 })});
-    } catch (const Cancelled&) {
-        tell("shadow-inspector: interrupted; nothing was printed\n");
-        interrupt.end();
-    }
+            out.push_back({variant, measure_shimmer(renderer, session.scene, variant.settings, options.size.width,
+                                                    options.size.height, options.shimmer, workers,
+                                                    [&](double share) { report(share, std::string(variant.label)); })});
+        return out;
+    });
     if (!options.output.empty()) {
         FloatImage picture = measured.front().shimmer.flips_of;
         for (float& flips : picture.data) flips /= float(std::max(options.shimmer.steps, 1));

@@ -1,16 +1,15 @@
 #include "app/editor/lab.h"
 
 #include "app/context/headless_context.h"
+#include "renderer/measure/axes.h"
 
 namespace si {
 namespace {
 
 /// Whether a measurement still says what the present settings would.
 bool holds(const LabOf& of, const LabOf& present) {
-    Settings a = of.settings, b = present.settings;
-    a.view = b.view = {.light = b.view.light};
-    a.view.light = of.settings.view.light;
-    return of.scene == present.scene && of.width == present.width && of.height == present.height && a == b;
+    return of.scene == present.scene && of.width == present.width && of.height == present.height &&
+           measured_settings(of.settings) == measured_settings(present.settings);
 }
 
 }  // namespace

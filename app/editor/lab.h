@@ -11,8 +11,6 @@ struct LabOf {
     std::uint64_t scene = 0;  ///< Scene::id
     Settings settings;
     int width = 0, height = 0;
-
-    bool operator==(const LabOf&) const = default;
 };
 
 struct PipelinesFound {

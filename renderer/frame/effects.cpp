@@ -177,8 +177,7 @@ void lookup_parts(const Facts& f, const PassInfo& pass, bool separate, Effects& 
         const std::string name = fmt::format("look-ups of light {}", i);
         const std::string told = fmt::format("{} is {}", light_key(i, "source"), source.key);
         const bool forced = f.forced.contains(Saving::Uncalled);
-        if (!separate && !light.dark.empty() && light.shadowed &&
-            f.settings.shading.composition != int(Composition::DimLit))
+        if (!separate && light.shadowed && shades_nothing(light, f.settings))
             out.push_back(part_of(pass, name, forced, (forced ? "forced: " : "") + light.dark, Saving::Uncalled));
         else if (!light.shadowed)
             out.push_back(lit_everywhere(f, pass, name, light.reason + ": it is lit wherever it shines", separate));

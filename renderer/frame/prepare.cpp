@@ -21,6 +21,7 @@
 #include "renderer/view/disk_places.h"
 #include "renderer/view/kernel_reach.h"
 #include "renderer/view/near_far.h"
+#include "renderer/view/placement.h"
 #include "renderer/view/projection.h"
 
 namespace si {
@@ -457,7 +458,7 @@ FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, 
 
     if (f.settings.camera.source == int(CameraSource::Light) && resources.fitted.empty())
         f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
-    f.origin = frame_origin(f.camera, f.settings);
+    f.origin = counted_from(f.settings, f.camera.origin());
     if (!resources.scene || resources.scene->scene_id() != scene.id)
         resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
     resources.scene->arrange(scene, f.settings, !request.forced.contains(Saving::Order));

@@ -5,6 +5,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/frame/map_depths.h"
+#include "renderer/frame/read_images.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/passes/numeric_health.h"
 
@@ -53,7 +54,7 @@ ByteImage Renderer::read_colour(const Image& image) {
     return out;
 }
 
-FloatImage Renderer::read_float(const Image& image, int channels) {
+FloatImage read_floats(const Image& image, int channels) {
     FloatImage out{image.width, image.height, channels, {}};
     out.data.resize(std::size_t(image.width) * std::size_t(image.height) * std::size_t(channels));
     constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
@@ -64,7 +65,7 @@ FloatImage Renderer::read_float(const Image& image, int channels) {
     return out;
 }
 
-SurfaceIds Renderer::read_surface_ids(const Image& image) {
+SurfaceIds read_ids(const Image& image) {
     SurfaceIds out{image.width, image.height, {}};
     out.data.resize(std::size_t(image.width) * std::size_t(image.height));
     gl::begin_reading();
@@ -72,6 +73,14 @@ SurfaceIds Renderer::read_surface_ids(const Image& image) {
                       out.data.data());
     flip_rows(out.data, out.width, out.height, 1);
     return out;
+}
+
+FloatImage Renderer::read_float(const Image& image, int channels) {
+    return read_floats(image, channels);
+}
+
+SurfaceIds Renderer::read_surface_ids(const Image& image) {
+    return read_ids(image);
 }
 
 FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int face) {

@@ -57,9 +57,7 @@ GLenum FrameState::map_format() const {
 }
 
 bool FrameState::shades_by(std::size_t light) const {
-    // What is lit shows under that composition by the visibility alone.
-    return gl.fitted[light].dark.empty() || settings.shading.composition == int(Composition::DimLit) ||
-           request.forced.contains(Saving::Uncalled);
+    return !shades_nothing(gl.fitted[light], settings) || request.forced.contains(Saving::Uncalled);
 }
 
 bool FrameState::draws_unfiltered() const {

@@ -7,6 +7,7 @@
 #include "renderer/inspect/dossier.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/placement.h"
 
 namespace si {
 namespace {
@@ -87,7 +88,8 @@ std::vector<SettingRef> amounts_of(const Bias& row) {
 BiasAccount account_of(const MeasuredError& measured, const Settings& settings, const Receiver& r,
                        const RasterTraits& driver) {
     return bias_account(measured.lights[std::size_t(measured.light)], settings, measured.map_resolution,
-                        {r.position_ws, r.normal_ws, r.normal_ws, frame_origin(measured.camera, settings)}, driver);
+                        {r.position_ws, r.normal_ws, r.normal_ws, counted_from(settings, measured.camera.origin())},
+                        driver);
 }
 
 const Bias& row_of(BiasFamily family) {

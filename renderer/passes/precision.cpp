@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "renderer/frame/read_images.h"
 #include "renderer/passes/camera_pass.h"
 
 namespace si {
@@ -10,28 +11,12 @@ namespace {
 
 struct PrecisionTargets {
     gl::Target uvd;    ///< RGBA32F, see DrawnLookUps
-    gl::Target error;  ///< RGBA32F: texels or -1, steps of depth or -1
+    gl::Target error;  ///< RG32F: texels or -1, steps of depth or -1
     std::shared_ptr<const Precision> found;
 };
 
-template <class T>
-void flip(std::vector<T>& data, int width, int height, int channels) {
-    const std::ptrdiff_t row = std::ptrdiff_t(width) * channels;
-    for (int y = 0; y < height / 2; ++y)
-        std::swap_ranges(data.begin() + y * row, data.begin() + (y + 1) * row, data.begin() + (height - 1 - y) * row);
-}
-
-DrawnLookUps read_back(const gl::Target& ids, const gl::Target& uvd, int width, int height) {
-    const std::size_t pixels = std::size_t(width) * std::size_t(height);
-    DrawnLookUps out{{width, height, std::vector<glm::uvec2>(pixels)},
-                     {width, height, 4, std::vector<float>(pixels * 4)}};
-    gl::begin_reading();
-    glGetTextureImage(ids.texture.id(), 0, GL_RG_INTEGER, GL_UNSIGNED_INT, GLsizei(pixels * sizeof(glm::uvec2)),
-                      out.ids.data.data());
-    glGetTextureImage(uvd.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(pixels * sizeof(glm::vec4)), out.uvd.data.data());
-    flip(out.ids.data, width, height, 1);
-    flip(out.uvd.data, width, height, 4);
-    return out;
+Image image_of(const gl::Target& target) {
+    return {target.texture.id(), target.width, target.height};
 }
 
 void upload(const Precision& found, gl::Target& to) {
@@ -71,8 +56,7 @@ void add_precision_pass(FrameState& f) {
         CameraPass(f, "look-ups", GL_RGBA32F, t.uvd)
             .clear(glm::vec4(0))
             .draw("passes/look_ups.frag.glsl", {{"LIGHT_INDEX", std::to_string(f.settings.view.light)}}, info);
-        const DrawnLookUps drawn =
-            read_back(f.plan.target(Result::SurfaceIds), t.uvd, f.request.width, f.request.height);
+        const DrawnLookUps drawn{read_ids(image_of(f.result(Result::SurfaceIds))), read_floats(image_of(t.uvd), 4)};
         t.found = std::make_shared<const Precision>(find_precision(
             f.scene, f.camera, f.gl.fitted[std::size_t(f.settings.view.light)], f.map_resolution, drawn));
         upload(*t.found, t.error);

@@ -133,10 +133,6 @@ glm::dvec3 Camera::origin() const {
     return glm::round(eye / spacing) * spacing;
 }
 
-glm::dvec3 frame_origin(const Camera& camera, const Settings& settings) {
-    return settings.map.origin == int(MapOrigin::World) ? glm::dvec3(0) : camera.origin();
-}
-
 void Camera::pixel_ray(double x, double y, int width, int height_px, glm::dvec3& ray_origin,
                        glm::dvec3& ray_dir) const {
     const double half = orthographic ? 0.5 * height : std::tan(0.5 * fov_y_rad);

@@ -38,9 +38,6 @@ struct Camera {
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
                    std::span<const FittedLight> as_placed = {});
 
-/// The point that a picture's instance transforms and uniforms are relative to, as map.origin says.
-glm::dvec3 frame_origin(const Camera& camera, const Settings& settings);
-
 /// `settings` with the camera that make_camera() finds written out by hand, so that it can be moved. A light's near and
 /// far planes stay behind: as the camera moves away they would cut the scene at odd places.
 /// @param aspect the picture's width / height, on which the automatic framing depends

@@ -63,6 +63,10 @@ void fit_clip_levels(FittedLight& light, const FitContext& c, const Camera& came
 
 }  // namespace
 
+bool shades_nothing(const FittedLight& light, const Settings& settings) {
+    return !light.dark.empty() && settings.shading.composition != int(Composition::DimLit);
+}
+
 bool fit_reads_camera(const Settings& settings, int light) {
     const LightSettings& s = settings.lights[std::size_t(light)];
     return has_clip_levels(settings, light) || is_sliced(s) || fit_row(s.fit).reads_camera;

@@ -67,6 +67,10 @@ struct FittedLight : PlacedLight {
     }
 };
 
+/// Whether shading can do without the light: nothing of it arrives, and the composition does not show by its visibility
+/// alone what is lit.
+bool shades_nothing(const FittedLight& light, const Settings& settings);
+
 /// Whether a light of this range (0: unlimited) shines so far.
 constexpr bool within_range(double distance_m, double range_m) {
     return range_m <= 0 || distance_m < range_m;

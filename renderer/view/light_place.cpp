@@ -8,6 +8,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/finite.h"
 #include "renderer/view/fit_context.h"
+#include "renderer/view/placement.h"
 
 namespace si {
 namespace {
@@ -62,7 +63,6 @@ PlacedLight place(const LightSettings& s, const SceneShape& shape) {
                      glm::dvec3(positive_or(s.red, 0), positive_or(s.green, 0), positive_or(s.blue, 0));
     light.target =
         shape.centre + glm::dvec3(finite_or(s.target_x, 0), finite_or(s.target_y, 0), finite_or(s.target_z, 0));
-    light.map_origin = shape.centre;
     light.range_m = range_of(s);
     light.size = size_of(s);
     if (light.type == LightType::Spot) place_spot(light, s);
@@ -106,8 +106,7 @@ PlacedLights place_lights(const Scene& scene, const Settings& settings) {
     PlacedLights out{shape, {}};
     for (int i = 0; i < std::clamp(settings.light_count, 0, kMaxLights); ++i)
         out.lights.push_back(place(settings.lights[std::size_t(i)], *shape));
-    if (settings.map.origin == int(MapOrigin::World))
-        for (PlacedLight& light : out.lights) light.map_origin = glm::dvec3(0);
+    for (PlacedLight& light : out.lights) light.map_origin = counted_from(settings, shape->centre);
     normalise_punctual(out.lights, settings, *shape);
     return out;
 }

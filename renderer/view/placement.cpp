@@ -10,12 +10,10 @@ namespace si {
 namespace {
 
 bool is_length(const Settings& settings, const SettingRef& ref) {
-    const Param& p = *ref.param;
-    if (p.key.starts_with("scene.")) return false;
-    if (p.unit == "m") return true;
-    if (p.key == "light.size") return settings.lights[std::size_t(ref.light)].type != int(LightType::Directional);
-    if (p.unit == "bias.unit") return settings.bias.unit == int(BiasUnit::Metres);
-    return p.unit == "filter.radius_unit" && settings.filter.radius_unit == int(RadiusUnit::Metres);
+    if (ref.param->key.starts_with("scene.")) return false;
+    const std::string_view unit = shown_unit(settings, *ref.param);
+    if (unit == "deg or m") return settings.lights[std::size_t(ref.light)].type != int(LightType::Directional);
+    return unit == "m" || unit == "metres";
 }
 
 }  // namespace
@@ -56,6 +54,10 @@ void carry_settings(Settings& settings, const SceneSettings& from, const SceneSe
             set_value(settings, ref, std::clamp(*metres * by, ref.param->min, ref.param->max));
     }
     camera.target_x = target.x + now[3].x, camera.target_y = target.y + now[3].y, camera.target_z = target.z + now[3].z;
+}
+
+glm::dvec3 counted_from(const Settings& settings, const glm::dvec3& nearby) {
+    return settings.map.origin == int(MapOrigin::World) ? glm::dvec3(0) : nearby;
 }
 
 bool same_placement(const SceneSettings& a, const SceneSettings& b) {

@@ -18,6 +18,9 @@ glm::dmat4 placement_of(const SceneSettings& settings);
 /// @param from, to of the scene's place; settings.scene itself is left alone
 void carry_settings(Settings& settings, const SceneSettings& from, const SceneSettings& to);
 
+/// What positions that shaders compute with count from, as map.origin says: a place nearby, or the world's origin.
+glm::dvec3 counted_from(const Settings& settings, const glm::dvec3& nearby);
+
 /// Whether both put the scene at the same place.
 bool same_placement(const SceneSettings& a, const SceneSettings& b);
 

@@ -12,14 +12,6 @@ namespace {
 
 constexpr int kResolution = 512;
 
-Scene wide_scene(const glm::dvec3& at) {
-    std::vector<test::BoxExtent> boxes{{at + glm::dvec3(-40, -1, -40), at + glm::dvec3(40, 0, 40)}};
-    for (int x = -3; x < 4; ++x)
-        for (int z = -3; z < 4; ++z)
-            boxes.push_back({at + glm::dvec3(11 * x - 1, 0, 11 * z - 1), at + glm::dvec3(11 * x + 1, 3, 11 * z + 1)});
-    return test::box_scene(boxes);
-}
-
 /// The texel that a probe falls into: its view, the place of its middle across the light, metres, and how far the probe
 /// is from its border, texels.
 struct Texel {
@@ -47,7 +39,7 @@ struct Walk {
 /// 1000 steps, and a full turn in 500, of which each moves what is seen by less than a texel or turns it by less than a
 /// degree.
 Walk walk(const glm::dvec3& at, const char* fit, int cascades, double azimuth, double elevation) {
-    const Scene scene = wide_scene(at);
+    const Scene scene = test::blocks_on_ground(at, 1);
     Settings s;
     set_setting(s, "light.fit", fit);
     s.map.resolution = kResolution;

@@ -29,4 +29,12 @@ Scene box_scene(const std::vector<BoxExtent>& boxes, const glm::dvec3& offset) {
     return scene;
 }
 
+Scene blocks_on_ground(const glm::dvec3& at, double thickness_m) {
+    std::vector<BoxExtent> boxes{{at + glm::dvec3(-40, -thickness_m, -40), at + glm::dvec3(40, 0, 40)}};
+    for (int x = -3; x < 4; ++x)
+        for (int z = -3; z < 4; ++z)
+            boxes.push_back({at + glm::dvec3(11 * x - 1, 0, 11 * z - 1), at + glm::dvec3(11 * x + 1, 3, 11 * z + 1)});
+    return box_scene(boxes);
+}
+
 }  // namespace si::test

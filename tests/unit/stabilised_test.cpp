@@ -11,19 +11,11 @@
 namespace si {
 namespace {
 
-Scene wide_scene(const glm::dvec3& at) {
-    std::vector<test::BoxExtent> boxes{{at + glm::dvec3(-40, -1, -40), at + glm::dvec3(40, 0, 40)}};
-    for (int x = -3; x < 4; ++x)
-        for (int z = -3; z < 4; ++z)
-            boxes.push_back({at + glm::dvec3(11 * x - 1, 0, 11 * z - 1), at + glm::dvec3(11 * x + 1, 3, 11 * z + 1)});
-    return test::box_scene(boxes);
-}
-
 // The sphere holds every corner of the slice, touches some, and is as large wherever the camera stands.
 TEST(Stabilised, TheSphereIsTheSmallest) {
     Settings s;
     s.camera.source = int(CameraSource::Manual);
-    const Scene scene = wide_scene({0, 0, 0});
+    const Scene scene = test::blocks_on_ground({0, 0, 0}, 1);
     for (const double fov : {15., 60., 110.})
         for (const bool orthographic : {false, true})
             for (const auto& [near, far] : {std::pair{0.0, 9.0}, {1.0, 2.0}, {30.0, 31.0}}) {

@@ -13,15 +13,6 @@
 namespace si {
 namespace {
 
-/// A ground of 80 m with blocks on it.
-Scene blocks(const glm::dvec3& at) {
-    std::vector<test::BoxExtent> boxes{{at + glm::dvec3(-40, -0.01, -40), at + glm::dvec3(40, 0, 40)}};
-    for (int x = -3; x < 4; ++x)
-        for (int z = -3; z < 4; ++z)
-            boxes.push_back({at + glm::dvec3(11 * x - 1, 0, 11 * z - 1), at + glm::dvec3(11 * x + 1, 3, 11 * z + 1)});
-    return test::box_scene(boxes);
-}
-
 Settings warped(const glm::dvec3& target) {
     Settings s;
     s.lights[0].fit = int(LightFit::Lispsm);
@@ -68,7 +59,7 @@ TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
     std::size_t seen = 0, before = 0;
     double most_ratio = 1;
     for (const glm::dvec3& at : {glm::dvec3(0), glm::dvec3(115, 0, -115), glm::dvec3(1e5, 0, 3e4)}) {
-        const Scene scene = blocks(at);
+        const Scene scene = test::blocks_on_ground(at, 0.01);
         for (int i = 0; i < 60; ++i) {
             SCOPED_TRACE(testing::Message() << at.x << " " << i);
             Settings s = warped(at + glm::dvec3(20 * unit(random), 1, 20 * unit(random)));
@@ -129,7 +120,7 @@ TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
 // The paper's choice, written down anew: the plane where w is 0 stands n_opt before the nearest depth held, of which
 // texels grow by the square of ((n + d) / n) along the view, and by that across it.
 TEST(WarpedFit, TexelsGrowByThePapersFormula) {
-    const Scene scene = blocks({0, 0, 0});
+    const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
     for (const double angle : {90.0, 60.0, 30.0, 12.0}) {
         SCOPED_TRACE(angle);
         const Settings s = level_view(angle);
@@ -165,7 +156,7 @@ TEST(WarpedFit, TexelsGrowByThePapersFormula) {
 }
 
 TEST(WarpedFit, TexelSizesAndDepthsAreThoseOfTheMatrix) {
-    const Scene scene = blocks({0, 0, 0});
+    const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
     std::mt19937 random(9);
     std::uniform_real_distribution<double> unit(0, 1);
     for (const bool reversed : {false, true})
@@ -208,7 +199,7 @@ TEST(WarpedFit, TexelSizesAndDepthsAreThoseOfTheMatrix) {
 
 // As the light turns into the view, or against it, the warp fades, and the map's places move by small steps only.
 TEST(WarpedFit, FadesAsTheLightTurnsIntoTheView) {
-    const Scene scene = blocks({0, 0, 0});
+    const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
     for (const double azimuth : {0.0, 180.0}) {  // towards the camera, and from behind it
         std::vector<glm::dvec2> last;
         double last_ratio = 1e300, moved = 0;
@@ -234,7 +225,7 @@ TEST(WarpedFit, FadesAsTheLightTurnsIntoTheView) {
 }
 
 TEST(WarpedFit, SaysWhereNothingIsWarped) {
-    const Scene scene = blocks({0, 0, 0});
+    const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
     Settings s = level_view(60);
     s.camera.orthographic = true, s.camera.height = 10;
     const FittedLight flat = fitted(scene, s).light;

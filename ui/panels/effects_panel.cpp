@@ -7,6 +7,7 @@
 #include "ui/state/panels.h"
 #include "ui/widgets/right_aligned.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -18,15 +19,6 @@ std::string grouped(std::uint64_t n) {
     std::string text = fmt::format("{}", n);
     for (int at = int(text.size()) - 3; at > 0; at -= 3) text.insert(std::size_t(at), "\u2009");
     return text;
-}
-
-void tooltip(const std::string& text) {
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 30);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
 }
 
 /// By shape and word, so that nobody has to tell colours apart.
@@ -47,11 +39,11 @@ void state_cell(EffectState state) {
 void saved_cell(const Spread* ms, bool current) {
     right_aligned(ms ? fmt::format("{:.2f}", ms->median) : "–", ms && current ? theme::kText : theme::kMuted);
     if (ms)
-        tooltip(fmt::format("{:.3g} ms, 95 % interval {:.3g} to {:.3g} ms, by {} pairs of frames in turns.{}",
-                            ms->median, ms->median_low, ms->median_high, ms->samples,
-                            current ? "" : " Of other settings or another size: measure again."));
+        wrapped_tooltip(fmt::format("{:.3g} ms, 95 % interval {:.3g} to {:.3g} ms, by {} pairs of frames in turns.{}",
+                                    ms->median, ms->median_low, ms->median_high, ms->samples,
+                                    current ? "" : " Of other settings or another size: measure again."));
     else
-        tooltip("Not measured, or nothing spares it. Times are never estimated.");
+        wrapped_tooltip("Not measured, or nothing spares it. Times are never estimated.");
 }
 
 /// Whether frames are to do what a saving spares.
@@ -63,8 +55,8 @@ void force_box(SavingSet& forced, Saving saving, const char* label) {
             if (Saving(i) == saving ? on : forced.contains(Saving(i))) next.add(Saving(i));
         forced = next;
     }
-    tooltip(fmt::format("Force: do the work that \"{}\" spares. The picture stays the same, byte by byte.\n{}",
-                        row_of(saving).label, row_of(saving).help));
+    wrapped_tooltip(fmt::format("Force: do the work that \"{}\" spares. The picture stays the same, byte by byte.\n{}",
+                                row_of(saving).label, row_of(saving).help));
 }
 
 void measure_button(const EditorFrame& frame, EditorActions& actions) {
@@ -77,7 +69,7 @@ void measure_button(const EditorFrame& frame, EditorActions& actions) {
         return;
     }
     if (ImGui::Button("Measure what is saved")) actions.measure_saved = true;
-    tooltip(
+    wrapped_tooltip(
         "Draws frames that make each saving and frames that do its work in turns, in the background, and tells the "
         "difference in milliseconds with its interval.");
 }
@@ -91,7 +83,7 @@ void tools(EditorState& state, const EditorFrame& frame, EditorActions& actions)
     const std::string label =
         fmt::format("{}###force savings", count ? fmt::format("{} forced", count) : "None forced");
     if (ImGui::Button(label.c_str())) ImGui::OpenPopup("savings");
-    tooltip("Savings that frames are not to make. A tool: no preset holds it.");
+    wrapped_tooltip("Savings that frames are not to make. A tool: no preset holds it.");
     if (ImGui::BeginPopup("savings")) {
         for (std::size_t i = 0; i < kSavings; ++i)
             force_box(forced, Saving(i), std::string(savings()[i].label).c_str());
@@ -101,7 +93,7 @@ void tools(EditorState& state, const EditorFrame& frame, EditorActions& actions)
     ImGui::BeginDisabled(forced.empty());
     if (ImGui::Button("Reset##forced")) forced = {};
     ImGui::EndDisabled();
-    tooltip("Make all savings again.");
+    wrapped_tooltip("Make all savings again.");
     ImGui::SameLine();
     ImGui::Checkbox("Hide what is not called for", &state.effects.hide_uncalled);
     if (!frame.saved || frame.saved_current) return;
@@ -162,7 +154,7 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
     if (indent > 0) ImGui::Unindent(indent);
     ImGui::TableSetColumnIndex(int(Column::Why));
     ImGui::TextDisabled("%s", effect.reason.c_str());
-    if (!effect.reason.empty()) tooltip(effect.reason);
+    if (!effect.reason.empty()) wrapped_tooltip(effect.reason);
     const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : frame.result->pass(effect.pass);
     if (pass && pass->state == PassState::Ran) {
         cost_cells({pass->gpu_ms, pass->cpu_ms, pass->draws, pass->triangles});

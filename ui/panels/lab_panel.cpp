@@ -13,18 +13,10 @@
 #include "ui/widgets/right_aligned.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
-
-void hint(const std::string& text) {
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-}
 
 void heading(const char* text) {
     ImGui::PushFont(theme::strong());
@@ -42,7 +34,7 @@ void precision_overlays(Settings& settings) {
         if (shown) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyle().Colors[ImGuiCol_ButtonActive]);
         if (ImGui::Button(std::string(row.label).c_str())) settings.view.overlay = shown ? 0 : number;
         if (shown) ImGui::PopStyleColor();
-        hint(std::string(row.help));
+        wrapped_tooltip(std::string(row.help));
     }
 }
 
@@ -78,7 +70,7 @@ bool measure_button(const char* label, const char* about, const std::optional<Tu
         ImGui::BeginDisabled(!ready);
         pressed = ImGui::Button(label);
         ImGui::EndDisabled();
-        hint(about);
+        wrapped_tooltip(about);
     }
     return pressed;
 }
@@ -96,7 +88,7 @@ bool begin_numbers(const char* id, std::initializer_list<std::pair<const char*, 
             ImGui::TextDisabled("%s", name);
         else
             right_aligned(name, theme::kMuted);
-        hint(about);
+        wrapped_tooltip(about);
     }
     return true;
 }
@@ -154,11 +146,11 @@ void motion_widgets(ShimmerOptions& options) {
         for (const ShimmerMotionRow& row : shimmer_motions()) {
             if (ImGui::Selectable(std::string(row.label).c_str(), row.motion == options.motion))
                 options.motion = row.motion;
-            hint(std::string(row.help));
+            wrapped_tooltip(std::string(row.help));
         }
         ImGui::EndCombo();
     }
-    hint(std::string(chosen.help));
+    wrapped_tooltip(std::string(chosen.help));
     ImGui::SameLine();
     ImGui::SetNextItemWidth(em * 4);
     ImGui::InputInt("steps", &options.steps, 0);
@@ -166,7 +158,7 @@ void motion_widgets(ShimmerOptions& options) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(em * 4);
     ImGui::InputDouble("texels each", &options.step_texels, 0, 0, "%.3g");
-    hint("Texels of the light's first map that each step moves what is looked at by");
+    wrapped_tooltip("Texels of the light's first map that each step moves what is looked at by");
     options.step_texels = std::clamp(options.step_texels, 1e-3, 100.0);
 }
 
