@@ -52,7 +52,7 @@ public:
     /// Whether a caster is in the map of what rests.
     bool rests(std::uint64_t content) const;
     /// Whether there is one for these views.
-    bool keeps(std::uint64_t views) const { return views == views_ && !resting_.empty(); }
+    bool keeps(std::uint64_t kept) const { return kept == views_ && !resting_.empty(); }
     void forget() { *this = {}; }
 
     std::vector<RestingView> views;  ///< by view of the light; none is drawn where resting casters were chosen anew
