@@ -38,6 +38,7 @@ std::string setting_section(const Param& p) {
     const SettingRef ref{&p, 0, p.scope == Scope::Object ? "PATH" : ""};
     std::string text = fmt::format("\n### {}\n\n{}. Allowed: {}. Default: `{}`.{}\n\n{}\n", setting_key(ref), p.label,
                                    allowed(ref), value_text(p, default_value(ref)), kCosts.at(p.cost), p.help);
+    if (!p.also.empty()) text += fmt::format("\nElsewhere: {}.\n", p.also);
     if (!p.choices) return text;
     text += "\n| choice | name | meaning |\n|---|---|---|\n";
     for (const Choice& c : p.choices()) {

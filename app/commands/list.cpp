@@ -38,6 +38,7 @@ Json setting_rows() {
         Json json = row(setting_key(ref), p.label, p.help);
         const auto type = setting_type(ref);
         const bool number = type == "int" || type == "float";
+        json["also"] = p.also;
         json["type"] = type;
         json["unit"] = p.unit;
         json["min"] = number ? Json(p.min) : Json();

@@ -102,7 +102,7 @@ void print_dossier(const Probe::PerLight& p, const Dossier& d) {
     print_amount("normal offset", a.amount(a.normal));
     if (a.raster != 0)
         print_amount("while drawing", a.amount(a.raster), "bias.raster_*, the least that a driver may add");
-    print_amount("worth in all", d.has, "against acne");
+    print_amount("have in all", d.has, "against acne");
     print_amount("least needed", d.least, "of kernel, format, sub-pixel grid and single precision:");
     print_amount("  kernel", a.amount(a.least.kernel));
     print_amount("  format", a.amount(a.least.quantum));

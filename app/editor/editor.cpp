@@ -13,6 +13,7 @@
 #include <chrono>
 #include <vector>
 
+#include "app/base/interrupt.h"
 #include "app/base/output.h"
 #include "app/context/imgui_session.h"
 #include "app/context/window_context.h"
@@ -73,8 +74,9 @@ std::vector<std::string> run_window(const EditorOptions& options) {
     const WindowInput input(window);
     EditorModel model(options, {}, {.context = window.sharing(), .wake = WindowContext::wake});
     std::string titled;
-    int due = kSettleFrames;  // frames still to draw before the editor may sleep
-    while (!window.should_close()) {
+    const InterruptGuard interrupt;  // a batch system's end is an end like any other
+    int due = kSettleFrames;         // frames still to draw before the editor may sleep
+    while (!window.should_close() && !interrupt.asked()) {
         if (due > 0)
             window.poll_events();
         else

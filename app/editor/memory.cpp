@@ -76,8 +76,8 @@ void EditorMemory::fill(EditorFrame& frame) const {
         frame.lost = LostFacts{lost->preset.scene, age_text(lost->age_s)};
 }
 
-void EditorMemory::end(const EditorState& state) {
-    autosave_.end();
+void EditorMemory::end(const EditorState& state, bool unsaved) {
+    autosave_.end(state.scene_name, state.settings, unsaved && !state.between_steps && !state.scene_name.empty());
     workspace_.change([&](WorkspaceData& d) { d.layout = state.layout; });
 }
 

@@ -31,8 +31,8 @@ public:
     void fill(EditorFrame& frame) const;
     const Autosave::Lost* lost() const { return autosave_.lost(); }
     void forget_lost() { autosave_.forget_lost(); }
-    /// The clean end.
-    void end(const EditorState& state);
+    /// The end. @param unsaved no preset holds the present settings: they are offered at the next start
+    void end(const EditorState& state, bool unsaved);
 
 private:
     Workspace workspace_;

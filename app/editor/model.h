@@ -66,7 +66,7 @@ public:
     /// The window has this size in screen coordinates at scale 1.
     void keep_window(int width, int height, bool maximised) { memory_.note_window(width, height, maximised); }
     /// The clean end: nothing is left to restore.
-    void end() { memory_.end(state); }
+    void end() { memory_.end(state, presets_.unsaved()); }
 
 private:
     void copy_command_line();

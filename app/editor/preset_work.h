@@ -24,6 +24,8 @@ public:
     /// What state.compare names, while that is shown.
     const ComparisonFacts* comparison() const { return comparison_; }
     void fill(EditorFrame& frame) const;
+    /// No preset held what was shown when compare() was called last.
+    bool unsaved() const { return unsaved_; }
 
 private:
     /// A preset was opened: what it says, and its file as the one to save to.

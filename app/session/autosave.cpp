@@ -102,15 +102,22 @@ void Autosave::write(const std::string& scene, const Settings& settings) {
 
 void Autosave::follow(const std::string& scene, const Settings& settings, double now_s) {
     if (folder_.empty() || now_s < next_write_s_) return;
-    if (!known_) known_.emplace(scene, settings);
+    if (!known_) first_.emplace(scene, settings), known_ = first_;
     if (known_->first == scene && known_->second == settings) return;
     write(scene, settings);
     known_.emplace(scene, settings);
     next_write_s_ = now_s + kSeconds;
 }
 
-void Autosave::end() {
-    if (lock_) remove_session(file_);
+void Autosave::end(const std::string& scene, const Settings& settings, bool unsaved) {
+    Settings work = settings;
+    if (first_) work.camera = first_->second.camera, work.view = first_->second.view;
+    // Where one looks is no work that is lost.
+    const bool keep = unsaved && first_ && (first_->first != scene || first_->second != work);
+    if (keep && !folder_.empty())
+        write(scene, settings);
+    else if (lock_)
+        remove_session(file_);
     lock_.release();
     folder_.clear();
 }

@@ -36,8 +36,8 @@ public:
     /// Call often. Writes when scene or settings differ from what was there at first and from what is written,
     /// `now_s` grows steadily. Never throws.
     void follow(const std::string& scene, const Settings& settings, double now_s);
-    /// The clean end: nothing was lost.
-    void end();
+    /// The end. @param unsaved what is shown then is kept and offered again, as after a crash; else nothing is left
+    void end(const std::string& scene, const Settings& settings, bool unsaved);
     /// What went wrong since the last call, one line each.
     std::vector<std::string> take_remarks();
 
@@ -52,6 +52,7 @@ private:
     std::optional<Lost> lost_;
     std::vector<std::filesystem::path> settled_;             ///< lost sessions that were dealt with
     std::optional<std::pair<std::string, Settings>> known_;  ///< as at first, later as written
+    std::optional<std::pair<std::string, Settings>> first_;  ///< as the editor began
     double next_write_s_ = 0;
     std::vector<std::string> remarks_;
 };

@@ -115,7 +115,7 @@ std::string frontier_text(const SweepResults& results) {
             on.push_back(&row);
     std::stable_sort(on.begin(), on.end(),
                      [&](const SweepRow* a, const SweepRow* b) { return x->value(a->numbers) < x->value(b->numbers); });
-    std::string text = fmt::format("{:>16} {:>12}  case (nothing beats these)\n",
+    std::string text = fmt::format("{:>16} {:>12}  case (Pareto front)\n",
                                    fmt::format("{} [{}]", label_of(*x, results.cost), x->unit), y->label);
     for (const SweepRow* row : on) {
         text += fmt::format("{:>16.4g} {:>12.4g} ", x->value(row->numbers), y->value(row->numbers));

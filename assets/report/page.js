@@ -27,7 +27,7 @@ function header() {
   if (DATA.clock) where.push("times: " + DATA.clock + ", " + DATA.rounds + " rounds");
   byId("where").append(where.filter(Boolean).join(" \u00b7 "));
   if (DATA.cpu_rasteriser && DATA.clock)
-    byId("where").append(" ", make("span", { class: "badge" }, "CPU rasteriser: not the times of a GPU"));
+    byId("where").append(" ", make("span", { class: "badge" }, "CPU rasteriser: times do not predict a GPU"));
   if (!DATA.clock) byId("where").append(" \u00b7 no times were taken");
 }
 
@@ -42,7 +42,7 @@ function summary() {
 
 function caption() {
   const axis = DATA.axes.find(a => a.key === state.colour), box = byId("frontier-caption");
-  box.replaceChildren("Lower and further left is better. Coloured: nothing beats them; grey: something does. Dashed ring: " +
+  box.replaceChildren("Lower and further left is better. Coloured: the Pareto front; grey: something is better in both. Dashed ring: " +
     "within noise of a better one. Whiskers: noise of the time. Names: " + DATA.axes.map(a =>
     settingLabel(a.key).toLowerCase()).join(" \u00b7 ") + ".");
   if (!axis) return;

@@ -254,7 +254,7 @@ std::string viewer_unasked(const Facts& f) {
 }
 
 std::string causes_unasked(const Facts& f) {
-    return skips(f, "causes found") && skips(f, "trials of every pixel") ? "nobody asks what is wrong" : "";
+    return skips(f, "causes found") && skips(f, "trials of every pixel") ? "not needed: causes are not shown" : "";
 }
 
 // The table -----------------------------------------------------------------------------------------------------------

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "renderer/base/metres_text.h"
+
 namespace si {
 namespace {
 
@@ -40,21 +42,22 @@ std::string unreached(const FittedLight& light, const glm::dvec3& position_ws) {
 
 std::string verdict(const Settings& settings, const Probe::PerLight& p) {
     if (!p.receives) return "lit: this object receives no shadows";
-    if (!faces_light(p.n_dot_l)) return "in shadow: the surface faces away from the light";
+    if (!faces_light(p.n_dot_l)) return fmt::format("no shadow test: the surface faces away (N·L = {:.2f})", p.n_dot_l);
     if (p.where == "behind") return "outside the map: behind the light";
     if (p.where == "beyond shadows") return "lit: where light.fit has found that nothing can cast a shadow";
     if (p.where == "beyond far" && settings.map.far_guard)
-        return fmt::format("{}: beyond the light's far plane, the far guard decides",
+        return fmt::format("{}: beyond the light's far plane, the far-plane test decides",
                            p.visibility > 0.5 ? "lit" : "unlit");
     const double gap = p.gap_m;
     const DepthAmount all = p.account.amount(p.account.clears());
     const std::string bias =
         std::isfinite(all.texels)
-            ? fmt::format("bias and normal offset are worth {:.4g} m ({:.3g} texels)", all.metres, all.texels)
-            : "bias and normal offset lift it past everything, as the map sees it edge-on";
+            ? fmt::format("bias and normal offset are worth {} ({:.3g} texels)", metres_text(all.metres), all.texels)
+            : "bias and normal offset move it past everything, as the map sees it edge-on";
     const std::string texel =
-        gap > 0 ? fmt::format("its texel stores a surface {:.4g} m nearer to the light", gap)
-                : fmt::format("its texel stores nothing nearer (own depth is {:.4g} m before it)", -gap);
+        gap > 0 ? fmt::format("the map stores a surface {} nearer to the light", metres_text(gap))
+                : fmt::format("nothing nearer in the map; the surface lies {} in front of the stored depth",
+                              metres_text(-gap));
     if (p.visibility >= 1) return fmt::format("lit: {}, {}", texel, bias);
     if (p.visibility <= 0) return fmt::format("in shadow: {}, {}", texel, bias);
     return fmt::format("partly lit ({:.0f} %): {}, {}; the kernel's taps disagree", p.visibility * 100, texel, bias);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/metres_text.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/map_limits.h"
@@ -101,20 +102,21 @@ private:
                 break;
         }
         if (!p_.casts) {
-            const char* const is = dark() ? "dark" : "lit";
+            const char* const is = dark() ? "in shadow" : "lit";
             return d_.right ? fmt::format("right: {}, as in truth; {}", is, p_.fitted.reason)
-                            : fmt::format("wrong: {} though {} in truth; {}", is, truth_.lit ? "lit" : "dark",
+                            : fmt::format("wrong: {}, should be {}; {}", is, truth_.lit ? "lit" : "in shadow",
                                           p_.fitted.reason);
         }
         if (p_.where == "beyond shadows")
-            return d_.right ? "right: lit, as light.fit has found that nothing can cast a shadow there"
-                            : "wrong: dark in truth, where light.fit has found that nothing can cast a shadow";
+            return d_.right
+                       ? "right: lit, as light.fit has found that nothing can cast a shadow there"
+                       : "wrong: lit, should be in shadow, where light.fit has found that nothing can cast a shadow";
         if (truth_.evidence.place == CauseEvidence::kOutside)
             return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", p_.where,
-                               dark() ? "dark" : "lit",
+                               dark() ? "in shadow" : "lit",
                                d_.right ? "and so it is in truth"
-                               : dark() ? "lit in truth"
-                                        : "dark in truth");
+                               : dark() ? "should be lit"
+                                        : "should be in shadow");
         if (d_.right) return right();
         std::string text = limits() + wrong();
         for (std::size_t a = 1; a < kArtefacts; ++a)
@@ -141,12 +143,12 @@ private:
                                      : fmt::format("needs {} of bias and has only {}, so neighbours may show acne",
                                                    texels(d_.least), texels(d_.has));
         if (faint_acne())
-            return fmt::format(
-                "faint acne: lit, as in truth, but {:.0f} % of the kernel is dark by the surface itself{}; {}",
-                100 * (1 - p_.visibility), d_.has.depth < d_.least.depth ? "" : " or by a steeper one beside it", bias);
+            return fmt::format("faint acne: lit, as in truth, but {:.0f} % of the kernel is self-shadowed{}; {}",
+                               100 * (1 - p_.visibility),
+                               d_.has.depth < d_.least.depth ? "" : " or by a steeper one beside it", bias);
         if (!dark()) return fmt::format("right: lit, as in truth; {}", bias);
-        return fmt::format("right: dark, as in truth, by a surface {} nearer to the light; {}", texels(d_.occluder),
-                           bias);
+        return fmt::format("right: in shadow, as in truth, by a surface {} nearer to the light; {}",
+                           texels(d_.occluder), bias);
     }
 
     std::string wrong() const {
@@ -158,48 +160,49 @@ private:
             case Artefact::PeterPanning:
                 return fmt::format(
                     "peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} "
-                    "away; {} it is dark, as in truth",
+                    "away; {} it is in shadow, as in truth",
                     texels(d_.lifted), texels(d_.occluder), less_bias());
             case Artefact::PeterPanningRaster:
                 return fmt::format(
                     "peter-panning by polygon offset: bias.raster_* let the map's depths recede by {}, past what "
-                    "stands before it by {}; without them it is dark, as in truth",
+                    "stands before it by {}; without them it is in shadow, as in truth",
                     texels(p_.account.amount(p_.account.raster)), texels(d_.occluder));
             case Artefact::PeterPanningOffset:
                 return fmt::format(
-                    "peter-panning by normal offset: the look-up is moved by {:.4g} m and misses the shadow; {} "
-                    "it is dark, as in truth",
-                    p_.normal_offset_m, truth_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
+                    "peter-panning by normal offset: the look-up is moved by {} and misses the shadow; {} "
+                    "it is in shadow, as in truth",
+                    metres_text(p_.normal_offset_m),
+                    truth_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
             case Artefact::OffsetShadow:
                 return fmt::format(
-                    "shadow by normal offset: the look-up is moved by {:.4g} m into a shadow; without the offset "
+                    "shadow by normal offset: the look-up is moved by {} into a shadow; without the offset "
                     "and with {} it is lit, as in truth",
-                    p_.normal_offset_m,
+                    metres_text(p_.normal_offset_m),
                     truth_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
             case Artefact::LostCaster:
                 return fmt::format(
-                    "lost caster: dark in truth by a surface {:.4g} m nearer to the light, which {} left out of "
+                    "lost caster: should be in shadow of a surface {} nearer to the light, which {} left out of "
                     "the map",
-                    truth_.blocker_m, leaves_out());
+                    metres_text(truth_.blocker_m), leaves_out());
             case Artefact::Leak:
                 if (p_.causes.unfiltered_differs() && truth_.evidence.unfiltered < 0.5f)
                     return fmt::format(
                         "leak: {:.0f} % of the kernel is lit; the same kernel and bias upon the map before its "
-                        "blur (map.blur_texels) are dark, as in truth",
+                        "blur (map.blur_texels) find shadow, as in truth",
                         100 * p_.visibility);
                 return fmt::format(
                     "leak: {:.0f} % of the kernel is lit; the nearest texel alone, with the {} of bias that it "
-                    "needs, is dark, as in truth{}",
+                    "needs, is in shadow, as in truth{}",
                     100 * p_.visibility, nearest_need(),
                     d_.window_open() ? "" : "; with this kernel " + no_bias_is_right());
             case Artefact::Filter:
                 if (p_.causes.unfiltered_differs() && truth_.evidence.unfiltered >= 0.5f)
                     return fmt::format(
-                        "filter: {:.0f} % of the kernel is dark; the same kernel and bias upon the map without {} "
+                        "filter: {:.0f} % of the kernel is in shadow; the same kernel and bias upon the map without {} "
                         "are lit, as in truth",
                         100 * (1 - p_.visibility), filtered_by());
                 return fmt::format(
-                    "filter: {:.0f} % of the kernel is dark; the nearest texel alone, with the {} of bias that "
+                    "filter: {:.0f} % of the kernel is in shadow; the nearest texel alone, with the {} of bias that "
                     "it needs, is lit, as in truth",
                     100 * (1 - p_.visibility), nearest_need());
             case Artefact::OutsideMap:
@@ -212,13 +215,14 @@ private:
             case Artefact::EdgeAliasing:
                 if (p_.fitted.type == LightType::Directional && view().curve.perspective)
                     return fmt::format(
-                        "{} though {}: this sun is drawn in perspective (light.projection), as if its rays came "
+                        "{}, should be {}: this sun is drawn in perspective (light.projection), as if its rays came "
                         "from one place, which moves its shadows",
-                        dark() ? "dark" : "lit", dark() ? "lit" : "dark");
+                        dark() ? "in shadow" : "lit", dark() ? "lit" : "in shadow");
                 return fmt::format(
-                    "edge aliasing: {} though {}; {} and the nearest texel alone were tried and leave it so: a "
+                    "edge aliasing: {}, should be {}; {} and the nearest texel alone were tried and leave it so: a "
                     "true edge runs between this pixel and the texels that stand for it",
-                    dark() ? "dark" : "lit", dark() ? "lit" : "dark", dark() ? "more bias" : "the least bias");
+                    dark() ? "in shadow" : "lit", dark() ? "lit" : "in shadow",
+                    dark() ? "more bias" : "the least bias");
             case Artefact::Penumbra:
                 return "penumbra: right for a light without size";
             case Artefact::Contact:

@@ -5,15 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/metres_text.h"
 #include "renderer/settings/filters.h"
 
 namespace si {
-std::string length_text(double m) {
-    return m < 1e-3 ? fmt::format("{:.3g} µm", m * 1e6)
-           : m < 1  ? fmt::format("{:.3g} mm", m * 1e3)
-                    : fmt::format("{:.3g} m", m);
-}
-
 std::string why_nothing_to_tune(std::span<const FittedLight> lights, int light) {
     const auto i = std::size_t(std::max(light, 0));
     if (i >= lights.size()) return fmt::format("there is no light {}: there is no bias to find", i);
@@ -27,10 +22,11 @@ std::string cost_text(const BiasTrial& before, const BiasTrial& after) {
     std::string text = fmt::format(
         "gap beside casters {} at the median, {} for 95 % (was {}, {}); {} px lost to bias (was {}); acne {} px (was "
         "{})",
-        length_text(after.needs.gap_median_m), length_text(after.needs.gap_p95_m),
-        length_text(before.needs.gap_median_m), length_text(before.needs.gap_p95_m), after.lost(), before.lost(),
+        metres_text(after.needs.gap_median_m), metres_text(after.needs.gap_p95_m),
+        metres_text(before.needs.gap_median_m), metres_text(before.needs.gap_p95_m), after.lost(), before.lost(),
         after.acne(), before.acne());
-    if (after.needs.folds > 0) text += fmt::format("; {} px stay a little darker in inner corners", after.needs.folds);
+    if (after.needs.folds > 0)
+        text += fmt::format("; {} px stay a little darker in concave corners", after.needs.folds);
     return text;
 }
 

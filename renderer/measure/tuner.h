@@ -13,9 +13,6 @@
 
 namespace si {
 
-/// "3.1 mm".
-std::string length_text(double metres);
-
 /// Why a light of a frame has no bias to search, in words; empty: it has.
 std::string why_nothing_to_tune(std::span<const FittedLight> lights, int light);
 

@@ -17,7 +17,7 @@ void add_map_coordinates_pass(FrameState& f) {
     pass.name = "map coordinates";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::MapCoordinates};
-    pass.idle_reason = "nobody asks which texels are read";
+    pass.idle_reason = "not needed: nothing shows which texels are read";
     if (!f.shown_view()) {
         pass.unneeded = "the light shown has no map";
         f.plan.add(std::move(pass));

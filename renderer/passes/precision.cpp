@@ -44,7 +44,7 @@ void add_precision_pass(FrameState& f) {
     pass.category = PassCategory::Tool;
     pass.reads = {Result::SurfaceIds};
     pass.writes = {Result::Precision};
-    pass.idle_reason = "nobody asks how far look-ups are off";
+    pass.idle_reason = "not needed: nothing shows how far look-ups are off";
     if (!f.shown_view()) {
         pass.unneeded = "the light shown has no map";
         f.plan.add(std::move(pass));

@@ -69,7 +69,7 @@ void add_true_shade_pass(FrameState& f) {
     pass.reads.push_back(Result::Visibility);
     pass.category = PassCategory::Tool;
     pass.writes = {Result::TruePicture};
-    pass.idle_reason = "nobody asks for the true picture";
+    pass.idle_reason = "not needed: the true picture is not shown";
     if (!f.truth.met) {
         pass.unneeded = "the truth about this frame is not traced";
         f.plan.add(std::move(pass));

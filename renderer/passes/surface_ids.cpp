@@ -17,7 +17,7 @@ void add_surface_ids_pass(FrameState& f) {
     pass.name = "surface ids";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::SurfaceIds};
-    pass.idle_reason = "nobody asks which triangle a pixel shows";
+    pass.idle_reason = "not needed: nothing reads which triangle a pixel shows";
     pass.key = f.surfaces_key().value();
     pass.cached = &ids.key;
     pass.run = [&f, &ids](PassInfo& info) {

@@ -18,7 +18,7 @@ void add_texels_read_pass(FrameState& f) {
     pass.reads = lookup_reads(f);
     pass.reads.push_back(Result::SurfacesSeen);
     pass.writes = {Result::TexelsRead};
-    pass.idle_reason = "nobody asks which texels are read";
+    pass.idle_reason = "not needed: nothing shows which texels are read";
     int layer = 0;
     if (!f.shown_view(&layer)) {
         pass.unneeded = "the light shown has no map";

@@ -237,7 +237,7 @@ Pass sums_pass(FrameState& f) {
     pass.category = PassCategory::Tool;
     pass.reads = {Result::Judged, Result::Truth};
     pass.writes = {Result::Error};
-    pass.idle_reason = "nobody asks for numbers";
+    pass.idle_reason = "not needed: no number of the error is shown";
     pass.key = Key().add(source_of(f.settings, f.settings.view.light).needs.map).value();
     pass.cached = &targets(f).error_tiles.key;
     pass.run = [&f](PassInfo& info) {

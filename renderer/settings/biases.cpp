@@ -54,7 +54,8 @@ constexpr std::string_view kRasterSettings[] = {"bias.raster_slope", "bias.raste
 constexpr Bias kBiases[] = {
     {.key = "slope",
      .label = "Slope over constant",
-     .help = "The lectures' bias: max(slope * (1 - n.l), constant), with n.l the cosine between surface normal and "
+     .help = "The lectures' bias: max(slope bias * (1 - N·L), constant bias), with N·L the cosine between surface "
+             "normal and "
              "light. The compared depth is the same for all texels of the kernel.",
      .paper = "",
      .file = "biases/slope.glsl",

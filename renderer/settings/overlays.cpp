@@ -43,7 +43,7 @@ constexpr Overlay kOverlays[] = {
      .min = 0,
      .max = 5},
     {.key = "n-dot-l",
-     .label = "N.L",
+     .label = "N·L",
      .unit = "",
      .help = "Cosine between the triangle's normal and the direction to the light; near zero the bias need grows "
              "without bound.",

@@ -56,6 +56,7 @@ struct Param {
     FieldRef (*field)(Settings&, int light, ObjectSettings*) = nullptr;
     std::string_view label, unit;
     double min = 0, max = 1;
+    double slider_max = 0;  ///< where its slider ends; what is typed may go on to max. 0: at max
     bool logarithmic = false;
     Cost cost = Cost::Uniform;
     std::span<const Choice> (*choices)() = nullptr;
@@ -64,6 +65,8 @@ struct Param {
     /// Why the setting is without effect under `s`; empty when it acts.
     std::string_view (*idle)(const Settings& s, int light) = nullptr;
     std::string_view help;
+    /// What Unity, Unreal, Godot, three.js, Filament, Blender and OpenGL call it, for the search.
+    std::string_view also = {};
     Scope scope = Scope::Scene;
     DriverFeature needs = DriverFeature::None;
     bool of_map = false;  ///< without effect where no light's shadows come from a map (light.source)

@@ -20,13 +20,13 @@ constexpr auto kContactRows = std::to_array<Param>({
      SI_IDLE(no_light_has_contacts(s), kNone),
      .help = "How many places of the ray are looked at. Between them thin casters are missed, which each pixel's own "
              "beginning turns into noise.",
-     .read_by = ReadBy::Visibility},
+     .also = "samples, ray steps", .read_by = ReadBy::Visibility},
     {SI_FIELD(contact.thickness), .label = "Thickness", .unit = "m", .min = 1e-4, .max = 1e4, .logarithmic = true,
      SI_IDLE(no_light_has_contacts(s), kNone),
      .help =
          "How far behind a surface that the camera sees the ray counts as being within it. The picture does not tell "
          "how thick things are: too little lets light through, too much shadows what lies free behind an edge.",
-     .read_by = ReadBy::Visibility},
+     .also = "depth bias, ray thickness", .read_by = ReadBy::Visibility},
 });
 static_assert(kContactRows.size() == members<ContactSettings>(), "a member of ContactSettings has no row");
 

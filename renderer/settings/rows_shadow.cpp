@@ -101,30 +101,32 @@ constexpr auto kMap = of_map(std::to_array<Param>({
              "and takes four times the memory. Clamped to what the driver can allocate. While casters move "
              "below a light whose map stays, as much again for those at rest. Under map.virtual only pages that are "
              "read take memory.",
-     .shader = true, .read_by = ReadBy::Maps},
+     .also = "shadow map size, shadow resolution, texture size, atlas size, mapSize", .shader = true,
+     .read_by = ReadBy::Maps},
     {SI_FIELD(map.format), .label = "Format", .unit = "", .cost = Cost::Target, SI_CHOICES(kFormats),
      .help = "How the map stores depth. Fewer bits make larger steps of depth, which call for more bias.",
-     .shader = true, .read_by = ReadBy::Maps},
-    {SI_FIELD(map.wrap), .label = "Outside of the map", .unit = "", .cost = Cost::Program, SI_CHOICES(kWraps),
-     .help = "What a look-up outside of the map's square finds.", .shader = true},
-    {SI_FIELD(map.outside), .label = "Outside counts as", .unit = "", .cost = Cost::Program, SI_CHOICES(kOutside),
+     .also = "depth precision, depth bits, depth buffer format", .shader = true, .read_by = ReadBy::Maps},
+    {SI_FIELD(map.wrap), .label = "Addressing", .unit = "", .cost = Cost::Program, SI_CHOICES(kWraps),
+     .help = "What a look-up outside of the map's square finds.",
+     .also = "wrap mode, address mode, clamp, oversampling", .shader = true},
+    {SI_FIELD(map.outside), .label = "Out-of-map result", .unit = "", .cost = Cost::Program, SI_CHOICES(kOutside),
      .idle = outside_idle,
      .help = "Whether surfaces that the map does not hold (beside it, guarded behind its far plane, behind the light) "
              "are lit or get ambient light only.",
-     .shader = true},
-    {SI_FIELD(map.far_guard), .label = "Far guard", .unit = "", .cost = Cost::Program,
+     .also = "border colour, border color", .shader = true},
+    {SI_FIELD(map.far_guard), .label = "Far-plane test", .unit = "", .cost = Cost::Program,
      .help = "Surfaces beyond the light's far plane count as map.outside says. Off: they are compared like all others, "
              "farther away than anything stored, and turn dark.",
-     .shader = true},
-    {SI_FIELD(map.compare), .label = "Compare", .unit = "", .cost = Cost::Program, SI_CHOICES(kCompares),
+     .also = "far plane, beyond far, shadow distance", .shader = true},
+    {SI_FIELD(map.compare), .label = "Depth test", .unit = "", .cost = Cost::Program, SI_CHOICES(kCompares),
      .idle = compare_idle,
      .help = "The comparison of the fragment's depth with the stored one (greater, greater or equal under reversed "
              "depth). They differ where both are equal, as on surfaces that cast onto themselves without bias.",
-     .shader = true},
+     .also = "depth func, compare function, comparison", .shader = true},
     {SI_FIELD(map.reversed_z), .label = "Reversed depth", .unit = "", .cost = Cost::Program,
      .help = "The near plane maps to depth 1 and the far plane to 0. With d32f the fine steps of floating point near 0 "
              "then offset the perspective's coarse steps far away.",
-     .shader = true},
+     .also = "reverse z, reversed z, inverted depth buffer", .shader = true},
     {SI_FIELD(map.blur_texels), .label = "Depth blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
      .help =
          "Wrong on purpose: each stored depth becomes the mean of those up to this many texels away, along x and y. "
@@ -142,7 +144,7 @@ constexpr auto kMap = of_map(std::to_array<Param>({
     {SI_FIELD(map.transform), .label = "Texture matrix", .unit = "", .cost = Cost::Program, SI_CHOICES(kTransforms),
      .help = "How a surface's place in the map is found. Both are the same in exact numbers; the overlay "
              "transform-difference shows by how many texels they differ in single precision.",
-     .shader = true},
+     .also = "bias matrix, texture matrix, texture projection", .shader = true},
     {SI_FIELD(map.origin), .label = "Positions from", .unit = "", SI_CHOICES(kOrigins),
      .help = "What the positions that the graphics card computes with count from. Both are the same in exact numbers; "
              "single precision has some seven digits, which far from the world's origin the way there uses up."},
@@ -156,6 +158,7 @@ constexpr auto kMap = of_map(std::to_array<Param>({
              "moves. A directional light has clip levels about the camera, each twice as wide as the one before, so "
              "that a texel is about a pixel everywhere; other lights' maps, and those of light.fit manual, are drawn "
              "by pages as they are (Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3).",
+     .also = "virtual shadow maps, clipmap, sparse, paged",
      .read_by = ReadBy::Pages},
     {SI_FIELD(map.page_size), .label = "Page", .unit = "texels", .min = 16, .max = 1024, .logarithmic = true,
      .cost = Cost::Target,
@@ -232,12 +235,14 @@ constexpr Choice kBlends[] = {
 
 constexpr auto kCaster = std::to_array<Param>({
     {SI_FIELD(caster.cull), .label = "Cull casters", .unit = "", SI_CHOICES(kCulls),
-     .help = "Which faces are left out of the shadow map. Objects may differ (object.PATH.cull).", .of_map = true,
-     .read_by = ReadBy::Maps},
+     .help = "Which faces are left out of the shadow map. Objects may differ (object.PATH.cull).",
+     .also = "shadow side, shadowSide, double sided, two-sided, cull mode, front face culling, back face culling",
+     .of_map = true, .read_by = ReadBy::Maps},
     {SI_FIELD(caster.blend), .label = "Blended casters", .unit = "", SI_CHOICES(kBlends),
      .help =
          "What materials whose alpha blends (glTF: BLEND) cast. A shadow map holds one depth a texel, so there is no "
-         "half shadow."},
+         "half shadow.",
+     .also = "transparent shadows, translucent, alpha blend"},
 });
 static_assert(kCaster.size() == members<CasterSettings>(), "a member of CasterSettings has no row");
 
@@ -249,49 +254,55 @@ constexpr auto kBias = of_map(std::to_array<Param>({
     {SI_FIELD(bias.kind), .label = "Kind", .unit = "", .cost = Cost::Program, .choices = bias_choices,
      .help = "What is subtracted from the fragment's depth before the comparison. Normal offset and raster bias act "
              "beside it.",
-     .shader = true},
+     .also = "receiver plane depth bias, adaptive bias, bias type", .shader = true},
     {SI_FIELD(bias.unit), .label = "Unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true, .read_by = ReadBy::Slabs},
-    {SI_FIELD(bias.constant), .label = "Constant", .unit = "bias.unit", .min = 0, .max = 1000, .logarithmic = true,
-     .help = "Least bias. Bias = max(slope * (1 - n.l), constant), subtracted from the fragment's depth before the "
+    {SI_FIELD(bias.constant), .label = "Constant bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
+     .logarithmic = true,
+     .help = "Bias = max(slope bias * (1 - N·L), constant bias), subtracted from the fragment's depth before the "
              "comparison. Too little: acne. Too much: shadows come off their objects (peter-panning).",
-     .shader = true, .read_by = ReadBy::Slabs},
-    {SI_FIELD(bias.slope), .label = "Slope", .unit = "bias.unit", .min = 0, .max = 1000, .logarithmic = true,
+     .also = "depth bias, shadow bias, constantBias", .shader = true, .read_by = ReadBy::Slabs},
+    {SI_FIELD(bias.slope), .label = "Slope bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
+     .logarithmic = true,
      SI_IDLE(s.bias.slope <= s.bias.constant,
-             "without effect: bias = max(slope * (1 - n.l), constant) and slope is not above constant"),
-     .help =
-         "Bias at grazing light. Bias = max(slope * (1 - n.l), constant), with n.l the cosine between surface normal "
-         "and light.",
-     .shader = true},
+             "without effect: bias = max(slope bias * (1 - N·L), constant bias), and slope bias is not above constant "
+             "bias"),
+     .help = "Bias at grazing light. Bias = max(slope bias * (1 - N·L), constant bias), with N·L the cosine between "
+             "surface normal "
+             "and light.",
+     .also = "slope scale, slope-scaled depth bias, shadow slope bias", .shader = true},
     {SI_FIELD(bias.plane_clamp), .label = "Plane clamp", .unit = "texels", .min = 0, .max = 10000, .logarithmic = true,
      .help = "How far the depth that a texel is compared with may differ from the one at the look-up, in widths of a "
              "texel along the light's axis; 0 is no limit. A plane that the light grazes is steep without bound; "
              "beyond the limit it may show acne.",
      .shader = true},
-    {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "texels", .min = 0, .max = 100, .logarithmic = true,
+    {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "texels", .min = 0, .max = 100, .slider_max = 20,
+     .logarithmic = true,
      .help = "Moves the point that is looked up along its normal by this many texels (normal-offset shadows). Cures "
              "acne at any angle of light; too much lets light in at inner edges.",
-     .shader = true},
+     .also = "normal bias, normalBias, shadow normal bias, normal-offset shadows", .shader = true},
     {SI_FIELD(bias.normal_source), .label = "Normal", .unit = "", .cost = Cost::Program, SI_CHOICES(kNormals),
      SI_IDLE(!slope_acts(s) && s.bias.normal == 0, "without effect: neither slope nor normal offset acts"),
      .help = "The normal that slope bias and normal offset use.", .shader = true, .read_by = ReadBy::SurfacesSeen},
-    {SI_FIELD(bias.raster_slope), .label = "Raster slope", .unit = "x depth slope", .min = -100, .max = 100,
+    {SI_FIELD(bias.raster_slope), .label = "Polygon offset factor", .unit = "x depth slope", .min = -100, .max = 100,
      SI_IDLE(holds_distances(s.map.format), kNoOffset),
      .help = "glPolygonOffset factor while the map is drawn: depth per texel of the triangle's own slope, times this. "
              "Towards the far plane when positive, under reversed depth too.",
-     .shader = true, .read_by = ReadBy::Maps},
-    {SI_FIELD(bias.raster_units), .label = "Raster units", .unit = "depth steps", .min = -1e7, .max = 1e7,
+     .also = "slope scale, slope-scaled depth bias, SlopeScaledDepthBias, glPolygonOffset", .shader = true,
+     .read_by = ReadBy::Maps},
+    {SI_FIELD(bias.raster_units), .label = "Polygon offset units", .unit = "depth steps", .min = -1e7, .max = 1e7,
      .logarithmic = true, SI_IDLE(holds_distances(s.map.format), kNoOffset),
      .help = "glPolygonOffset units while the map is drawn: smallest steps of the depth format, as the driver defines "
              "them. Towards the far plane when positive, under reversed depth too.",
-     .shader = true, .read_by = ReadBy::Maps},
-    {SI_FIELD(bias.raster_clamp), .label = "Raster clamp", .unit = "depth", .min = 0, .max = 1,
+     .also = "depth bias, DepthBias, glPolygonOffset", .shader = true, .read_by = ReadBy::Maps},
+    {SI_FIELD(bias.raster_clamp), .label = "Polygon offset clamp", .unit = "depth", .min = 0, .max = 1,
      SI_IDLE(!offsets_polygons(s), holds_distances(s.map.format)
                                        ? kNoOffset
                                        : "without effect: bias.raster_slope and bias.raster_units are 0"),
-     .help = "Largest offset that raster slope and units may add, in depth [0,1]; 0 is no limit. Needs "
+     .help = "Largest offset that polygon offset factor and units may add, in depth [0,1]; 0 is no limit. Needs "
              "glPolygonOffsetClamp.",
-     .needs = DriverFeature::PolygonOffsetClamp, .shader = true, .read_by = ReadBy::Maps},
+     .also = "DepthBiasClamp, glPolygonOffsetClamp", .needs = DriverFeature::PolygonOffsetClamp, .shader = true,
+     .read_by = ReadBy::Maps},
 }));
 static_assert(kBias.size() == members<BiasSettings>(), "a member of BiasSettings has no row");
 
@@ -299,6 +310,7 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.kernel), .label = "Kernel", .unit = "", .cost = Cost::Program, .choices = filter_choices,
      .swept = swept_kernels,
      .help = "How the shadow test is filtered. Wider kernels blur the stair steps and call for more bias.",
+     .also = "softness, soft shadows, shadow type, shadow quality, filter quality, filter mode, contact hardening",
      .shader = true},
     {SI_FIELD(filter.method), .label = "Method", .unit = "", .cost = Cost::Program, SI_CHOICES(kMethods),
      .idle = method_idle, .help = "How the kernel reads the map. Both give the same picture at different cost.",
@@ -306,7 +318,7 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.size), .label = "Size", .unit = "texels", .min = 2, .max = 15, .cost = Cost::Program,
      .help = "Width of the kernel: comparisons, or texels that the weights span, along each axis. An even one is "
              "centred between texels.",
-     .shader = true},
+     .also = "kernel size, filter size, softness", .shader = true},
     {SI_FIELD(filter.point), .label = "Points", .unit = "", .cost = Cost::Program,
      .help = "Compares single texels, as the lectures write it by hand: size^2 + 1 grey levels. Off: each comparison "
              "blends 2x2 texels, and edges are without steps.",
@@ -315,9 +327,10 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .cost = Cost::Program,
      .help = "How many places of the disk are compared. Few of them show as steps in each edge, or as noise where "
              "each pixel turns the disk. The Poisson table ends at 64.",
-     .shader = true},
+     .also = "samples, sample count, filter samples", .shader = true},
     {SI_FIELD(filter.radius), .label = "Radius", .unit = "filter.radius_unit", .min = 0, .max = 32, .logarithmic = true,
-     .help = "Radius of the disk of taps. Wider is softer and calls for more bias.", .shader = true},
+     .help = "Radius of the disk of taps. Wider is softer and calls for more bias.",
+     .also = "softness, filter radius, shadow radius, shadow blur", .shader = true},
     {SI_FIELD(filter.radius_unit), .label = "Radius unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kRadiusUnits),
      .help = "What filter.radius counts in. In metres the shadow is as soft whatever the map's resolution, and at any "
              "distance from a light with a place.",
@@ -332,13 +345,13 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .cost = Cost::Program,
      .help = "How many texels are searched for what stands between surface and light. Their mean distance gives the "
              "penumbra's width; where none is found, the surface is lit.",
-     .shader = true},
+     .also = "blocker search samples, blocker samples", .shader = true},
     {SI_FIELD(filter.max_radius), .label = "Largest radius", .unit = "texels", .min = 1, .max = 64, .logarithmic = true,
      SI_IDLE(!filter_of(s).reads_light_size && s.filter.radius_unit == at(RadiusUnit::Texels),
              "without effect: filter.radius itself is in texels"),
      .help = "Most that the kernel reaches to each side: search, penumbra, or a radius in metres. Wider ones than that "
              "come out too narrow; the bias must do for so wide a kernel.",
-     .shader = true},
+     .also = "penumbra limit, max penumbra", .shader = true},
     {SI_FIELD(filter.rays), .label = "Rays", .unit = "rays", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
      .help = "How many places of the light are looked at. Few of them show as noise, or without turns as steps.",
@@ -355,16 +368,16 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.blur), .label = "Blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
      .help = "The moments of each texel become the mean of those up to this many texels away, along x and y: once for "
              "the map, however many pixels read it. 0 leaves the 2x2 that bilinear sampling blends.",
-     .shader = true, .read_by = ReadBy::Moments},
+     .also = "blur radius, softness, blurSamples", .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.bleed), .label = "Light-bleed reduction", .unit = "", .min = 0, .max = 0.99,
      .help = "Visibility below this share counts as shadow, and the rest is stretched to fill 0 to 1. Takes away light "
              "that leaks in where shadows overlap, and hardens every edge.",
-     .shader = true},
+     .also = "light bleeding, lightBleedReduction", .shader = true},
     {SI_FIELD(filter.min_variance), .label = "Least variance", .unit = "range^2", .min = 0, .max = 0.01,
      .logarithmic = true,
      .help = "Variance that every texel has at least, in squares of the map's depth range. Stands in for rounding: too "
              "little leaves acne, too much lets light in near contacts.",
-     .shader = true},
+     .also = "minVarianceScale, variance bias", .shader = true},
     {SI_FIELD(filter.blur_shape), .label = "Blur's shape", .unit = "", .cost = Cost::Program, SI_CHOICES(kBlurShapes),
      SI_IDLE(s.filter.blur == 0, "without effect: filter.blur is 0"), .help = "How the texels of the blur weigh.",
      .shader = true, .read_by = ReadBy::Moments},

@@ -19,7 +19,7 @@ constexpr auto kShading = std::to_array<Param>({
     {SI_FIELD(shading.ambient), .label = "Ambient", .unit = "", .min = 0, .max = 10,
      .help = "Share of light that comes from everywhere and is never shadowed: colour = (ambient + visibility * "
              "(diffuse + specular)) * base colour.",
-     .shader = true},
+     .also = "skylight, ambient light, environment light, indirect", .shader = true},
     {SI_FIELD(shading.diffuse), .label = "Diffuse", .unit = "", .min = 0, .max = 10,
      .help = "Weight of the diffuse term, which falls with the cosine to the light.", .shader = true},
     {SI_FIELD(shading.specular), .label = "Specular", .unit = "", .min = 0, .max = 10,
@@ -39,7 +39,8 @@ constexpr auto kShading = std::to_array<Param>({
      .shader = true},
     {SI_FIELD(shading.separate_visibility), .label = "Visibility as its own pass", .unit = "",
      .help = "Draw visibility into a texture of its own even when nothing else reads it. The picture stays the same; "
-             "the cost of the filter shows by itself."},
+             "the cost of the filter shows by itself.",
+     .also = "shadow mask, screen-space shadow texture"},
 });
 static_assert(kShading.size() == members<ShadingSettings>(), "a member of ShadingSettings has no row");
 
@@ -86,7 +87,7 @@ constexpr auto kCamera = std::to_array<Param>({
     {SI_FIELD(camera.distance), .label = "Distance", .unit = "m", .min = 1e-6, .max = 1e8, .logarithmic = true,
      .idle = camera_idle, .help = "Distance of the camera from its target."},
     {SI_FIELD(camera.fov), .label = "Field of view", .unit = "deg", .min = 0.1, .max = 170, .idle = fov_idle,
-     .help = "Vertical opening angle of a perspective camera."},
+     .help = "Vertical opening angle of a perspective camera.", .also = "focal length, lens, fov"},
     {SI_FIELD(camera.near), .label = "Near", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
      .idle = camera_idle, .help = "Distance of the camera's near plane; 0 is automatic. Nearer surfaces are cut away."},
     {SI_FIELD(camera.far), .label = "Far", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true, .idle = camera_idle,
@@ -134,9 +135,10 @@ std::string_view area_idle(const Settings& s, int) {
 }
 
 constexpr auto kTruth = std::to_array<Param>({
-    {SI_FIELD(truth.area), .label = "Light with its size", .unit = "",
+    {SI_FIELD(truth.area), .label = "Area light (soft shadows)", .unit = "",
      .help = "Compare with a light of its size (light.size), which casts penumbras. Off: with a point or a direction, "
-             "which casts hard shadows."},
+             "which casts hard shadows.",
+     .also = "soft shadows, area light, ray-traced shadows"},
     {SI_FIELD(truth.samples), .label = "Most rays", .unit = "", .min = 1, .max = 1 << 20, .logarithmic = true,
      .idle = area_idle,
      .help =
@@ -144,7 +146,7 @@ constexpr auto kTruth = std::to_array<Param>({
          "demands it."},
     {SI_FIELD(truth.noise), .label = "Noise", .unit = "", .min = 0, .max = 1, .logarithmic = true, .idle = area_idle,
      .help = "Wanted standard error of a pixel's true visibility under a light of size."},
-    {SI_FIELD(truth.step), .label = "Pixel step", .unit = "px", .min = 1, .max = 8,
+    {SI_FIELD(truth.step), .label = "Trace every n-th pixel", .unit = "px", .min = 1, .max = 8,
      .help = "Every that many pixels, across and down, are traced and compared: 1 is every pixel, 2 one of four (half "
              "resolution)."},
 });
@@ -162,9 +164,11 @@ constexpr auto kObject = with_scope(
         {SI_OBJECT_FIELD(cull), .label = "Cull", .unit = "", SI_CHOICES(kObjectCulls),
          .help = "Which faces of this object are left out of the shadow map; the way to keep single planes and floors "
                  "under front-face culling.",
-         .of_map = true},
-        {SI_OBJECT_FIELD(cast), .label = "Casts", .unit = "", .help = "Whether this object casts shadows."},
-        {SI_OBJECT_FIELD(receive), .label = "Receives", .unit = "", .help = "Whether this object receives shadows."},
+         .also = "shadow side, double sided, two-sided", .of_map = true},
+        {SI_OBJECT_FIELD(cast), .label = "Casts", .unit = "", .help = "Whether this object casts shadows.",
+         .also = "cast shadow, castShadow"},
+        {SI_OBJECT_FIELD(receive), .label = "Receives", .unit = "", .help = "Whether this object receives shadows.",
+         .also = "receive shadow, receiveShadow"},
     }),
     Scope::Object);
 static_assert(kObject.size() == members<ObjectSettings>(), "a member of ObjectSettings has no row");

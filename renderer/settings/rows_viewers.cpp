@@ -42,11 +42,11 @@ constexpr Choice kRanges[] = {
      "units, keep the range they declare."},
 };
 constexpr Choice kSlabs[] = {
-    {"none", "none", "No slabs."},
+    {"none", "none", "No quads."},
     {"stored", "as stored", "Each texel at the depth that it stores (blue)."},
     {"biased", "with bias",
      "Each texel where a fragment has to lie to compare equal to it (orange): own depth minus bias against stored "
-     "depth is the same as the slab moved away from the light by the bias. Of the bias this is bias.constant, in "
+     "depth is the same as the quad moved away from the light by the bias. Of the bias this is bias.constant, in "
      "bias.unit; slope and normal offset depend on the surface."},
     {"both", "both", "As stored (blue) and with bias (orange)."},
 };
@@ -143,7 +143,7 @@ constexpr auto kView = std::to_array<Param>({
      .read_by = ReadBy::MapView},
     {SI_FIELD(view.light), .label = "Light shown", .unit = "", .min = 0, .max = kMaxLights - 1,
      SI_IDLE(s.light_count < 2 && s.view.light == 0, "without effect: there is one light"),
-     .help = "Whose shadow map, visibility, overlays and slabs are shown; 0 is the first light.",
+     .help = "Whose shadow map, visibility, overlays and quads are shown; 0 is the first light.",
      .read_by = ReadBy::OneLight},
     {SI_FIELD(view.face), .label = "Face or cascade shown", .unit = "", .min = 0, .max = kMaxClipLevels - 1,
      .idle = face_idle,
@@ -180,19 +180,19 @@ constexpr auto kView = std::to_array<Param>({
      .help = "Draw the box of each object that casts in the editor's view, as the light fit sees it; at most 2000."},
     {SI_FIELD(view.axes), .label = "Axes", .unit = "",
      .help = "Draw the world's axes in a corner of the editor's view; a click on an end looks along it."},
-    {SI_FIELD(view.slabs), .label = "Texel slabs", .unit = "", SI_CHOICES(kSlabs), .idle = slabs_idle,
+    {SI_FIELD(view.slabs), .label = "Stored-depth quads", .unit = "", SI_CHOICES(kSlabs), .idle = slabs_idle,
      .help = "Draw texels of the shown light's map into the scene, each as a flat quad where its stored depth lies. A "
-             "surface is in shadow where it lies behind the slab of its texel: acne can be seen to come about. Texels "
+             "surface is in shadow where it lies behind the quad of its texel: acne can be seen to come about. Texels "
              "that hold nothing but the far plane are left out.",
+     .also = "texel slabs, depth quads", .read_by = ReadBy::Slabs},
+    {SI_FIELD(view.slabs_u), .label = "Quads around u", .unit = "", .min = 0, .max = 1, .idle = slabs_region_idle,
+     .help = "Centre of the square of texels that are drawn as quads, as a share of the map's width.",
      .read_by = ReadBy::Slabs},
-    {SI_FIELD(view.slabs_u), .label = "Slabs around u", .unit = "", .min = 0, .max = 1, .idle = slabs_region_idle,
-     .help = "Centre of the square of texels that are drawn as slabs, as a share of the map's width.",
+    {SI_FIELD(view.slabs_v), .label = "Quads around v", .unit = "", .min = 0, .max = 1, .idle = slabs_region_idle,
+     .help = "Centre of the square of texels that are drawn as quads, as a share of the map's height, upwards.",
      .read_by = ReadBy::Slabs},
-    {SI_FIELD(view.slabs_v), .label = "Slabs around v", .unit = "", .min = 0, .max = 1, .idle = slabs_region_idle,
-     .help = "Centre of the square of texels that are drawn as slabs, as a share of the map's height, upwards.",
-     .read_by = ReadBy::Slabs},
-    {SI_FIELD(view.slabs_texels), .label = "Slabs across", .unit = "texels", .min = 1, .max = 256, .logarithmic = true,
-     .idle = slabs_region_idle, .help = "Side of the square of texels that are drawn as slabs.",
+    {SI_FIELD(view.slabs_texels), .label = "Quads across", .unit = "texels", .min = 1, .max = 256, .logarithmic = true,
+     .idle = slabs_region_idle, .help = "Side of the square of texels that are drawn as quads.",
      .read_by = ReadBy::Slabs},
 });
 static_assert(kView.size() == members<ViewSettings>(), "a member of ViewSettings has no row");

@@ -65,11 +65,38 @@ TEST(Autosave, ACleanEndLeavesNothing) {
     editor.follow("boxes", with_bias(0.1), 0);
     editor.follow("boxes", with_bias(2), 1);
     EXPECT_EQ(files_in(folder, ".json"), 1u);
-    editor.end();
+    editor.end("boxes", with_bias(2), false);
     EXPECT_EQ(files_in(folder, ".json"), 0u);
     editor.follow("boxes", with_bias(3), 100);
     EXPECT_EQ(files_in(folder, ".json"), 0u) << "the end is the end";
     EXPECT_EQ(Autosave(folder).lost(), nullptr);
+}
+
+TEST(Autosave, AnEndWithUnsavedSettingsOffersThemAgain) {
+    const fs::path folder = fresh_test_folder();
+    {
+        Autosave editor(folder);
+        editor.follow("boxes", with_bias(0.1), 0);
+        editor.end("boxes", with_bias(2), true);  // changed since anything was written
+    }
+    {
+        const Autosave next(folder);
+        ASSERT_NE(next.lost(), nullptr);
+        EXPECT_EQ(next.lost()->preset.settings.bias.constant, 2);
+    }
+    const auto left_by = [&](const std::string& scene, const Settings& settings) {
+        const fs::path own = folder / "own";
+        fs::remove_all(own);
+        Autosave editor(own);
+        editor.follow("boxes", with_bias(0.1), 0);
+        editor.end(scene, settings, true);
+        return files_in(own, ".json");
+    };
+    EXPECT_EQ(left_by("boxes", with_bias(0.1)), 0u) << "nothing was changed";
+    EXPECT_EQ(left_by("stage", with_bias(0.1)), 1u);
+    Settings turned = with_bias(0.1);
+    turned.camera.azimuth += 30, turned.camera.source = 1, turned.view.overlay = 2;
+    EXPECT_EQ(left_by("boxes", turned), 0u) << "where one looks is no work";
 }
 
 TEST(Autosave, WritesOnlyChangesAndNotTooOften) {
@@ -178,11 +205,11 @@ TEST(Autosave, NoPlaceToWriteIsARemarkAndNoMore) {
     editor.follow("boxes", with_bias(1), 0);
     for (int i = 1; i < 9; ++i) editor.follow("boxes", with_bias(1 + i), 10 * i);
     EXPECT_EQ(editor.take_remarks().size(), 1u);
-    editor.end();
+    editor.end("boxes", with_bias(9), true);
     Autosave off{fs::path()};
     off.follow("boxes", with_bias(1), 0);
     off.follow("boxes", with_bias(2), 10);
-    off.end();
+    off.end("boxes", with_bias(2), true);
     EXPECT_TRUE(off.take_remarks().empty());
 }
 

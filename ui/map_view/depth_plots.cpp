@@ -136,7 +136,7 @@ void draw_depth_curve(const EditorState& state, const FrameResult& result, std::
     // The number that surprises: how little of the way takes half of the depth values under perspective.
     const double half_m = distance_at_share(curve, 0.5);
     const double half_share = (half_m - curve.near) / (curve.far - curve.near);
-    const auto [lo, hi] = frame_of_plot(size, fmt::format("Half of depth: {:.3g} % of the way", 100 * half_share));
+    const auto [lo, hi] = frame_of_plot(size, fmt::format("Depth 0.5 lies at {:.3g} % of the range", 100 * half_share));
     if (hi.x > lo.x + 8 && hi.y > lo.y + 8) {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const auto at = [lo = lo, hi = hi, &curve](double metres) {

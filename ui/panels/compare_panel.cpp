@@ -86,10 +86,10 @@ void setting_line(EditorState& state, const Settings& reference, const SettingRe
     cell(shown_value(reference, p, get_value(reference, ref)), colour);
     ImGui::TableNextColumn();
     ImGui::PushID(setting_key(ref).c_str());
-    if (ImGui::Button("Take")) set_value(state.settings, ref, get_value(reference, ref));
+    if (ImGui::Button("Use")) set_value(state.settings, ref, get_value(reference, ref));
     ImGui::PopID();
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", idle ? "Without effect on both sides" : "Takes this value over; undo gives it back");
+        ImGui::SetTooltip("%s", idle ? "Without effect on both sides" : "Sets this value; Ctrl+Z takes it back");
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ void setting_line(EditorState& state, const Settings& reference, const SettingRe
 void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const float em = ImGui::GetFontSize();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Shown against");
+    ImGui::TextUnformatted("Compared with");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(em * 18);
     reference_combo(state, frame);
@@ -122,7 +122,7 @@ void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& a
                         count == 0 ? "equal" : fmt::format("{} difference{}", count, count == 1 ? "" : "s").c_str());
     if (count == 0) return;
     ImGui::SameLine(0, em);
-    if (ImGui::Button("Take all settings")) {
+    if (ImGui::Button("Use all settings")) {
         state.settings = reference;
         return;
     }
@@ -130,10 +130,10 @@ void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& a
                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("differences", 5, flags)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Of", ImGuiTableColumnFlags_WidthStretch, 2);
+    ImGui::TableSetupColumn("Group", ImGuiTableColumnFlags_WidthStretch, 2);
     ImGui::TableSetupColumn("Setting", ImGuiTableColumnFlags_WidthStretch, 2.4f);
     ImGui::TableSetupColumn("Shown", ImGuiTableColumnFlags_WidthStretch, 2.4f);
-    ImGui::TableSetupColumn("There", ImGuiTableColumnFlags_WidthStretch, 2.4f);
+    ImGui::TableSetupColumn("Reference", ImGuiTableColumnFlags_WidthStretch, 2.4f);
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, em * 3.2f);
     ImGui::TableHeadersRow();
     if (other_scene) {
@@ -143,7 +143,7 @@ void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& a
         cell(scene_label(state.scene_name), theme::kAccent);
         cell(scene_label(scene), theme::kText);
         ImGui::TableNextColumn();
-        if (ImGui::Button("Take")) actions.load_scene = scene;
+        if (ImGui::Button("Use")) actions.load_scene = scene;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Opens this scene under the present settings");
     }
     ImGuiListClipper clipper;

@@ -183,7 +183,7 @@ void clock_line(const EditorFrame& frame) {
     std::string clock = result.clock.empty() ? std::string() : fmt::format("Time by {}", result.clock);
     if (frame.driver) {
         clock += fmt::format("{}{}", clock.empty() ? "" : "   ", frame.driver->renderer);
-        if (frame.driver->software) clock += "   (a CPU rasteriser: times say nothing about a GPU)";
+        if (frame.driver->software) clock += "   (CPU rasteriser: times do not predict a GPU)";
     }
     ImGui::TextDisabled("%s", clock.c_str());
 }

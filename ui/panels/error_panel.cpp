@@ -142,9 +142,9 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
         setting_widget(s, key, width);
     };
     ImGui::Dummy({0, 0});
-    labelled("Light with its size", "truth.area", ImGui::GetFrameHeight());
+    labelled("Area light", "truth.area", ImGui::GetFrameHeight());
     if (s.truth.area) labelled("Noise", "truth.noise", em * 5);
-    labelled("Pixel step", "truth.step", em * 4);
+    labelled("Every n-th pixel", "truth.step", em * 4);
     flow(em * 4);
     save_button(state, frame, actions);
     flow(em * 6);

@@ -1,7 +1,6 @@
 // What single objects do differently from the scene: culling, casting, receiving; which of them culling loses.
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <map>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "ui/state/panels.h"
+#include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
@@ -39,8 +39,7 @@ std::vector<Row> rows_of(const EditorState& state, const EditorFrame& frame) {
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         if (!placed[i] || (state.only_lost && !lost[i])) continue;
         const std::string& path = scene.nodes[i].path;
-        if (state.object_search.empty() || path.find(state.object_search) != std::string::npos)
-            rows.push_back({&path, triangles[i], lost[i]});
+        if (words_match(state.object_search, {path})) rows.push_back({&path, triangles[i], lost[i]});
     }
     return rows;
 }
@@ -79,9 +78,9 @@ void lost_line(EditorState& state, const EditorFrame& frame, const std::vector<R
             "triangles faces the way that is culled. Floors and open meshes have no back.",
             shown_light(state.settings));
     ImGui::SameLine();
-    ImGui::Checkbox("Only these", &state.only_lost);
+    ImGui::Checkbox("Show only lost", &state.only_lost);
     ImGui::SameLine();
-    if (ImGui::Button("Keep them")) keep(state.settings, rows);
+    if (ImGui::Button("Cast from both sides")) keep(state.settings, rows);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Set object.<path>.cull to none for each, so that all faces cast");
 }
 
@@ -91,7 +90,7 @@ void name_cell(EditorState& state, const Row& row) {
     const bool own = has_override(state.settings, *row.path);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, row.lost ? theme::kWarning : own ? theme::kAccent : theme::kText);
-    const std::string label = row.lost ? *row.path + "   casts nothing" : *row.path;
+    const std::string label = row.lost ? *row.path + "   lost by culling" : *row.path;
     if (ImGui::Selectable((label + "###" + *row.path).c_str(), chosen)) {
         if (chosen)
             state.selected_object.clear();
@@ -118,12 +117,17 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
     for (const Param& p : params())
         if (p.scope == Scope::Object) rows.push_back(&p);
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextItemWidth(em * 18);
-    ImGui::InputTextWithHint("##objects", "Search objects", &state.object_search);
+    search_field("objects", "Search objects", state.object_search, ImGui::GetContentRegionAvail().x - em * 18);
     const std::vector<Row> list = rows_of(state, frame);
     ImGui::SameLine();
-    ImGui::TextDisabled("%zu objects, %zu with settings of their own", list.size(), state.settings.objects.size());
+    ImGui::TextDisabled("%zu object%s, %zu with settings of their own", list.size(), list.size() == 1 ? "" : "s",
+                        state.settings.objects.size());
     lost_line(state, frame, list);
+    if (list.empty()) {
+        ImGui::TextDisabled(state.object_search.empty() ? "No object casts or receives."
+                                                        : "No object's path holds these words. × clears the search.");
+        return;
+    }
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("objects", int(rows.size()) + 2, flags)) return;

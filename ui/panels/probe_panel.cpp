@@ -56,7 +56,7 @@ void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
     const double u = (p.texel.x + 0.5) / resolution, w = (p.texel.y + 0.5) / resolution;
     const bool here =
         v.slabs != int(Slabs::None) && v.light == p.light && v.face == p.face && v.slabs_u == u && v.slabs_v == w;
-    if (ImGui::SmallButton(here ? "Hide texel slabs" : "Texel slabs here")) {
+    if (ImGui::SmallButton(here ? "Hide stored-depth quads" : "Stored-depth quads here")) {
         if (here) {
             v.slabs = int(Slabs::None);
         } else {
@@ -98,7 +98,7 @@ bool begin_amounts(const char* id) {
 void bias_terms(const BiasAccount& a) {
     if (!begin_amounts("terms")) return;
     amount_row("constant", a.amount(a.constant), "bias.constant; 0 where the slope bias is larger");
-    amount_row("slope", a.amount(a.slope), "bias.slope times (1 - n.l); 0 where bias.constant is larger");
+    amount_row("slope", a.amount(a.slope), "bias.slope times (1 - N·L); 0 where bias.constant is larger");
     if (a.by_itself != 0)
         amount_row("of itself", a.amount(a.by_itself), "What bias.kind gives whatever the numbers are");
     amount_row(
@@ -109,8 +109,8 @@ void bias_terms(const BiasAccount& a) {
         amount_row(
             "while drawing", a.amount(a.raster),
             "What bias.raster_* add to the stored depth of this plane: the least that a driver may make of them");
-    amount_row("worth in all", a.amount(a.clears()), "Against acne: it has to be as much as the least bias");
-    amount_row("least bias", a.amount(a.least.total()),
+    amount_row("equivalent bias in all", a.amount(a.clears()), "Against acne: it has to be as much as is needed");
+    amount_row("needed", a.amount(a.least.total()),
                "Less, and the triangle's plane shadows itself; the sum of the next");
     amount_row("  kernel", a.amount(a.least.kernel),
                "The kernel compares texels beside the fragment, where the plane is higher");
@@ -191,13 +191,13 @@ void window_bar(const Dossier& d) {
 void truth_column(const Dossier& d) {
     window_bar(d);
     if (begin_amounts("window")) {
-        amount_row("least bias", d.least, "The window of biases that are right begins here");
-        amount_row("bias", d.has, "What all bias is worth against acne");
-        amount_row("moved", d.lifted, "How far bias moves the compared depth towards the light");
+        amount_row("needed", d.least, "The window of biases that are right begins here");
+        amount_row("have", d.has, "What all bias is worth against acne");
+        amount_row("shift towards the light", d.lifted, "How far bias moves the compared depth towards the light");
         amount_row("occluder", d.occluder, "To the surface nearest the light, traced: as much bias loses it", "none");
         ImGui::EndTable();
     }
-    std::string truth = d.truth.lit ? "truth: lit" : "truth: dark";
+    std::string truth = d.truth.lit ? "truth: lit" : "truth: in shadow";
     if (d.truth.share > 0 && d.truth.share < 1)
         truth += fmt::format(", {:.1f} % of the light is seen (light.size)", 100 * d.truth.share);
     ImGui::TextUnformatted(truth.c_str());

@@ -1,7 +1,6 @@
 // All settings, grouped by the first part of their key.
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <string>
@@ -13,6 +12,7 @@
 #include "ui/panels/tune_controls.h"
 #include "ui/state/light_list.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
@@ -184,8 +184,7 @@ std::string_view setting_group_label(std::string_view prefix) {
 
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextItemWidth(-em * 7.2f);
-    ImGui::InputTextWithHint("##search", "Search settings", &state.search);
+    search_field("search", "Search settings (also by other engines' words)", state.search, em * 7.2f);
     ImGui::SameLine();
     ImGui::Checkbox("Changed", &state.only_changed);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Only settings that differ from their defaults");
@@ -198,7 +197,8 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& 
         draw_group(state, frame, actions, group);
     }
     carry_settings(state.settings, placed, state.settings.scene);
-    if (!any) ImGui::TextDisabled(state.only_changed ? "Nothing is changed." : "No setting matches.");
+    if (!any)
+        ImGui::TextDisabled(state.only_changed ? "Nothing is changed." : "No setting matches. × clears the search.");
     if (frame.result && !frame.result->notes.empty()) {
         ImGui::Dummy({0, em * 0.3f});
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);

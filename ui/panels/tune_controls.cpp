@@ -51,7 +51,7 @@ void limits_popup(TunePanel& panel, TuneActions& actions) {
 }
 
 std::string shown_length(double m) {
-    return m == 0 ? "0" : length_text(m);
+    return m == 0 ? "0" : metres_text(m);
 }
 
 /// All ways that were tried, side by side.
@@ -111,8 +111,7 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& s
     }
     ImGui::BeginDisabled(!why_not.empty());
     ImGui::BeginGroup();
-    if (ImGui::Button("Least bias without acne", {std::max(room - width_of("Tune...") - gap, 20.f), 0}))
-        actions.tune = TuneWish{};
+    if (ImGui::Button("Auto bias", {std::max(room - width_of("Tune...") - gap, 20.f), 0})) actions.tune = TuneWish{};
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Measures this picture against the ray-traced truth and sets the least constant bias, slope bias or\n"

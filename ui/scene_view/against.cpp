@@ -18,7 +18,7 @@ ImTextureID texture_id(unsigned texture) {
     return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
 }
 
-constexpr const char* kViews[] = {"alone", "swipe", "side by side", "difference"};
+constexpr const char* kViews[] = {"off", "swipe", "side by side", "difference"};
 
 std::string other_label(const EditorState& state, const EditorFrame& frame) {
     if (state.against.truth) return "ray-traced truth";
@@ -43,7 +43,7 @@ void against_widgets(EditorState& state, const EditorFrame& frame) {
     ImGui::SetNextItemWidth(em * 6.5f);
     int view = int(a.view);
     if (ImGui::Combo("##against view", &view, kViews, int(std::size(kViews)))) a.view = AgainstView(view);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Hold the picture against another one of the same frame (B)");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Compare the picture with another one of the same frame (B)");
     if (a.view == AgainstView::Off) return;
     flow(em * 9);
     ImGui::SetNextItemWidth(em * 9);

@@ -85,7 +85,7 @@ const KernelTap* draw_tap_grid(const Probe::PerLight& p, float side) {
 
 void draw_tap_key() {
     const std::array<std::pair<ImU32, const char*>, 3> keys{
-        {{theme::kLit, "lit"}, {theme::kShadowed, "dark"}, {self_shadow(), "dark by itself"}}};
+        {{theme::kLit, "lit"}, {theme::kShadowed, "in shadow"}, {self_shadow(), "self-shadowed"}}};
     const float em = theme::small()->FontSize;
     ImGui::PushFont(theme::small());
     ImGui::BeginGroup();

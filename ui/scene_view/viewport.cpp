@@ -80,10 +80,10 @@ void header(EditorState& state, const EditorFrame& frame) {
         labelled("Scale", "view.overlay_range", em * 7);
     }
     if (!labels && alone) return;  // the rest is among the settings or has a key
-    flow((labels ? ImGui::CalcTextSize("Against").x + gap : 0) + em * 6.5f);
+    flow((labels ? ImGui::CalcTextSize("Compare").x + gap : 0) + em * 6.5f);
     if (labels) {
         ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("Against");
+        ImGui::TextDisabled("Compare");
         ImGui::SameLine();
     }
     against_widgets(state, frame);
@@ -92,7 +92,7 @@ void header(EditorState& state, const EditorFrame& frame) {
     if (toggle("Through light", s.camera.source == int(CameraSource::Light), "Look through the shown light (L)"))
         toggle_light_camera(state);
     if (toggle(
-            "Freeze", state.frozen.has_value(),
+            "Freeze view", state.frozen.has_value(),
             "Keep this camera and fly about with another (K): maps that follow a camera, cascades too, stay made for\n"
             "it, its frustum stays drawn in the scene and in the map, and the texels counted are those that it\n"
             "reads."))

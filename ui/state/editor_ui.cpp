@@ -50,7 +50,7 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (pressed(ImGuiKey_PageUp)) actions.load_preset = neighbour_preset(state, frame, -1);
     if (pressed('F')) frame_selection(state, frame);
     if (pressed('L')) toggle_light_camera(state);
-    if (pressed(' ')) toggle_play(state, frame);
+    if (pressed(' ') && !io.NavVisible) toggle_play(state, frame);
     if (pressed('K')) toggle_frozen_camera(state, frame);
     if (pressed('B')) state.against.view = AgainstView((int(state.against.view) + 1) % 4);
     for (const auto& [key, step] : {std::pair{',', -0.02f}, std::pair{'.', 0.02f}})

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include "renderer/base/metres_text.h"
 #include "ui/scene_view/picture_view.h"
 #include "ui/state/editor_ui.h"
 
@@ -76,8 +77,6 @@ int shown_face(const Settings& settings, const FrameResult& result);
 /// A built-in scene's label; a file without its folders; "No scene" when there is none.
 std::string scene_label(const std::string& name_or_path);
 
-/// Three significant digits with a prefix: "4.20 mm", "13.0 km".
-std::string metres_text(double metres);
 /// "12 s", "3 min".
 std::string seconds_text(double seconds);
 

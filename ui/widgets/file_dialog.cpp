@@ -178,7 +178,8 @@ void draw_replace_dialog(EditorState& state, EditorActions& actions) {
                     state.replace->path)
             .c_str());
     ImGui::PopTextWrapPos();
-    if (ImGui::Button("Replace", {em * 6, 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) {
+    if (ImGui::Button("Replace", {em * 6, 0}) ||
+        (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) && !ImGui::GetIO().NavVisible)) {
         actions.save_preset = state.replace->path;
         actions.save_about = state.replace->about;
         actions.replace = true;

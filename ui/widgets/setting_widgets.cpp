@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <bit>
@@ -9,6 +10,7 @@
 #include <cmath>
 
 #include "renderer/settings/splits.h"
+#include "ui/widgets/search_field.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -134,6 +136,13 @@ bool integer(const Param& p, int& value, const std::string& unit) {
 
 bool real(const Param& p, double& value, const std::string& unit) {
     const std::string format = "%.4g" + unit;
+    if (p.slider_max > 0) {
+        const ImGuiSliderFlags flags = p.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+        if (!ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &p.min, &p.slider_max, format.c_str(), flags))
+            return false;
+        value = std::clamp(value, p.min, p.max);
+        return true;
+    }
     if (p.max - p.min > kWide) {
         const float speed = float(std::max(std::abs(value) * 0.004, 0.004));
         return ImGui::DragScalar("##value", ImGuiDataType_Double, &value, speed, &p.min, &p.max, format.c_str(),
@@ -144,10 +153,25 @@ bool real(const Param& p, double& value, const std::string& unit) {
     return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &p.min, &p.max, format.c_str(), flags);
 }
 
+/// Whether the setting is without effect, and moving it by itself would not change that.
+bool dead(Settings& settings, const SettingRef& ref) {
+    if (without_effect(settings, ref).empty()) return false;
+    const Param& p = *ref.param;
+    const Value now = get_value(settings, ref);
+    if (p.choices) return true;
+    set_value(settings, ref,
+              now.index() == 0   ? Value(!std::get<bool>(now))
+              : now.index() == 1 ? Value(int(p.max))
+                                 : Value(p.max));
+    const bool still = !without_effect(settings, ref).empty();
+    set_value(settings, ref, now);
+    return still;
+}
+
 /// The widget and its menu inside the ID scope of the row.
 bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, const NamedValues& names) {
     const Param& p = *ref.param;
-    const bool idle = !without_effect(settings, ref).empty();
+    const bool idle = dead(settings, ref);
     Value value = get_value(settings, ref);
     bool changed = false;
     const bool narrow = width > 0 && width < ImGui::GetFontSize() * 7;  // no room for the unit
@@ -205,7 +229,7 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(setting_key(ref).c_str());
-    const bool idle = !without_effect(settings, ref).empty();
+    const bool idle = dead(settings, ref);
     const float dot = ImGui::GetFontSize() * 0.75f;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ImGui::AlignTextToFramePadding();
@@ -227,18 +251,19 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
 }
 
 bool setting_matches(const SettingRef& ref, std::string_view text) {
-    const auto contains = [&](std::string_view in) {
-        return std::search(in.begin(), in.end(), text.begin(), text.end(), [](unsigned char a, unsigned char b) {
-                   return std::tolower(a) == std::tolower(b);
-               }) != in.end();
-    };
     if (ref.param->key == text || setting_key(ref) == text) return true;
     if (find_setting(text)) return false;  // the key of another setting: that one alone is meant
-    return text.empty() || contains(ref.param->label) || contains(setting_key(ref)) || contains(ref.param->help);
+    const Param& p = *ref.param;
+    return words_match(text, {p.label, setting_key(ref), p.help, p.also});
 }
 
 void menu_button(const char* label, const char* popup, const char* hint, float width) {
-    if (ImGui::Button(label)) ImGui::OpenPopup(popup);
+    // While another menu is open, the press that closes it opens this one.
+    const bool pressed = ImGui::Button(label);
+    const bool beside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsPopupOpen(popup) &&
+                        ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) && !ImGui::GetTopMostPopupModal() &&
+                        ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+    if (pressed || beside) ImGui::OpenPopup(popup);
     const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
     if (ImGui::IsItemHovered() && !ImGui::IsPopupOpen(popup)) ImGui::SetTooltip("%s", hint);
     const float most = ImGui::GetIO().DisplaySize.x - width - ImGui::GetFontSize() * 0.3f;
