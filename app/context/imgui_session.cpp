@@ -13,7 +13,6 @@ namespace si {
 ImGuiSession::ImGuiSession(float scale) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
-    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     theme::load_fonts(scale);
     theme::apply(scale);
     if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {

@@ -72,6 +72,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
                          as_kept ? kept.window_height : options.height, !options.size_given && kept.maximised);
     ImGuiSession imgui(options.scale > 0 ? float(options.scale) : window.content_scale());
     const WindowInput input(window);
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     EditorModel model(options, {}, {.context = window.sharing(), .wake = WindowContext::wake});
     std::string titled;
     const InterruptGuard interrupt;  // a batch system's end is an end like any other

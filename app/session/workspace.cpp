@@ -55,6 +55,11 @@ WorkspaceData from_json(const Json& json) {
     take(layout, "settings_width", d.layout.settings_width, 4, 400);
     take(layout, "bottom_height", d.layout.bottom_height, 2, 400);
     take(layout, "map_share", d.layout.map_share, 0.05, 0.95);
+    take(layout, "map_height", d.layout.map_height, 0.05, 0.95);
+    take(layout, "map_inset", d.layout.map_inset, 4, 400);
+    int place = int(d.layout.map_place);
+    take(layout, "map_place", place, 0, int(MapSpot::Hidden));
+    d.layout.map_place = MapSpot(place);
     d.layout.map_plots = layout.value("map_plots", Json()) != Json(false);
     const Json& window = part("window");
     take(window, "width", d.window_width, 200, 32768);
@@ -73,6 +78,9 @@ std::string to_text(const WorkspaceData& d) {
                      {{"settings_width", d.layout.settings_width},
                       {"bottom_height", d.layout.bottom_height},
                       {"map_share", d.layout.map_share},
+                      {"map_height", d.layout.map_height},
+                      {"map_inset", d.layout.map_inset},
+                      {"map_place", int(d.layout.map_place)},
                       {"map_plots", d.layout.map_plots}}},
                     {"window", {{"width", d.window_width}, {"height", d.window_height}, {"maximised", d.maximised}}},
                     {"recent_scenes", d.recent_scenes},

@@ -12,6 +12,7 @@ constexpr Overlay kOverlays[] = {
      .label = "Visibility",
      .unit = "",
      .help = "What the kernel found: 1 lit, 0 in shadow.",
+     .group = OverlayGroup::Wrong,
      .file = "overlays/visibility.glsl",
      .paper = "Williams: Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978",
      .reads_visibility = true},
@@ -19,18 +20,21 @@ constexpr Overlay kOverlays[] = {
      .label = "Stored depth",
      .unit = "depth",
      .help = "The depth in the texel that each fragment falls into, as stored.",
+     .group = OverlayGroup::Depth,
      .file = "overlays/stored_depth.glsl",
      .paper = "Williams: Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978"},
     {.key = "own-depth",
      .label = "Own depth",
      .unit = "depth",
      .help = "Each fragment's own depth seen from the light, before any bias.",
+     .group = OverlayGroup::Depth,
      .file = "overlays/own_depth.glsl"},
     {.key = "depth-difference",
      .label = "Depth difference",
      .unit = "m",
      .help = "Own minus stored distance along the light's ray: above zero an occluder lies before the fragment, around "
              "zero acne lives.",
+     .group = OverlayGroup::Depth,
      .file = "overlays/depth_difference.glsl",
      .min = -0.5,
      .max = 0.5,
@@ -39,6 +43,7 @@ constexpr Overlay kOverlays[] = {
      .label = "Bias applied",
      .unit = "texels",
      .help = "All bias that each fragment receives, in shadow texels at its place.",
+     .group = OverlayGroup::Bias,
      .file = "overlays/bias_applied.glsl",
      .min = 0,
      .max = 5},
@@ -47,6 +52,7 @@ constexpr Overlay kOverlays[] = {
      .unit = "",
      .help = "Cosine between the triangle's normal and the direction to the light; near zero the bias need grows "
              "without bound.",
+     .group = OverlayGroup::Bias,
      .file = "overlays/n_dot_l.glsl",
      .min = -1,
      .max = 1,
@@ -55,6 +61,7 @@ constexpr Overlay kOverlays[] = {
      .label = "Light UV and texels",
      .unit = "",
      .help = "Map coordinates as red and green, the map's texels as a checkerboard.",
+     .group = OverlayGroup::Resolution,
      .file = "overlays/light_uv.glsl",
      .scalar = false},
     {.key = "outside-map",
@@ -62,6 +69,7 @@ constexpr Overlay kOverlays[] = {
      .unit = "",
      .help = "Fragments that the map does not hold: beyond its sides (orange), beyond its far plane (blue), behind the "
              "light (magenta).",
+     .group = OverlayGroup::Wrong,
      .file = "overlays/outside_map.glsl",
      .scalar = false},
     {.key = "page-level",
@@ -70,6 +78,7 @@ constexpr Overlay kOverlays[] = {
      .help =
          "With map.virtual, the clip level that each fragment is looked up in, by colour from the finest on, with its "
          "pages as a checkerboard.",
+     .group = OverlayGroup::Resolution,
      .file = "overlays/page_level.glsl",
      .paper = "Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3, 2024",
      .scalar = false},
@@ -79,6 +88,7 @@ constexpr Overlay kOverlays[] = {
      .help = "With map.virtual, what became of the page that each fragment is looked up in: drawn when pages last were "
              "(orange), cached from before (green), given up for a coarser one as the pool is full (purple). Nothing "
              "where no page is asked for.",
+     .group = OverlayGroup::Resolution,
      .file = "overlays/page_state.glsl",
      .paper = "Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3, 2024",
      .scalar = false},
@@ -86,6 +96,7 @@ constexpr Overlay kOverlays[] = {
      .label = "Texels per pixel",
      .unit = "texels",
      .help = "Shadow texels that a pixel spans along its widest direction; below 1 the map's texels show.",
+     .group = OverlayGroup::Resolution,
      .file = "overlays/texels_per_pixel.glsl",
      .paper = "Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002",
      .min = 0,
@@ -96,6 +107,7 @@ constexpr Overlay kOverlays[] = {
      .help = "Which pixels are wrong by the ray-traced truth, coloured by what puts them right: more bias (acne), less "
              "(peter-panning), no normal offset, what the map lacks (lost caster, outside the map), no filter (leak, "
              "filter), smaller texels (edge aliasing, undersampled), a light with size (penumbra).",
+     .group = OverlayGroup::Wrong,
      .file = "overlays/artefacts.glsl",
      .scalar = false,
      .names_causes = true,
@@ -104,12 +116,14 @@ constexpr Overlay kOverlays[] = {
      .label = "Truth",
      .unit = "",
      .help = "The ray-traced visibility of view.light: 1 lit, 0 in shadow.",
+     .group = OverlayGroup::Wrong,
      .file = "overlays/truth.glsl",
      .reads_truth = true},
     {.key = "truth-difference",
      .label = "Visibility minus truth",
      .unit = "",
      .help = "The map's visibility minus the ray-traced one: above zero too light, below too dark.",
+     .group = OverlayGroup::Wrong,
      .file = "overlays/truth_difference.glsl",
      .min = -1,
      .max = 1,
@@ -125,6 +139,7 @@ constexpr Overlay kOverlays[] = {
      .label = "NaN and Inf",
      .unit = "",
      .help = "Fragments whose shadow test meets a NaN or an infinite value (magenta).",
+     .group = OverlayGroup::Wrong,
      .file = "overlays/non_finite.glsl",
      .scalar = false},
     {.key = "wireframe",
@@ -148,6 +163,7 @@ constexpr Overlay kOverlays[] = {
      .unit = "texels",
      .help = "The bias below which each triangle's plane shadows itself, by the kernel's reach, the plane's slope in "
              "the map and the depth format.",
+     .group = OverlayGroup::Bias,
      .file = "overlays/least_bias.glsl",
      .min = 0,
      .max = 8},
@@ -156,6 +172,7 @@ constexpr Overlay kOverlays[] = {
      .unit = "texels",
      .help = "What bias and normal offset are worth beyond the least bias needed: below zero (blue) acne is due, far "
              "above it shadows come off needlessly.",
+     .group = OverlayGroup::Bias,
      .file = "overlays/bias_slack.glsl",
      .min = -3,
      .max = 3,
@@ -164,6 +181,7 @@ constexpr Overlay kOverlays[] = {
      .label = "Texture matrices apart",
      .unit = "texels",
      .help = "By how many texels the places in the map differ that map.transform world and eye find.",
+     .group = OverlayGroup::Resolution,
      .file = "overlays/transform_difference.glsl",
      .paper = "Everitt, Rege, Cebenoyan: Hardware Shadow Mapping, 2001",
      .min = 0,
@@ -173,6 +191,7 @@ constexpr Overlay kOverlays[] = {
      .unit = "texels",
      .help = "How far from where double precision finds it each surface is looked up in the map. A rasteriser's own "
              "steps, parts of a pixel, are within it; far from the world's origin see map.origin.",
+     .group = OverlayGroup::Resolution,
      .file = "overlays/precision_texels.glsl",
      .min = 0,
      .max = 0.1,
@@ -182,6 +201,7 @@ constexpr Overlay kOverlays[] = {
      .unit = "ULP",
      .help = "How far the compared depth, before any bias, lies from the surface's plane in double precision, in steps "
              "of a 32-bit float at that depth.",
+     .group = OverlayGroup::Resolution,
      .file = "overlays/precision_ulps.glsl",
      .min = 0,
      .max = 16,
@@ -192,6 +212,7 @@ constexpr Overlay kOverlays[] = {
      .help =
          "Width of the lit strip that bias and normal offset leave on this surface beside a caster that touches it: "
          "their worth along the light's ray, times the sine of the ray's angle to the surface.",
+     .group = OverlayGroup::Depth,
      .file = "overlays/contact_gap.glsl",
      .min = 0,
      .max = 0.2},
@@ -200,6 +221,7 @@ constexpr Overlay kOverlays[] = {
      .unit = "texels",
      .help = "Room for bias in shadow, by the ray-traced truth: how far before the fragment the map stores the surface "
              "nearest the light, less the bias that its plane needs. Below zero no depth bias can be right.",
+     .group = OverlayGroup::Wrong,
      .file = "overlays/bias_window.glsl",
      .min = -5,
      .max = 5,
@@ -210,6 +232,7 @@ constexpr Overlay kOverlays[] = {
      .unit = "pixels",
      .help =
          "Pixels that a shadow texel spans along its longest direction in the picture; above 1 the map's texels show.",
+     .group = OverlayGroup::Resolution,
      .file = "overlays/pixels_per_texel.glsl",
      .paper = "Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002",
      .min = 0,
@@ -219,6 +242,7 @@ constexpr Overlay kOverlays[] = {
      .unit = "log2 of texels per pixel",
      .help = "Texels per pixel along the sparsest direction, in whole powers of two: blue is under-sampled (texels "
              "show), orange over-sampled (the map is finer than the picture everywhere).",
+     .group = OverlayGroup::Resolution,
      .file = "overlays/sampling_bands.glsl",
      .paper = "Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002",
      .min = -4,
@@ -238,6 +262,7 @@ constexpr Overlay kOverlays[] = {
      .unit = "m",
      .help = "How far before each fragment a kernel that searches (PCSS) took the occluder to be, along the light's "
              "axis; nothing where it found none, or under other kernels.",
+     .group = OverlayGroup::Depth,
      .file = "overlays/blocker_gap.glsl",
      .min = 0,
      .max = 5},
@@ -245,6 +270,7 @@ constexpr Overlay kOverlays[] = {
      .label = "Penumbra's width",
      .unit = "texels",
      .help = "How wide a penumbra the kernel made (PCSS), from the occluder's distance and the light's size.",
+     .group = OverlayGroup::Depth,
      .file = "overlays/penumbra_width.glsl",
      .min = 0,
      .max = 32},
@@ -253,6 +279,7 @@ constexpr Overlay kOverlays[] = {
      .unit = "range^2",
      .help = "The variance of depths about each fragment under kernels that read moments (VSM), in squares of the "
              "map's depth range; below zero rounding has eaten it.",
+     .group = OverlayGroup::Depth,
      .file = "overlays/depth_variance.glsl",
      .min = -0.001,
      .max = 0.001,
@@ -262,6 +289,7 @@ constexpr Overlay kOverlays[] = {
      .unit = "",
      .help = "Where moments are those of no depths, under kernels that read them: rounding has left a variance or a "
              "determinant below zero (red), or an exponent no number (magenta).",
+     .group = OverlayGroup::Wrong,
      .file = "overlays/invalid_moments.glsl",
      .paper = "Peters, Klein: Moment Shadow Mapping, I3D 2015",
      .scalar = false},
@@ -272,6 +300,7 @@ constexpr Overlay kOverlays[] = {
          "Which of the light's maps each fragment is looked up in: blue, green, yellow and red from the cascade "
          "nearest to the camera on, then violet, grey, cyan and pink, mixed where two are blended; of a point light "
          "its faces +x -x +y -y +z -z.",
+     .group = OverlayGroup::Resolution,
      .file = "overlays/cascade.glsl",
      .scalar = false,
      .names_views = true},

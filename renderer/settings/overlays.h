@@ -12,9 +12,13 @@ namespace si {
 /// every fragment whatever its depth.
 enum class OverlayDraw { Fragments, Edges, Count };
 
+/// What an overlay is looked at for.
+enum class OverlayGroup { Wrong, Bias, Resolution, Depth, Debug };
+
 /// An overlay. Its file defines `vec4 overlay(Receiver r)`; scalars in x, NaN where undefined.
 struct Overlay {
     std::string_view key, label, unit, help;
+    OverlayGroup group = OverlayGroup::Debug;
     std::string_view file;
     std::string_view paper;         ///< where what it shows comes from; empty: from no one paper
     bool scalar = true;             ///< x goes through the colour scale; otherwise rgba as it is

@@ -27,6 +27,30 @@ TEST(History, AGestureIsOneStep) {
     EXPECT_FALSE(h.can_redo());
 }
 
+TEST(History, MovesOfTheCameraInARowAreOneStepAndStepsHaveNames) {
+    History h;
+    Settings s = with_bias(1);
+    h.set_place({"boxes", {}});
+    h.reset(s);
+    for (int i = 0; i < 5; ++i) s.camera.azimuth += 10, h.observe(s, false);
+    s.bias.constant = 2;
+    h.observe(s, false);
+    s.camera.distance = 7;
+    h.observe(s, false);
+    s.filter.size = 5, s.map.resolution = 512;
+    h.observe(s, false);
+    const std::vector<std::string> names = h.names();
+    ASSERT_EQ(names.size(), 5u);
+    EXPECT_EQ(names[1], "camera");
+    EXPECT_EQ(names[2], "Constant bias 1 → 2 texels");
+    EXPECT_EQ(names[3], "camera");
+    EXPECT_NE(names[4].find(", 1 more"), std::string::npos) << names[4];
+    EXPECT_EQ(h.at(), 4u);
+    EXPECT_EQ(h.go(1).camera.azimuth, with_bias(1).camera.azimuth + 50);
+    EXPECT_EQ(h.undo(), with_bias(1));
+    EXPECT_EQ(h.go(99), s);
+}
+
 TEST(History, ANoteWithoutAChangeBelongsToTheStepThatStands) {
     History h;
     Settings s;

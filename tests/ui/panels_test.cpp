@@ -14,7 +14,7 @@ namespace si::test {
 namespace {
 
 // Where things stand at 1280 x 720: the search field, and the first row below its group's heading.
-constexpr glm::vec2 kSearch{1040, 56}, kFirstLabel{965, 115}, kFirstValue{1170, 115}, kPicture{200, 250};
+constexpr glm::vec2 kSearch{1040, 390}, kFirstLabel{965, 449}, kFirstValue{1170, 449}, kPicture{200, 250};
 constexpr float kCheckbox = 1091;  // the left end of the column of values, where checkboxes stand too
 
 const std::string kObjectPath = "Root/Box";
@@ -45,6 +45,41 @@ std::vector<SettingRef> every_setting() {
         if (p.scope == Scope::Object) all.back().object = kObjectPath;
     }
     return all;
+}
+
+TEST(Panels, SettingsAreFoundByOtherEnginesWords) {
+    const std::pair<const char*, const char*> kWords[] = {
+        {"normal bias", "bias.normal"},            // Unity, Godot, Filament
+        {"normalBias", "bias.normal"},             // three.js
+        {"depth bias", "bias.constant"},           // Unity
+        {"shadow bias", "bias.constant"},          // Unreal
+        {"slope bias", "bias.slope"},              // Unreal
+        {"slope scale", "bias.raster_slope"},      // Direct3D
+        {"glPolygonOffset", "bias.raster_units"},  // OpenGL
+        {"softness", "filter.radius"},
+        {"soft shadows", "filter.kernel"},
+        {"mapSize", "map.resolution"},     // three.js
+        {"shadow distance", "light.fit"},  // Unity
+        {"cascade", "light.cascades"},
+        {"cascade border", "light.cascade_blend"},        // Unity
+        {"distribution exponent", "light.split_lambda"},  // Unreal
+        {"source angle", "light.size"},                   // Unreal
+        {"angular size", "light.size"},                   // Godot
+        {"shadowSide", "caster.cull"},                    // three.js
+        {"castShadow", "object.cast"},                    // three.js
+        {"energy", "light.intensity"},                    // Godot
+        {"attenuation radius", "light.range"},            // Unreal
+        {"CLIP start", "light.near"},                     // Blender
+        {"normal   offset\t", "bias.normal"},
+        {"offset normal", "bias.normal"},
+    };
+    for (const auto& [words, key] : kWords) {
+        SettingRef ref =
+            *find_setting(std::string_view(key).starts_with("object.") ? "object.Root/Box" + std::string(key).substr(6)
+                                                                       : std::string(key));
+        EXPECT_TRUE(setting_matches(ref, words)) << words << " does not find " << key;
+    }
+    EXPECT_FALSE(setting_matches(*find_setting("bias.normal"), "normal cascade"));
 }
 
 TEST(Panels, DrawForEveryChoiceOfEveryRow) {

@@ -154,6 +154,31 @@ TEST_F(WindowFiles, ADragWhoseSourceIsGoneEndsNothing) {
     quit();
 }
 
+TEST_F(WindowFiles, AnEditorThatWasQuitOrEndedOffersUnsavedSettingsAgain) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    change_bias();
+    const nlohmann::json changed = saved();
+    fs::remove(folder_ / "preset.json");
+    keys("ctrl+z");
+    keys("ctrl+y");
+    quit();
+    EXPECT_EQ(kept(), changed) << "quit without a word, and lost";
+
+    ASSERT_NO_FATAL_FAILURE(start());
+    click(808, 54);  // Restore
+    breathe();
+    EXPECT_EQ(saved(), changed);
+    quit();
+    EXPECT_TRUE(kept().is_null()) << "saved: nothing to offer";
+
+    ASSERT_NO_FATAL_FAILURE(start());
+    change_bias();
+    program_->ask_to_end();
+    EXPECT_TRUE(wait_until([&] { return !program_->running(); }));
+    EXPECT_EQ(program_->code(), 0) << log();
+    EXPECT_FALSE(kept().is_null()) << "ended by a signal, and lost";
+}
+
 TEST_F(WindowFiles, AKilledEditorOffersItsSettingsAgain) {
     ASSERT_NO_FATAL_FAILURE(start());
     const nlohmann::json untouched = saved();
@@ -199,7 +224,7 @@ TEST_F(WindowFiles, LayoutAndSizeStayAcrossRunsAndNothingElseIsWritten) {
     breathe();
     const auto share = [&] {
         const auto json = json_of(state_folder() / "workspace.json");
-        return json.is_object() ? json.value("/layout/map_share"_json_pointer, -1.0) : -1.0;
+        return json.is_object() ? json.value("/layout/settings_width"_json_pointer, -1.0) : -1.0;
     };
     const glm::ivec2 at = splitter(1100, 640);
     ASSERT_GT(at.x, 0);
@@ -207,7 +232,7 @@ TEST_F(WindowFiles, LayoutAndSizeStayAcrossRunsAndNothingElseIsWritten) {
     ASSERT_TRUE(wait_until([&] { return share() > 0; })) << "not kept while the editor runs";
     quit();
     const double kept_share = share();
-    EXPECT_GT(kept_share, double(EditorLayout{}.map_share) + 0.05);
+    EXPECT_GT(kept_share, double(EditorLayout{}.settings_width) + 3);
 
     ASSERT_NO_FATAL_FAILURE(start({}));
     EXPECT_NE(ask("search --name 'Shadow Inspector' getwindowgeometry").find("1100x640"), std::string::npos);
@@ -215,8 +240,8 @@ TEST_F(WindowFiles, LayoutAndSizeStayAcrossRunsAndNothingElseIsWritten) {
     drag(at.x - 90, at.y, 45, 0);
     screen("window_kept_layout");
     quit();
-    EXPECT_LT(share(), kept_share - 0.02);
-    EXPECT_GT(share(), double(EditorLayout{}.map_share));
+    EXPECT_LT(share(), kept_share - 1);
+    EXPECT_GT(share(), double(EditorLayout{}.settings_width));
     EXPECT_EQ(below(home()), std::vector<std::string>{});
     std::vector<std::string> kept_files = below(state_folder());
     std::erase(kept_files, (state_folder() / "workspace.json").string());

@@ -12,9 +12,9 @@ namespace {
 
 TEST_F(Window, ASliderIsDraggedUndoneRedoneAndSaved) {
     ASSERT_NO_FATAL_FAILURE(start());
-    click(1040, 56);  // the search field
+    click(1040, 390);  // the search field
     type("bias.constant");
-    drag(1170, 115, 60, 0);
+    drag(1170, 449, 60, 0);
     const nlohmann::json after = saved();
     screen("window_slider");
     ASSERT_TRUE(after.contains("bias.constant")) << after;

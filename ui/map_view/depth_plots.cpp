@@ -98,7 +98,7 @@ void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
     const char* unit = v.map == int(MapView::Linear) ? "linear depth" : bands ? "depth from near" : "stored depth";
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float markers = ImGui::GetFontSize() * kMarker * 1.5f;
-    const auto [lo, hi] = frame_of_plot(size, fmt::format("Texels over {}", unit), markers);
+    const auto [lo, hi] = frame_of_plot(size, fmt::format("Histogram of {}", unit), markers);
     if (frame.result && frame.result->shown_map.channel > 0)
         small_text({0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y)}, "of depths only: set the channel to depth",
                    theme::kMuted, 0.5f);
@@ -136,7 +136,7 @@ void draw_depth_curve(const EditorState& state, const FrameResult& result, std::
     // The number that surprises: how little of the way takes half of the depth values under perspective.
     const double half_m = distance_at_share(curve, 0.5);
     const double half_share = (half_m - curve.near) / (curve.far - curve.near);
-    const auto [lo, hi] = frame_of_plot(size, fmt::format("Depth 0.5 lies at {:.3g} % of the range", 100 * half_share));
+    const auto [lo, hi] = frame_of_plot(size, fmt::format("Depth 0.5 at {:.3g} % of range", 100 * half_share));
     if (hi.x > lo.x + 8 && hi.y > lo.y + 8) {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const auto at = [lo = lo, hi = hi, &curve](double metres) {

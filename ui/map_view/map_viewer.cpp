@@ -19,6 +19,7 @@
 #include "ui/state/panels.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/toolbar.h"
 
 namespace si {
 namespace {
@@ -49,7 +50,6 @@ void save_menu(EditorState& state, EditorActions& actions) {
 
 /// Whether the texels that are read are found exactly.
 void exact_choice(EditorState& state) {
-    flow(ImGui::CalcTextSize("Texels read").x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x);
     ImGui::BeginDisabled(state.frozen.has_value());
     ImGui::Checkbox("Texels read", &state.exact_texels);
     ImGui::EndDisabled();
@@ -62,46 +62,53 @@ void exact_choice(EditorState& state) {
                                       "of each texel back, in every frame that is drawn anew while nothing is dragged");
 }
 
+float check_width(const char* label) {
+    return ImGui::CalcTextSize(label).x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
+void place_combo(EditorState& state, float width) {
+    static constexpr const char* kPlaces[] = {"above the settings", "beside the scene", "inset", "hidden"};
+    int place = int(state.layout.map_place);
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::Combo("##map place", &place, kPlaces, int(std::size(kPlaces)))) state.layout.map_place = MapSpot(place);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Where the shadow map is shown (N)");
+}
+
 void header(EditorState& state, const FrameResult* result, EditorActions& actions) {
     Settings& s = state.settings;
-    const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
-    setting_widget(s, "view.map_source", em * 9.5f);
-    flow(em * 5.5f);
-    setting_widget(s, "view.map", em * 5.5f);
-    const auto labelled = [&](const char* label, const char* key, float width) {
-        flow(ImGui::CalcTextSize(label).x + gap + width);
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("%s", label);
-        ImGui::SameLine();
-        setting_widget(s, key, width);
+    const float em = ImGui::GetFontSize();
+    Toolbar bar("map tools");
+    const auto setting = [&](const char* label, const char* key, float width) {
+        bar.item(label, width, [&s, key](float room) { setting_widget(s, key, room); });
     };
+    setting("", "view.map_source", em * 9);
     if (!of_camera(s)) {
-        if (s.light_count > 1) labelled("Light", "view.light", em * 4);
-        if (const NamedValues names = view_choices(s, result, "view.face"); !names.empty()) {
-            flow(em * 9);
-            setting_widget(s, *find_setting("view.face"), em * 9, names);
-        }
-        if (filter_of(s).samples == Samples::Moments) labelled("Channel", "view.map_channel", em * 7);
-        if (shown_channel(s) > 0 && keeps_mips(s)) labelled("Mip level", "view.map_mip", em * 4);
+        if (s.light_count > 1) setting("Light", "view.light", em * 4);
+        if (NamedValues names = view_choices(s, result, "view.face"); !names.empty())
+            bar.item("", em * 7,
+                     [&s, names](float room) { setting_widget(s, *find_setting("view.face"), room, names); });
+    }
+    setting("", "view.map", em * 5.5f);
+    if (!of_camera(s)) {
+        if (filter_of(s).samples == Samples::Moments) setting("Channel", "view.map_channel", em * 7);
+        if (shown_channel(s) > 0 && keeps_mips(s)) setting("Mip level", "view.map_mip", em * 4);
     }
     const bool bands = s.view.map == int(MapView::Bands);
     const float end = em * 4.2f;
-    flow(ImGui::CalcTextSize("Range").x + 2 * (gap + end));
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled(bands ? "Bands" : "Range");
-    ImGui::SameLine();
-    setting_widget(s, bands ? "view.band_low" : "view.map_black", end);
-    ImGui::SameLine();
-    setting_widget(s, bands ? "view.band_high" : "view.map_white", end);
-    if (!bands) {
-        labelled("Fit", "view.map_fit", ImGui::GetFrameHeight());
-    }
-    flow(ImGui::CalcTextSize("Plots").x + ImGui::GetFrameHeight() + gap);
-    ImGui::Checkbox("Plots", &state.layout.map_plots);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Histogram of the depths, and depth over distance");
-    if (!of_camera(s)) exact_choice(state);
-    flow(ImGui::CalcTextSize("Save").x + em);
-    save_menu(state, actions);
+    bar.item(bands ? "Bands" : "Range", 2 * end + ImGui::GetStyle().ItemSpacing.x, [&s, bands, end](float) {
+        setting_widget(s, bands ? "view.band_low" : "view.map_black", end);
+        ImGui::SameLine();
+        setting_widget(s, bands ? "view.band_high" : "view.map_white", end);
+    });
+    if (!bands) setting("Fit", "view.map_fit", ImGui::GetFrameHeight());
+    bar.item("", check_width("Plots"), [&](float) {
+        ImGui::Checkbox("Plots", &state.layout.map_plots);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Histogram of the depths, and depth over distance");
+    });
+    if (!of_camera(s)) bar.item("", check_width("Texels read"), [&](float) { exact_choice(state); });
+    bar.item("Place", em * 9, [&](float room) { place_combo(state, room); });
+    bar.item("", em * 3, [&](float) { save_menu(state, actions); });
+    bar.end();
 }
 
 /// What the image is, and what its texels mean.
@@ -243,7 +250,8 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     const float em = ImGui::GetFontSize();
     const ImVec2 available = ImGui::GetContentRegionAvail();
     const float line = theme::small()->FontSize * 1.25f, caption = 2 * line + em * 0.5f;
-    const bool plots = state.layout.map_plots && available.y > em * 17;
+    const bool plots =
+        state.layout.map_plots && available.y > em * (state.layout.map_place == MapSpot::BesideScene ? 17 : 30);
     const float plot_height = plots ? em * 6.5f : 0;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const ImVec2 size(std::max(available.x, 16.0f), std::max(available.y - caption - plot_height, 16.0f));

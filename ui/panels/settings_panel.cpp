@@ -184,7 +184,7 @@ std::string_view setting_group_label(std::string_view prefix) {
 
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const float em = ImGui::GetFontSize();
-    search_field("search", "Search settings (also by other engines' words)", state.search, em * 7.2f);
+    search_field("search", "Search settings", state.search, em * 7.2f);
     ImGui::SameLine();
     ImGui::Checkbox("Changed", &state.only_changed);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Only settings that differ from their defaults");

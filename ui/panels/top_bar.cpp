@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <string>
+#include <vector>
 
 #include "renderer/scenes/builtin.h"
 #include "ui/state/panels.h"
@@ -91,6 +92,23 @@ void guided_presets(EditorState& state, const EditorFrame& frame, EditorActions&
     draw_presets_menu("hard cases", frame.hard_cases, state, actions);
 }
 
+/// All steps, to go to any of them.
+void steps_menu(EditorState& state) {
+    const float em = ImGui::GetFontSize();
+    menu_button("Steps", "steps", "What was changed, step by step; a click goes there", em * 24);
+    ImGui::SetNextWindowSizeConstraints({em * 12, 0}, {em * 24, em * 30});
+    if (!ImGui::BeginPopup("steps")) return;
+    const std::vector<std::string> names = state.history.names();
+    for (std::size_t i = names.size(); i-- > 0;) {
+        const bool here = i == state.history.at();
+        const bool undone = i > state.history.at();
+        if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
+        if (ImGui::Selectable(fmt::format("{}##{}", names[i], i).c_str(), here)) go_to_step(state, i);
+        if (undone) ImGui::PopStyleColor();
+    }
+    ImGui::EndPopup();
+}
+
 /// The end of a text that fits, behind an ellipsis: of a path the file's name matters most.
 std::string fitting(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
@@ -140,6 +158,8 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& a
     if (button("Undo", "Ctrl+Z", state.history.can_undo() || state.playback.playing)) undo(state);
     ImGui::SameLine();
     if (button("Redo", "Ctrl+Y", state.history.can_redo())) redo(state);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    steps_menu(state);
     ImGui::SameLine(0, em);
     if (button("Compare", "What differs from the scene's own settings, the defaults or a preset"))
         state.open_tab = BottomTab::Compare;

@@ -37,6 +37,11 @@ void label(ImVec2 corner, float room, const std::string& text, bool right) {
 
 }  // namespace
 
+float against_width(const EditorState& state) {
+    const float em = ImGui::GetFontSize();
+    return em * 6.5f + (state.against.view == AgainstView::Off ? 0 : ImGui::GetStyle().ItemSpacing.x + em * 9);
+}
+
 void against_widgets(EditorState& state, const EditorFrame& frame) {
     Against& a = state.against;
     const float em = ImGui::GetFontSize();
@@ -45,7 +50,7 @@ void against_widgets(EditorState& state, const EditorFrame& frame) {
     if (ImGui::Combo("##against view", &view, kViews, int(std::size(kViews)))) a.view = AgainstView(view);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Compare the picture with another one of the same frame (B)");
     if (a.view == AgainstView::Off) return;
-    flow(em * 9);
+    ImGui::SameLine();
     ImGui::SetNextItemWidth(em * 9);
     if (ImGui::BeginCombo("##against what", other_label(state, frame).c_str())) {
         if (ImGui::Selectable("ray-traced truth", a.truth)) a.truth = true;

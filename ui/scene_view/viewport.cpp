@@ -14,8 +14,10 @@
 #include "ui/scene_view/picture_painter.h"
 #include "ui/scene_view/scene_marks.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/toolbar.h"
 
 namespace si {
 namespace {
@@ -26,12 +28,6 @@ ImTextureID texture_id(unsigned texture) {
 
 constexpr const char* kPaneOverlays[] = {"view.overlay", "view.overlay_2", "view.overlay_3", "view.overlay_4"};
 
-/// One that waits for the truth counts, so that the header, and with it the picture, keeps its size when that arrives.
-bool any_overlay(const FrameResult* result) {
-    return result && std::any_of(result->panes.begin(), result->panes.end(),
-                                 [](const Pane& p) { return p.overlay > 0 || p.lacks_truth; });
-}
-
 /// Some light's source is ray traced or a light map, and its rays are still to be traced.
 bool awaits_rays(const FrameResult& result) {
     const auto awaits = [](const auto& n) { return n.key != 0 && !n.met; };
@@ -41,7 +37,6 @@ bool awaits_rays(const FrameResult& result) {
 
 /// A button that stays down while `on`; returns whether it was pressed.
 bool toggle(const char* label, bool on, const char* help) {
-    flow(ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x);
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     if (on) ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
     const bool pressed = ImGui::Button(label);
@@ -50,53 +45,40 @@ bool toggle(const char* label, bool on, const char* help) {
     return pressed;
 }
 
+float button_width(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 void header(EditorState& state, const EditorFrame& frame) {
-    const FrameResult* result = frame.result;
     Settings& s = state.settings;
-    const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
-    const bool labels = ImGui::GetContentRegionAvail().x > em * 20;  // the tooltips say it too
-    if (labels) {
-        ImGui::PushFont(theme::strong());
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted("Scene");
-        ImGui::PopFont();
-    } else {
-        ImGui::Dummy({0, 0});
-    }
-    const auto labelled = [&](const char* label, const char* key, float width) {
-        flow((labels ? ImGui::CalcTextSize(label).x + gap : 0) + width);
-        if (labels) {
-            ImGui::AlignTextToFramePadding();
-            ImGui::TextDisabled("%s", label);
-            ImGui::SameLine();
-        }
-        setting_widget(s, key, width);
+    const float em = ImGui::GetFontSize();
+    Toolbar bar("scene tools");
+    bar.title("Scene");
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) maximise(state, Panel::Scene);
+    const auto setting = [&](const char* label, const char* key, float width) {
+        bar.item(label, width, [&s, key](float room) { setting_widget(s, key, room); });
     };
-    const bool alone = state.against.view == AgainstView::Off;
-    if (alone) labelled("Panes", "view.panes", em * 5);
-    if (!alone || s.view.panes == int(Panes::One)) labelled("Overlay", kPaneOverlays[0], em * (labels ? 9.5f : 5.5f));
-    if (any_overlay(result)) {
-        labelled("Opacity", "view.overlay_opacity", em * 4.5f);
-        labelled("Scale", "view.overlay_range", em * 7);
-    }
-    if (!labels && alone) return;  // the rest is among the settings or has a key
-    flow((labels ? ImGui::CalcTextSize("Compare").x + gap : 0) + em * 6.5f);
-    if (labels) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("Compare");
-        ImGui::SameLine();
-    }
-    against_widgets(state, frame);
-    if (!labels) return;
-    labelled("Lights", "view.frustum", ImGui::GetFrameHeight());
-    if (toggle("Through light", s.camera.source == int(CameraSource::Light), "Look through the shown light (L)"))
-        toggle_light_camera(state);
-    if (toggle(
-            "Freeze view", state.frozen.has_value(),
-            "Keep this camera and fly about with another (K): maps that follow a camera, cascades too, stay made for\n"
-            "it, its frustum stays drawn in the scene and in the map, and the texels counted are those that it\n"
-            "reads."))
-        toggle_frozen_camera(state, frame);
+    const bool off = state.against.view == AgainstView::Off;
+    const bool one = !off || s.view.panes == int(Panes::One);
+    // Of several panes each has a choice of its own in its picture.
+    if (one) bar.item("Overlay", em * 11, [&s](float room) { overlay_widget(s, kPaneOverlays[0], room); });
+    bar.item("Compare", against_width(state), [&](float) { against_widgets(state, frame); });
+    if (off) setting("Panes", "view.panes", em * 5);
+    bar.item("", button_width("Through light"), [&](float) {
+        if (toggle("Through light", s.camera.source == int(CameraSource::Light), "Look through the shown light (L)"))
+            toggle_light_camera(state);
+    });
+    bar.item("", button_width("Freeze view"), [&](float) {
+        if (toggle("Freeze view", state.frozen.has_value(),
+                   "Keep this camera and fly about with another (K): maps that follow a camera, cascades too, stay\n"
+                   "made for it, its frustum stays drawn in the scene and in the map, and the texels counted are\n"
+                   "those that it reads."))
+            toggle_frozen_camera(state, frame);
+    });
+    setting("Lights", "view.frustum", ImGui::GetFrameHeight());
+    setting("Opacity", "view.overlay_opacity", em * 4.5f);
+    setting("Scale", "view.overlay_range", em * 7);
+    bar.end();
 }
 
 /// A double click chooses the object that its probe finds; the background chooses none.
@@ -249,7 +231,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
         for (int i = 0; i < panes.grid.count(); ++i) {
             const ImVec2 lo = panes.lo(i);
             ImGui::SetCursorScreenPos({lo.x + em * 0.4f, lo.y + em * 0.3f});
-            setting_widget(state.settings, kPaneOverlays[i], std::min(em * 10, panes.size().x - em));
+            overlay_widget(state.settings, kPaneOverlays[i], std::min(em * 11, panes.size().x - em));
         }
     if (!frame.shader_log.empty())
         veiled_text({origin.x + em * 0.8f, origin.y + em * 2.2f},

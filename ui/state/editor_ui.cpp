@@ -18,6 +18,7 @@ namespace {
 
 constexpr float kPictures = 10;  ///< least height of the pictures that the tabs below leave, ems
 constexpr float kSplitter = 5;   ///< at scale 1, pixels
+constexpr int kF11 = 300;        ///< as the window feeds it (GLFW)
 
 bool pressed(char key) {
     return ImGui::IsKeyPressed(int(key), false);
@@ -56,9 +57,13 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     for (const auto& [key, step] : {std::pair{',', -0.02f}, std::pair{'.', 0.02f}})
         if (state.against.view == AgainstView::Swipe && ImGui::IsKeyPressed(int(key)))
             state.against.at = std::clamp(state.against.at + step * (io.KeyShift ? 5 : 1), 0.0f, 1.0f);
+    if (pressed('N')) state.layout.map_place = MapSpot((int(state.layout.map_place) + 1) % 4);
     if (pressed('M')) s.view.map = (s.view.map + 1) % 3;
     if (pressed(ImGuiKey_Home)) reset_camera(state, frame);
-    if (pressed(ImGuiKey_Escape)) {
+    if (ImGui::IsKeyPressed(kF11, false)) maximise(state, state.maximised ? *state.maximised : state.hovered_panel);
+    if (pressed(ImGuiKey_Escape) && state.maximised) {
+        state.maximised.reset();
+    } else if (pressed(ImGuiKey_Escape)) {
         if (!state.probe_pixel) state.selected_object.clear();
         state.probe_pixel.reset();
         state.show_shortcuts = false;
@@ -70,8 +75,13 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     }
 }
 
-/// A bar to drag; returns how far it was moved along its axis, in pixels.
-float splitter(const char* id, bool vertical, ImVec2 size) {
+struct Dragged {
+    float by = 0;        ///< along its axis, pixels
+    bool reset = false;  ///< a double click asks for the place at first
+};
+
+/// A bar to drag.
+Dragged splitter(const char* id, bool vertical, ImVec2 size) {
     ImGui::InvisibleButton(id, size);
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
     if (hot) ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
@@ -83,8 +93,10 @@ float splitter(const char* id, bool vertical, ImVec2 size) {
         ImGui::GetWindowDrawList()->AddRectFilled({c.x - thin, lo.y}, {c.x + thin, hi.y}, colour);
     else
         ImGui::GetWindowDrawList()->AddRectFilled({lo.x, c.y - thin}, {hi.x, c.y + thin}, colour);
-    if (!ImGui::IsItemActive()) return 0;
-    return vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+    if (hot && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return {.reset = true};
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("Drag; double-click: as at first");
+    if (!ImGui::IsItemActive()) return {};
+    return {.by = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y};
 }
 
 void tab(EditorState& state, BottomTab which, const char* label, const auto& draw) {
@@ -135,13 +147,142 @@ void child(const char* id, ImVec2 size, const auto& draw) {
     ImGui::EndChild();
 }
 
+/// Draws with the usual gaps inside, where there are none between the parts of the window.
+auto spaced(const auto& draw) {
+    return [draw] {
+        const float em = ImGui::GetFontSize();
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em * 0.53f, em * 0.33f));
+        draw();
+        ImGui::PopStyleVar();
+    };
+}
+
+void panel(EditorState& state, Panel which, const char* id, ImVec2 size, const auto& draw) {
+    child(id, size, spaced(draw));
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_RectOnly)) state.hovered_panel = which;
+}
+
+void scene_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size) {
+    panel(state, Panel::Scene, "scene", size, [&] { draw_viewport(state, frame, actions); });
+}
+
+void map_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size) {
+    panel(state, Panel::Map, "map", size, [&] { draw_map_viewer(state, frame, actions); });
+}
+
+void tabs_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size) {
+    panel(state, Panel::Tabs, "bottom", size, [&] { bottom_tabs(state, frame, actions); });
+}
+
+/// The panel that fills the window.
+void one_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    const ImVec2 rest = ImGui::GetContentRegionAvail();
+    switch (*state.maximised) {
+        case Panel::Scene:
+            return scene_panel(state, frame, actions, rest);
+        case Panel::Map:
+            return map_panel(state, frame, actions, rest);
+        case Panel::Tabs:
+            return tabs_panel(state, frame, actions, rest);
+    }
+}
+
+/// The scene and, where it stands there, the map beside or in it.
+void pictures_row(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size, float bar) {
+    EditorLayout& layout = state.layout;
+    const float em = ImGui::GetFontSize();
+    if (layout.map_place == MapSpot::BesideScene) {
+        const float map = std::clamp(size.x * layout.map_share, em * 8, std::max(em * 8, size.x - em * 12));
+        scene_panel(state, frame, actions, {size.x - map - bar, size.y});
+        ImGui::SameLine();
+        if (const Dragged d = splitter("map splitter", true, {bar, size.y}); d.reset)
+            layout.map_share = EditorLayout{}.map_share;
+        else if (d.by != 0)
+            layout.map_share = std::clamp((map - d.by) / size.x, 0.1f, 0.85f);
+        ImGui::SameLine();
+        map_panel(state, frame, actions, {map, size.y});
+        return;
+    }
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    scene_panel(state, frame, actions, size);
+    if (layout.map_place != MapSpot::Inset) return;
+    const float side = std::min(layout.map_inset * em, 0.6f * std::min(size.x, size.y));
+    const ImVec2 after = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({corner.x + size.x - side - em, corner.y + size.y - side - em});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kPanel);
+    map_panel(state, frame, actions, {side, side});
+    ImGui::PopStyleColor();
+    ImGui::SetCursorScreenPos(after);
+}
+
+/// The settings and, where it stands there, the map above them.
+void right_column(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size, float bar) {
+    EditorLayout& layout = state.layout;
+    const float em = ImGui::GetFontSize();
+    ImGui::BeginGroup();
+    if (layout.map_place == MapSpot::AboveSettings) {
+        const float map = std::clamp(size.y * layout.map_height, em * 8, std::max(em * 8, size.y - em * 10));
+        map_panel(state, frame, actions, {size.x, map});
+        if (const Dragged d = splitter("map splitter", false, {size.x, bar}); d.reset)
+            layout.map_height = EditorLayout{}.map_height;
+        else if (d.by != 0)
+            layout.map_height = std::clamp((map + d.by) / size.y, 0.1f, 0.9f);
+        size.y -= map + bar;
+    }
+    child("settings", size, spaced([&] { draw_settings(state, frame, actions); }));
+    ImGui::EndGroup();
+}
+
+void all_panels(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    const float em = ImGui::GetFontSize(), bar = kSplitter * em / 15;
+    const float top = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
+    child("top", {0, top}, spaced([&] { draw_top_bar(state, frame, actions); }));
+
+    EditorLayout& layout = state.layout;
+    const float status = status_bar_height();
+    ImVec2 rest = ImGui::GetContentRegionAvail();
+    rest.y -= status;
+    const float settings = std::clamp(layout.settings_width * em, em * 14, std::max(em * 14, rest.x * 0.5f));
+    const float left = std::max(rest.x - settings - bar, em * 10);
+
+    ImGui::BeginGroup();
+    draw_strips(state, frame, actions, left);
+    const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
+    // Where there is little room the tabs below give way to the pictures.
+    const float most = std::max(em * 4, std::min(rest.y * 0.7f, rest.y - strips - bar - time - em * kPictures));
+    const float bottom = std::clamp(layout.bottom_height * em, em * 4, most);
+    const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
+    pictures_row(state, frame, actions, {left, pictures}, bar);
+    if (time > 0) child("time", {left, time}, spaced([&] { draw_time_bar(state, frame); }));
+    if (const Dragged d = splitter("bottom splitter", false, {left, bar}); d.reset)
+        layout.bottom_height = EditorLayout{}.bottom_height;
+    else if (d.by != 0)
+        layout.bottom_height = (bottom - d.by) / em;
+    tabs_panel(state, frame, actions, {left, bottom});
+    ImGui::EndGroup();
+    ImGui::SameLine();
+    if (const Dragged d = splitter("settings splitter", true, {bar, rest.y}); d.reset)
+        layout.settings_width = EditorLayout{}.settings_width;
+    else if (d.by != 0)
+        layout.settings_width = (settings - d.by) / em;
+    ImGui::SameLine();
+    right_column(state, frame, actions, {settings, rest.y}, bar);
+    child("status", {0, status}, spaced([&] { draw_status_bar(state, frame); }));
+}
+
 }  // namespace
+
+void maximise(EditorState& state, Panel panel) {
+    if (state.maximised == panel)
+        state.maximised.reset();
+    else
+        state.maximised = panel;
+}
 
 EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     EditorActions actions;
     state.dragging = false;
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
-    use_driver(frame.driver);
     shortcuts(state, frame, actions);
 
     const ImGuiIO& io = ImGui::GetIO();
@@ -152,49 +293,11 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    const float em = ImGui::GetFontSize(), bar = kSplitter * em / 15;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-    // No gaps between the parts, the usual ones inside them.
-    const auto spaced = [em](const auto& draw) {
-        return [em, draw] {
-            ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em * 0.53f, em * 0.33f));
-            draw();
-            ImGui::PopStyleVar();
-        };
-    };
-
-    const float top = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
-    child("top", {0, top}, spaced([&] { draw_top_bar(state, frame, actions); }));
-
-    EditorLayout& layout = state.layout;
-    const ImVec2 rest = ImGui::GetContentRegionAvail();
-    const float settings = std::clamp(layout.settings_width * em, em * 14, std::max(em * 14, rest.x * 0.5f));
-    const float left = std::max(rest.x - settings - bar, em * 10);
-    const float map = std::clamp(left * layout.map_share, em * 8, std::max(em * 8, left - em * 12));
-
-    ImGui::BeginGroup();
-    draw_strips(state, frame, actions, left);
-    const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
-    // Where there is little room the tabs below give way to the pictures.
-    const float most = std::max(em * 4, std::min(rest.y * 0.7f, rest.y - strips - bar - time - em * kPictures));
-    const float bottom = std::clamp(layout.bottom_height * em, em * 4, most);
-    const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
-    child("scene", {left - map - bar, pictures}, spaced([&] { draw_viewport(state, frame, actions); }));
-    ImGui::SameLine();
-    if (const float d = splitter("map splitter", true, {bar, pictures}); d != 0)
-        layout.map_share = std::clamp((map - d) / left, 0.1f, 0.85f);
-    ImGui::SameLine();
-    child("map", {map, pictures}, spaced([&] { draw_map_viewer(state, frame, actions); }));
-    if (time > 0) child("time", {left, time}, spaced([&] { draw_time_bar(state, frame); }));
-    if (const float d = splitter("bottom splitter", false, {left, bar}); d != 0)
-        layout.bottom_height = (bottom - d) / em;
-    child("bottom", {left, bottom}, spaced([&] { bottom_tabs(state, frame, actions); }));
-    ImGui::EndGroup();
-    ImGui::SameLine();
-    if (const float d = splitter("settings splitter", true, {bar, rest.y}); d != 0)
-        layout.settings_width = (settings - d) / em;
-    ImGui::SameLine();
-    child("settings", {settings, rest.y}, spaced([&] { draw_settings(state, frame, actions); }));
+    if (state.maximised)
+        one_panel(state, frame, actions);
+    else
+        all_panels(state, frame, actions);
     ImGui::PopStyleVar();
     draw_shortcuts(state);
     draw_file_dialog(state, actions);

@@ -32,11 +32,20 @@
 
 namespace si {
 
+/// Where the map viewer stands.
+enum class MapSpot { AboveSettings, BesideScene, Inset, Hidden };
+
+/// A part of the window that can fill it.
+enum class Panel { Scene, Map, Tabs };
+
 /// Where the splitters stand. Sizes are in units of text height, so that they survive a change of scale.
 struct EditorLayout {
     float settings_width = 24;
-    float bottom_height = 17.2f;
-    float map_share = 0.40f;  ///< of the width left of the settings
+    float bottom_height = 13;
+    MapSpot map_place = MapSpot::AboveSettings;
+    float map_height = 0.5f;  ///< of the settings' column, where it stands above them
+    float map_share = 0.40f;  ///< of the width left of the settings, where it stands beside the scene
+    float map_inset = 20;     ///< width and height, where it stands in a corner of the scene
     bool map_plots = true;    ///< histogram and depth curve under the map
     bool operator==(const EditorLayout&) const = default;
 };
@@ -73,6 +82,8 @@ struct EditorState : PictureState {
     AdvicePanel advice;
     LabPanel lab;
     EditorLayout layout;
+    std::optional<Panel> maximised;      ///< fills the window (F11)
+    Panel hovered_panel = Panel::Scene;  ///< that the mouse was over last
     MapWindow map_window;
     bool exact_texels = false;                ///< the map viewer marks the texels that kernels fetch
     std::optional<MarkedTexel> marked_texel;  ///< that a finding of the panel Numbers stands at

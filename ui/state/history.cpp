@@ -1,5 +1,9 @@
 #include "ui/state/history.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -37,8 +41,15 @@ void History::commit(const Settings& settings) {
         here.place = present_;
         return;
     }
+    Settings moved = steps_[at_].settings;
+    moved.camera = settings.camera;
+    const bool looks = moved == settings && present_.scene == steps_[at_].place.scene;
     steps_.resize(at_ + 1);
-    steps_.push_back({settings, present_});
+    if (looks && steps_[at_].looks) {
+        steps_[at_].settings = settings, steps_[at_].place = present_;
+        return;
+    }
+    steps_.push_back({settings, present_, looks});
     if (steps_.size() > kLimit) steps_.erase(steps_.begin());
     at_ = before_ = steps_.size() - 1;
 }
@@ -56,6 +67,32 @@ const Settings& History::undo() {
 
 const Settings& History::redo() {
     return move_to(can_redo() ? at_ + 1 : at_);
+}
+
+const Settings& History::go(std::size_t step) {
+    return move_to(std::min(step, steps_.size() - 1));
+}
+
+std::vector<std::string> History::names() const {
+    std::vector<std::string> out{"the beginning"};
+    for (std::size_t i = 1; i < steps_.size(); ++i) {
+        const Step &before = steps_[i - 1], &after = steps_[i];
+        if (after.place.scene != before.place.scene) {
+            out.push_back(after.place.scene);
+        } else if (after.place.guide.key != before.place.guide.key && !after.place.guide.title.empty()) {
+            out.push_back(after.place.guide.title);
+        } else if (after.looks) {
+            out.emplace_back("camera");
+        } else {
+            const std::vector<SettingRef> changed = differing_settings(before.settings, after.settings);
+            std::string name = changed.empty() ? std::string("nothing")
+                                               : fmt::format("{} {}", changed[0].param->label,
+                                                             change_text(before.settings, after.settings, changed[0]));
+            if (changed.size() > 1) name += fmt::format(", {} more", changed.size() - 1);
+            out.push_back(std::move(name));
+        }
+    }
+    return out;
 }
 
 void History::stay() {

@@ -30,7 +30,7 @@ public:
     /// What the settings of the next step belong to. Another scene is a step of its own.
     void set_place(Place place) { present_ = std::move(place); }
     /// Call once a frame. While `busy` (a gesture is under way) nothing is recorded; afterwards whatever a person
-    /// changed since the last step becomes one step.
+    /// changed since the last step becomes one step. Moves of the camera in a row are one.
     void observe(const Settings& settings, bool busy);
     /// The playing clock moved scene.time: no step, until commit().
     void tick(double time_s);
@@ -39,6 +39,11 @@ public:
     void follow(const Settings& before, const Settings& after);
     /// Records a step when anything at all differs from the last one.
     void commit(const Settings& settings);
+    /// What each step changed, the first being the beginning, and which of them is shown.
+    std::vector<std::string> names() const;
+    std::size_t at() const { return at_; }
+    /// That step, clamped to those there are.
+    const Settings& go(std::size_t step);
     bool can_undo() const { return at_ > 0; }
     bool can_redo() const { return at_ + 1 < steps_.size(); }
     /// The neighbouring value; the present one at either end.
@@ -57,6 +62,7 @@ private:
     struct Step {
         Settings settings;
         Place place;
+        bool looks = false;  ///< only the camera moved: the next such move is the same step
     };
     std::vector<Step> steps_{Step{}};
     std::size_t at_ = 0, before_ = 0;  ///< before_: of the last undo or redo

@@ -61,6 +61,7 @@ void draw_tracing(const EditorFrame& frame, EditorActions& actions, float left, 
 
 /// Chooses what the picture is held against, in the present line.
 void against_widgets(EditorState& state, const EditorFrame& frame);
+float against_width(const EditorState& state);
 /// A press of the mouse on the swipe's line drags it. Call before the picture's own gestures: returns whether it did.
 bool steer_swipe(EditorState& state, const PictureView& view);
 /// The other picture, right of the line, beside or as a difference, and what the sides are. Pixels of the screen.
@@ -73,6 +74,13 @@ void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, 
 int shown_light(const Settings& settings);
 /// The face of the shown light, clamped.
 int shown_face(const Settings& settings, const FrameResult& result);
+
+/// Lets the panel fill the window, or takes its place among the others again.
+void maximise(EditorState& state, Panel panel);
+
+/// One line below all: the last message, the picture's size, the map's bytes and look-ups, the driver.
+void draw_status_bar(EditorState& state, const EditorFrame& frame);
+float status_bar_height();
 
 /// A built-in scene's label; a file without its folders; "No scene" when there is none.
 std::string scene_label(const std::string& name_or_path);

@@ -53,6 +53,12 @@ void redo(EditorState& state) {
     show_step(state, state.history.redo());
 }
 
+void go_to_step(EditorState& state, std::size_t step) {
+    if (state.between_steps || step == state.history.at()) return;
+    stop_playing(state);
+    show_step(state, state.history.go(step));
+}
+
 void play_on(EditorState& state, const EditorFrame& frame, double seconds) {
     if (!state.playback.playing) return;
     const Animation* animation = chosen_animation(frame, state.settings.scene);

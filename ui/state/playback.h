@@ -18,6 +18,8 @@ void stop_playing(EditorState& state);
 /// sets state.between_steps and comes once that scene is read.
 void undo(EditorState& state);
 void redo(EditorState& state);
+/// Back or forward to that step of the history.
+void go_to_step(EditorState& state, std::size_t step);
 
 /// Lets `seconds` of the clock pass. Call once a frame, before anything starts or stops playing.
 void play_on(EditorState& state, const EditorFrame& frame, double seconds);

@@ -23,6 +23,8 @@ void search_field(const char* id, const char* hint, std::string& text, float lea
     ImGui::PushID(id);
     ImGui::SetNextItemWidth(clears ? width - side : width);
     ImGui::InputTextWithHint("##text", hint, &text);
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
+        ImGui::SetTooltip("All words have to be there, in any order; other engines' names count too");
     if (clears) {
         ImGui::SameLine(0, 0);
         if (ImGui::Button("×", {side, side})) text.clear();

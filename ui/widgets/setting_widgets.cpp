@@ -186,11 +186,7 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, con
         changed = real(p, std::get<double>(value), unit);
     if (idle) ImGui::PopStyleVar();
     if (changed) change(settings, ref, value);
-    ImGui::OpenPopupOnItemClick("row menu", ImGuiPopupFlags_MouseButtonRight);
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-        if (ImGui::GetIO().MouseDownDuration[0] < 0) tooltip(settings, ref);
-    }
-    return changed;
+    return setting_menu(settings, ref) || changed;
 }
 
 }  // namespace
@@ -209,10 +205,16 @@ bool setting_changed(const Settings& settings, const SettingRef& ref) {
     return get_value(settings, ref) != default_value(ref);
 }
 
+bool setting_menu(Settings& settings, const SettingRef& ref) {
+    ImGui::OpenPopupOnItemClick("row menu", ImGuiPopupFlags_MouseButtonRight);
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive() && ImGui::GetIO().MouseDownDuration[0] < 0)
+        tooltip(settings, ref);
+    return reset_menu(settings, ref);
+}
+
 bool setting_widget(Settings& settings, const SettingRef& ref, float width, const NamedValues& names) {
     ImGui::PushID(setting_key(ref).c_str());
-    bool changed = widget_and_menu(settings, ref, width, names);
-    changed |= reset_menu(settings, ref);
+    const bool changed = widget_and_menu(settings, ref, width, names);
     ImGui::PopID();
     return changed;
 }
@@ -245,7 +247,6 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
     if (ImGui::IsItemHovered()) tooltip(settings, ref);
     ImGui::TableNextColumn();
     changed |= widget_and_menu(settings, ref, 0, names);
-    changed |= reset_menu(settings, ref);
     ImGui::PopID();
     return changed;
 }

@@ -17,6 +17,10 @@ void use_driver(const DriverInfo* driver);
 /// acts.
 std::string_view without_effect(const Settings& settings, const SettingRef& ref);
 
+/// What belongs to the widget that was drawn last and edits this setting: tooltip, and a menu on a right click. Returns
+/// whether the value changed.
+bool setting_menu(Settings& settings, const SettingRef& ref);
+
 /// The widget alone, `width` pixels wide (0: what is left). Returns whether the value changed.
 /// @param names what to choose from in place of a bare number; empty: nothing
 bool setting_widget(Settings& settings, const SettingRef& ref, float width = 0, const NamedValues& names = {});

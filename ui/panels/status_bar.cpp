@@ -1,0 +1,79 @@
+// The line below all panels.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+/// What the last frame cost, where passes were timed (the tab Effects times them).
+std::string cost_text(const FrameResult& result) {
+    double ms = 0, map_ms = 0;
+    for (const PassInfo& pass : result.passes) {
+        ms += pass.gpu_ms;
+        if (pass.category == PassCategory::Maps) map_ms += pass.gpu_ms;
+    }
+    return ms > 0 ? fmt::format("frame {:.3g} ms, maps {:.3g} ms   ", ms, map_ms) : std::string();
+}
+
+std::string facts_text(const EditorState& state, const EditorFrame& frame) {
+    const FrameResult& result = *frame.result;
+    std::string text = cost_text(result);
+    int maps = 0;
+    for (const FittedLight& light : result.lights) maps += light.casts ? int(light.views.size()) : 0;
+    const int n = result.map_resolution;
+    if (maps > 0 && n > 0) text += maps == 1 ? fmt::format("map {}²   ", n) : fmt::format("{} maps of {}²   ", maps, n);
+    if (!result.panes.empty())
+        text += fmt::format("picture {} × {}   ", result.panes[0].picture.width, result.panes[0].picture.height);
+    if (state.frozen) text += "view frozen (K)   ";
+    if (frame.driver) text += frame.driver->renderer.substr(0, frame.driver->renderer.find(" ("));
+    return text;
+}
+
+}  // namespace
+
+float status_bar_height() {
+    return ImGui::GetFontSize() * 1.6f;
+}
+
+void draw_status_bar(EditorState& state, const EditorFrame& frame) {
+    const float em = ImGui::GetFontSize(), width = ImGui::GetWindowWidth();
+    ImFont* font = theme::small();
+    const auto wide = [&](const std::string& text) {
+        return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+    };
+    const ImVec2 at = ImGui::GetWindowPos();
+    const float y = at.y + 0.5f * (status_bar_height() - font->FontSize);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string facts = frame.result ? facts_text(state, frame) : std::string();
+    const float right = width - wide(facts) - em * 0.7f;
+    float free = width - em * 1.4f;
+    if (right > em * 12) {
+        list.AddText(font, font->FontSize, {at.x + right, y}, theme::kMuted, facts.c_str());
+        free = right - em * 2;
+    }
+    if (state.log.lines().empty()) return;
+    const LogLine& last = state.log.lines().back();
+    const ImU32 colour = last.kind == LogKind::Error     ? theme::kError
+                         : last.kind == LogKind::Warning ? theme::kWarning
+                                                         : theme::kMuted;
+    std::string text = last.text.substr(0, last.text.find('\n'));
+    if (wide(text) > free) {
+        while (!text.empty() && wide(text + "…") > free) {
+            do text.pop_back();
+            while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80);
+        }
+        text += "…";
+    }
+    list.AddText(font, font->FontSize, {at.x + em * 0.7f, y}, colour, text.c_str());
+    ImGui::SetCursorScreenPos(at);
+    ImGui::InvisibleButton("last message", {std::max(std::min(wide(text) + em, free), 1.0f), status_bar_height()});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\nA click opens the log.", last.text.c_str());
+    if (ImGui::IsItemClicked()) state.open_tab = BottomTab::Log;
+}
+
+}  // namespace si

@@ -1,0 +1,75 @@
+#include "ui/widgets/toolbar.h"
+
+#include <imgui.h>
+
+#include <utility>
+
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+constexpr const char* kMore = "»";
+
+float more_width() {
+    return ImGui::CalcTextSize(kMore).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+}  // namespace
+
+Toolbar::Toolbar(const char* id) : id_(id), right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) {}
+
+bool Toolbar::fits(float width) {
+    if (!waiting_.empty()) return false;
+    if (!first_) ImGui::SameLine();
+    if (ImGui::GetCursorScreenPos().x + width + ImGui::GetStyle().ItemSpacing.x + more_width() > right_) return false;
+    first_ = false;
+    return true;
+}
+
+void Toolbar::title(const char* text) {
+    ImGui::PushFont(theme::strong());
+    if (fits(ImGui::CalcTextSize(text).x)) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(text);
+    }
+    ImGui::PopFont();
+}
+
+void Toolbar::item(const char* label, float width, std::function<void(float)> draw) {
+    const float before = *label ? ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemSpacing.x : 0;
+    if (!fits(before + width)) {
+        waiting_.push_back({label, width, std::move(draw)});
+        return;
+    }
+    if (*label) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", label);
+        ImGui::SameLine();
+    }
+    draw(width);
+}
+
+void Toolbar::end() {
+    if (waiting_.empty()) return;
+    if (!first_) ImGui::SameLine();
+    const std::string popup = std::string("more of ") + id_;
+    const float em = ImGui::GetFontSize();
+    ImGui::PushID(id_);
+    menu_button(kMore, popup.c_str(), "What has no room here", em * 16);
+    if (ImGui::BeginPopup(popup.c_str())) {
+        for (const Waiting& w : waiting_) {
+            if (*w.label) {
+                ImGui::AlignTextToFramePadding();
+                ImGui::TextUnformatted(w.label);
+                ImGui::SameLine(em * 6);
+            }
+            w.draw(w.width);
+        }
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+}
+
+}  // namespace si
