@@ -59,7 +59,7 @@ TEST(DossierPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
 TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
     UiHarness ui(1280, 720);
     ui.frames(4);
-    const auto button = ui.find("/rows_", "bias", "Least bias without acne");
+    const auto button = ui.find("/rows_", "bias", "Auto bias");
     ASSERT_TRUE(button);
     ui.click(*button);
     ASSERT_TRUE(ui.last_wish.tune);
@@ -79,7 +79,7 @@ TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
 
     ui.tuning = TuneFacts{"normal offset, 2 texels", 0.4};
     ui.frames(2);
-    EXPECT_FALSE(ui.find("/rows_", "bias", "Least bias without acne")) << "one search at a time";
+    EXPECT_FALSE(ui.find("/rows_", "bias", "Auto bias")) << "one search at a time";
     const auto cancel = ui.find("/rows_", "bias", "Cancel");
     ASSERT_TRUE(cancel);
     ui.click(*cancel);
@@ -91,7 +91,7 @@ TEST(TuneControls, WithoutAMapThereIsNothingToSearch) {
     ui.state.settings.lights[0].source = 1;
     ASSERT_FALSE(source_of(ui.state.settings, 0).needs.map);
     ui.frames(4);
-    for (const char* label : {"Least bias without acne", "Tune..."}) {
+    for (const char* label : {"Auto bias", "Tune..."}) {
         const auto button = ui.find("/rows_", "bias", label);
         ASSERT_TRUE(button) << label;
         ui.click(*button);

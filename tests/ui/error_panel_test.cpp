@@ -49,6 +49,7 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
          {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {1920, 1080, 1.25f}, {3840, 2160, 2.0f}}) {
         UiHarness ui(width, height, scale);
         ui.state.open_tab = BottomTab::Error;
+        ui.state.layout.bottom_height = 17.2f;
         for (int variant = 0; variant < 4; ++variant) {
             ui.truth = made_up_truth();
             ui.error = made_up_error();

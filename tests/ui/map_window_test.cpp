@@ -97,16 +97,17 @@ TEST(MapWindow, PlotsAndLinksAreReadOnlyWhereTheyAreShown) {
 
 TEST(MapWindow, ExactTexelsAreAskedForByABoxWhileTheirMapIsShown) {
     MapViewer m;
+    m.ui.state.layout.map_share = 0.8f;  // its box has room in the row
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels);
     const auto box = m.ui.find("editor/map", "", "Texels read");
     ASSERT_TRUE(box);
     m.ui.click(*box);
     EXPECT_TRUE(m.ui.state.exact_texels);
     EXPECT_TRUE(m.ui.frames(2).want_exact_texels);
-    m.ui.move({200, 300});
+    m.ui.move({100, 300});
     m.ui.press(true);
     m.ui.frame();
-    m.ui.move({230, 315});
+    m.ui.move({115, 315});
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels) << "read back in every frame of a drag";
     m.ui.press(false);
     EXPECT_TRUE(m.ui.frames(2).want_exact_texels);

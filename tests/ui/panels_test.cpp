@@ -14,7 +14,7 @@ namespace si::test {
 namespace {
 
 // Where things stand at 1280 x 720: the search field, and the first row below its group's heading.
-constexpr glm::vec2 kSearch{1040, 390}, kFirstLabel{965, 449}, kFirstValue{1170, 449}, kPicture{200, 250};
+constexpr glm::vec2 kSearch{1040, 56}, kFirstLabel{965, 115}, kFirstValue{1170, 115}, kPicture{200, 250};
 constexpr float kCheckbox = 1091;  // the left end of the column of values, where checkboxes stand too
 
 const std::string kObjectPath = "Root/Box";

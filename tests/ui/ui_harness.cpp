@@ -9,6 +9,7 @@
 
 #include "renderer/frame/pane_grid.h"
 #include "renderer/scenes/builtin.h"
+#include "tests/ui/screen.h"
 #include "ui/widgets/theme.h"
 
 namespace si::test {
@@ -57,6 +58,7 @@ Probe made_up_probe(int lights) {
 }
 
 UiHarness::UiHarness(int width, int height, float scale) : width_(width), height_(height) {
+    state.layout = kBeside;
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;

@@ -54,6 +54,10 @@ Process::~Process() {
     waitpid(pid_, nullptr, 0);
 }
 
+void Process::ask_to_end() {
+    if (pid_ > 0) ::kill(pid_, SIGTERM);
+}
+
 void Process::kill_at_once() {
     if (!running()) return;
     kill(pid_, SIGKILL);

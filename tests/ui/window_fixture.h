@@ -28,6 +28,8 @@ public:
 
     bool running();
     void kill_at_once();
+    /// As a batch system does (SIGTERM).
+    void ask_to_end();
     /// Valid when no longer running.
     int code() const { return code_.value_or(-1); }
     /// Processor time used so far; 0 when it is gone.

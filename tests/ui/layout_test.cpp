@@ -1,0 +1,150 @@
+// How the window is divided: the scene first, and nothing moves by itself.
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+double scene_share(const UiHarness& ui) {
+    const PictureView& v = *ui.state.scene_view;
+    return v.size.x * v.size.y / (double(ui.width()) * ui.height());
+}
+
+struct Shown : UiHarness {
+    Shown(int width, int height, float scale = 1) : UiHarness(width, height, scale) {
+        state.layout = {};
+        frames(3);
+    }
+    const ImGuiWindow* part(std::string_view name) {
+        for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
+            if (w->WasActive && std::string_view(w->Name).starts_with("editor/" + std::string(name) + "_")) return w;
+        return nullptr;
+    }
+    EditorActions key(int code) {
+        ImGui::GetIO().KeysDown[code] = true;
+        frame();
+        ImGui::GetIO().KeysDown[code] = false;
+        return frame();
+    }
+};
+
+TEST(Layout, TheSceneHasHalfOfTheWindowAtFirst) {
+    EXPECT_GE(scene_share(Shown(1600, 900)), 0.5);
+    EXPECT_GE(scene_share(Shown(1920, 1080)), 0.5);
+    EXPECT_GE(scene_share(Shown(3840, 2160, 2)), 0.5);
+    EXPECT_GE(scene_share(Shown(1280, 720)), 0.4);
+}
+
+TEST(Layout, ThePictureStaysWhereItIsWhateverIsChosen) {
+    for (const int width : {640, 900, 1280, 1600}) {
+        Shown ui(width, width * 9 / 16);
+        const glm::dvec2 origin = ui.state.scene_view->origin, size = ui.state.scene_view->size;
+        const auto unmoved = [&](const char* what) {
+            ui.frames(3);
+            EXPECT_EQ(ui.state.scene_view->origin, origin) << what << " at " << width;
+            EXPECT_EQ(ui.state.scene_view->size, size) << what << " at " << width;
+        };
+        ui.state.settings.view.overlay = 5;
+        unmoved("an overlay");
+        ui.state.settings.view.overlay_range = 2;
+        unmoved("its scale");
+        ui.state.settings.light_count = 3;
+        unmoved("three lights");
+        ui.state.against.view = AgainstView::Swipe;
+        unmoved("a comparison");
+        ui.state.against.view = AgainstView::Off;
+        set_setting(ui.state.settings, "filter.kernel", "evsm4");
+        unmoved("moments in the map");
+        ui.state.log.add(LogKind::Error, "Something long that has happened to be said, " + std::string(300, 'x'));
+        unmoved("a message");
+    }
+}
+
+TEST(Layout, APanelFillsTheWindowByAKeyAndGivesItBack) {
+    Shown ui(1280, 720);
+    ui.move({300, 300});
+    ui.frames(2);
+    ui.key(300);
+    EXPECT_EQ(ui.state.maximised, Panel::Scene);
+    EXPECT_GE(scene_share(ui), 0.88);
+    EXPECT_FALSE(ui.frame().want_map) << "what is hidden costs nothing";
+    EXPECT_FALSE(ui.part("settings"));
+    ui.key(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    EXPECT_FALSE(ui.state.maximised);
+    ASSERT_TRUE(ui.part("settings"));
+    const ImGuiWindow* map = ui.part("map");
+    ASSERT_TRUE(map);
+    ui.move({map->Pos.x + 100, map->Pos.y + 100});
+    ui.frames(2);
+    ui.key(300);
+    EXPECT_EQ(ui.state.maximised, Panel::Map);
+    EXPECT_TRUE(ui.frame().want_map);
+    ui.key(300);
+    EXPECT_FALSE(ui.state.maximised);
+}
+
+TEST(Layout, TheMapStandsWhereItIsPut) {
+    Shown ui(1280, 720);
+    const double above = scene_share(ui);
+    ui.state.layout.map_place = MapSpot::BesideScene;
+    EXPECT_TRUE(ui.frames(3).want_map);
+    EXPECT_LT(scene_share(ui), above);
+    ui.state.layout.map_place = MapSpot::Inset;
+    EXPECT_TRUE(ui.frames(3).want_map);
+    EXPECT_EQ(scene_share(ui), above);
+    const ImGuiWindow* map = ui.part("map");
+    ASSERT_TRUE(map);
+    const PictureView& scene = *ui.state.scene_view;
+    EXPECT_GE(map->Pos.x, scene.origin.x);
+    EXPECT_LE(map->Pos.y + map->Size.y, scene.origin.y + scene.size.y);
+    ui.state.layout.map_place = MapSpot::Hidden;
+    EXPECT_FALSE(ui.frames(3).want_map);
+    EXPECT_FALSE(ui.part("map"));
+    ui.key('N');
+    EXPECT_EQ(ui.state.layout.map_place, MapSpot::AboveSettings);
+}
+
+TEST(Layout, ADoubleClickOnASplitterPutsItBack) {
+    Shown ui(1280, 720);
+    const ImGuiWindow* settings = ui.part("settings");
+    ASSERT_TRUE(settings);
+    const glm::vec2 at(settings->Pos.x - 2, settings->Pos.y + 100);
+    ui.drag(at, at - glm::vec2(80, 0));
+    EXPECT_GT(ui.state.layout.settings_width, EditorLayout{}.settings_width + 3);
+    ui.click(at - glm::vec2(80, 0));
+    ui.click(at - glm::vec2(80, 0));
+    ui.frames(2);
+    EXPECT_EQ(ui.state.layout.settings_width, EditorLayout{}.settings_width);
+}
+
+TEST(Layout, WhatHasNoRoomInARowWaitsInItsMenu) {
+    Shown ui(900, 600);
+    EXPECT_FALSE(ui.find("editor/scene", "view.overlay_opacity", "##value"));
+    const auto more = ui.find("editor/scene", "scene tools", "»");
+    ASSERT_TRUE(more);
+    ui.click(*more);
+    EXPECT_TRUE(ui.find("##Popup", "view.overlay_opacity", "##value"));
+}
+
+TEST(Layout, ASecondMenuOpensAtOnce) {
+    Shown ui(1280, 720);
+    const auto open = [&](const char* popup) {
+        ImGuiContext& g = *ImGui::GetCurrentContext();
+        const ImGuiID id = ui.part("top")->GetID(popup);
+        return g.OpenPopupStack.Size == 1 && g.OpenPopupStack[0].PopupId == id;
+    };
+    const auto file = ui.find("editor/top", "", "File"), steps = ui.find("editor/top", "", "Steps");
+    ASSERT_TRUE(file && steps);
+    ui.click(*file);
+    EXPECT_TRUE(open("file"));
+    ui.click(*steps);
+    EXPECT_TRUE(open("steps"));
+    ui.click(*file);
+    EXPECT_TRUE(open("file"));
+}
+
+}  // namespace
+}  // namespace si::test
