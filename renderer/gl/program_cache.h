@@ -30,13 +30,25 @@ public:
     ShaderSource& source() { return source_; }
     const std::string& log() const { return log_; }
     std::size_t size() const { return programs_.size(); }
+    /// A frame ends: of what it did not use, the longest unused gives way until `most` programs are left.
+    void end_frame(std::size_t most);
+
+    /// A frame takes 10 to 40. A CPU rasteriser keeps machine code of each, and a driver's own cache of shaders makes
+    /// one that is asked for again in less time than one that is new.
+    static constexpr std::size_t kMostPrograms = 128;
 
 private:
+    struct Kept {
+        Program program;
+        std::uint64_t used = 0;  ///< the last frame that did
+    };
     ShaderSource source_;
-    std::unordered_map<std::uint64_t, GLuint> by_request_;  // request and generation
-    std::unordered_map<std::uint64_t, GLuint> last_good_;   // request alone
-    std::unordered_map<std::uint64_t, Program> programs_;   // final text
+    std::unordered_map<std::uint64_t, Kept*> by_request_;  // request and generation
+    std::unordered_map<std::uint64_t, Kept*> last_good_;   // request alone
+    std::unordered_map<std::uint64_t, Kept> programs_;     // final text
+    std::uint64_t frame_ = 1;
     std::string log_;
+    GLuint use(Kept& kept) const;
     Program build(const std::string& vertex, const std::string& fragment, std::string_view label,
                   const std::vector<std::string>& files) const;
 };
