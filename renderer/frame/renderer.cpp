@@ -181,8 +181,7 @@ FrameResult Renderer::Impl::draw(FrameState& f) {
             if (pass.cached) *pass.cached = 0;
         throw;
     }
-    const std::size_t most = gl::trouble_seam().most_programs;
-    resources.programs.end_frame(most > 0 ? most : gl::ProgramCache::kMostPrograms);
+    resources.programs.end_frame(gl::trouble_seam().most_programs);
     describe_frame(f, result);
     result.contents = contents_of(f, result.passes);
     result.contents.renderer = number;

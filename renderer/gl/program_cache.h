@@ -30,12 +30,9 @@ public:
     ShaderSource& source() { return source_; }
     const std::string& log() const { return log_; }
     std::size_t size() const { return programs_.size(); }
-    /// A frame ends: of what it did not use, the longest unused gives way until `most` programs are left.
-    void end_frame(std::size_t most);
-
-    /// A frame takes 10 to 40. A CPU rasteriser keeps machine code of each, and a driver's own cache of shaders makes
-    /// one that is asked for again in less time than one that is new.
-    static constexpr std::size_t kMostPrograms = 128;
+    /// A frame ends: of what it did not use, the longest unused gives way until `most` programs are left; 0: as many as
+    /// are usually kept.
+    void end_frame(std::size_t most = 0);
 
 private:
     struct Kept {

@@ -32,7 +32,7 @@ struct TroubleSeam {
     std::function<bool(Trouble, std::string_view what)> fails;
     /// Handed each image before its numbers are searched.
     std::function<void(std::string_view label, GLuint texture)> spoils;
-    /// Kept from frame to frame; 0: ProgramCache::kMostPrograms.
+    /// Kept from frame to frame; 0: as many as ever.
     std::size_t most_programs = 0;
 };
 TroubleSeam& trouble_seam();

@@ -28,6 +28,7 @@ using Json = nlohmann::json;
 constexpr int kUsualEvents = 250;
 constexpr std::uint32_t kUsualSeed = 1;
 constexpr int kLastTold = 40;                   ///< of the events before an end
+constexpr int kMostPrograms = 150;              ///< of the editor's renderers: one keeps 64, or all that its frame uses
 constexpr auto kDropped = 20s;                  ///< what a drop is waited for: a modal loop of X may take none
 constexpr std::uint64_t kLeftOver = 48u << 20;  ///< bytes by which two rests may differ: panels that are open, a probe
 
@@ -176,6 +177,8 @@ TEST_F(WindowMonkey, DoesNoHarm) {
     std::cout << "after, " << ends << " ends by the menu: " << memory_text(after) << std::endl;
     ASSERT_TRUE(program_->running()) << log();
     expect_harmless(after);
+    for (const Json& h : after["memory"]["holders"])
+        if (h["holder"] == "texts of shader programs") EXPECT_LE(h["count"], kMostPrograms);
     EXPECT_LT(after["memory"]["held"].get<std::uint64_t>(), before["memory"]["held"].get<std::uint64_t>() + kLeftOver);
     quit();
     for (const char* word : {"Assertion", "terminate called", "Sanitizer", "runtime error"})
