@@ -193,7 +193,7 @@ bool FrameDesk::poll() {
     if (!news_.unsound.empty()) session_.note_unsound(news_.unsound);
     for (const LogLine& line : news_.remarks) {
         if (line.kind == LogKind::Error)
-            report(state_, line.text), session_.note_error(line.text);
+            report(state_, line.text);
         else
             state_.log.add(line.kind, line.text);
     }

@@ -98,7 +98,7 @@ void EditorModel::copy_command_line() {
 void EditorModel::keep() {
     memory_.follow(state, steady_seconds());
     try {
-        session_.follow(steady_seconds());
+        session_.follow(steady_seconds(), state.log);
     } catch (const std::exception& e) {
         session_.give_up();
         report(state, e.what());

@@ -71,7 +71,7 @@ public:
     /// The window has this size in screen coordinates at scale 1.
     void keep_window(int width, int height, bool maximised) { memory_.note_window(width, height, maximised); }
     /// The clean end: nothing is left to restore.
-    void end() { memory_.end(state), session_.write(); }
+    void end() { memory_.end(state), session_.write(state.log); }
     /// What became of this session.
     SessionReport& session() { return session_; }
 

@@ -12,19 +12,22 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostTold = 100;     ///< messages of a kind
 constexpr std::size_t kMostSamples = 200;  ///< then every second one goes, and they are taken half as often
 
-void keep_one(std::vector<std::string>& told, std::size_t& count, const std::string& message) {
-    if (told.size() < kMostTold) told.push_back(message);
-    ++count;
+Json errors_json(const Log& log) {
+    std::size_t count = 0;
+    Json first = Json::array();
+    for (const LogLine& line : log.lines()) {
+        if (line.kind != LogKind::Error) continue;
+        count += std::size_t(line.count);
+        if (first.size() < kMostTold) first.push_back(line.text);
+    }
+    return {{"count", count}, {"first", first}};
 }
 
 }  // namespace
 
 void SessionReport::note_driver(const std::string& message) {
-    keep_one(driver_, driver_count_, message);
-}
-
-void SessionReport::note_error(const std::string& message) {
-    keep_one(errors_, error_count_, message);
+    if (driver_.size() < kMostTold) driver_.push_back(message);
+    ++driver_count_;
 }
 
 void SessionReport::sample(double now_s) {
@@ -37,20 +40,20 @@ void SessionReport::sample(double now_s) {
     every_s_ *= 2;
 }
 
-void SessionReport::follow(double now_s) {
+void SessionReport::follow(double now_s, const Log& log) {
     if (path_.empty() || now_s < due_s_) return;
     sample(now_s);
     due_s_ = now_s + every_s_;
-    write();
+    write(log);
 }
 
-void SessionReport::write() {
+void SessionReport::write(const Log& log) {
     if (path_.empty()) return;
     Json json = {{"format", "shadow-inspector-session"},
                  {"version", 1},
                  {"frames", frames_},
                  {"driver_messages", {{"count", driver_count_}, {"first", driver_}}},
-                 {"errors", {{"count", error_count_}, {"first", errors_}}},
+                 {"errors", errors_json(log)},
                  {"unsound", unsound_.empty() ? Json() : Json(unsound_)},
                  {"memory", memory_json(memory_facts())},
                  {"memory_over_time", Json::array()}};

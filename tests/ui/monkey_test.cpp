@@ -46,7 +46,6 @@ protected:
         files_ = monkey_files(work_ / "files");
         if (const char* more = std::getenv("SI_MONKEY_FILES"))
             for (const auto& entry : fs::recursive_directory_iterator(more)) files_.push_back(entry.path());
-        save_preset({.title = "", .topic = "", .about = "", .scene = "boxes", .settings = {}}, folder_ / "rest.json");
         confinement_ = Confinement::to(folder_);
     }
 
@@ -99,6 +98,8 @@ protected:
         for (const char* button : {"1", "2", "3"}) xdotool(fmt::format("mouseup {}", button));
         xdotool(fmt::format("windowsize {} 1280 720", window_));
         for (int i = 0; i < 4; ++i) xdotool("key Escape");
+        // Anew: once it is opened, the monkey may have saved something else over it.
+        save_preset({.title = "", .topic = "", .about = "", .scene = "boxes", .settings = {}}, folder_ / "rest.json");
         drop_file(window_, folder_ / "rest.json", 300, 300, 10min);
         shows("boxes");
         xdotool("mousemove 1270 710");
