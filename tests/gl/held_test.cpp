@@ -67,9 +67,9 @@ TEST_F(HeldTest, ATargetThatFoundNoMemoryIsNone) {
 
 gl::ProgramRequest plain_program(int number) {
     return {.vertex = "passes/fullscreen.vert.glsl",
-            .fragment = "passes/numeric_health.frag.glsl",
+            .fragment = "passes/volume_depth.frag.glsl",
             .includes = {},
-            .defines = {{"HEALTH_STEP", "1"}},
+            .defines = {},
             .preamble = "// " + std::to_string(number) + "\n"};
 }
 
