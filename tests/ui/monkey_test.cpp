@@ -27,10 +27,12 @@ using Json = nlohmann::json;
 
 constexpr int kUsualEvents = 250;
 constexpr std::uint32_t kUsualSeed = 1;
+constexpr int kRested = 3;                      ///< reports in a row that hold as much as the one before
+constexpr int kMostReports = 60;                ///< until the editor is at rest: it may be told to trace for long
 constexpr int kLastTold = 40;                   ///< of the events before an end
 constexpr int kMostPrograms = 150;              ///< of the editor's renderers: one keeps 64, or all that its frame uses
 constexpr auto kDropped = 20s;                  ///< what a drop is waited for: a modal loop of X may take none
-constexpr std::uint64_t kLeftOver = 48u << 20;  ///< bytes by which two rests may differ: panels that are open, a probe
+constexpr std::uint64_t kLeftOver = 64u << 20;  ///< bytes by which two rests may differ: panels that are open, a probe
 
 std::uint32_t number_from(const char* variable, std::uint32_t standard) {
     const char* text = std::getenv(variable);
@@ -103,14 +105,21 @@ protected:
         drop_file(window_, folder_ / "rest.json", 300, 300, 10min);
         shows("boxes");
         xdotool("mousemove 1270 710");
-        // The report is written every few seconds, and while nothing is drawn, too.
-        auto before = fs::file_time_type::min();
-        for (int times = 0; times < 3; ++times) {
+        // The report is written every few seconds, while nothing is drawn, too. At rest nothing in it changes.
+        Json report, last;
+        auto written = fs::file_time_type::min();
+        int alike = 0;
+        for (int times = 0; times < kMostReports; ++times) {
             std::error_code none;
-            wait_until([&] { return fs::last_write_time(report_file(), none) > before; });
-            before = fs::last_write_time(report_file(), none);
+            wait_until([&] { return fs::last_write_time(report_file(), none) > written; });
+            written = fs::last_write_time(report_file(), none);
+            last = std::exchange(report, json_of(report_file()));
+            const Json::json_pointer held("/memory/held");
+            const bool same = last.is_object() && report.is_object() && last.at(held) == report.at(held);
+            alike = same ? alike + 1 : 0;
+            if (alike >= kRested) break;
         }
-        return json_of(report_file());
+        return report;
     }
 
     void expect_harmless(const Json& report) const {
