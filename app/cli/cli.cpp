@@ -131,6 +131,7 @@ void add_truth(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_option("--threads", o.truth.threads, "Threads that trace (default: all)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
+    add_numeric_option(*c, o.truth.check_numeric);
     add_size(*c, o, "1280x720");
     c->add_option("--report", o.truth.report, "Write counts, rays, noise and times as JSON")->type_name("F.json");
     c->callback([&o, &run, area, samples, noise] {
@@ -241,6 +242,8 @@ void start_editor(Options& o) {
         e.width = size.width, e.height = size.height;
         e.size_given = true;
     }
+    if (!e.report.empty()) require_writable(e.report);
+    require_distinct(e.screenshot, "--screenshot", e.report, "--report");
     tab_named(e.tab);
     if (!o.probe.pixel.empty())
         std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe.pixel, {e.width, e.height}, "--probe");
@@ -262,6 +265,11 @@ void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
                   "The tab in front at the start: effects, probe, error, objects, compare, frontier, advice, lab, "
                   "numbers or log");
     c->add_option("--sweep", o.editor.sweep, "Show the sweep in this folder in the tab frontier")->type_name("DIR");
+    add_numeric_option(*c, o.editor.check_numeric);
+    c->add_option("--report", o.editor.report,
+                  "Write what became of the session as JSON, every few seconds: complaints of the driver, errors, "
+                  "unsound numbers, and memory by its holders over time")
+        ->type_name("F.json");
     c->add_flag("--no-state", o.no_state,
                 "Neither read nor keep layout, recent files and autosaves "
                 "($XDG_STATE_HOME/shadow-inspector, by default below ~/.local/state); implies --no-cache");

@@ -102,6 +102,7 @@ void add_sweep(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, 
     c->add_flag("--no-time", o.no_time, "Measure errors and costs only");
     c->add_option("--shard", o.sweep.shard, "Measure only part I of N, without times (`merge` puts parts together)")
         ->type_name("I/N");
+    add_numeric_option(*c, o.sweep.check_numeric);
     c->add_flag("--retry", o.sweep.retry, "Measure failed cases again");
     c->add_flag("--fresh", o.sweep.fresh, "Begin anew: remove what an earlier sweep left in the folder");
     c->callback([&o, &run] {
@@ -147,6 +148,7 @@ void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
     c->add_flag("--area", o.area, kAreaHelp);
     c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");
     add_cost_option(*c, o.tune.cost);
+    add_numeric_option(*c, o.tune.check_numeric);
     c->add_flag("--json", o.tune.json, "What was tried and found as JSON");
     c->callback([&o, &run] {
         run = [&o] {
@@ -206,6 +208,7 @@ void add_advise(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
         ->check(number_between(1, 1e6));
     c->add_option("-o,--output", a.output, "The preset that the autopilot writes, .json")->type_name("PRESET");
     add_cost_option(*c, a.cost);
+    add_numeric_option(*c, a.check_numeric);
     c->add_flag("--area", o.area, kAreaHelp);
     c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");
     c->add_flag("--json", a.json, "All that was found and tried as JSON");

@@ -6,6 +6,7 @@
 #include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
 #include "app/report/measure_json.h"
+#include "app/report/number_watch.h"
 #include "app/report/report.h"
 #include "renderer/base/error.h"
 #include "renderer/measure/autopilot.h"
@@ -142,6 +143,7 @@ public:
         else
             print_report(r);
         print_notes(session_.notes);
+        numbers_.require_sound();
     }
 
     void fly(const Metric& error) {
@@ -160,9 +162,11 @@ public:
             fmt::print("{}", json_text(autopilot_json(r, session_.settings, o_, error)));
         else
             print_flight(r);
+        if (!r.held) numbers_.require_sound();
         if (!r.held) throw Error(r.summary + (o_.output.empty() ? "" : "; nothing was written"));
         if (!o_.output.empty()) write(r);
         print_notes(session_.notes);
+        numbers_.require_sound();
     }
 
 private:
@@ -170,6 +174,7 @@ private:
     Session session_;
     HeadlessContext context_;
     Renderer renderer_;
+    NumberWatch numbers_{renderer_, session_.settings, o_.check_numeric};
     TruthCache cache_;
 
     void write(const AutopilotResult& r) const {

@@ -44,6 +44,7 @@ struct TruthCommandOptions {
     PictureSize size;
     TruthOptions truth;
     int threads = 0;  ///< 0: all
+    bool check_numeric = false;
 };
 /// The ray-traced visibility of view.light as a picture.
 void run_truth(const TruthCommandOptions& options);
@@ -99,6 +100,7 @@ struct TuneOptions {
     PictureSize size;
     CostCase cost = kDefaultCost;
     bool json = false;
+    bool check_numeric = false;
 };
 /// Writes a preset with the least bias that leaves no acne; with limits, with the kernel and resolution that suit them.
 void run_tune(const TuneOptions& options);
@@ -118,6 +120,7 @@ struct AdviseOptions {
     PictureSize size;
     CostCase cost = kDefaultCost;
     bool json = false;
+    bool check_numeric = false;
 };
 /// What the scene says may be changed, measured; with a bound the autopilot.
 void run_advise(const AdviseOptions& options);
@@ -186,6 +189,7 @@ struct SweepOptions {
     PictureSize size{640, 360};
     SweepTiming timing;
     bool fresh = false, retry = false;
+    bool check_numeric = false;  ///< of the cases that are measured now
 };
 /// Error, cost and time of every combination, and a report of them.
 void run_sweep(const SweepOptions& options);

@@ -8,6 +8,7 @@
 #include "app/context/headless_context.h"
 #include "app/report/effects_json.h"
 #include "app/report/health_report.h"
+#include "app/report/memory_json.h"
 #include "app/report/report.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/overlays.h"
@@ -89,6 +90,7 @@ Json plan_json(const Session& session, const PlanOptions& options, const Planned
     json["rounds"] = saved ? Json(saved->rounds) : Json();
     json["clock"] = saved ? Json(saved->frame.clock) : Json();
     json["waste"] = plan.waste ? waste_json(*plan.waste) : Json();
+    json["memory"] = memory_json(memory_facts());
     json["driver"] = driver_json(driver);
     return json;
 }

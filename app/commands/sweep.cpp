@@ -6,6 +6,7 @@
 #include "app/base/notes.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
+#include "app/report/number_watch.h"
 #include "app/sweep/files.h"
 #include "app/sweep/merge.h"
 #include "app/sweep/progress_line.h"
@@ -85,6 +86,7 @@ void run_sweep(const SweepOptions& options) {
     timing.on = timing.on && shard.count == 1;
     const HeadlessContext context;
     Renderer renderer;
+    const NumberWatch numbers(renderer, session.settings, options.check_numeric);
     InterruptGuard interrupt;
     RunningSweep sweep({std::move(sessions), std::move(spec), std::move(plan), timing, options.retry, folder},
                        renderer);
@@ -101,6 +103,7 @@ void run_sweep(const SweepOptions& options) {
     print_notes(notes);
     print_notes(sweep.state().notes);
     print_notes(notes_on_times(sweep.state(), timing));
+    numbers.require_sound();
 }
 
 void run_merge(const MergeOptions& options) {

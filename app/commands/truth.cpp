@@ -4,6 +4,7 @@
 #include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
+#include "app/report/health_report.h"
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
 #include "app/report/views.h"
@@ -49,6 +50,16 @@ nlohmann::ordered_json truth_json(const TracedTruth& traced, const TruthTask& ta
     return json;
 }
 
+/// @throws Error that names the first pixel whose visibility is no share of a light
+void require_true_shares(const FloatImage& visibility) {
+    for (std::size_t i = 0; i < visibility.data.size(); ++i)
+        if (const float v = visibility.data[i]; !(v >= 0 && v <= 1)) {
+            const auto width = std::size_t(visibility.width);
+            throw Error(
+                fmt::format("--check-numeric: the traced visibility is {} at pixel {}, {}", v, i % width, i / width));
+        }
+}
+
 }  // namespace
 
 void run_truth(const TruthCommandOptions& options) {
@@ -71,6 +82,10 @@ void run_truth(const TruthCommandOptions& options) {
                                               : write_grey_png(options.output, picture);
     if (!options.report.empty()) write_file(options.report, json_text(truth_json(traced, task, light)));
     print_notes(session.notes);
+    if (options.check_numeric) {
+        require_true_shares(picture);
+        require_sound(*search_numbers(renderer, session.scene, session.settings, request));
+    }
 }
 
 }  // namespace si

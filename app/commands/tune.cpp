@@ -9,6 +9,7 @@
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
 #include "app/report/measure_json.h"
+#include "app/report/number_watch.h"
 #include "app/report/report.h"
 #include "app/session/setting_json.h"
 #include "app/sweep/progress_line.h"
@@ -127,6 +128,7 @@ void run_tune(const TuneOptions& options) {
     Session session = open_session(options.session);
     const HeadlessContext context;
     Renderer renderer;
+    const NumberWatch numbers(renderer, session.settings, options.check_numeric);
     const TuningJob job{session.settings, options.size.width, options.size.height, goals};
     const auto began = std::chrono::steady_clock::now();
     InterruptGuard interrupt;
@@ -153,10 +155,12 @@ void run_tune(const TuneOptions& options) {
         fmt::print("{}", json_text(tuned_json(*tuner, session.settings, after, goals.cost, seconds)));
     else
         print_tuned(*tuner);
+    if (!found) numbers.require_sound();
     if (!found) throw Error(tuner->summary() + "; nothing was written");
     save_preset({"", "", tuner->summary(), session.scene_name, after}, options.output);
     if (!options.json) fmt::print("wrote {}\n", options.output);
     print_notes(session.notes);
+    numbers.require_sound();
 }
 
 }  // namespace si

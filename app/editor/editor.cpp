@@ -1,6 +1,7 @@
 #include "app/editor/editor.h"
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 #include <imgui.h>
 // clang-format off
 #include <backends/imgui_impl_glfw.h>
@@ -20,6 +21,7 @@
 #include "app/editor/headless_editor.h"
 #include "app/editor/model.h"
 #include "renderer/base/error.h"
+#include "renderer/gl/trouble.h"
 
 namespace si {
 namespace {
@@ -65,6 +67,11 @@ private:
     std::vector<WindowContext::KeyPress> keys_;
 };
 
+/// @throws Error that names what numbers were none, where they were searched
+void require_sound_session(EditorModel& model) {
+    if (const std::string& what = model.session().unsound(); !what.empty()) throw Error("--check-numeric: " + what);
+}
+
 std::vector<std::string> run_window(const EditorOptions& options) {
     const WorkspaceData kept = Workspace(options.state_folder).data();
     const bool as_kept = !options.size_given && kept.window_width > 0;
@@ -105,7 +112,15 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         ImGui::Render();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         imgui.draw(width, height);
+        if (const GLenum error = glGetError(); error != GL_NO_ERROR)
+            model.session().note_driver(fmt::format("the editor's window: glGetError {:#x}", error));
         window.swap();
+        try {
+            gl::require_context();
+        } catch (const gl::ContextLost&) {
+            model.keep_now();  // the next start offers it
+            throw;
+        }
         window.hold_cursor(actions.hold_cursor);
         if (model.fulfil(actions)) due = std::max(due, 2);
         // Each press and each release waits for a frame of its own: slow frames must not tear a double click apart.
@@ -121,6 +136,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
     const auto [width, height] = window.size();
     model.keep_window(width, height, window.maximised());
     model.end();
+    require_sound_session(model);
     return model.notes();
 }
 
@@ -132,6 +148,8 @@ std::vector<std::string> run_editor(const EditorOptions& options) {
     editor.settle();
     editor.model().require_scene();
     write_png(options.screenshot, editor.picture());
+    editor.model().end();
+    require_sound_session(editor.model());
     return editor.model().notes();
 }
 

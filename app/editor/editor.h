@@ -24,6 +24,8 @@ struct EditorOptions {
     int probe_x = -1, probe_y = -1;  ///< pixel of the scene picture probed at the start; negative: none
     std::string tab;                 ///< of the strip below, in front at the start; empty: effects
     std::filesystem::path sweep;     ///< folder of a sweep to show; may be empty
+    bool check_numeric = false;      ///< search every picture of the scene; run_editor() throws at the end
+    std::filesystem::path report;    ///< see SessionReport; empty: none is written
     /// A headless editor draws its frames on a thread of their own, as a window does, and waits so long for each
     /// (FrameThread); nothing: it draws them itself.
     std::optional<std::chrono::milliseconds> frame_patience;

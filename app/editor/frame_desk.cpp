@@ -153,8 +153,8 @@ private:
     std::size_t front_ = 0;
 };
 
-FrameDesk::FrameDesk(EditorState& state, FrameThread thread)
-    : state_(state), patience_(thread.patience), hand_(std::make_unique<Hand>(std::move(thread))) {
+FrameDesk::FrameDesk(EditorState& state, FrameThread thread, SessionReport& session)
+    : state_(state), session_(session), patience_(thread.patience), hand_(std::make_unique<Hand>(std::move(thread))) {
     call([&] {
         loop_ = std::make_unique<FrameLoop>(hand_->has_thread());
         if (hand_->has_thread()) copies_ = std::make_unique<Copies>();
@@ -189,6 +189,8 @@ bool FrameDesk::poll() {
     if (!hand_->done()) return false;
     hand_->take();
     facts_ = std::move(next_facts_);
+    for (const std::string& message : news_.driver) session_.note_driver(message);
+    if (!news_.unsound.empty()) session_.note_unsound(news_.unsound);
     for (const LogLine& line : news_.remarks) {
         if (line.kind == LogKind::Error)
             report(state_, line.text);

@@ -13,6 +13,7 @@
 
 #include "app/context/thread_context.h"
 #include "app/editor/frame_loop.h"
+#include "app/editor/session_report.h"
 
 namespace si {
 
@@ -29,8 +30,8 @@ struct FrameThread {
 /// All calls from one thread, whose OpenGL context stays the same.
 class FrameDesk {
 public:
-    /// @param state of the editor, which lives longer @throws Error when there is no OpenGL for the thread
-    FrameDesk(EditorState& state, FrameThread thread);
+    /// @param state, session of the editor, which live longer @throws Error when there is no OpenGL for the thread
+    FrameDesk(EditorState& state, FrameThread thread, SessionReport& session);
     ~FrameDesk();
 
     /// A frame is being drawn: the scene must stay as it is, and facts() are of the one before.
@@ -71,6 +72,7 @@ private:
     void stand_in(GLsync shown);
 
     EditorState& state_;
+    SessionReport& session_;
     const std::chrono::milliseconds patience_;
     FrameFacts facts_;
     // The thread's while a frame is under way.

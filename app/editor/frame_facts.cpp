@@ -22,6 +22,7 @@ void FrameFacts::fill(EditorFrame& f) const {
     f.effects = effects;
     f.health = health.get();
     f.shader_log = shader_log;
+    f.driver_reset = driver_reset;
 }
 
 }  // namespace si

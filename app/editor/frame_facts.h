@@ -36,7 +36,8 @@ struct FrameFacts {
     std::vector<Effect> effects;                  ///< empty unless asked for
     std::shared_ptr<const NumericHealth> health;  ///< null: not asked for, or not there yet
     std::string shader_log;
-    std::string problem;  ///< why there is no picture; empty: nothing is wrong
+    std::string problem;        ///< why there is no picture; empty: nothing is wrong
+    bool driver_reset = false;  ///< as EditorFrame has it
 
     /// Tells the editor. The pointers hold as long as this does, unchanged.
     void fill(EditorFrame& frame) const;

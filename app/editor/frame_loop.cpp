@@ -1,11 +1,15 @@
 #include "app/editor/frame_loop.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "app/base/output.h"
 #include "app/editor/panel_effects.h"
+#include "app/report/number_watch.h"
 #include "app/report/views.h"
+#include "renderer/gl/trouble.h"
 #include "renderer/scene/stand_in.h"
 
 namespace si {
@@ -24,6 +28,7 @@ FrameFacts FrameLoop::facts() const {
     f.health = health_;
     f.shader_log = shader_log_;
     f.problem = problem_;
+    f.driver_reset = driver_reset_;
     return f;
 }
 
@@ -100,7 +105,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     wanted.outputs.map_coordinates = actions.want_links;
     wanted.outputs.texels_read = actions.want_exact_texels;
     wanted.outputs.error = actions.want_error;
-    wanted.outputs.health = actions.want_health;
+    wanted.outputs.health = actions.want_health || actions.search_all;
     wanted.outputs.true_colour = state.against.view != AgainstView::Off && state.against.truth;
     wanted.timing = actions.want_timing;
     wanted.forced = state.effects.forced;
@@ -129,17 +134,30 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     try {
         result_ = renderer_.render(scene, drawn_settings_, request_);
         drawn_ = true;
+        driver_reset_ = false;
         problem_.clear();
+        if (actions.search_all) require_sound_numbers(scene);
         foresee_programs(scene);
     } catch (const std::exception& e) {
         drawn_ = false;
+        driver_reset_ = dynamic_cast<const gl::ContextLost*>(&e) != nullptr;
         if (problem_ != e.what()) report(e.what());
         problem_ = e.what();
     }
     shader_log_ = renderer_.shader_log();
-    for (const std::string& message : renderer_.take_gl_messages())
+    for (std::string& message : renderer_.take_gl_messages()) {
         news_.remarks.push_back({.kind = LogKind::Warning, .text = message});
+        news_.driver.push_back(std::move(message));
+    }
     return true;
+}
+
+void FrameLoop::require_sound_numbers(const Scene& scene) {
+    const auto health = renderer_.numeric_health(result_);
+    if (health->sound()) return;
+    news_.unsound = fmt::format("{} {}x{} {}: {}", scene.name, request_.width, request_.height,
+                                sets_beyond({}, drawn_settings_), health_text(*health));
+    report(news_.unsound);
 }
 
 void FrameLoop::foresee_programs(const Scene& scene) {

@@ -19,9 +19,11 @@ namespace si {
 
 /// What came of an update, besides the facts.
 struct FrameNews {
-    bool changed = false;          ///< the editor now shows something else
-    std::vector<LogLine> remarks;  ///< for the log
-    bool thaw = false;             ///< nothing can be drawn for the frozen camera
+    bool changed = false;             ///< the editor now shows something else
+    std::vector<LogLine> remarks;     ///< for the log
+    bool thaw = false;                ///< nothing can be drawn for the frozen camera
+    std::vector<std::string> driver;  ///< what it complained of
+    std::string unsound;              ///< which numbers of what was drawn are none, where they are searched for
 };
 
 /// Needs a current OpenGL context all its life, always the same.
@@ -65,6 +67,8 @@ private:
                       const ComparisonFacts* comparison);
     /// Searches the frame's numbers while a panel shows what is found.
     bool follow_health();
+    /// Searches the frame just drawn, and waits for it.
+    void require_sound_numbers(const Scene& scene);
     /// Tells what the frame simulates while a panel shows it.
     bool follow_effects(const Scene& scene, const PictureState& state, const EditorActions& actions, bool drawn);
 
@@ -73,7 +77,7 @@ private:
     Settings drawn_settings_;
     std::uint64_t drawn_scene_ = 0;
     std::shared_ptr<const Rig> drawn_rig_;
-    bool drawn_ = false, shaders_changed_ = false;
+    bool drawn_ = false, shaders_changed_ = false, driver_reset_ = false;
     FrameResult result_;
     FrameNews news_;
     std::string problem_, shader_log_;

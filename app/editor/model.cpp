@@ -12,6 +12,14 @@
 
 namespace si {
 
+namespace {
+
+double steady_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
 BottomTab tab_named(const std::string& name) {
     static const std::vector<std::pair<std::string, BottomTab>> kTabs = {
         {"effects", BottomTab::Effects}, {"probe", BottomTab::Probe},     {"error", BottomTab::Error},
@@ -27,10 +35,12 @@ BottomTab tab_named(const std::string& name) {
 }
 
 EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameThread thread)
-    : memory_(options.state_folder),
+    : check_numeric_(options.check_numeric),
+      session_(options.report),
+      memory_(options.state_folder),
       scenes_(state, memory_, std::move(read), options.headless),
       presets_(state, memory_, scenes_),
-      frames_(state, std::move(thread)),
+      frames_(state, std::move(thread), session_),
       work_(state, options.state_folder) {
     SessionPlan plan = plan_session(options.session);
     scenes_.begin(plan.settings);
@@ -61,6 +71,7 @@ EditorFrame EditorModel::facts() const {
     work_.fill(f, scenes_.scene(), picture_size());
     presets_.fill(f);
     memory_.fill(f);
+    f.memory = held_ ? &*held_ : nullptr;
     f.problem = scenes_.scene() ? frames_.facts().problem : scenes_.problem();
     const SceneLoading& loading = scenes_.loading();
     if (const std::string name = loading.wanted(); !name.empty())
@@ -85,11 +96,28 @@ void EditorModel::copy_command_line() {
 }
 
 void EditorModel::keep() {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    memory_.follow(state, std::chrono::duration<double>(now).count());
+    memory_.follow(state, steady_seconds());
+    try {
+        session_.follow(steady_seconds(), state.log);
+    } catch (const std::exception& e) {
+        session_.give_up();
+        report(state, e.what());
+    }
 }
 
-bool EditorModel::fulfil(const EditorActions& actions) {
+void EditorModel::follow_memory(bool wanted) {
+    constexpr double kFreshSeconds = 0.5;
+    if (!wanted) held_.reset();
+    if (!wanted || (held_ && steady_seconds() < held_at_s_ + kFreshSeconds)) return;
+    held_ = memory_facts();
+    held_at_s_ = steady_seconds();
+}
+
+bool EditorModel::fulfil(const EditorActions& asked) {
+    EditorActions actions = asked;
+    actions.search_all = check_numeric_;
+    session_.note_frame();
+    follow_memory(actions.want_memory);
     bool changed = frames_.poll();
     // What is being drawn stays as it is meanwhile.
     if (!frames_.under_way()) changed |= scenes_.poll();

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "app/editor/memory.h"
 #include "app/editor/preset_work.h"
 #include "app/editor/scene_desk.h"
+#include "app/editor/session_report.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {
@@ -63,16 +66,27 @@ public:
     const std::vector<std::string>& notes() const { return scenes_.notes(); }
     /// Call now and then, also while nothing is drawn: keeps what a crash would lose.
     void keep();
+    /// At once, before an end that is not clean.
+    void keep_now() { memory_.follow(state, std::numeric_limits<double>::infinity()); }
     /// The window has this size in screen coordinates at scale 1.
     void keep_window(int width, int height, bool maximised) { memory_.note_window(width, height, maximised); }
-    /// The clean end: nothing is left to restore.
-    void end() { memory_.end(state, presets_.unsaved()); }
+    /// The end: what no preset holds is kept and offered again.
+    void end() { memory_.end(state, presets_.unsaved()), session_.write(state.log); }
+    /// What became of this session.
+    SessionReport& session() { return session_; }
 
 private:
     void copy_command_line();
     /// Of the scene, in pixels.
     glm::ivec2 picture_size() const;
 
+    /// Asks who holds memory, while a panel shows it; not at every frame.
+    void follow_memory(bool wanted);
+
+    const bool check_numeric_;
+    SessionReport session_;
+    std::optional<MemoryFacts> held_;
+    double held_at_s_ = 0;
     EditorMemory memory_;
     SceneDesk scenes_;
     PresetWork presets_;

@@ -57,6 +57,10 @@ bool EditorReadings::update(Renderer& renderer, const Scene& scene, const Pictur
     changed |= update_exact(renderer, actions, result);
     changed |= update_overlay(renderer, state, actions, result);
     const bool probed = update_probe(renderer, scene, state, request);
+    std::uint64_t bytes = 0;
+    for (const auto& image : {facts_.map_values, facts_.map_coordinates, facts_.overlay_values})
+        if (image) bytes += array_bytes(image->data);
+    if (bytes != held_.bytes()) held_ = HeldMemory("numbers read back", bytes);
     changed |= dossier_.update(facts_.probe.get(), probed, scene, state.settings, renderer.driver());
     return changed || probed;
 }

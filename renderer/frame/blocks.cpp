@@ -91,7 +91,7 @@ void TexelBuffer::put(std::span<const std::byte> bytes) {
     if (std::exchange(size_, 0) == bytes.size())
         glNamedBufferData(buffer_.id(), size, bytes.data(), GL_STREAM_DRAW);
     else
-        gl::fill_buffer(buffer_.id(), label_, size, bytes.data(), GL_STREAM_DRAW);
+        gl::fill_buffer(buffer_, label_, size, bytes.data(), GL_STREAM_DRAW);
     size_ = bytes.size();
 }
 

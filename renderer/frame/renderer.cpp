@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "renderer/base/error.h"
 #include "renderer/frame/driver.h"
@@ -74,25 +75,40 @@ Renderer::~Renderer() {
     glFinish();       // drivers with threads of their own crash when the process ends with work under way
 }
 
+void Renderer::watch_numbers(NumberWatcher watch) {
+    impl_->watch = std::move(watch);
+}
+
 FrameResult Renderer::render(const Scene& scene, const Settings& settings, const FrameRequest& request) {
-    if (request.width < 1 || request.height < 1 || request.width > impl_->driver.max_texture_size ||
-        request.height > impl_->driver.max_texture_size)
+    const Outputs& o = request.outputs;
+    const bool of_picture = o.colour || o.overlay || o.visibility || o.error || o.judged;
+    if (!impl_->watch || request.timing || !of_picture) return impl_->render(scene, settings, request);
+    FrameRequest searched = request;
+    searched.outputs.health = true;
+    FrameResult result = impl_->render(scene, settings, searched);
+    impl_->watch(settings, *numeric_health(result));
+    return result;
+}
+
+FrameResult Renderer::Impl::render(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+    if (request.width < 1 || request.height < 1 || request.width > driver.max_texture_size ||
+        request.height > driver.max_texture_size)
         throw Error(fmt::format("a picture of {} x {} pixels cannot be drawn; each side is 1 to {}", request.width,
-                                request.height, impl_->driver.max_texture_size));
+                                request.height, driver.max_texture_size));
     gl::require_context();
     while (true) {
-        FrameState f = impl_->prepare(scene, settings, request);
+        FrameState f = prepare(scene, settings, request);
         plan_frame(f);
         FrameResult result;
         try {
-            result = impl_->draw(f);
+            result = draw(f);
         } catch (const gl::OutOfMemory& e) {
-            if (!impl_->take_smaller_maps(settings, f, e.what())) throw;
+            if (!take_smaller_maps(settings, f, e.what())) throw;
             continue;
         }
         gl::require_context();
         result.seen_m = f.seen_m;
-        if (f.seen_m) result.passes.insert(result.passes.begin(), impl_->resources.seen.info);
+        if (f.seen_m) result.passes.insert(result.passes.begin(), resources.seen.info);
         return result;
     }
 }
@@ -165,6 +181,7 @@ FrameResult Renderer::Impl::draw(FrameState& f) {
             if (pass.cached) *pass.cached = 0;
         throw;
     }
+    resources.programs.end_frame(gl::trouble_seam().most_programs);
     describe_frame(f, result);
     result.contents = contents_of(f, result.passes);
     result.contents.renderer = number;

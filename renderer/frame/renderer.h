@@ -36,6 +36,11 @@ public:
     /// Draws what `request` asks for. @throws Error (out of memory, shader compile errors in release builds).
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
 
+    /// Has every picture that is drawn or judged searched as Outputs::health asks for, but for those that are timed.
+    /// @param watch is told what was found, soundness too; empty: no more
+    using NumberWatcher = std::function<void(const Settings&, const NumericHealth&)>;
+    void watch_numbers(NumberWatcher watch);
+
     /// Names the programs that render() would draw this frame with: frames of one key need no others. Draws nothing but
     /// what fits go by.
     std::uint64_t programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request);

@@ -28,6 +28,7 @@ struct Renderer::Impl {
         std::string why;
     };
     std::optional<MapLimit> map_limit;
+    NumberWatcher watch;  ///< see Renderer::watch_numbers()
 
     Impl();
     /// After the driver refused memory: has maps be half as large. @returns whether that may help
@@ -38,6 +39,8 @@ struct Renderer::Impl {
     /// As prepare(), with the depths that are known.
     FrameState derive(const Scene& scene, const Settings& settings, const FrameRequest& request);
     void upload_blocks(const FrameState& f);
+    /// As Renderer::render(), unwatched.
+    FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// Carries out the plan of a frame.
     FrameResult draw(FrameState& f);
     gl::PassClock& pass_clock();

@@ -70,7 +70,7 @@ std::vector<int> mesh_sizes(const Scene& scene) {
 
 template <typename T>
 void store(gl::Buffer& buffer, std::string_view label, const std::vector<T>& data) {
-    gl::store_buffer(buffer.id(), label, GLsizeiptr(std::max<std::size_t>(data.size() * sizeof(T), 16)),
+    gl::store_buffer(buffer, label, GLsizeiptr(std::max<std::size_t>(data.size() * sizeof(T), 16)),
                      data.empty() ? nullptr : data.data(), data.size() * sizeof(T) >= 16 ? 0 : GL_DYNAMIC_STORAGE_BIT);
 }
 
@@ -119,7 +119,7 @@ void SceneGpu::upload_geometry(const Scene& scene) {
     indices_ = gl::Buffer::create("indices");
     faced_indices_ = gl::Buffer::create("indices that end with the triangle's normal");
     const auto allocate = [](gl::Buffer& b, std::size_t bytes) {
-        gl::store_buffer(b.id(), "scene's vertices", GLsizeiptr(std::max<std::size_t>(bytes, 16)), nullptr,
+        gl::store_buffer(b, "scene's vertices", GLsizeiptr(std::max<std::size_t>(bytes, 16)), nullptr,
                          GL_DYNAMIC_STORAGE_BIT);
     };
     allocate(positions_, vertex_count * sizeof(glm::vec3));
@@ -234,6 +234,7 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
                            "use a scene with smaller textures, or map.resolution below what it is");
         glTextureSubImage2D(texture.id(), 0, 0, 0, t.width, t.height, GL_RGBA, GL_UNSIGNED_BYTE, t.rgba.data());
         if (levels > 1) glGenerateTextureMipmap(texture.id());
+        gl::hold_images(texture, "scene's textures", {.levels = levels});
         const GLint mag_filter = t.nearest_mag ? GL_NEAREST : GL_LINEAR;
         const auto set = [&](GLuint id, GLint min_filter) {
             glTextureParameteri(id, GL_TEXTURE_WRAP_S, GLint(wrap_mode(t.wrap_s)));

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "renderer/base/held.h"
+
 namespace si::gl {
 
 /// Owns one GL name; Traits says how to make, label and delete it.
@@ -28,11 +30,12 @@ public:
         return h;
     }
     ~Handle() { reset(); }
-    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, 0)), held_(std::move(other.held_)) {}
     Handle& operator=(Handle&& other) noexcept {
         if (this != &other) {
             reset();
             id_ = std::exchange(other.id_, 0);
+            held_ = std::move(other.held_);
         }
         return *this;
     }
@@ -42,10 +45,14 @@ public:
     explicit operator bool() const { return id_ != 0; }
     void reset() {
         if (id_) Traits::destroy(std::exchange(id_, 0));
+        held_.drop();
     }
+    /// So many bytes are behind the name. @param holder see HeldMemory
+    void holds(std::string_view holder, std::uint64_t bytes) { held_ = HeldMemory(holder, bytes); }
 
 private:
     GLuint id_ = 0;
+    HeldMemory held_;
 };
 
 struct BufferTraits {

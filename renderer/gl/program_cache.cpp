@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "renderer/base/error.h"
 #include "renderer/base/key.h"
 #include "renderer/gl/trouble.h"
@@ -11,6 +13,12 @@ namespace {
 
 constexpr const char* kShaderRemedy =
     "; where this driver cannot build it, choose another kernel, bias, source or overlay, or a newer driver";
+
+/// A frame takes 5 to 40. On llvmpipe each takes some 4 MB, machine code and what it is made of (resident memory beside
+/// what is held by name, over 55 programs of a random trial); one that is asked for again is found in the driver's
+/// cache of shaders.
+constexpr std::size_t kMostPrograms = 64;
+constexpr std::size_t kRequestsAProgram = 64;  ///< that come to the same text and are remembered
 
 std::string info_log(GLuint id, bool program) {
     GLint length = 0;
@@ -76,7 +84,7 @@ GLuint ProgramCache::get(const ProgramRequest& request) {
     for (const auto& d : request.defines) key.add(d.name).add(d.value);
     const std::uint64_t request_key = key.value();
     key.add(source_.generation());
-    if (const auto it = by_request_.find(key.value()); it != by_request_.end()) return it->second;
+    if (const auto it = by_request_.find(key.value()); it != by_request_.end()) return use(*it->second);
     try {
         std::vector<std::string> files;
         const std::string vertex = source_.expand(request.vertex, request.includes, files);
@@ -95,17 +103,40 @@ GLuint ProgramCache::get(const ProgramRequest& request) {
             // Vertex and fragment number their files apart; the log names the fragment's, where nearly all code is.
             files.resize(vertex_files);
             const auto& named = fragment_files.size() > files.size() ? fragment_files : files;
-            it = programs_.emplace(text_key.value(), build(head + vertex, head + fragment, request.fragment, named))
-                     .first;
+            Kept kept{build(head + vertex, head + fragment, request.fragment, named)};
+            kept.program.holds("texts of shader programs", 2 * head.size() + vertex.size() + fragment.size());
+            it = programs_.emplace(text_key.value(), std::move(kept)).first;
         }
         log_.clear();
-        last_good_[request_key] = it->second.id();
-        return by_request_[key.value()] = it->second.id();
+        last_good_[request_key] = by_request_[key.value()] = &it->second;
+        return use(it->second);
     } catch (const Error& e) {
         log_ = e.what();
         const auto good = last_good_.find(request_key);
         if (good == last_good_.end()) throw;
-        return by_request_[key.value()] = good->second;
+        return use(*(by_request_[key.value()] = good->second));
+    }
+}
+
+GLuint ProgramCache::use(Kept& kept) const {
+    kept.used = frame_;
+    return kept.program.id();
+}
+
+void ProgramCache::end_frame(std::size_t most) {
+    const std::uint64_t now = frame_++;
+    if (most == 0) most = kMostPrograms;
+    if (std::max(by_request_.size(), last_good_.size()) > kRequestsAProgram * most)
+        by_request_.clear(), last_good_.clear();
+    while (programs_.size() > most) {
+        const auto oldest = std::min_element(programs_.begin(), programs_.end(), [](const auto& a, const auto& b) {
+            return a.second.used < b.second.used;
+        });
+        if (oldest->second.used == now) return;
+        const auto names_it = [&](const auto& of) { return of.second == &oldest->second; };
+        std::erase_if(by_request_, names_it);
+        std::erase_if(last_good_, names_it);
+        programs_.erase(oldest);
     }
 }
 

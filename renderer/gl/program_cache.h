@@ -30,13 +30,22 @@ public:
     ShaderSource& source() { return source_; }
     const std::string& log() const { return log_; }
     std::size_t size() const { return programs_.size(); }
+    /// A frame ends: of what it did not use, the longest unused gives way until `most` programs are left; 0: as many as
+    /// are usually kept.
+    void end_frame(std::size_t most = 0);
 
 private:
+    struct Kept {
+        Program program;
+        std::uint64_t used = 0;  ///< the last frame that did
+    };
     ShaderSource source_;
-    std::unordered_map<std::uint64_t, GLuint> by_request_;  // request and generation
-    std::unordered_map<std::uint64_t, GLuint> last_good_;   // request alone
-    std::unordered_map<std::uint64_t, Program> programs_;   // final text
+    std::unordered_map<std::uint64_t, Kept*> by_request_;  // request and generation
+    std::unordered_map<std::uint64_t, Kept*> last_good_;   // request alone
+    std::unordered_map<std::uint64_t, Kept> programs_;     // final text
+    std::uint64_t frame_ = 1;
     std::string log_;
+    GLuint use(Kept& kept) const;
     Program build(const std::string& vertex, const std::string& fragment, std::string_view label,
                   const std::vector<std::string>& files) const;
 };

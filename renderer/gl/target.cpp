@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "renderer/base/error.h"
@@ -34,12 +35,29 @@ bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h
         throw;
     }
     width = w, height = h, layers = layer_count, format = internal_format, extent = more;
+    hold_images(texture, label, more);
     if (more.samples) return true;  // such textures have no sampler's state
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     return true;
+}
+
+void hold_images(Texture& texture, std::string_view holder, const TargetExtent& extent) {
+    const auto of_level = [&](int level, GLenum what) {
+        GLint value = 0;
+        glGetTextureLevelParameteriv(texture.id(), level, what, &value);
+        return std::uint64_t(std::max(value, 0));
+    };
+    std::uint64_t bits = 0, texels = 0;
+    for (const GLenum channel : {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
+                                 GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_STENCIL_SIZE})
+        bits += of_level(0, channel);
+    for (int level = 0; level < extent.levels; ++level)
+        texels +=
+            of_level(level, GL_TEXTURE_WIDTH) * of_level(level, GL_TEXTURE_HEIGHT) * of_level(level, GL_TEXTURE_DEPTH);
+    texture.holds(holder, texels * std::uint64_t(std::max(extent.samples, 1)) * bits / 8);
 }
 
 namespace {

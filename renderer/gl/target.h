@@ -35,6 +35,9 @@ struct Target {
                 const TargetExtent& more = {});
 };
 
+/// Has a texture tell how many bytes its images take, as its format says. @param holder see HeldMemory
+void hold_images(Texture& texture, std::string_view holder, const TargetExtent& extent = {});
+
 /// A framebuffer of up to one colour and one depth attachment; layer -1 attaches whole textures.
 Framebuffer make_framebuffer(std::string_view label, const Target* colour, const Target* depth, int colour_layer = -1,
                              int depth_layer = -1);

@@ -40,23 +40,24 @@ void require_memory(std::string_view what, std::string_view remedy) {
 
 namespace {
 
-void require_buffer(std::string_view label, GLsizeiptr size) {
+void require_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size) {
     require_memory(fmt::format("the {} ({} bytes)", label, size),
                    "use a scene of fewer triangles or fewer lights, or close what else draws");
+    buffer.holds(label, std::uint64_t(size));
 }
 
 }  // namespace
 
-void store_buffer(GLuint buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLbitfield flags) {
+void store_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLbitfield flags) {
     forget_errors();
-    glNamedBufferStorage(buffer, size, bytes, flags);
-    require_buffer(label, size);
+    glNamedBufferStorage(buffer.id(), size, bytes, flags);
+    require_buffer(buffer, label, size);
 }
 
-void fill_buffer(GLuint buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLenum usage) {
+void fill_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLenum usage) {
     forget_errors();
-    glNamedBufferData(buffer, size, bytes, usage);
-    require_buffer(label, size);
+    glNamedBufferData(buffer.id(), size, bytes, usage);
+    require_buffer(buffer, label, size);
 }
 
 void require_context() {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "renderer/base/error.h"
+#include "renderer/gl/handle.h"
 
 namespace si::gl {
 
@@ -31,15 +32,17 @@ struct TroubleSeam {
     std::function<bool(Trouble, std::string_view what)> fails;
     /// Handed each image before its numbers are searched.
     std::function<void(std::string_view label, GLuint texture)> spoils;
+    /// Kept from frame to frame; 0: as many as ever.
+    std::size_t most_programs = 0;
 };
 TroubleSeam& trouble_seam();
 /// Whether the seam has this call fail.
 bool made_to_fail(Trouble kind, std::string_view what);
 
 /// Gives a buffer contents, and room for them. @param bytes null: undefined ones @throws OutOfMemory, ContextLost
-void fill_buffer(GLuint buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLenum usage);
+void fill_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLenum usage);
 /// The same for good, by glNamedBufferStorage's flags.
-void store_buffer(GLuint buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLbitfield flags);
+void store_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLbitfield flags);
 /// Forgets errors of calls before, so that those of the next are its own.
 void forget_errors();
 /// Of the calls since forget_errors(). @param what "the shadow maps (1024 x 1024 x 4)" @param remedy a clause

@@ -51,8 +51,8 @@ void draw_light(const FrameState& f, const gl::Target& into, int light, PassInfo
     glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, 0, &lit.x);
     const std::vector<glm::vec4> casters = discs(f, fitted);
     if (casters.empty()) return;
-    const gl::Buffer buffer = gl::Buffer::create("casters of blobs");
-    gl::fill_buffer(buffer.id(), "casters of blobs", GLsizeiptr(casters.size() * sizeof(glm::vec4)), casters.data(),
+    gl::Buffer buffer = gl::Buffer::create("casters of blobs");
+    gl::fill_buffer(buffer, "casters of blobs", GLsizeiptr(casters.size() * sizeof(glm::vec4)), casters.data(),
                     GL_STATIC_DRAW);
     const gl::VertexArray vao = gl::VertexArray::create("blobs");
     glEnableVertexArrayAttrib(vao.id(), 0);

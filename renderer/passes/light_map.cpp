@@ -25,7 +25,7 @@ template <typename T>
 gl::Buffer buffer_of(std::string_view label, const std::vector<T>& data) {
     gl::Buffer buffer = gl::Buffer::create(label);
     // OpenGL knows no empty buffers.
-    gl::fill_buffer(buffer.id(), label, GLsizeiptr(std::max<std::size_t>(data.size(), 1) * sizeof(T)),
+    gl::fill_buffer(buffer, label, GLsizeiptr(std::max<std::size_t>(data.size(), 1) * sizeof(T)),
                     data.empty() ? nullptr : data.data(), GL_STATIC_DRAW);
     return buffer;
 }

@@ -267,7 +267,7 @@ private:
 void begin_read_back(gl::Buffer& to, const gl::Target& from) {
     const auto bytes = GLsizeiptr(sizeof(FaultRecord)) * from.width * from.height * from.layers;
     to = gl::Buffer::create("numeric health");
-    gl::fill_buffer(to.id(), "numeric health", bytes, nullptr, GL_STREAM_READ);
+    gl::fill_buffer(to, "numeric health", bytes, nullptr, GL_STREAM_READ);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, to.id());
     glGetTextureImage(from.texture.id(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei(bytes), nullptr);

@@ -145,8 +145,8 @@ void ShadowVolumes::upload_corners() {
             for (const float far : {0.f, 1.f}) corners.emplace_back(p, far);
     }
     auto stored = gl::Buffer::create("corners of shadow volumes");
-    gl::fill_buffer(stored.id(), "corners of shadow volumes", GLsizeiptr(corners.size() * sizeof(glm::vec4)),
-                    corners.data(), GL_STATIC_DRAW);
+    gl::fill_buffer(stored, "corners of shadow volumes", GLsizeiptr(corners.size() * sizeof(glm::vec4)), corners.data(),
+                    GL_STATIC_DRAW);
     corners_ = std::move(stored);
     vao_ = gl::VertexArray::create("shadow volumes");
     glEnableVertexArrayAttrib(vao_.id(), 0);
@@ -192,7 +192,7 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
     upload_corners();
     if (light.uploaded != light.shape) {
         light.buffer = gl::Buffer::create("triangles of shadow volumes");
-        gl::fill_buffer(light.buffer.id(), "triangles of shadow volumes",
+        gl::fill_buffer(light.buffer, "triangles of shadow volumes",
                         GLsizeiptr(light.indices.size() * sizeof(std::uint32_t)), light.indices.data(), GL_STATIC_DRAW);
         light.uploaded = light.shape;
     }

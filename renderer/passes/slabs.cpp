@@ -63,7 +63,7 @@ void upload_instances(const FrameState& f, SlabTargets& s, const LightView& view
         }
         glVertexArrayBindingDivisor(s.vao.id(), 0, 1);
     }
-    gl::fill_buffer(s.instances.id(), "texel slabs",
+    gl::fill_buffer(s.instances, "texel slabs",
                     GLsizeiptr(std::max<std::size_t>(instances.size(), 1) * sizeof(Instance)),
                     instances.empty() ? nullptr : instances.data(), GL_STREAM_DRAW);
     glVertexArrayVertexBuffer(s.vao.id(), 0, s.instances.id(), 0, sizeof(Instance));

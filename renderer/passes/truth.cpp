@@ -74,10 +74,10 @@ Pass upload_pass(FrameState& f) {
     return pass;
 }
 
-/// Whether nothing of the scene lies beyond the map of the shown light, or nothing that could be in shadow, or there is
+/// Whether nothing of the scene lies beyond the map of the light, or nothing that could be in shadow, or there is
 /// no map.
-bool map_holds_all(const FrameState& f) {
-    const auto light = std::size_t(f.settings.view.light);
+bool map_holds_all(const FrameState& f, int number) {
+    const auto light = std::size_t(number);
     if (light >= f.gl.fitted.size()) return false;
     const FittedLight& fitted = f.gl.fitted[light];
     if (!fitted.casts) return true;
@@ -86,30 +86,29 @@ bool map_holds_all(const FrameState& f) {
 }
 
 /// Whether taps beyond the map's sides may tell anything but the truth: nothing lies there, and they answer that.
-bool seams_matter(const FrameState& f) {
+bool seams_matter(const FrameState& f, int light) {
     const MapSettings& m = f.settings.map;
     const bool lit =
         m.outside == int(Outside::Lit) && (m.wrap == int(MapWrap::Border) || m.wrap == int(MapWrap::Range));
-    return !map_holds_all(f) || !lit;
+    return !map_holds_all(f, light) || !lit;
 }
 
 /// The kernels once more, with other biases and on the unfiltered map. What hardware samplers do is done by hand.
-std::vector<gl::Define> trial_defines(const FrameState& f) {
-    const CauseContext c =
-        cause_context(f.settings, f.gl.fitted[std::size_t(f.settings.view.light)], f.map_resolution, f.mask_levels);
+/// @param light that is asked, whichever is shown
+std::vector<gl::Define> trial_defines(const FrameState& f, int light) {
+    const CauseContext c = cause_context(f.settings, f.gl.fitted[std::size_t(light)], f.map_resolution, f.mask_levels);
     std::vector<gl::Define> out = truth_defines(f);
-    out.insert(out.end(),
-               {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
-                {"HAS_MAP", std::to_string(int(c.has_map))},
-                {"HAS_CONTACTS", f.settings.lights[std::size_t(f.settings.view.light)].contact > 0 ? "1" : "0"},
-                {"MAP_TRIALS", "1"},
-                {"SEAM_TRIALS", std::to_string(int(seams_matter(f)))},
-                {"FILTER_SAMPLER", "0"},
-                {"COMPARE_BY_HAND", "1"},
-                {"RASTER_BIAS", std::to_string(int(c.raster_bias))},
-                {"MASK_LEVELS", std::to_string(int(c.mask_levels))},
-                {"DEPTH_BLUR", std::to_string(int(c.depth_blur))},
-                {"UNFILTERED_DIFFERS", std::to_string(int(c.unfiltered_differs()))}});
+    out.insert(out.end(), {{"LIGHT_INDEX", std::to_string(light)},
+                           {"HAS_MAP", std::to_string(int(c.has_map))},
+                           {"HAS_CONTACTS", f.settings.lights[std::size_t(light)].contact > 0 ? "1" : "0"},
+                           {"MAP_TRIALS", "1"},
+                           {"SEAM_TRIALS", std::to_string(int(seams_matter(f, light)))},
+                           {"FILTER_SAMPLER", "0"},
+                           {"COMPARE_BY_HAND", "1"},
+                           {"RASTER_BIAS", std::to_string(int(c.raster_bias))},
+                           {"MASK_LEVELS", std::to_string(int(c.mask_levels))},
+                           {"DEPTH_BLUR", std::to_string(int(c.depth_blur))},
+                           {"UNFILTERED_DIFFERS", std::to_string(int(c.unfiltered_differs()))}});
     return out;
 }
 
@@ -134,7 +133,7 @@ Pass compare_pass(FrameState& f) {
         glDepthMask(GL_TRUE);
         std::vector<gl::Define> extra = truth_defines(f);
         extra.push_back({"LIGHT_INDEX", std::to_string(f.settings.view.light)});
-        extra.push_back({"MAP_HOLDS_ALL", map_holds_all(f) ? "1" : "0"});
+        extra.push_back({"MAP_HOLDS_ALL", map_holds_all(f, f.settings.view.light) ? "1" : "0"});
         glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/compare.frag.glsl", std::move(extra)));
         FrameState::draw_fullscreen(info);
     };
@@ -163,7 +162,7 @@ Pass causes_pass(FrameState& f) {
         glDepthMask(GL_FALSE);
         const auto draw = [&](float mark, const char* fragment, std::vector<gl::Define> kind) {
             glDepthRangef(mark, mark);
-            const std::vector<gl::Define> trials = trial_defines(f);
+            const std::vector<gl::Define> trials = trial_defines(f, f.settings.view.light);
             kind.insert(kind.end(), trials.begin(), trials.end());
             glUseProgram(f.program("passes/fullscreen.vert.glsl", fragment, std::move(kind)));
             FrameState::draw_fullscreen(info);
@@ -304,8 +303,7 @@ void add_truth_passes(FrameState& f) {
 }
 
 void draw_evidence(const FrameState& f, int light, bool truth_known, PassInfo& info) {
-    std::vector<gl::Define> extra = trial_defines(f);
-    extra.push_back({"LIGHT_INDEX", std::to_string(light)});
+    std::vector<gl::Define> extra = trial_defines(f, light);
     extra.push_back({"TRUTH_KNOWN", truth_known ? "1" : "0"});
     f.draw_from_camera("passes/evidence.frag.glsl", extra, info);
 }

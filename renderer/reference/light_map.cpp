@@ -239,6 +239,7 @@ LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMap
     out.version = next_light_map_version();
     out.layout = std::move(layout);
     Baker(task, *out.layout, scene).bake(out, workers);
+    out.held = HeldMemory("light maps", array_bytes(out.texels));
     return out;
 }
 

@@ -38,6 +38,7 @@ struct LightMap {
     std::uint64_t rays = 0;
     double bake_ms = 0;  ///< wall time, of reading it where it was kept on disk
     bool from_disk = false;
+    HeldMemory held;  ///< what its texels take
     std::string
         remark;  ///< why the one on disk was not taken, or this one not kept there; empty: nothing is to be said
 };

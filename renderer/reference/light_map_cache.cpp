@@ -77,6 +77,7 @@ std::optional<LightMap> read_map(const fs::path& path, std::uint64_t content, co
     if (!file || file.peek() != std::ifstream::traits_type::eof()) return unusable("cut short, or too long");
     if (key_of(out.texels) != header.texels_key) return unusable("damaged");
     out.rays = header.rays;
+    out.held = HeldMemory("light maps", array_bytes(out.texels));
     out.from_disk = true;
     // The oldest are removed first: by when they were used last.
     std::error_code ignored;

@@ -126,6 +126,7 @@ Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, c
     for_blocks(strips, workers.part(0.95, 1), [&](std::size_t strip) {
         if (const std::size_t below = (strip + 1) * kRowsPlaced; below < height) join_row_below(out, below - 1);
     });
+    out.held = HeldMemory("receivers", array_bytes(out.pixels) + array_bytes(out.starts));
     return out;
 }
 

@@ -38,6 +38,7 @@ struct Receivers {
     int width = 0, height = 0;
     BigArray<Receiver> pixels;
     BigArray<RayStart> starts = {};  ///< of the pixels, or empty: traces then take longer
+    HeldMemory held = {};            ///< what they take
     const Receiver& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 

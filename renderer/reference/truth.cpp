@@ -353,6 +353,11 @@ Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, cons
         out.point_visibility = out.visibility;
         tracer.trace_area(workers.part(0.05, 1));
     }
+    std::uint64_t bytes = array_bytes(out.state);
+    for (const FloatImage* i :
+         {&out.visibility, &out.point_visibility, &out.standard_error, &out.nearest_m, &out.blocker_m})
+        bytes += array_bytes(i->data);
+    out.held = HeldMemory("truths", bytes);
     return out;
 }
 

@@ -91,6 +91,8 @@ struct Truth {
     SamplesUsed samples;
     std::size_t partial = 0;  ///< area: counted pixels that see a part of the light
 
+    HeldMemory held = {};  ///< what it takes
+
     /// Visibility of a light without size: 0 or 1.
     const FloatImage& hard() const { return point_visibility.data.empty() ? visibility : point_visibility; }
     std::size_t counted() const { return pixels[std::size_t(PixelState::Counted)]; }

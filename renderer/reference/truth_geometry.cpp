@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace si {
 namespace {
@@ -73,6 +74,11 @@ TruthGeometry::TruthGeometry(const Scene& scene, const Settings& settings)
         objects.push_back(
             {copier.mesh(object.mesh), object.world, settings_of(scene, settings, object).cast && !transparent});
     }
+    std::set<const TruthMesh*> meshes;
+    std::uint64_t bytes = 0;
+    for (const TruthObject& o : objects)
+        if (meshes.insert(o.mesh.get()).second) bytes += array_bytes(o.mesh->positions) + array_bytes(o.mesh->indices);
+    held = HeldMemory("triangles that rays meet", bytes);
 }
 
 std::size_t TruthGeometry::caster_triangles() const {

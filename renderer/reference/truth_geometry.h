@@ -45,6 +45,7 @@ struct TruthGeometry {
     std::vector<TruthObject> objects;
     Bounds bounds;
     std::uint64_t key = 0;
+    HeldMemory held;  ///< what the meshes take
 
     TruthGeometry(const Scene& scene, const Settings& settings);
     /// Of what casts, instances counted.

@@ -18,6 +18,7 @@ struct Caster {
 };
 
 struct TruthScene::Impl : UnitFrame {
+    HeldMemory held{"hierarchies of rays", 0};  ///< what Embree takes; first: the device tells of it to its end
     embree::Device device;
     std::vector<embree::Scene> meshes;  ///< of instanced meshes
     embree::Scene scene;

@@ -149,6 +149,11 @@ TruthScene::TruthScene(std::shared_ptr<const TruthGeometry> geometry, const Work
     i.radius = std::max(geometry_->bounds.radius() * i.scale, 1.0);
     i.device.reset(rtcNewDevice(nullptr));
     if (!i.device) throw Error("the ray-traced truth cannot be prepared: Embree finds no device");
+    const auto taken = [](void* held, ssize_t bytes, bool) {
+        static_cast<HeldMemory*>(held)->add(bytes);
+        return true;
+    };
+    rtcSetDeviceMemoryMonitorFunction(i.device.get(), taken, &i.held);
 
     std::map<const TruthMesh*, int> uses;
     std::size_t flattened = 0;

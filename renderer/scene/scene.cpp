@@ -379,6 +379,20 @@ std::size_t Scene::triangle_count() const {
     return count;
 }
 
+namespace {
+
+/// Of meshes and pictures, beside which the rest is nothing.
+std::uint64_t bytes_of(const Scene& scene) {
+    std::uint64_t sum = 0;
+    for (const Texture& t : scene.textures) sum += array_bytes(t.rgba);
+    for (const Mesh& m : scene.meshes)
+        sum += array_bytes(m.positions) + array_bytes(m.normals) + array_bytes(m.uv) + array_bytes(m.uv_normal) +
+               array_bytes(m.tangents) + array_bytes(m.colours) + array_bytes(m.indices);
+    return sum + array_bytes(scene.nodes) + array_bytes(scene.objects);
+}
+
+}  // namespace
+
 void finalise(Scene& scene) {
     check_references(scene);
     place_nodes(scene.nodes);
@@ -388,6 +402,7 @@ void finalise(Scene& scene) {
     drop_unplaced(scene.lights, "light", scene);
     for (SceneCamera& camera : scene.cameras) camera.home = camera.world;
     for (SceneLight& light : scene.lights) light.home = light.world;
+    scene.held = HeldMemory("scenes", bytes_of(scene));
     scene.id = next_scene_id();
 }
 

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/base/held.h"
+
 namespace si {
 
 /// Eight corners of a box.
@@ -131,6 +133,7 @@ struct Scene {
     std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys
     std::size_t dropped_triangles = 0;  ///< degenerate, set by finalise()
     std::shared_ptr<const Rig> rig;     ///< animations; null: nothing moves
+    HeldMemory held;                    ///< what it takes; set by finalise()
 
     std::size_t triangle_count() const;  ///< over objects, instances counted
 };

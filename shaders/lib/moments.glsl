@@ -20,6 +20,12 @@ float share_of_range(float depth, Receiver r) {
     return share_of_range(depth, curve.x, curve.y, LIGHT_PERSPECTIVE[r.light] != 0);
 }
 
+/// Of a depth that a map holds: what rounds beyond the range, where near is a small share of far, would overflow powers
+/// of e, which leave room for the range alone.
+float stored_share(float depth, float near, float far, bool perspective) {
+    return clamp(share_of_range(depth, near, far, perspective), 0.0, 1.0);
+}
+
 float own_share(Receiver r) { return share_of_range(r.reference, r); }
 
 /// What lies beyond the map's sides; of a point light's faces nothing does.
@@ -48,7 +54,7 @@ bool trial_moments(Receiver r, vec2 at, out vec4 answer) {
         return true;
     }
     if (map_is_unfiltered) {
-        answer = moments_of(share_of_range(map_depth(at, r.layer), r));
+        answer = moments_of(clamp(share_of_range(map_depth(at, r.layer), r), 0.0, 1.0));
         return true;
     }
 #endif

@@ -22,11 +22,11 @@ vec4 moments_at(ivec2 at) {
     int count = textureSamples(samples_map);
     vec4 sum = vec4(0.0);
     for (int i = 0; i < count; ++i)
-        sum += moments_of(share_of_range(texelFetch(samples_map, at, i).r, curve.x, curve.y, curve.z > 0.5)) / float(count);
+        sum += moments_of(stored_share(texelFetch(samples_map, at, i).r, curve.x, curve.y, curve.z > 0.5)) / float(count);
     return sum;
 }
 #else
-vec4 moments_at(ivec2 at) { return moments_of(share_of_range(stored_texel(at, layer), curve.x, curve.y, curve.z > 0.5)); }
+vec4 moments_at(ivec2 at) { return moments_of(stored_share(stored_texel(at, layer), curve.x, curve.y, curve.z > 0.5)); }
 #endif
 
 float weight_of(int step) {

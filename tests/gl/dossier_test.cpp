@@ -2,6 +2,9 @@
 // and remedies that work.
 #include "renderer/inspect/dossier.h"
 
+#include <bit>
+#include <cstring>
+
 #include "renderer/reference/error_task.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
@@ -57,6 +60,36 @@ protected:
         return scene;
     }
 };
+
+/// A probe asks each light by its own map, source and sides, whichever is shown, and if none of that number shines.
+TEST_F(DossierTest, WhatALightIsAskedGoesByThatLight) {
+    const Scene scene = load_scene("boxes");
+    Settings s = settings_for(scene, {{"map.resolution", "128"},
+                                      {"light.count", "2"},
+                                      {"light.0.source", "none"},
+                                      {"light.1.azimuth", "120"},
+                                      {"light.1.contact", "0.1"}});
+    const auto bits_of = [&](int shown) {
+        s.view.light = shown;
+        std::vector<std::array<glm::vec4, kEvidenceImages>> bits;
+        for (const glm::ivec2 pixel : {glm::ivec2(80, 90), glm::ivec2(60, 70), glm::ivec2(100, 80)}) {
+            const Probe probe = renderer.probe(scene, s, kPicture, pixel.x, pixel.y);
+            EXPECT_TRUE(probe.hit);
+            for (const auto& light : probe.lights)
+                bits.push_back(std::bit_cast<std::array<glm::vec4, kEvidenceImages>>(light.evidence));
+        }
+        return bits;
+    };
+    const auto own = bits_of(1);
+    ASSERT_EQ(own.size(), 6u);
+    for (const int shown : {0, 5, kMaxLights - 1}) {
+        const auto other = bits_of(shown);
+        ASSERT_EQ(other.size(), own.size());
+        for (std::size_t i = 1; i < own.size(); i += 2)
+            EXPECT_EQ(std::memcmp(&other[i], &own[i], sizeof own[i]), 0)
+                << "light 1 while light " << shown << " is shown";
+    }
+}
 
 TEST_F(DossierTest, TapsAddUpToWhatTheGpuFound) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);

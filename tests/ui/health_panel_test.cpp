@@ -49,6 +49,27 @@ TEST(NumbersPanel, AsksOnlyWhileItIsShownAndSaysWhatIsSound) {
     EXPECT_NE(letters_of(ui).find("4321numbersin7images"), std::string::npos);
 }
 
+TEST(NumbersPanel, TellsWhoHoldsMemory) {
+    UiHarness ui(1900, 1000);
+    EXPECT_FALSE(ui.frames(3).want_memory);
+    ui.state.open_tab = BottomTab::Numbers;
+    EXPECT_TRUE(ui.frames(4).want_memory);
+    MemoryFacts memory;
+    memory.process = {.resident = 321u << 20, .peak = 654u << 20, .heap = 100u << 20, .heap_free = 33u << 20};
+    memory.holders = {{"shadow maps", 128u << 20, 256u << 20, 2}, {"scenes", 3u << 20, 3u << 20, 1}};
+    ui.memory = &memory;
+    ui.frames(2);
+    for (const char* part : {"321MiBresident", "654MiBatmost", "131MiBheldbyname", "33MiBkept"})
+        EXPECT_NE(letters_of(ui).find(part), std::string::npos) << part << "\n" << letters_of(ui);
+    EXPECT_EQ(letters_of(ui).find("shadowmaps128MiB256MiB2things"), std::string::npos) << "open at once";
+    const auto head = ui.find("Numbers", "", "###memory");
+    ASSERT_TRUE(head);
+    ui.click(*head);
+    ui.frames(2);
+    for (const char* part : {"shadowmaps128MiB256MiB2things", "scenes3.0MiB3.0MiB1thing"})
+        EXPECT_NE(letters_of(ui).find(part), std::string::npos) << part << "\n" << letters_of(ui);
+}
+
 TEST(NumbersPanel, AClickShowsTheTexelInTheMapOrProbesThePixel) {
     UiHarness ui(1300, 800);
     const NumericHealth health = made_up_health();

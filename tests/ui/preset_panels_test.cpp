@@ -123,6 +123,24 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
     EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorActions& a) { return a.discard_lost; }));
 }
 
+TEST(PresetStrips, WhatADriverLostIsSavedAtOnceOrUnderAnotherName) {
+    UiHarness ui(1280, 720);
+    ui.state.preset_path = "mine.json";
+    ui.frames(3);
+    EXPECT_FALSE(window_of("driver reset"));
+    ui.driver_reset = true;
+    ui.frames(3);
+    const ImGuiWindow* strip = window_of("driver reset");
+    ASSERT_TRUE(strip);
+    const float left = strip->Pos.x, right = left + strip->Size.x, y = strip->Pos.y + ImGui::GetFrameHeight() * 0.75f;
+    const auto saves = [](const EditorActions& a) { return a.save_preset.has_value(); };
+    const auto saved = click_along(ui, left, right, y, saves);
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(*saved->save_preset, "mine.json");
+    click_along(ui, left, right, y, [](const EditorActions&) { return window_of("Save the preset as") != nullptr; });
+    EXPECT_TRUE(window_of("Save the preset as"));
+}
+
 TEST(PresetStrips, AFileWithoutASentenceHasNone) {
     UiHarness ui(1280, 720);
     ui.state.guide = {"/a/b.json", "Title", ""};

@@ -126,6 +126,8 @@ EditorActions UiHarness::frame() {
         static_cast<AdviceShown&>(facts) = advice;
         static_cast<LabShown&>(facts) = lab;
         facts.health = health;
+        facts.memory = memory;
+        facts.driver_reset = driver_reset;
     }
     ImGui::NewFrame();
     EditorActions actions = draw_editor(state, facts);

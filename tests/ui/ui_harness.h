@@ -51,6 +51,8 @@ public:
     AdviceShown advice;
     LabShown lab;
     const NumericHealth* health = nullptr;
+    const MemoryFacts* memory = nullptr;
+    bool driver_reset = false;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
     double frame_seconds = 1.0 / 60;

@@ -32,8 +32,8 @@ std::string text_of(const fs::path& path) {
 
 }  // namespace
 
-Process::Process(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& log,
-                 int keep_fd) {
+Process::Process(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& log, int keep_fd,
+                 const Confinement* confinement) {
     std::vector<char*> argv;
     for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
     argv.push_back(nullptr);
@@ -44,6 +44,7 @@ Process::Process(const std::vector<std::string>& arguments, const fs::path& fold
     const int out = open(log_path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
     dup2(out, 1), dup2(out, 2);
     if (keep_fd >= 0) fcntl(keep_fd, F_SETFD, 0);
+    if (confinement && !confinement->put_in_force()) _exit(125);
     execvp(argv[0], argv.data());
     _exit(127);
 }

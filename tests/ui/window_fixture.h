@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "renderer/frame/frame.h"
+#include "tests/support/confined.h"
 #include "tests/ui/screen.h"
 
 namespace si::test {
@@ -20,8 +21,9 @@ namespace si::test {
 /// A child process, ended at the latest with this object.
 class Process {
 public:
+    /// @param confinement that it is under; null: under none
     Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder, const std::string& log,
-            int keep_fd = -1);
+            int keep_fd = -1, const Confinement* confinement = nullptr);
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;

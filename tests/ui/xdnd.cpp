@@ -14,7 +14,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr long kVersion = 5;
-constexpr auto kPatience = std::chrono::minutes(10);  // against a hang; a program may draw slowly
 
 /// "file:///a%20b": what is no plain letter is written as its code.
 std::string uri(const std::filesystem::path& path) {
@@ -33,8 +32,10 @@ std::string uri(const std::filesystem::path& path) {
 /// The dragging side of the protocol (freedesktop.org, "Drag-and-Drop Protocol for the X Window System").
 class Source {
 public:
-    explicit Source(Window target) : display_(XOpenDisplay(nullptr)), target_(target) {
+    explicit Source(Window target, std::chrono::seconds patience = {})
+        : display_(XOpenDisplay(nullptr)), target_(target), patience_(patience) {
         if (!display_) return;
+        XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });  // of a window that was closed meanwhile
         window_ = XCreateSimpleWindow(display_, DefaultRootWindow(display_), -10, -10, 1, 1, 0, 0, 0);
         XSetSelectionOwner(display_, atom("XdndSelection"), window_, CurrentTime);
     }
@@ -93,8 +94,9 @@ private:
 
     /// The next message of a type; requests for the dragged text are answered meanwhile.
     std::optional<XClientMessageEvent> wait_for(const char* type, const std::string& text) const {
-        for (const auto end = Clock::now() + kPatience; Clock::now() < end;) {
+        for (const auto end = Clock::now() + patience_; Clock::now() < end;) {
             if (XPending(display_) == 0) {
+                if (XWindowAttributes known; !XGetWindowAttributes(display_, target_, &known)) return {};
                 std::this_thread::sleep_for(std::chrono::milliseconds(20));
                 continue;
             }
@@ -108,12 +110,13 @@ private:
 
     Display* display_ = nullptr;
     Window target_ = 0, window_ = 0;
+    std::chrono::seconds patience_;
 };
 
 }  // namespace
 
-bool drop_file(unsigned long window, const std::filesystem::path& file, int x, int y) {
-    return Source(window).drop(uri(file) + "\r\n", x, y);
+bool drop_file(unsigned long window, const std::filesystem::path& file, int x, int y, std::chrono::seconds patience) {
+    return Source(window, patience).drop(uri(file) + "\r\n", x, y);
 }
 
 void begin_drag_and_vanish(unsigned long window, int x, int y) {

@@ -65,10 +65,37 @@ void finding_row(EditorState& state, const FrameResult& result, const NumberFind
     ImGui::TextUnformatted(fmt::format("{}, {}   {:.6g}", f.worst.x, f.worst.y, f.value).c_str());
 }
 
+std::string count_text(std::size_t count) {
+    return count == 1 ? "1 thing" : fmt::format("{} things", count);
+}
+
+/// What the process takes, in a line; opened, who holds it.
+void draw_memory(const MemoryFacts& memory) {
+    const ProcessMemory& p = memory.process;
+    const std::string head =
+        fmt::format("Memory: {} resident, {} at most; {} held by name, {} kept by the heap for what comes###memory",
+                    bytes_text(p.resident), bytes_text(p.peak), bytes_text(memory.held()), bytes_text(p.heap_free));
+    if (!ImGui::CollapsingHeader(head.c_str())) return;
+    constexpr ImGuiTableFlags flags =
+        ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable("holders", 4, flags)) return;
+    for (const char* column : {"Holder", "Now", "At most", "Of"}) ImGui::TableSetupColumn(column);
+    ImGui::TableHeadersRow();
+    for (const HeldBytes& h : memory.holders) {
+        ImGui::TableNextRow();
+        for (const std::string& text : {h.holder, bytes_text(h.bytes), bytes_text(h.most), count_text(h.count)}) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(text.c_str());
+        }
+    }
+    ImGui::EndTable();
+}
+
 }  // namespace
 
 void draw_health(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
-    actions.want_health = true;
+    actions.want_health = actions.want_memory = true;
+    if (frame.memory) draw_memory(*frame.memory);
     if (!frame.result) {
         ImGui::TextDisabled("No frame yet.");
         return;

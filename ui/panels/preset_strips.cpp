@@ -126,6 +126,21 @@ void draw_lost(const EditorFrame& frame, EditorActions& actions, float width) {
     });
 }
 
+void draw_reset(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
+    if (!frame.driver_reset) return;
+    constexpr const char* kText =
+        "The graphics driver reset: no picture can be drawn until the program is started again. The settings are still "
+        "here.";
+    strip("driver reset", width, buttons_width({"Save now", "Save as…"}), {{kText, ImGui::GetFont(), theme::kError}},
+          [&] {
+              if (hint_button("Save now", fmt::format("Writes {}", state.preset_path).c_str()))
+                  actions.save_preset = state.preset_path;
+              ImGui::SameLine();
+              if (hint_button("Save as…", "Under another name"))
+                  ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
+          });
+}
+
 }  // namespace
 
 std::span<const PresetEntry> open_walk(const EditorState& state, const EditorFrame& frame) {
@@ -147,6 +162,7 @@ std::optional<std::string> neighbour_preset(const EditorState& state, const Edit
 
 void draw_strips(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
     ImGui::BeginGroup();
+    draw_reset(state, frame, actions, width);
     draw_lost(frame, actions, width);
     draw_guide(state, frame, actions, width);
     ImGui::EndGroup();

@@ -128,6 +128,7 @@ struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown
     const ComparisonFacts* comparison = nullptr;
     std::string_view shader_log;
     std::string_view problem;  ///< why there is no picture
+    bool driver_reset = false;  ///< the driver lost what was drawn: only another start of the program draws again
     std::optional<LoadingFacts> loading;
     const SweepFacts* sweep = nullptr;
     std::optional<TruthFacts> truth;

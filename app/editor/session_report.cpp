@@ -1,0 +1,68 @@
+#include "app/editor/session_report.h"
+
+#include "app/base/output.h"
+#include "app/report/memory_json.h"
+#include "app/report/report.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostTold = 100;     ///< messages of a kind
+constexpr std::size_t kMostSamples = 200;  ///< then every second one goes, and they are taken half as often
+
+Json errors_json(const Log& log) {
+    std::size_t count = 0;
+    Json first = Json::array();
+    for (const LogLine& line : log.lines()) {
+        if (line.kind != LogKind::Error) continue;
+        count += std::size_t(line.count);
+        if (first.size() < kMostTold) first.push_back(line.text);
+    }
+    return {{"count", count}, {"first", first}};
+}
+
+}  // namespace
+
+void SessionReport::note_driver(const std::string& message) {
+    if (driver_.size() < kMostTold) driver_.push_back(message);
+    ++driver_count_;
+}
+
+void SessionReport::sample(double now_s) {
+    if (began_s_ < 0) began_s_ = now_s;
+    samples_.push_back({now_s - began_s_, memory_facts()});
+    if (samples_.size() < kMostSamples) return;
+    std::vector<Sample> fewer;
+    for (std::size_t i = 1; i < samples_.size(); i += 2) fewer.push_back(std::move(samples_[i]));
+    samples_ = std::move(fewer);
+    every_s_ *= 2;
+}
+
+void SessionReport::follow(double now_s, const Log& log) {
+    if (path_.empty() || now_s < due_s_) return;
+    sample(now_s);
+    due_s_ = now_s + every_s_;
+    write(log);
+}
+
+void SessionReport::write(const Log& log) {
+    if (path_.empty()) return;
+    Json json = {{"format", "shadow-inspector-session"},
+                 {"version", 1},
+                 {"frames", frames_},
+                 {"driver_messages", {{"count", driver_count_}, {"first", driver_}}},
+                 {"errors", errors_json(log)},
+                 {"unsound", unsound_.empty() ? Json() : Json(unsound_)},
+                 {"memory", memory_json(memory_facts())},
+                 {"memory_over_time", Json::array()}};
+    for (const Sample& s : samples_) {
+        Json row = {{"seconds", s.seconds}};
+        row.update(memory_json(s.memory));
+        json["memory_over_time"].push_back(std::move(row));
+    }
+    write_file(path_, json_text(json));
+}
+
+}  // namespace si

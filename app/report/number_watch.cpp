@@ -1,0 +1,40 @@
+#include "app/report/number_watch.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "renderer/base/error.h"
+#include "renderer/measure/cures.h"
+
+namespace si {
+
+std::string sets_beyond(const Settings& base, const Settings& settings) {
+    std::string sets;
+    for (const auto& [key, value] : setting_changes(base, settings))
+        sets += fmt::format("{}--set {}={}", sets.empty() ? "" : " ", key, value);
+    return sets;
+}
+
+NumberWatch::NumberWatch(Renderer& renderer, Settings base, bool on)
+    : renderer_(renderer), base_(std::move(base)), on_(on) {
+    if (!on) return;
+    renderer_.watch_numbers([this](const Settings& settings, const NumericHealth& health) {
+        ++frames_;
+        if (health.sound() || unsound_++ > 0) return;
+        const std::string sets = sets_beyond(base_, settings);
+        first_ = fmt::format("{}: {}", sets.empty() ? "the settings as given" : "with " + sets, health_text(health));
+    });
+}
+
+NumberWatch::~NumberWatch() {
+    if (on_) renderer_.watch_numbers({});
+}
+
+void NumberWatch::require_sound() const {
+    if (unsound_ == 0) return;
+    throw Error(fmt::format("--check-numeric: {}{}", first_,
+                            unsound_ == 1 ? "" : fmt::format("; {} of {} pictures have faults", unsound_, frames_)));
+}
+
+}  // namespace si

@@ -1,0 +1,117 @@
+// What the renderer holds: every image and buffer is told of by its bytes and let go, and programs do not pile up.
+#include "renderer/base/held.h"
+
+#include <map>
+
+#include "renderer/gl/program_cache.h"
+#include "renderer/gl/target.h"
+#include "renderer/gl/trouble.h"
+#include "tests/gl/frame_fixture.h"
+
+namespace si {
+namespace {
+
+class HeldTest : public FrameTest {
+protected:
+    void TearDown() override {
+        gl::trouble_seam() = {};
+        FrameTest::TearDown();
+    }
+    static HeldBytes of(const std::string& holder) {
+        for (const HeldBytes& h : memory_facts().holders)
+            if (h.holder == holder) return h;
+        return {};
+    }
+};
+
+TEST_F(HeldTest, ImagesByFormatSizeLayersLevelsAndSamples) {
+    const auto bytes = [&](GLenum format, int w, int h, int layers, gl::TargetExtent extent) {
+        gl::Target t;
+        t.ensure("a test's image", format, w, h, layers, extent);
+        return of("a test's image").bytes;
+    };
+    EXPECT_EQ(bytes(GL_R32F, 64, 32, 0, {}), 64u * 32 * 4);
+    EXPECT_EQ(bytes(GL_DEPTH_COMPONENT32F, 64, 64, 3, {}), 64u * 64 * 3 * 4);
+    EXPECT_EQ(bytes(GL_DEPTH_COMPONENT16, 64, 64, 0, {}), 64u * 64 * 2);
+    EXPECT_EQ(bytes(GL_RGBA16F, 4, 4, 0, {.levels = 3}), (16u + 4 + 1) * 8);
+    EXPECT_EQ(bytes(GL_DEPTH_COMPONENT32F, 64, 64, 0, {.samples = 4}), 64u * 64 * 4 * 4);
+    EXPECT_EQ(of("a test's image").bytes, 0u);
+}
+
+TEST_F(HeldTest, MapsOfTheFrameAsLargeAsTheyAre) {
+    const Scene scene = load_scene("boxes");
+    picture(scene, settings_for(scene, {{"map.resolution", "512"}, {"map.format", "d32f"}}));
+    EXPECT_EQ(of("shadow maps").bytes, 512u * 512 * 4);
+    picture(scene, settings_for(scene, {{"map.resolution", "64"}, {"map.format", "d32f"}}));
+    EXPECT_EQ(of("shadow maps").bytes, 64u * 64 * 4) << "the larger one is still there";
+    EXPECT_GT(of("scene's vertices").bytes, 100u);
+}
+
+/// A failed allocation leaves nothing: neither the image of the size before, which would be taken for the one asked
+/// for, nor the memory of the one that failed.
+TEST_F(HeldTest, ATargetThatFoundNoMemoryIsNone) {
+    gl::Target t;
+    t.ensure("a test's image", GL_R32F, 64, 64);
+    t.key = 5;
+    gl::trouble_seam().fails = [](gl::Trouble of, std::string_view) { return of == gl::Trouble::Memory; };
+    EXPECT_THROW(t.ensure("a test's image", GL_R32F, 256, 256), gl::OutOfMemory);
+    gl::trouble_seam() = {};
+    EXPECT_FALSE(t.texture) << "what failed is still held";
+    EXPECT_EQ(t.key, 0u);
+    EXPECT_EQ(of("a test's image").bytes, 0u);
+    EXPECT_TRUE(t.ensure("a test's image", GL_R32F, 64, 64)) << "the image of before is taken for this one";
+    GLint width = 0;
+    glGetTextureLevelParameteriv(t.texture.id(), 0, GL_TEXTURE_WIDTH, &width);
+    EXPECT_EQ(width, 64);
+}
+
+gl::ProgramRequest plain_program(int number) {
+    return {.vertex = "passes/fullscreen.vert.glsl",
+            .fragment = "passes/volume_depth.frag.glsl",
+            .includes = {},
+            .defines = {},
+            .preamble = "// " + std::to_string(number) + "\n"};
+}
+
+TEST_F(HeldTest, TheLongestUnusedProgramsGiveWay) {
+    gl::ProgramCache cache;
+    for (int i = 0; i < 6; ++i) cache.get(plain_program(i)), cache.end_frame(6);
+    const GLuint first = cache.get(plain_program(0));
+    cache.end_frame(6);
+    EXPECT_EQ(cache.size(), 6u);
+    for (int i = 6; i < 9; ++i) cache.get(plain_program(i));
+    cache.end_frame(6);
+    EXPECT_EQ(cache.size(), 6u);
+    EXPECT_EQ(cache.get(plain_program(0)), first) << "used since, and gone before those that were not";
+    EXPECT_TRUE(glIsProgram(first));
+    EXPECT_NE(cache.get(plain_program(1)), 0u) << "what gave way is made again";
+    EXPECT_EQ(cache.size(), 7u);
+    EXPECT_EQ(of("texts of shader programs").count, cache.size());
+    // All that one frame uses stay, however many.
+    for (int i = 0; i < 9; ++i) cache.get(plain_program(i));
+    cache.end_frame(2);
+    EXPECT_EQ(cache.size(), 9u);
+    cache.end_frame(2);
+    EXPECT_EQ(cache.size(), 2u);
+}
+
+TEST_F(HeldTest, FramesKeepSoManyProgramsAndDrawTheSame) {
+    const Scene scene = load_scene("boxes");
+    const FrameRequest tiny{.width = 32, .height = 18};
+    gl::trouble_seam().most_programs = 4;
+    std::map<std::string, ByteImage> first;
+    std::size_t most = 0;
+    for (int round = 0; round < 2; ++round)
+        for (const char* overlay : {"visibility", "normals", "stored-depth", "bias-applied", "light-uv", "n-dot-l"}) {
+            Settings s = settings_for(scene, {{"map.resolution", "64"}});
+            set_setting(s, "view.overlay", overlay);
+            const ByteImage drawn = picture(scene, s, tiny);
+            most = std::max(most, of("texts of shader programs").count);
+            const auto [known, is_new] = first.emplace(overlay, drawn);
+            EXPECT_EQ(known->second, drawn) << overlay;
+        }
+    EXPECT_LE(most, 6u) << "each frame's programs stay for good";
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,94 @@
+// Who holds memory: what is told of holders, and what they let go.
+#include "renderer/base/held.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "renderer/reference/ray_scenes.h"
+#include "renderer/scenes/builtin.h"
+
+namespace si {
+namespace {
+
+HeldBytes of(const std::string& holder) {
+    for (const HeldBytes& h : memory_facts().holders)
+        if (h.holder == holder) return h;
+    return {};
+}
+
+TEST(HeldMemory, IsToldUntilItIsLetGo) {
+    std::optional<HeldMemory> first(std::in_place, "tests' bytes", 1000);
+    {
+        HeldMemory copy = *first, moved = std::move(copy);
+        EXPECT_EQ(of("tests' bytes").bytes, 2000u);
+        EXPECT_EQ(of("tests' bytes").count, 2u);
+        EXPECT_EQ(copy.bytes(), 0u);
+        moved.add(500), moved.add(-200);
+        EXPECT_EQ(of("tests' bytes").bytes, 2300u);
+        moved = *first;
+        EXPECT_EQ(of("tests' bytes").bytes, 2000u);
+    }
+    EXPECT_EQ(of("tests' bytes").bytes, 1000u);
+    EXPECT_EQ(of("tests' bytes").count, 1u);
+    EXPECT_EQ(of("tests' bytes").most, 3300u) << "while there were three";
+    first.reset();
+    EXPECT_EQ(of("tests' bytes").bytes, 0u);
+    HeldMemory nobody;
+    nobody.add(7);
+    EXPECT_EQ(nobody.bytes(), 0u);
+}
+
+TEST(HeldMemory, ThreadsAddUp) {
+    HeldMemory held("threads' bytes", 0);
+    {
+        std::vector<std::jthread> threads;
+        for (int t = 0; t < 4; ++t)
+            threads.emplace_back([&] {
+                for (int i = 0; i < 1000; ++i) held.add(3), held.add(-1);
+            });
+    }
+    EXPECT_EQ(of("threads' bytes").bytes, 8000u);
+}
+
+TEST(HeldMemory, ScenesAndHierarchiesTellWhatTheyTake) {
+    const std::uint64_t scenes = of("scenes").bytes;
+    {
+        const Scene scene = load_scene("teapot");
+        std::uint64_t least = 0;
+        for (const Mesh& m : scene.meshes) least += array_bytes(m.positions) + array_bytes(m.indices);
+        EXPECT_GT(of("scenes").bytes, scenes + least);
+        EXPECT_LT(of("scenes").bytes, scenes + 10 * least);
+        const Scene copy = scene;
+        EXPECT_GT(of("scenes").bytes, scenes + 2 * least);
+        const auto rays = ray_scenes().get(std::make_shared<const TruthGeometry>(scene, Settings()));
+        EXPECT_GE(of("triangles that rays meet").bytes, least);
+        EXPECT_GE(of("hierarchies of rays").bytes, least) << "Embree's own account";
+    }
+    EXPECT_EQ(of("scenes").bytes, scenes);
+    ray_scenes().forget();
+    EXPECT_EQ(of("hierarchies of rays").bytes, 0u);
+    EXPECT_EQ(of("triangles that rays meet").bytes, 0u);
+}
+
+TEST(HeldMemory, TheProcessHasMoreThanItsHolders) {
+    const std::uint64_t before = process_memory().resident;
+    ASSERT_GT(before, 1u << 20);
+    std::vector<char> block(64 << 20, 'x');
+    const ProcessMemory with = process_memory();
+    EXPECT_GT(with.resident, before + (48u << 20)) << block[5];
+    EXPECT_GE(with.peak, with.resident);
+    EXPECT_GT(with.heap, 64u << 20);
+}
+
+TEST(HeldMemory, IsSaidInUnitsThatSuitIt) {
+    EXPECT_EQ(bytes_text(12), "12 bytes");
+    EXPECT_EQ(bytes_text(300 << 10), "300 KiB");
+    EXPECT_EQ(bytes_text(3u << 19), "1.5 MiB");
+    EXPECT_EQ(bytes_text(300u << 20), "300 MiB");
+}
+
+}  // namespace
+}  // namespace si
