@@ -95,6 +95,8 @@ void header(EditorState& state, const FrameResult* result, EditorActions& action
     setting_widget(s, bands ? "view.band_high" : "view.map_white", end);
     if (!bands) {
         labelled("Fit", "view.map_fit", ImGui::GetFrameHeight());
+        flow(em * 5.5f);
+        setting_widget(s, "view.map_colours", em * 5.5f);
     }
     flow(ImGui::CalcTextSize("Plots").x + ImGui::GetFrameHeight() + gap);
     ImGui::Checkbox("Plots", &state.layout.map_plots);
@@ -303,6 +305,8 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         if (state.frozen) {
             map_lines(rect, camera_outline_in_map(result.camera, light_view), theme::kLive);
             map_lines(rect, camera_outline_in_map(state.frozen->camera, light_view), theme::kFrozen);
+        } else if (state.settings.view.map_region) {
+            map_lines(rect, camera_outline_in_map(result.camera, light_view), theme::kLive);
         }
         if (frame.probe && frame.probe->hit)
             for (const Probe::PerLight& p : frame.probe->lights)
