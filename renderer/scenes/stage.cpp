@@ -185,7 +185,7 @@ Scene make_stage_scene() {
     // Low and from the right, a little from behind: the figure stands in the light before the wall's shade, and the
     // shadows of leaves and pickets cross the free ground before it.
     scene.suggested = {
-        {"light.azimuth", "116"}, {"light.elevation", "25"}, {"light.intensity", "2"}, {"shading.ambient", "0.2"}};
+        {"light.azimuth", "116"}, {"light.elevation", "25"}, {"light.intensity", "2"}, {"shading.ambient", "0.17"}};
     finalise(scene);
     return scene;
 }

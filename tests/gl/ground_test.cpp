@@ -2,8 +2,8 @@
 #include "renderer/scene/ground.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
+#include <fstream>
 
 #include "app/session/session.h"
 #include "renderer/inspect/texel_usage.h"
@@ -113,6 +113,42 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
     for (std::size_t i = 0; i < alone.size(); ++i) box += alone[i] >= 0, differ += stood[i] != alone[i];
     EXPECT_GT(box, 5000u);
     EXPECT_LT(differ, box / 100);
+}
+
+/// Of each folder of models the first file that can be read.
+std::vector<fs::path> models() {
+    std::vector<fs::path> out;
+    const fs::path folder = fs::path(SI_SOURCE_DIR) / "../shared/models";
+    std::ifstream list(folder / "EXPECT.tsv");
+    std::string line, last;
+    while (std::getline(list, line)) {
+        const std::string file = line.substr(0, line.find('\t')), place = file.substr(0, file.find('/'));
+        // What is told as "load, or an error that is clear" asks for what is not supported.
+        if (!line.ends_with("\tload\t\t") || place == last || !fs::exists(folder / file)) continue;
+        out.push_back(folder / file), last = place;
+    }
+    return out;
+}
+
+// Which of them stand on something of their own is the files' affair; those that bring a camera are seen as it does.
+TEST_F(GroundTest, ModelsShowTheirShadowsAtOnce) {
+    const std::vector<fs::path> files = models();
+    if (files.empty()) GTEST_SKIP() << "../shared/models is not there";
+    int shown = 0;
+    for (const fs::path& file : files) {
+        SCOPED_TRACE(file);
+        const Session session = open_session({.scene = file.string(), .sets = {"map.resolution=512"}});
+        const Scene& scene = session.scene;
+        if (scene.ground_bounds.empty() || !scene.cameras.empty() || !scene.lights.empty()) continue;
+        if (scene.triangle_count() > 20'000) continue;  // for the time that it takes
+        const FirstPicture seen = first_picture(session);
+        EXPECT_GT(seen.ground, 5000u);
+        EXPECT_GE(double(seen.dark), 0.02 * double(seen.ground));
+        EXPECT_EQ(seen.dark_at_rim, 0u);
+        EXPECT_GE(seen.read, 0.2);
+        ++shown;
+    }
+    EXPECT_GT(shown, 15);
 }
 
 TEST_F(GroundTest, ItComesAndGoesWithTheSettingAndFollowsThePlacement) {

@@ -86,6 +86,34 @@ TEST_F(LookTest, ShadowsKeepTheirForm) {
     EXPECT_LE(flat.back() - flat.front(), 1);
 }
 
+// As an eye sees it: of encoded values.
+TEST_F(LookTest, TheStageIsNeitherDarkNorPaper) {
+    const Scene scene = load_scene("stage");
+    const Settings s = settings_for(scene);
+    FrameRequest request{.width = 480, .height = 270};
+    request.outputs.visibility = request.outputs.surface_ids = true;
+    const FrameResult frame = renderer.render(scene, s, request);
+    const ByteImage image = renderer.read_colour(frame.colour);
+    const FloatImage visibility = renderer.read_float(frame.visibility, 1);
+    const SurfaceIds ids = renderer.read_surface_ids(frame.surface_ids);
+    double sum = 0, clipped = 0, lit = 0, dark = 0, lit_count = 0, dark_count = 0;
+    for (std::size_t i = 0; i < ids.data.size(); ++i) {
+        const std::uint8_t* p = &image.data[4 * i];
+        const double luma = (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]) / 255;
+        sum += luma, clipped += std::max({p[0], p[1], p[2]}) == 255;
+        if (ids.data[i].x == 0 || scene.nodes[std::size_t(scene.objects[ids.data[i].x - 1].node)].name != "Ground")
+            continue;
+        if (visibility.data[i] > 0.99f) lit += luma, ++lit_count;
+        if (visibility.data[i] < 0.01f) dark += luma, ++dark_count;
+    }
+    const double count = double(ids.data.size());
+    EXPECT_GT(sum / count, 0.35);
+    EXPECT_LT(sum / count, 0.6);
+    EXPECT_LE(clipped / count, 0.01);
+    ASSERT_GT(dark_count, 1000);
+    EXPECT_GE(lit / lit_count, 1.8 * (dark / dark_count));
+}
+
 TEST_F(LookTest, TheSkyFollowsTheSunAndFillsOnlyWhatIsEmpty) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"map.resolution", "256"}});
