@@ -306,7 +306,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
             map_lines(rect, camera_outline_in_map(result.camera, light_view), theme::kLive);
             map_lines(rect, camera_outline_in_map(state.frozen->camera, light_view), theme::kFrozen);
         } else if (state.settings.view.map_region) {
-            map_lines(rect, camera_outline_in_map(result.camera, light_view), theme::kLive);
+            map_lines(rect, camera_region_in_map(result.camera, light_view), theme::kLive);
         }
         if (frame.probe && frame.probe->hit)
             for (const Probe::PerLight& p : frame.probe->lights)
