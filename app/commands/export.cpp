@@ -5,6 +5,7 @@
 #include "app/commands/commands.h"
 #include "renderer/base/error.h"
 #include "renderer/gltf/gltf.h"
+#include "renderer/scene/ground.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -23,6 +24,7 @@ void run_export(const SessionOptions& options, const std::string& output) {
                 session.scene.suggested.emplace_back(setting_key(ref),
                                                      value_text(*ref.param, get_value(session.settings, ref)));
     }
+    remove_ground(session.scene);  // which is no part of it
     save_gltf(session.scene, output);
     print_notes(session.notes);
 }

@@ -36,7 +36,8 @@ nlohmann::ordered_json truth_json(const TracedTruth& traced, const TruthTask& ta
                                      {"faces_away", pixels(PixelState::FacesAway)},
                                      {"outside_cone", pixels(PixelState::OutsideCone)},
                                      {"not_receiving", pixels(PixelState::NotReceiving)},
-                                     {"beyond_range", pixels(PixelState::BeyondRange)}}},
+                                     {"beyond_range", pixels(PixelState::BeyondRange)},
+                                     {"ground", t.on_ground}}},
                                    {"rays", t.rays}};
     json["visibility_mean"] = t.counted() ? nlohmann::ordered_json(sum / double(t.counted())) : nullptr;
     json["hard_visibility_mean"] = t.counted() ? nlohmann::ordered_json(hard / double(t.counted())) : nullptr;

@@ -146,6 +146,7 @@ std::vector<std::string> run_editor(const EditorOptions& options) {
     if (!options.headless) return run_window(options);
     HeadlessEditor editor(options);
     editor.settle();
+    editor.smooth();
     editor.model().require_scene();
     write_png(options.screenshot, editor.picture());
     editor.model().end();

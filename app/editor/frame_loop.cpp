@@ -19,6 +19,9 @@ FrameFacts FrameLoop::facts() const {
     if (drawn_) {
         f.driver = renderer_.driver();
         f.result = result_;
+        if (result_.smooth.texture != 0)
+            for (Pane& pane : f.result.panes)
+                if (pane.overlay == 0) pane.picture = result_.smooth;
         f.truth = truth_.facts(result_, drawn_settings_.view.light);
     }
     f.request = request_;
@@ -52,6 +55,7 @@ FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const
     }
     const bool drawn = draw(scene, state, actions);
     news_.changed |= drawn;
+    if (!drawn) news_.changed |= smooth(scene, state, actions);
     news_.changed |= follow_readings(scene, state, actions, drawn);
     try {
         news_.changed |= follow_truth(scene, state, actions, drawn, comparison);
@@ -131,6 +135,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     drawn_settings_ = settings;
     drawn_scene_ = scene.id;
     shaders_changed_ = false;
+    smoothed_ = 0;
     try {
         result_ = renderer_.render(scene, drawn_settings_, request_);
         drawn_ = true;
@@ -158,6 +163,27 @@ void FrameLoop::require_sound_numbers(const Scene& scene) {
     news_.unsound = fmt::format("{} {}x{} {}: {}", scene.name, request_.width, request_.height,
                                 sets_beyond({}, drawn_settings_), health_text(*health));
     report(news_.unsound);
+}
+
+bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const EditorActions& actions) {
+    const ViewSettings& view = drawn_settings_.view;
+    if (!drawn_ || !actions.at_rest || smoothed_ >= kSmoothedMost || !view.smooth) return false;
+    if (view.slabs != int(Slabs::None) || state.against.view != AgainstView::Off) return false;
+    if (std::ranges::none_of(result_.panes, [](const Pane& pane) { return pane.overlay == 0; })) return false;
+    FrameRequest request = request_;
+    request.timing = false;
+    request.smoothed = ++smoothed_;
+    try {
+        const FrameResult more = renderer_.render(scene, drawn_settings_, request);
+        if (more.smooth.texture == 0) return smoothed_ = kSmoothedMost, false;
+        result_.smooth = more.smooth;  // what the frame itself did, and when, stays told
+        return true;
+    } catch (const std::exception& e) {
+        smoothed_ = kSmoothedMost;
+        result_.smooth = {};
+        report(e.what());
+        return true;
+    }
 }
 
 void FrameLoop::foresee_programs(const Scene& scene) {

@@ -58,6 +58,8 @@ public:
 
 private:
     bool draw(const Scene& scene, const PictureState& state, const EditorActions& actions);
+    /// One shading more of a view that rests. Returns whether there was one to add.
+    bool smooth(const Scene& scene, const PictureState& state, const EditorActions& actions);
     void report(const std::string& error) { news_.remarks.push_back({.kind = LogKind::Error, .text = error}); }
     /// Of what is likely to be asked after what was just drawn, programs are made while nothing happens.
     void foresee_programs(const Scene& scene);
@@ -80,6 +82,7 @@ private:
     bool drawn_ = false, shaders_changed_ = false, driver_reset_ = false;
     FrameResult result_;
     FrameNews news_;
+    int smoothed_ = 0;  ///< shadings that the smooth picture of the frame drawn last is made of
     std::string problem_, shader_log_;
     EditorReadings readings_;
     EditorTruth truth_;

@@ -64,7 +64,15 @@ HeadlessEditor::HeadlessEditor(const EditorOptions& options, SceneReader read)
       model_(std::make_unique<EditorModel>(
           options, std::move(read),
           options.frame_patience ? FrameThread{.context = context_.sharing(), .patience = *options.frame_patience}
-                                 : FrameThread{})) {}
+                                 : FrameThread{})) {
+    model_->smooths = false;
+}
+
+void HeadlessEditor::smooth() {
+    model_->smooths = true;
+    for (int i = 0; i <= kSmoothedMost; ++i) frame(), model_->finish_drawing();
+    frame();
+}
 
 HeadlessEditor::~HeadlessEditor() = default;
 

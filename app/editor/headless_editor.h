@@ -33,6 +33,8 @@ public:
     /// Waits for a scene that is being read, draws frames until layout and pictures no longer change, and waits for
     /// what they ask to be measured.
     void settle();
+    /// Lets the picture become smooth, where it is to (view.smooth), and draws it. Before, it stays as it is drawn.
+    void smooth();
     /// The last frame, top row first.
     ByteImage picture() const;
 

@@ -26,6 +26,7 @@ public:
     explicit EditorModel(const EditorOptions& options, SceneReader read = {}, FrameThread thread = {});
 
     EditorState state;
+    bool smooths = true;  ///< a picture that rests is made smooth, where view.smooth wishes it
 
     /// What draw_editor() is told. Valid until the next fulfil().
     EditorFrame facts() const;

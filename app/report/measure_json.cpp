@@ -72,6 +72,7 @@ Json error_json(const ErrorMetrics& m) {
     for (const Metric& metric : metrics())
         if (metric.member) json[std::string(metric.key)] = or_null(metric.value(m));
     for (std::size_t i = 0; i < kPixelStates; ++i) json["pixels"][state_key(PixelState(i))] = m.pixels[i];
+    json["pixels"]["ground"] = m.ground_pixels;
     json["artefacts"]["none"] = m.artefacts[std::size_t(Artefact::None)];
     for (const ArtefactStyle& style : artefact_styles())
         json["artefacts"][std::string(style.key)] = m.artefacts[std::size_t(style.artefact)];
@@ -98,8 +99,10 @@ ErrorMetrics error_from_json(const Json& json) {
     ErrorMetrics m;
     for (const Metric& metric : metrics())
         if (metric.member) m.*metric.member = number_or_nan(json, metric.key);
-    if (const auto pixels = json.find("pixels"); pixels != json.end())
+    if (const auto pixels = json.find("pixels"); pixels != json.end()) {
         for (std::size_t i = 0; i < kPixelStates; ++i) read_count(m.pixels[i], *pixels, state_key(PixelState(i)));
+        read_count(m.ground_pixels, *pixels, "ground");
+    }
     m.counted = m.pixels[std::size_t(PixelState::Counted)];
     if (const auto artefacts = json.find("artefacts"); artefacts != json.end()) {
         read_count(m.artefacts[std::size_t(Artefact::None)], *artefacts, "none");

@@ -8,6 +8,7 @@
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/scene/animation.h"
+#include "renderer/scene/ground.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/placement.h"
@@ -86,6 +87,8 @@ void apply_suggested(const Scene& scene, Settings& settings) {
 
 std::string pose_scene(Scene& scene, const SceneSettings& settings) {
     std::string remark;
+    const bool grounded = settings.ground == int(Ground::Auto) && !scene.file_scenes.empty();
+    if (!grounded) remove_ground(scene);
     if (!scene.rig || scene.rig->animations.empty()) {
         if (settings.animation != SceneSettings{}.animation || settings.time != SceneSettings{}.time)
             remark = fmt::format("{} has no animation: scene.animation and scene.time have no effect", scene.name);
@@ -96,8 +99,11 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
                 fmt::format("scene.animation {}: {} has {} animation{}; choose 0 to {}, or -1 for the rest pose",
                             settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
         }
+        // Where the ground lies does not depend on the moment that is shown.
+        if (grounded && scene.ground_bounds.empty()) pose(scene, 0, 0), add_ground(scene);
         pose(scene, settings.animation, settings.time);
     }
+    if (grounded) add_ground(scene);
     if (const glm::dmat4 placement = placement_of(settings); placement != scene.placement) place(scene, placement);
     return remark;
 }

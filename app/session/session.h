@@ -68,7 +68,8 @@ void apply_suggested(const Scene& scene, Settings& settings);
 void check_objects(const Scene& scene, Settings& settings, const std::string& preset,
                    std::vector<std::string>* left_out);
 
-/// Poses a scene as scene.animation and scene.time say, and places it as scene.distance, direction and scale do.
+/// Poses a scene as scene.animation and scene.time say, and places it as scene.distance, direction and scale do. A
+/// file without a ground gets one where scene.ground lets it (renderer/scene/ground.h).
 /// Returns a remark when there is nothing to pose, else "".
 /// @throws UsageError when there is no such animation.
 std::string pose_scene(Scene& scene, const SceneSettings& settings);

@@ -13,6 +13,7 @@
 #include "renderer/view/kernel_reach.h"
 #include "renderer/view/placement.h"
 #include "renderer/view/projection.h"
+#include "renderer/view/sky.h"
 #include "shaders/shared/units.h"
 
 namespace si {
@@ -65,6 +66,26 @@ shared::LightBlock light_block(const FrameState& f, std::size_t i) {
     b.kernel = glm::vec4(light.size, reach.bias, reach.edge, reach.read);
     b.radiance = glm::vec4(glm::vec3(light.radiance), float(light.cos_cone_inner));
     return b;
+}
+
+void put_sky(const FrameState& f, shared::FrameBlock& block) {
+    const Sky sky = sky_of(sun_of(f.gl.fitted));
+    const ShadingSettings& s = f.settings.shading;
+    const double exposure = std::exp2(s.exposure);
+    const auto lit = [](const glm::dvec3& colour) { return glm::vec4(glm::vec3(colour), 0); };
+    block.ambient = lit(0.5 * s.ambient * (sky.ambient_up + sky.ambient_down));
+    block.ambient.w = float(exposure);
+    const glm::dvec2 level(sky.to_sun.x, sky.to_sun.z);
+    block.ambient_rise = lit(0.5 * s.ambient * (sky.ambient_up - sky.ambient_down) /
+                             std::sqrt(1 + sky.sunward * sky.sunward * glm::dot(level, level)));
+    block.ambient_rise.w = float(sky.sunward);
+    block.sky_zenith = lit(exposure * sky.zenith);
+    block.sky_horizon = lit(exposure * sky.horizon);
+    block.sky_below = lit(exposure * sky.below);
+    block.sky_sun = glm::vec4(glm::vec3(sky.to_sun), float(exposure * sky.glow));
+    const Bounds& ground = f.scene.ground_bounds;
+    if (!ground.empty())
+        block.ground = glm::vec4(glm::vec3(ground.centre() - f.origin), 2 / std::max(ground.hi.x - ground.lo.x, 1e-30));
 }
 
 shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std::size_t i) {
@@ -133,6 +154,7 @@ shared::FrameBlock frame_block(const FrameState& f) {
     const PolygonOffset& offset = f.driver.offset[std::size_t(f.settings.map.format)];
     block.pixel = glm::vec4(f.pixel_origin, cost_of(f.settings).texels, 0);
     block.offset = glm::vec4(offset.unit_depth, offset.unit_steps, offset.slope_gain, offset.slope_is_length ? 1 : 0);
+    put_sky(f, block);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         block.lights[i] = light_block(f, i);
         const FittedLight& light = f.gl.fitted[i];
@@ -143,17 +165,19 @@ shared::FrameBlock frame_block(const FrameState& f) {
     return block;
 }
 
+void put_frame_block(const FrameState& f, const shared::FrameBlock& block) {
+    TexelBuffer& frame = f.gl.blocks.frame;
+    frame.put(std::as_bytes(std::span(&block, 1)));
+    frame.bind_block(shared::BLOCK_FRAME);
+    if (f.blocks_as_images()) frame.bind_image(shared::IMAGE_FRAME_BLOCK, GL_RGBA32UI);
+}
+
 void Renderer::Impl::upload_blocks(const FrameState& f) {
-    const shared::FrameBlock block = frame_block(f);
     Blocks& blocks = resources.blocks;
-    blocks.frame.put(std::as_bytes(std::span(&block, 1)));
-    blocks.frame.bind_block(shared::BLOCK_FRAME);
+    put_frame_block(f, frame_block(f));
     blocks.settings.put(settings_block_bytes(f.settings));
     blocks.settings.bind_block(shared::BLOCK_SETTINGS);
-    if (f.blocks_as_images()) {
-        blocks.frame.bind_image(shared::IMAGE_FRAME_BLOCK, GL_RGBA32UI);
-        blocks.settings.bind_image(shared::IMAGE_SETTINGS_BLOCK, GL_RGBA32UI);
-    }
+    if (f.blocks_as_images()) blocks.settings.bind_image(shared::IMAGE_SETTINGS_BLOCK, GL_RGBA32UI);
     if (!f.disk_texels.empty()) {
         blocks.disk.put(std::as_bytes(std::span(f.disk_texels)));
         blocks.disk.bind_image(shared::IMAGE_DISK_PLACES, GL_RG32UI);

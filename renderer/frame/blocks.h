@@ -35,6 +35,8 @@ struct FrameBlock;
 }
 /// What stands in the frame's block.
 shared::FrameBlock frame_block(const FrameState& f);
+/// Has shaders read another.
+void put_frame_block(const FrameState& f, const shared::FrameBlock& block);
 
 struct Blocks {
     TexelBuffer frame{"frame uniforms"}, settings{"settings uniforms"};

@@ -215,8 +215,25 @@ void visibility_parts(const Facts& f, const PassInfo& pass, Effects& out) {
     contact_parts(f, pass, out);
 }
 
+/// What makes a picture of light, and touches no visibility.
+void look_parts(const Facts& f, const PassInfo& pass, Effects& out) {
+    const ShadingSettings& s = f.settings.shading;
+    const bool sky = s.sky == int(SkyLook::Gradient), filmic = s.curve == int(ToneCurve::Filmic);
+    out.push_back(part_of(pass, "sky and its ambient light", sky,
+                          sky ? "shading.sky is gradient: where nothing stands is sky, and what is turned up gets "
+                                "light from it, what is turned down from the ground"
+                              : "shading.sky is plain: ambient light is the same from everywhere"));
+    out.push_back(
+        part_of(pass, "tone curve", filmic || s.exposure != 0,
+                filmic ? fmt::format("shading.curve is filmic, after an exposure of {:g} EV", s.exposure)
+                : s.exposure != 0
+                    ? fmt::format("shading.exposure is {:g} EV; what is brighter than white is cut off", s.exposure)
+                    : "shading.curve is plain: light is encoded as it is"));
+}
+
 void shading_parts(const Facts& f, const PassInfo& pass, Effects& out) {
     if (!is_separate(f)) lookup_parts(f, pass, false, out);
+    look_parts(f, pass, out);
 }
 
 /// What makes visibility a texture of its own, as far as the settings do.
@@ -317,6 +334,7 @@ const EffectRow kRows[] = {
      .why = SI_WHY("the picture is held against the one that the truth lights"),
      .unasked = truth_unasked},
     {.pass = "shading", .why = SI_WHY("the picture was asked for"), .parts = shading_parts},
+    {.pass = "smoothing", .why = SI_WHY("the view rests, and view.smooth is on")},
     {.pass = "overlay values", .why = SI_WHY("an overlay is shown")},
     {.pass = "overlay over picture", .why = SI_WHY("an overlay is shown over the picture")},
     {.pass = "texel slabs", .why = SI_WHY("view.slabs shows texels in the scene")},

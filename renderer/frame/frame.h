@@ -61,6 +61,9 @@ struct MapOfLight {
     bool operator==(const MapOfLight&) const = default;
 };
 
+/// The most that FrameRequest::smoothed asks for.
+inline constexpr int kSmoothedMost = 8;
+
 struct FrameRequest {
     int width = 1280, height = 720;  ///< of each pane's picture, in pixels
     Outputs outputs;
@@ -70,6 +73,7 @@ struct FrameRequest {
     std::optional<bool> blocks_as_images;  ///< how shaders read numbers (Blocks); nothing: DriverInfo::blocks_as_images
     std::optional<MapOfLight> emptied;     ///< left as if nothing cast into it: what does it show? Not of virtual maps
     std::optional<MapCamera> map_camera;   ///< nothing: the picture's own
+    int smoothed = 0;  ///< shadings beside the picture that a smooth one is made of so far: FrameResult::smooth
     /// What rays found for this very view and light; another one's is left unused. See FrameResult::truth.
     std::shared_ptr<const TruthPicture> truth;
     /// The same by light, for those whose source is ray traced; may end early, and hold none for others.
@@ -174,8 +178,11 @@ struct FrameResult {
     std::vector<std::string> notes;  ///< repairs of settings and other one-line remarks
     std::vector<Pane> panes;  ///< as view.panes says, row by row from the top left; panes of one overlay share images
     Image colour;             ///< the first pane's picture
-    Image visibility;         ///< R32F
-    Image overlay;            ///< the first pane's values
+    /// RGBA8: the mean of FrameRequest::smoothed shadings, each of a camera turned by part of a pixel. Panes without an
+    /// overlay show it. Empty: none was asked for, or nothing but the picture itself is to be had.
+    Image smooth;
+    Image visibility;  ///< R32F
+    Image overlay;     ///< the first pane's values
     /// RGBA32F: u and v of the kernel's centre in the map of view.light (v up, after the normal offset, not wrapped),
     /// the layer among that light's views, and 1 where the kernel reads a texel of it, else 0. Empty without a map.
     Image map_coordinates;

@@ -51,6 +51,8 @@ std::string_view result_name(Result result) {
             return "errors of single precision";
         case Result::Shaded:
             return "shaded picture";
+        case Result::Smooth:
+            return "smooth picture";
         case Result::Overlay:
             return "overlay values";
         case Result::Composed:

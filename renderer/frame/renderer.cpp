@@ -49,6 +49,7 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
         if (o.colour) wanted.push_back(f.picture_of(pane));
         if (o.overlay) wanted.push_back(f.values_of(pane));
     }
+    if (o.colour && f.request.smoothed > 0) wanted.push_back(Result::Smooth);
     if (o.surface_ids) wanted.push_back(Result::SurfaceIds);
     if (o.visibility) wanted.push_back(Result::Visibility);
     if (o.error) wanted.push_back(Result::Error);
@@ -128,6 +129,7 @@ std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& setting
     for (const gl::Define& d : f.defines) key.add(d.name).add(d.value);
     plan_frame(f);
     key.add(f.preamble).add(f.gl.programs.source().generation()).add(f.map_format()).add(f.settings.map.samples);
+    key.add(f.settings.shading.sky).add(f.settings.shading.curve).add(f.settings.shading.exposure != 0);
     key.add(filter_of(f.settings).file).add(bias_of(f.settings).file).add(request.forced.value());
     for (const FrameState::ShownPane& pane : f.panes) key.add(pane.overlay);
     for (int i = 0; i < f.settings.light_count; ++i) key.add(source_of(f.settings, i).key);

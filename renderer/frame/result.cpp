@@ -72,6 +72,7 @@ void describe_frame(FrameState& f, FrameResult& result) {
             result.evidence[i] = image_of(f.result(Result::Evidence, i));
         result.mask_levels = f.mask_levels;
     }
+    put(Result::Smooth, result.smooth);
     put(Result::Judged, result.judged);
     put(Result::TruePicture, result.true_colour);
     put(Result::SurfaceIds, result.surface_ids);

@@ -28,6 +28,7 @@ enum class Result {
     TruePicture,     ///< lit as the truth says
     Precision,       ///< how far look-ups are off by single precision
     Shaded,          ///< the picture
+    Smooth,          ///< the mean of pictures from a camera turned by parts of a pixel
     Overlay,         ///< a pane's values
     Composed,        ///< those over the picture
     Slabs,           ///< a pane's picture with texels as slabs in it

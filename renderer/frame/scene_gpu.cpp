@@ -301,7 +301,8 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings, bool large_
         if (material.normal_texture >= 0 && settings.shading.textures && !material.unlit)
             normal_texture = textures_[std::size_t(material.normal_texture)].whole.id();
         entries.push_back({i, blend, masked, blend ? 0 : sizes[std::size_t(o.mesh)], texture, finest_texture,
-                           normal_texture, o.mesh, own.cull, own.cast, glm::determinant(glm::dmat3(o.world)) < 0});
+                           normal_texture, o.mesh, own.cull, own.cast && !o.ground,
+                           glm::determinant(glm::dmat3(o.world)) < 0});
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank() < b.rank(); });
     order_.clear();
@@ -323,6 +324,7 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings, bool large_
             b.double_sided = material_of(scene, mesh).double_sided;
             b.tangents = !mesh.tangents.empty();
             b.cast = e.cast, b.cull = e.cull, b.closed = bodies_[std::size_t(e.mesh)].closed;
+            b.ground = scene.objects[e.object].ground;
             b.centre_ws = glm::dvec3(scene.objects[e.object].world * glm::dvec4(mesh.bounds.centre(), 1));
             batches_.push_back(b);
         }

@@ -115,6 +115,7 @@ GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragm
         wanted.push_back({"NORMAL_MAPPED", "1"});
         if (batch.tangents) wanted.push_back({"TANGENTS", "1"});
     }
+    if (batch.ground && fragment == "passes/shade.frag.glsl") wanted.push_back({"GROUND", "1"});
     return program(vertex, fragment, std::move(wanted));
 }
 
@@ -130,7 +131,8 @@ void FrameState::draw_from_camera(std::string_view fragment, const std::vector<g
     for (const Batch& batch : gl.scene->batches()) {
         if (batch.blend) continue;
         if (!previous || previous->masked != batch.masked || !previous->texture != !batch.texture ||
-            !previous->normal_texture != !batch.normal_texture || previous->tangents != batch.tangents)
+            !previous->normal_texture != !batch.normal_texture || previous->tangents != batch.tangents ||
+            previous->ground != batch.ground)
             glUseProgram(batch_program("passes/scene.vert.glsl", fragment, extra, batch, false));
         if (!previous || previous->texture != batch.texture || previous->normal_texture != batch.normal_texture)
             bind_textures(batch);

@@ -58,6 +58,28 @@ void load(Context& context, Scene& scene) {
     }
 }
 
+/// Foliage that is blended casts by its mask: a tree without the shadow of its leaves is none.
+void suggest_casters(Scene& scene) {
+    constexpr std::string_view kKey = "caster.blend";
+    if (std::ranges::any_of(scene.suggested, [&](const auto& row) { return row.first == kKey; })) return;
+    double blended = 0, all = 0;  // areas
+    for (const Object& o : scene.objects) {
+        const Mesh& mesh = scene.meshes[std::size_t(o.mesh)];
+        double area = 0;
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            const glm::dvec3 a(mesh.positions[mesh.indices[i]]), b(mesh.positions[mesh.indices[i + 1]]),
+                c(mesh.positions[mesh.indices[i + 2]]);
+            const glm::dmat3 turn(o.world);
+            area += glm::length(glm::cross(turn * (b - a), turn * (c - a)));
+        }
+        all += area;
+        if (mesh.material < 0) continue;
+        const Material& m = scene.materials[std::size_t(mesh.material)];
+        if (m.alpha == AlphaMode::Blend && m.base_colour_texture >= 0) blended += area;
+    }
+    if (2 * blended > all) scene.suggested.emplace_back(kKey, "mask");
+}
+
 }  // namespace
 
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
@@ -72,6 +94,7 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
         // What an export wrote of lights changed by hand is not undone by the lights themselves.
         const auto of_lights = [](const auto& row) { return row.first.starts_with("light."); };
         if (std::ranges::none_of(scene.suggested, of_lights)) suggest_lights(scene);
+        suggest_casters(scene);
     } catch (const std::bad_alloc&) {
         context.fail("there is not enough memory to load it", "free some memory or use a smaller model");
     } catch (const Json::exception& error) {

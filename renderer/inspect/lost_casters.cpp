@@ -44,7 +44,7 @@ std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& setting
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
-        if (mesh.indices.empty()) continue;
+        if (mesh.indices.empty() || object.ground) continue;
         Cull cull = Cull(settings.caster.cull);
         if (!settings.objects.empty()) {
             const auto own = settings.objects.find(scene.nodes[std::size_t(object.node)].path);

@@ -260,6 +260,7 @@ void add_part(std::vector<IndexRange>& parts, IndexRange next) {
 }
 
 bool casts_at_all(const Scene& scene, const Settings& settings, const Object& object) {
+    if (object.ground) return false;
     const int material = scene.meshes[std::size_t(object.mesh)].material;
     const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
     if (blended && settings.caster.blend == int(BlendCasters::None)) return false;

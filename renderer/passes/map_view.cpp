@@ -168,6 +168,7 @@ void add_map_view_passes(FrameState& f) {
         const ViewSettings& s = f.settings.view;
         const glm::vec2 greys = f.grey_range();
         glUniform1i(glGetUniformLocation(id, "mode"), s.map);
+        glUniform1i(glGetUniformLocation(id, "colours"), s.map_colours);
         glUniform4f(glGetUniformLocation(id, "range"), greys.x, greys.y, float(s.band_low), float(s.band_high));
         FrameState::draw_fullscreen(info);
     };

@@ -1,7 +1,11 @@
-// The lit picture. Evaluates visibility itself unless the visibility texture exists anyway.
+// The lit picture. Evaluates visibility itself unless the visibility texture exists anyway. And the mean of several,
+// for a view that rests.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "renderer/passes/camera_pass.h"
+#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
@@ -13,7 +17,7 @@ struct ShadedTargets {
 
 constexpr glm::vec4 kBackground(0.155f, 0.165f, 0.185f, 1.f);  // sRGB; calm, darker than any lit surface
 
-void draw_blended(const FrameState& f, PassInfo& info) {
+void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo& info) {
     std::vector<const Batch*> batches;
     for (const Batch& b : f.gl.scene->batches())
         if (b.blend) batches.push_back(&b);
@@ -22,11 +26,13 @@ void draw_blended(const FrameState& f, PassInfo& info) {
     std::stable_sort(batches.begin(), batches.end(), [&](const Batch* a, const Batch* b) {
         return glm::dot(a->centre_ws - f.camera.eye, forward) > glm::dot(b->centre_ws - f.camera.eye, forward);
     });
+    defines.push_back({"BLEND", "1"});
+    f.gl.scene->bind(f.scene, f.settings, f.origin, 0);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     for (const Batch* b : batches) {
-        glUseProgram(f.batch_program("passes/scene.vert.glsl", "passes/shade.frag.glsl", {{"BLEND", "1"}}, *b, false));
+        glUseProgram(f.batch_program("passes/scene.vert.glsl", "passes/shade.frag.glsl", defines, *b, false));
         f.bind_textures(*b);
         b->double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
         glCullFace(GL_BACK);
@@ -39,23 +45,129 @@ void draw_blended(const FrameState& f, PassInfo& info) {
     glDepthMask(GL_TRUE);
 }
 
-/// @param separate visibility is bound, and not evaluated by the shader
-void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& info) {
-    std::vector<gl::Define> extra;
+/// Where nothing was drawn. Its depth is the cleared one, so that what is covered costs no fragment.
+void draw_sky(const FrameState& f, std::span<const gl::Define> look, PassInfo& info) {
+    glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/sky.frag.glsl", {look.begin(), look.end()}));
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_FALSE);
+    glBindVertexArray(f.gl.empty_vao.id());
+    FrameState::draw_fullscreen(info);
+    glDepthMask(GL_TRUE);
+}
+
+std::vector<gl::Define> look_defines(const FrameState& f) {
+    const ShadingSettings& s = f.settings.shading;
+    return {{"SKY_LIGHTS", s.sky == int(SkyLook::Gradient) ? "1" : "0"},
+            {"CURVE_FILMIC", s.curve == int(ToneCurve::Filmic) ? "1" : "0"},
+            {"EXPOSED", s.exposure != 0 ? "1" : "0"},
+            {"BACKGROUND", fmt::format("vec3({}, {}, {})", kBackground.r, kBackground.g, kBackground.b)}};
+}
+
+/// Into the framebuffer that is bound. @param separate visibility is bound, and not evaluated by the shader
+void shade(const FrameState& f, bool separate, PassInfo& info) {
+    const std::vector<gl::Define> look = look_defines(f);
+    std::vector<gl::Define> extra = look;
     if (separate) extra.push_back({"SEPARATE_VISIBILITY", "1"});
-    CameraPass pass(f, "shaded picture", GL_RGBA8, target);
-    pass.clear(kBackground);
     const auto draw = [&](const char* which) {
         std::vector<gl::Define> defines = extra;
         if (which) defines.push_back({which, "1"});
-        pass.draw("passes/shade.frag.glsl", defines, info);
+        f.draw_from_camera("passes/shade.frag.glsl", defines, info);
     };
     // The dim pass does by an alpha test and an equal depth what one shader could, so that it costs what it did.
     if (f.settings.shading.composition == int(Composition::DimLit))
         draw("DIM_PASS"), draw("LIT_PASS");
     else
         draw(nullptr);
-    draw_blended(f, info);
+    if (f.settings.shading.sky == int(SkyLook::Gradient)) draw_sky(f, look, info);
+    draw_blended(f, look, info);
+}
+
+void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& info) {
+    CameraPass pass(f, "shaded picture", GL_RGBA8, target);  // whose framebuffer is drawn into
+    pass.clear(kBackground);
+    shade(f, separate, info);
+}
+
+struct SmoothTargets {
+    gl::Target one, depth;  ///< of one picture
+    gl::Target sum, mean;
+    std::uint64_t of = 0;  ///< key of what is summed up
+    int count = 0;
+};
+
+/// Sixteenths of a pixel, as multisampling of 8 places them: each row and each column of eighths once.
+constexpr glm::ivec2 kPlaces[kSmoothedMost] = {{1, -3}, {-1, 3}, {5, 1}, {-3, -5}, {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
+
+/// One shading of a camera turned by part of a pixel, added to the sum.
+void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& info) {
+    const glm::dvec2 part = glm::dvec2(place) / 16.0;
+    shared::FrameBlock block = frame_block(f);
+    const glm::dvec2 ndc = 2.0 * part / glm::dvec2(f.request.width, f.request.height);
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 2; ++r) block.clip_from_relative[c][r] += float(ndc[r]) * block.clip_from_relative[c][3];
+    put_frame_block(f, block);
+    {
+        const gl::Framebuffer into = gl::make_framebuffer("one of a smooth picture", &t.one, &t.depth);
+        f.begin_camera_pass(into.id());
+        const float far_depth = float(f.camera.curve.convention.far_depth());
+        glClearNamedFramebufferfv(into.id(), GL_COLOR, 0, &kBackground.x);
+        glClearNamedFramebufferfv(into.id(), GL_DEPTH, 0, &far_depth);
+        shade(f, false, info);
+    }
+    put_frame_block(f, frame_block(f));
+}
+
+/// A picture times `scale` into another, which is replaced or added to.
+void blend_into(const FrameState& f, const gl::Target& from, const gl::Target& to, float scale, bool add,
+                PassInfo& info) {
+    const gl::Framebuffer into = gl::make_framebuffer("smooth picture", &to, nullptr);
+    f.begin_fullscreen_pass(into.id(), to.width, to.height);
+    if (add) glEnable(GL_BLEND), glBlendFunc(GL_ONE, GL_ONE);
+    const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/smooth.frag.glsl");
+    glUseProgram(id);
+    glUniform1f(glGetUniformLocation(id, "scale"), scale);
+    glBindTextureUnit(shared::UNIT_SHADED, from.texture.id());
+    FrameState::draw_fullscreen(info);
+    glDisable(GL_BLEND);
+}
+
+void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, PassInfo& info) {
+    const int w = f.request.width, h = f.request.height;
+    bool anew = t.of != of || t.count >= count || f.request.force;
+    anew |= t.one.ensure("one of a smooth picture", GL_RGBA8, w, h);
+    anew |= t.depth.ensure("depth of a smooth picture", GL_DEPTH_COMPONENT32F, w, h);
+    anew |= t.sum.ensure("sum of a smooth picture", GL_RGBA16F, w, h);
+    t.mean.ensure("smooth picture", GL_RGBA8, w, h);
+    if (anew) t.count = 0;
+    t.of = of;
+    for (; t.count < count; ++t.count) {
+        add_shading(f, t, kPlaces[t.count], info);
+        blend_into(f, t.one, t.sum, 1, t.count > 0, info);
+    }
+    blend_into(f, t.sum, t.mean, 1.f / float(count), false, info);
+    info.reason += fmt::format("; {} of {} shadings are in it", count, kSmoothedMost);
+}
+
+/// @param of key of the picture that is made smooth
+void add_smooth_pass(FrameState& f, std::uint64_t of) {
+    SmoothTargets& t = f.gl.owned.get<SmoothTargets>();
+    f.plan.place(Result::Smooth, {&t.mean});
+    if (!f.settings.view.smooth) f.plan.release([&t] { t = {}; });
+    Pass pass;
+    pass.name = "smoothing at rest";
+    pass.category = PassCategory::Tool;
+    pass.reads = lookup_reads(f);
+    pass.writes = {Result::Smooth};
+    pass.idle_reason = "the view moves, or nobody asks for a smooth picture";
+    const int count = std::min(f.request.smoothed, kSmoothedMost);
+    bool fused = true;
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
+        fused &= !f.has_contacts(i) && (!f.gl.fitted[i].shadowed || source_of(f.settings, int(i)).fused);
+    if (!fused) pass.unneeded = "visibility is drawn apart, of the picture's own pixels";
+    pass.key = Key().add(of).add(count).value();
+    pass.cached = &t.mean.key;
+    pass.run = [&f, &t, of, count](PassInfo& info) { draw_smooth(f, t, of, count, info); };
+    f.plan.add(std::move(pass));
 }
 
 }  // namespace
@@ -75,7 +187,7 @@ void add_true_shade_pass(FrameState& f) {
         f.plan.add(std::move(pass));
         return;
     }
-    pass.key = f.shown_light_key().add(f.truth.key).value();
+    pass.key = f.with_settings(f.shown_light_key(), ReadBy::Shading).add(f.truth.key).value();
     pass.cached = &t.true_picture.key;
     pass.run = [&f, &t](PassInfo& info) {
         const gl::Target& drawn = f.result(Result::Visibility);
@@ -99,10 +211,12 @@ void add_shade_pass(FrameState& f) {
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
     pass.writes = {Result::Shaded};
     pass.idle_reason = "the picture was not asked for";
-    pass.key = f.lighting_key().add(f.separate_visibility).value();
+    pass.key = f.with_settings(f.lighting_key(), ReadBy::Shading).add(f.separate_visibility).value();
     pass.cached = &picture.key;
+    const std::uint64_t key = pass.key;
     pass.run = [&f, &picture](PassInfo& info) { draw_picture(f, picture, f.separate_visibility, info); };
     f.plan.add(std::move(pass));
+    add_smooth_pass(f, key);
 }
 
 }  // namespace si

@@ -409,7 +409,7 @@ std::vector<std::uint8_t> joins_of(const Receivers& receivers) {
 ErrorMetrics metrics_of(const PixelSums& sums, const Truth& truth) {
     ErrorMetrics m;
     m.pixels = truth.pixels;
-    m.counted = truth.counted();
+    m.counted = truth.counted(), m.ground_pixels = truth.on_ground;
     const double n = double(std::max<std::size_t>(m.counted, 1));
     for (const Metric& metric : metrics())
         if (metric.counts != Counts::Otherwise) m.*metric.member = counted_by(metric, sums) / n;

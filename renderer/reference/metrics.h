@@ -58,6 +58,7 @@ struct ErrorMetrics {
            outside_false_shadow = 0, outside_false_light = 0, any_acne = 0, within_noise = 0, mae = 0, rmse = 0,
            signed_mean = 0, iou = 1, boundary_px_mean = 0, boundary_px_p95 = 0, boundary_px_max = 0, outside_map = 0;
     std::array<std::size_t, kPixelStates> pixels{};   ///< per PixelState: what was counted, and what not and why
+    std::size_t ground_pixels = 0;                    ///< of the counted: on the ground under a model
     std::array<std::size_t, kArtefacts> artefacts{};  ///< wrong pixels per cause; None: all others
 };
 

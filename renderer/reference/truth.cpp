@@ -353,6 +353,10 @@ Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, cons
         out.point_visibility = out.visibility;
         tracer.trace_area(workers.part(0.05, 1));
     }
+    const auto& objects = scene.geometry().objects;
+    if (!objects.empty() && objects.back().ground)
+        for (std::size_t i = 0; i < out.state.size(); ++i)
+            out.on_ground += out.state[i] == PixelState::Counted && objects[receivers.pixels[i].object].ground;
     std::uint64_t bytes = array_bytes(out.state);
     for (const FloatImage* i :
          {&out.visibility, &out.point_visibility, &out.standard_error, &out.nearest_m, &out.blocker_m})

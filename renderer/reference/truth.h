@@ -84,6 +84,7 @@ struct Truth {
     /// would store that loses no caster. NaN where the surface is lit. Empty without TruthOptions::nearest.
     FloatImage blocker_m;
     std::array<std::size_t, kPixelStates> pixels{};  ///< per state
+    std::size_t on_ground = 0;                       ///< counted pixels of the ground under a model
     std::uint64_t rays = 0;                          ///< to the light
     /// Area: root mean square of the counted pixels' standard errors that are known; NaN when none is.
     double noise = 0;

@@ -71,8 +71,8 @@ TruthGeometry::TruthGeometry(const Scene& scene, const Settings& settings)
     for (const Object& object : scene.objects) {
         const Material& material = material_of(scene, scene.meshes[std::size_t(object.mesh)]);
         const bool transparent = material.alpha == AlphaMode::Blend && !blend_casts(settings);
-        objects.push_back(
-            {copier.mesh(object.mesh), object.world, settings_of(scene, settings, object).cast && !transparent});
+        const bool casts = !object.ground && !transparent && settings_of(scene, settings, object).cast;
+        objects.push_back({copier.mesh(object.mesh), object.world, casts, object.ground});
     }
     std::set<const TruthMesh*> meshes;
     std::uint64_t bytes = 0;

@@ -25,6 +25,7 @@ struct TruthObject {
     std::shared_ptr<const TruthMesh> mesh;
     glm::dmat4 world{1.0};
     bool casts = true;
+    bool ground = false;  ///< Object::ground
 };
 
 /// A corner's place in double: the object's transform is never rounded.

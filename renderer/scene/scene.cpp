@@ -322,7 +322,7 @@ void finalise_meshes(Scene& scene) {
 void place_objects(Scene& scene) {
     std::size_t dropped = 0;
     std::string first;
-    scene.bounds = {};
+    scene.bounds = scene.ground_bounds = {};
     std::erase_if(scene.objects, [&](Object& o) {
         o.world = scene.nodes[o.node].world * o.instance;
         const Bounds b = finite(o.world) ? scene.meshes[o.mesh].bounds.transformed(o.world) : Bounds{};
@@ -330,7 +330,7 @@ void place_objects(Scene& scene) {
         const bool near_enough = glm::all(glm::lessThan(glm::abs(b.lo), glm::dvec3(kFarthest_m))) &&
                                  glm::all(glm::lessThan(glm::abs(b.hi), glm::dvec3(kFarthest_m)));
         if (near_enough) {
-            scene.bounds.add(b);
+            (o.ground ? scene.ground_bounds : scene.bounds).add(b);
             return false;
         }
         if (dropped++ == 0) first = scene.nodes[o.node].path;
@@ -375,7 +375,7 @@ Bounds Bounds::transformed(const glm::dmat4& m) const {
 
 std::size_t Scene::triangle_count() const {
     std::size_t count = 0;
-    for (const Object& o : objects) count += meshes[o.mesh].indices.size() / 3;
+    for (const Object& o : objects) count += o.ground ? 0 : meshes[o.mesh].indices.size() / 3;
     return count;
 }
 
@@ -414,10 +414,11 @@ void refresh(Scene& scene) {
         if (!all_finite(mesh.positions)) mesh.indices.clear();
         drop_degenerate(mesh, mesh.name);
     }
-    scene.bounds = {};
+    scene.bounds = scene.ground_bounds = {};
     for (Object& o : scene.objects) {
         o.world = scene.nodes[o.node].world * o.instance;
-        if (finite(o.world)) scene.bounds.add(scene.meshes[o.mesh].bounds.transformed(o.world));
+        if (!finite(o.world)) continue;
+        (o.ground ? scene.ground_bounds : scene.bounds).add(scene.meshes[o.mesh].bounds.transformed(o.world));
     }
     scene.id = next_scene_id();
 }

@@ -90,6 +90,7 @@ struct Object {
     int mesh = 0;
     glm::dmat4 instance{1.0};  ///< applied before the node's world transform
     glm::dmat4 world{1.0};     ///< set by finalise()
+    bool ground = false;       ///< see add_ground(): receives, never casts, and is no part of Scene::bounds
 };
 
 struct SceneCamera {
@@ -129,13 +130,14 @@ struct Scene {
     /// Settings that suit this scene (key, value), used where the user set nothing.
     std::vector<std::pair<std::string, std::string>> suggested;
     std::vector<std::string> warnings;  ///< what was dropped or approximated, and why
-    Bounds bounds;                      ///< world; set by finalise()
+    Bounds bounds;                      ///< world, without the ground; set by finalise()
+    Bounds ground_bounds;               ///< world, of the ground put under it; empty: there is none. Likewise
     std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys
     std::size_t dropped_triangles = 0;  ///< degenerate, set by finalise()
     std::shared_ptr<const Rig> rig;     ///< animations; null: nothing moves
     HeldMemory held;                    ///< what it takes; set by finalise()
 
-    std::size_t triangle_count() const;  ///< over objects, instances counted
+    std::size_t triangle_count() const;  ///< over objects, instances counted, without the ground
 };
 
 /// Drops non-finite meshes and degenerate triangles (with warnings), makes missing normals flat, computes

@@ -79,7 +79,7 @@ std::uint64_t kind_of(const Scene& scene, const Settings& settings, const Object
     const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
     Key key;
     key.add(mesh.uv.empty()).add(mesh.uv_normal.empty()).add(mesh.tangents.empty()).add(mesh.colours.empty());
-    key.add(glm::determinant(glm::dmat3(object.world)) < 0).add(mesh.material >= 0);
+    key.add(object.ground).add(glm::determinant(glm::dmat3(object.world)) < 0).add(mesh.material >= 0);
     if (mesh.material >= 0) {
         const Material& m = scene.materials[std::size_t(mesh.material)];
         key.add(m.alpha).add(m.double_sided).add(m.unlit);

@@ -182,7 +182,10 @@ Scene make_stage_scene() {
     add_figure(scene, add_figure_meshes(scene, wood, joints), "Figure", root, moved(-0.75, 0, 0.75) * turned(18), pose);
 
     add_camera(scene, {-2.3, 3.25, 9.1}, {0.12, 0.98, -0.6}, 35);
-    scene.suggested = {{"light.azimuth", "72"}, {"light.elevation", "36"}};
+    // Low and from the right, a little from behind: the figure stands in the light before the wall's shade, and the
+    // shadows of leaves and pickets cross the free ground before it.
+    scene.suggested = {
+        {"light.azimuth", "116"}, {"light.elevation", "25"}, {"light.intensity", "2"}, {"shading.ambient", "0.17"}};
     finalise(scene);
     return scene;
 }

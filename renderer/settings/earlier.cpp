@@ -8,6 +8,7 @@ namespace {
 // Never edited, only added to: a default that changes puts what it was here.
 constexpr EarlierDefault kEarlierDefaults[] = {
     {.version = 1, .key = "light.fit", .value = "scene"},
+    {.version = 1, .key = "scene.ground", .value = "off"},
 };
 
 }  // namespace

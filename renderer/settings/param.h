@@ -43,6 +43,7 @@ enum class ReadBy : unsigned {
     Visibility = 1 << 9,    ///< the pass of that name
     Blobs = 1 << 10,        ///< that draw them
     Pages = 1 << 11,        ///< that keep pages of virtual maps
+    Shading = 1 << 12,      ///< that shade the picture
 };
 constexpr ReadBy operator|(ReadBy a, ReadBy b) {
     return ReadBy(unsigned(a) | unsigned(b));

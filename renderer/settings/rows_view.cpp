@@ -15,6 +15,20 @@ constexpr Choice kCompositions[] = {
      "an alpha test of 0.99: whatever the filter, a pixel is lit or it is not. Blended surfaces take one pass."},
 };
 
+constexpr Choice kSkies[] = {
+    {"plain", "plain",
+     "A flat grey background, and ambient light that is the same from everywhere: for eyes that measure."},
+    {"gradient", "gradient",
+     "A sky whose colours follow the sun's height (the brightest directional light's). Ambient light comes from it "
+     "above and from the ground below, so that what lies in shadow keeps its form."},
+};
+constexpr Choice kCurves[] = {
+    {"plain", "plain", "Encoded as sRGB; what is brighter than white is cut off."},
+    {"filmic", "filmic",
+     "Dark tones are deepened a little and bright ones run out softly, so that several lights do not become paper: "
+     "white is four times as bright as a lit white surface was."},
+};
+
 constexpr auto kShading = std::to_array<Param>({
     {SI_FIELD(shading.ambient), .label = "Ambient", .unit = "", .min = 0, .max = 10,
      .help = "Share of light that comes from everywhere and is never shadowed: colour = (ambient + visibility * "
@@ -27,6 +41,14 @@ constexpr auto kShading = std::to_array<Param>({
     {SI_FIELD(shading.shininess), .label = "Shininess", .unit = "", .min = 1, .max = 1024, .logarithmic = true,
      SI_IDLE(s.shading.specular == 0, "without effect: shading.specular is 0"),
      .help = "Exponent of the Blinn-Phong highlight; larger is smaller and sharper.", .shader = true},
+    {SI_FIELD(shading.sky), .label = "Sky", .unit = "", SI_CHOICES(kSkies),
+     .help = "What stands behind the scene and lights its shadows. No visibility depends on it.",
+     .read_by = ReadBy::Shading},
+    {SI_FIELD(shading.exposure), .label = "Exposure", .unit = "EV", .min = -8, .max = 8,
+     .help = "Brightens the picture, sky included, by powers of two before the tone curve.",
+     .read_by = ReadBy::Shading},
+    {SI_FIELD(shading.curve), .label = "Tone curve", .unit = "", SI_CHOICES(kCurves),
+     .help = "How light becomes the picture's colours. No visibility depends on it.", .read_by = ReadBy::Shading},
     {SI_FIELD(shading.composition), .label = "Composition", .unit = "", .cost = Cost::Program,
      SI_CHOICES(kCompositions), .help = "How light and shadow become a picture.", .shader = true},
     {SI_FIELD(shading.dim), .label = "Dim light", .unit = "", .min = 0, .max = 1,
@@ -106,6 +128,13 @@ constexpr Choice kPlacedAlong[] = {
     {"z", "z", "Along the world's z axis."},
 };
 
+constexpr Choice kGrounds[] = {
+    {"auto", "where there is none",
+     "A file without a large level surface is stood on a ground, which receives shadows and casts none. Maps are not "
+     "made larger for it, and its pixels are counted apart. Built-in scenes have their own."},
+    {"off", "off", "The file as it is."},
+};
+
 constexpr auto kScene = std::to_array<Param>({
     {SI_FIELD(scene.index), .label = "Scene of the file", .unit = "", .min = -1, .max = 9999,
      .help =
@@ -127,6 +156,8 @@ constexpr auto kScene = std::to_array<Param>({
      .help =
          "By how much the scene is larger than its file has it, with its cameras and lights. The camera by hand and "
          "settings in metres grow with it; what --set says in metres is taken as it is."},
+    {SI_FIELD(scene.ground), .label = "Ground", .unit = "", SI_CHOICES(kGrounds),
+     .help = "Whether a loaded model is stood on a ground that shows its shadow."},
 });
 static_assert(kScene.size() == members<SceneSettings>(), "a member of SceneSettings has no row");
 

@@ -21,6 +21,11 @@ constexpr Choice kMapViews[] = {
      "Depth bands: red below view.band_low, green from there, blue above view.band_high. Most of a "
      "perspective map's depth is spent close to the near plane (the 90/10 rule)."},
 };
+constexpr Choice kMapColours[] = {
+    {"grey", "grey", "From black to white."},
+    {"turbo", "Turbo", "A rainbow of even lightness steps: shows small differences (Mikhailov, 2019)."},
+    {"viridis", "Viridis", "From dark violet to yellow, ordered by lightness too (van der Walt and Smith, 2015)."},
+};
 constexpr Choice kMapChannels[] = {
     {"depth", "depth", "The depth that the map stores."},
     {"moment-1", "moment 1", "The first number that the kernel reads in place of depths."},
@@ -133,6 +138,13 @@ constexpr auto kView = std::to_array<Param>({
      .help = "The value that the map viewer shows black, as a share of its range.", .read_by = ReadBy::MapView},
     {SI_FIELD(view.map_white), .label = "White at", .unit = "", .min = -1, .max = 2, .idle = grey_idle,
      .help = "The value that the map viewer shows white, as a share of its range.", .read_by = ReadBy::MapView},
+    {SI_FIELD(view.map_colours), .label = "Map colours", .unit = "", SI_CHOICES(kMapColours),
+     SI_IDLE(is_bands(s), kBandColours),
+     .help = "The colour ramp of the map viewer, in place of greys. Texels that hold nothing but the far plane are "
+             "hatched dark under each.",
+     .read_by = ReadBy::MapView},
+    {SI_FIELD(view.map_region), .label = "Outline of what is seen", .unit = "",
+     .help = "Outline in the map viewer what of the map lies in the camera's view."},
     {SI_FIELD(view.band_low), .label = "Lower band", .unit = "depth", .min = 0, .max = 1,
      SI_IDLE(!is_bands(s), "without effect: view.map is not bands"),
      .help = "Depths below this are red in the band view. Counted from the near plane, under reversed depth too.",
@@ -180,6 +192,9 @@ constexpr auto kView = std::to_array<Param>({
      .help = "Draw the box of each object that casts in the editor's view, as the light fit sees it; at most 2000."},
     {SI_FIELD(view.axes), .label = "Axes", .unit = "",
      .help = "Draw the world's axes in a corner of the editor's view; a click on an end looks along it."},
+    {SI_FIELD(view.smooth), .label = "Smooth at rest", .unit = "",
+     .help = "While nothing moves, the editor shows the mean of up to 8 pictures, each of a camera turned by part of a "
+             "pixel. Numbers, overlays and probes keep to the one picture. Off: pixels as they are."},
     {SI_FIELD(view.slabs), .label = "Stored-depth quads", .unit = "", SI_CHOICES(kSlabs), .idle = slabs_idle,
      .help = "Draw texels of the shown light's map into the scene, each as a flat quad where its stored depth lies. A "
              "surface is in shadow where it lies behind the quad of its texel: acne can be seen to come about. Texels "

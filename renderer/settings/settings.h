@@ -40,6 +40,10 @@ enum class MapSource { Light, Camera };
 enum class Panes { One, Two, Four };
 enum class OverlayRange { Declared, Fitted, Manual };
 enum class Composition { Ambient, DimLit };
+enum class SkyLook { Plain, Gradient };
+enum class ToneCurve { Plain, Filmic };
+enum class Ground { Auto, Off };
+enum class MapColours { Grey, Turbo, Viridis };
 enum class MapTransform { World, Eye };
 enum class MapOrigin { Near, World };
 enum class PlacedAlong { Aslant, X, Y, Z };
@@ -66,6 +70,7 @@ struct SceneSettings {
     double distance = 0;  ///< m
     int direction = 0;    ///< PlacedAlong
     double scale = 1;
+    int ground = 0;  ///< Ground
     bool operator==(const SceneSettings&) const = default;
 };
 
@@ -211,6 +216,9 @@ struct ShadingSettings {
     double diffuse = 0.75;
     double specular = 0.15;
     double shininess = 32;
+    int sky = 1;  ///< SkyLook
+    double exposure = 0;
+    int curve = 1;        ///< ToneCurve
     int composition = 0;  ///< Composition
     double dim = 0.2;
     bool textures = true;
@@ -224,6 +232,8 @@ struct ViewSettings {
     int map_channel = 0;  ///< 0 depth, else 1 + channel of the kernel's moments
     int map_mip = 0;
     bool map_fit = false;
+    int map_colours = 0;     ///< MapColours
+    bool map_region = true;  ///< outline of what the camera sees
     double map_black = 0, map_white = 1;
     double band_low = 0.9, band_high = 0.925;
     int light = 0;    ///< whose map and overlay are shown
@@ -237,7 +247,8 @@ struct ViewSettings {
     bool frustum = true;
     bool bounds = false;
     bool axes = true;
-    int slabs = 0;  ///< Slabs
+    bool smooth = true;  ///< anti-aliasing of a view that rests
+    int slabs = 0;       ///< Slabs
     double slabs_u = 0.5, slabs_v = 0.5;
     int slabs_texels = 32;
     bool operator==(const ViewSettings&) const = default;

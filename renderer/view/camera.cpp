@@ -4,9 +4,12 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "renderer/base/angles.h"
 #include "renderer/base/finite.h"
+#include "renderer/settings/param.h"
 #include "renderer/view/camera_settings.h"
 #include "renderer/view/projection.h"
 
@@ -14,6 +17,10 @@ namespace si {
 namespace {
 
 constexpr double kFramingMargin = 1.05;
+/// Of the picture that a model on a ground fills together with its shadow.
+constexpr double kFilled = 0.85;
+/// A shadow longer than so many times the model's size is not seen to its end.
+constexpr double kLongestShadow = 3;
 
 /// Right, up and back of a view from an azimuth and elevation. `right` comes from the azimuth alone, so that looking
 /// straight up or down is nothing special.
@@ -74,6 +81,47 @@ void frame_bounds(Camera& c, const Bounds& bounds) {
     c.focus = kFramingMargin * distance;
     c.height = 2 * c.focus * tan_y;  // for a change to an orthographic camera
     c.eye = bounds.centre() + c.axes[2] * c.focus;
+}
+
+/// Places the eye so that all points lie in the middle kFilled of the picture, and reach its ends.
+void frame_points(Camera& c, std::span<const glm::dvec3> points) {
+    const glm::dmat3 turn = glm::transpose(c.axes);
+    const double tan_y = kFilled * std::tan(0.5 * c.fov_y_rad), tan_x = tan_y * c.aspect;
+    // As seen along the view, z towards the eye: |x - eye.x| <= tan (eye.z - z).
+    glm::dvec4 most(-std::numeric_limits<double>::infinity());
+    double nearest = most.x, farthest = -most.x;
+    for (const glm::dvec3& p : points) {
+        const glm::dvec3 v = turn * p;
+        most = glm::max(most, glm::dvec4(tan_x * v.z + v.x, tan_x * v.z - v.x, tan_y * v.z + v.y, tan_y * v.z - v.y));
+        nearest = std::max(nearest, v.z), farthest = std::min(farthest, v.z);
+    }
+    const double along = std::max((most.x + most.y) / (2 * tan_x), (most.z + most.w) / (2 * tan_y));
+    c.eye = c.axes * glm::dvec3(0.5 * (most.x - most.y), 0.5 * (most.z - most.w), along);
+    c.focus = std::max(along - 0.5 * (nearest + farthest), 1e-12);
+    c.height = 2 * c.focus * std::tan(0.5 * c.fov_y_rad);
+}
+
+/// Where the scene suggests its first light, or the program does: a light that is turned leaves the camera alone.
+glm::dvec3 suggested_light(const Scene& scene) {
+    Settings s;
+    for (const auto& [key, value] : scene.suggested)
+        if (key == "light.azimuth" || key == "light.elevation" || key == "light.0.azimuth" ||
+            key == "light.0.elevation")
+            set_setting(s, key, value);
+    return direction_from_angles(s.lights[0].azimuth, s.lights[0].elevation);
+}
+
+/// The corners of the bounds, and their shadows on the ground as the scene is first shown.
+std::vector<glm::dvec3> points_with_shadow(const Scene& scene, const Bounds& bounds) {
+    const Box box = bounds.corners();
+    std::vector<glm::dvec3> points(box.begin(), box.end());
+    const glm::dvec3 to_light = suggested_light(scene);
+    const double level = scene.ground_bounds.hi.y, longest = kLongestShadow * 2 * bounds.radius();
+    for (const glm::dvec3& p : box) {
+        const glm::dvec3 cast = to_light * ((level - p.y) / to_light.y);
+        if (to_light.y > 0 && glm::length(cast) <= longest) points.push_back(p + cast);
+    }
+    return points;
 }
 
 /// The axes of a scene camera, made orthonormal; false when its transform is singular.
@@ -192,10 +240,16 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
         c.axes = orbit_axes(standard.azimuth, standard.elevation, 0);
         c.orthographic = false;
         c.fov_y_rad = clamped_fov_rad(standard.fov);
-        frame_bounds(c, bounds);
+        if (scene.ground_bounds.empty()) {
+            frame_bounds(c, bounds);
+        } else {
+            frame_points(c, points_with_shadow(scene, bounds));
+        }
     }
     c.curve.perspective = !c.orthographic;
-    fit_range(c, bounds, near, far);
+    Bounds seen = bounds;
+    seen.add(scene.ground_bounds);
+    fit_range(c, seen, near, far);
     return c;
 }
 

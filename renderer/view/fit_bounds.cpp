@@ -51,15 +51,17 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
         if (mesh.indices.size() < 3 || mesh.bounds.empty()) continue;
         s.triangles = true;
         const ObjectSettings own = settings_of(scene, settings, o);
-        s.casters = s.casters || own.cast;
+        const bool casts = own.cast && !o.ground;
+        s.casters = s.casters || casts;
         s.receivers = s.receivers || own.receive;
-        if (scene.objects.size() > kMaxFitObjects) continue;
+        if (scene.objects.size() > kMaxFitObjects && !o.ground) continue;
         const Box box = mesh.bounds.corners(o.world);
         if (!finite(box)) continue;
         auto& known = planes[std::size_t(o.mesh)];
         if (!known) known = plane_of(mesh);
         const std::optional<HalfSpace> plane = *known ? transformed(**known, o.world) : std::nullopt;
-        add_box(s, box, own.cast, own.receive, std::size_t(&o - scene.objects.data()), plane);
+        if (o.ground) s.ground = s.boxes.size();
+        add_box(s, box, casts, own.receive, std::size_t(&o - scene.objects.data()), plane);
     }
     Bounds bounds = scene.bounds;
     if (bounds.empty() || !std::isfinite(bounds.radius())) {
@@ -68,12 +70,38 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
             for (const glm::dvec3& p : box) bounds.add(p);
     }
     if (bounds.empty()) bounds = {glm::dvec3(-1), glm::dvec3(1)};
-    s.one_box = s.boxes.empty();
+    s.one_box = s.boxes.size() == (s.ground ? 1 : 0);
     if (s.one_box) add_box(s, bounds.corners(), s.casters, s.receivers, 0, std::nullopt);
     s.centre = bounds.centre();
     // A single point still needs a size: what a double resolves at its distance from the origin.
     s.radius = std::max({bounds.radius(), 1e-7, glm::length(s.centre) * 0x1p-38});
     return s;
+}
+
+SceneShape with_shadowed_ground(const SceneShape& shape, const PlacedLight& light) {
+    SceneShape out = shape;
+    Box& ground = out.boxes[*out.ground];
+    const double level = ground[7].y;
+    Bounds shadowed;
+    bool everywhere = false;
+    for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
+        if (!shape.box_casts[i]) continue;
+        for (const glm::dvec3& p : shape.boxes[i]) {
+            const glm::dvec3 from = light.type == LightType::Directional ? light.to_light : light.position - p;
+            const double steps = (p.y - level) / from.y;
+            everywhere |= !(from.y > 0) && p.y > level;
+            if (from.y > 0 && std::isfinite(steps)) shadowed.add(p - from * steps);
+        }
+    }
+    if (light.type == LightType::Directional && !(light.to_light.y > 0)) shadowed = {}, everywhere = false;
+    if (everywhere) return out;
+    // Where nothing casts onto it, a point of it under the scene says no more than the scene does.
+    const glm::dvec3 lo = ground[0], hi = ground[7], middle = 0.5 * (lo + hi);
+    if (shadowed.empty()) shadowed.add(middle);
+    Bounds part;
+    for (const glm::dvec3& p : {shadowed.lo, shadowed.hi}) part.add(glm::clamp(p, lo, hi));
+    ground = part.corners();
+    return out;
 }
 
 ViewExtent extent_of(std::span<const glm::dvec3> points, const LightView& view) {
@@ -97,8 +125,13 @@ ViewExtent extent_within(const Box& box, const LightView& view) {
 }
 
 ViewExtent extent_of(const SceneShape& shape, const LightView& view) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
     ViewExtent all;
-    for (const Box& box : shape.boxes) all.add(extent_of(box, view));
+    for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
+        ViewExtent e = extent_of(shape.boxes[i], view);
+        if (i == shape.ground) e.lo.x = e.lo.y = kFar, e.hi.x = e.hi.y = -kFar;
+        all.add(e);
+    }
     return all;
 }
 

@@ -26,6 +26,7 @@ struct SceneShape {
     /// Of objects whose triangles all lie in one plane, within box_tolerance.
     std::vector<std::optional<HalfSpace>> box_planes;
     std::vector<double> box_tolerance;  ///< metres
+    std::optional<std::size_t> ground;  ///< which box is that of the ground under a model; nothing: there is none
     bool triangles = false;             ///< the scene has any
     bool casters = false;               ///< an object with triangles casts
     bool receivers = false;             ///< an object with triangles receives shadows
@@ -34,6 +35,9 @@ struct SceneShape {
 /// Boxes of all objects; above 20000 objects the scene's box stands for them. Always finite, also for empty scenes.
 /// Meshes are read to find the flat ones.
 SceneShape scene_shape(const Scene& scene, const Settings& settings);
+
+/// The shape as a light's maps have to hold it: of the ground under a model no more than where casters may shadow it.
+SceneShape with_shadowed_ground(const SceneShape& shape, const PlacedLight& light);
 
 /// Extent in a view: x and y across, z metres along the axis (positive in front).
 struct ViewExtent {
@@ -44,6 +48,7 @@ struct ViewExtent {
 };
 
 ViewExtent extent_of(std::span<const glm::dvec3> points, const LightView& view);
+/// Of a ground under a model only how deep it lies counts.
 ViewExtent extent_of(const SceneShape& shape, const LightView& view);
 
 /// Of what lies of a box within the sides of a parallel view.

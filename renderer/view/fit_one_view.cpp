@@ -40,8 +40,9 @@ void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, d
 void fit_perspective(FittedLight& light, LightView view, const FitContext& c, double tan_half) {
     if (tan_half <= 0) {
         double tangent = kMinHalfAngle;
-        for (const Box& box : c.shape.boxes)
-            for (const glm::dvec3& p : box) {
+        for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
+            for (const glm::dvec3& p : c.shape.boxes[i]) {
+                if (i == c.shape.ground) break;
                 const glm::dvec3 v = glm::transpose(view.axes) * (p - view.eye);
                 const double aside = std::max(std::abs(v.x), std::abs(v.y));
                 tangent = std::max(tangent, -v.z > 0 ? aside / -v.z : std::tan(kMaxHalfAngle));

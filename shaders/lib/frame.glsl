@@ -26,11 +26,17 @@ ViewBlock view_of(int layer) {
 
 vec4 frame_eye() { return frame_texel(FRAME_EYE_AT); }
 vec4 frame_pixel() { return frame_texel(FRAME_PIXEL_AT); }
+vec4 frame_ambient() { return frame_texel(FRAME_AMBIENT_AT); }
+vec4 frame_ambient_rise() { return frame_texel(FRAME_AMBIENT_AT + 1); }
+vec4 frame_sky_sun() { return frame_texel(FRAME_AMBIENT_AT + 5); }
 #else
 LightBlock light_of(int index) { return frame.lights[index]; }
 ViewBlock view_of(int layer) { return frame.views[layer]; }
 vec4 frame_eye() { return frame.eye; }
 vec4 frame_pixel() { return frame.pixel; }
+vec4 frame_ambient() { return frame.ambient; }
+vec4 frame_ambient_rise() { return frame.ambient_rise; }
+vec4 frame_sky_sun() { return frame.sky_sun; }
 #endif
 
 /// Whether rays run from one point: only then does depth crowd along them. A warped view's w changes across its rays.

@@ -2,8 +2,10 @@
 #include "lib/depth.glsl"
 #include "lib/shown_depth.glsl"
 #include "shared/colours.h"
+#include "lib/map_colours.glsl"
 uniform int mode;    // 0 raw, 1 linear, 2 bands
 uniform vec4 range;  // black, white, lower and upper band threshold
+uniform int colours; // 0 grey, 1 Turbo, 2 Viridis
 in vec2 picture_uv;
 layout(location = 0) out vec4 colour_out;
 
@@ -28,5 +30,12 @@ void main() {
                                              : BAND_FAR, 1.0);
         return;
     }
-    colour_out = vec4(vec3(clamp((value - range.x) / max(range.y - range.x, 1e-9), 0.0, 1.0)), 1.0);
+#ifndef FROM_CHANNEL
+    if (stored == (reversed ? 0.0 : 1.0)) {  // nothing was drawn here
+        float across = fract((gl_FragCoord.x + gl_FragCoord.y) / HATCH_PIXELS);
+        colour_out = vec4(across < 0.25 ? HATCH_LINE : HATCH_BETWEEN, 1.0);
+        return;
+    }
+#endif
+    colour_out = vec4(map_colour(colours, clamp((value - range.x) / max(range.y - range.x, 1e-9), 0.0, 1.0)), 1.0);
 }

@@ -4,21 +4,15 @@
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
 #include "lib/arriving.glsl"
+#include "lib/tone.glsl"
+#ifdef GROUND
+#include "lib/sky.glsl"
+#endif
 
 #ifdef SEPARATE_VISIBILITY
 layout(binding = UNIT_VISIBILITY) uniform sampler2DArray visibility_map;
 #endif
 layout(location = 0) out vec4 colour_out;
-
-/// Encoded as sRGB (IEC 61966-2-1), within a tenth of one of 255 steps: above the linear part the curve is 1.055 s^(5/6) - 0.055 of
-/// the root s, of which a polynomial of fifth degree has the least largest error; it
-/// rises beyond 1, where what is drawn into holds it.
-vec3 srgb(vec3 c) {
-    c = max(c, 0.0);
-    vec3 s = sqrt(c);
-    vec3 curve = ((((0.5173020 * s - 1.6236548) * s + 2.0315693) * s - 1.4027332) * s + 1.5179501) * s - 0.0401096;
-    return mix(12.92 * c, curve, greaterThan(c, vec3(0.0031308)));
-}
 
 /// Of the highlight: the cosine to the half vector, to the power of the shininess. By squarings where that is a power of
 /// two: those spare the root, too, as the half vector's length squared is 2 + 2 l.v.
@@ -71,18 +65,42 @@ void main() {
     if (base.a < surface.y) discard;
 #endif
     Surface s = make_surface();
+#if SKY_LIGHTS
+    vec4 ambient = frame_ambient();
+    // Brighter where the sky is: above, and on the sun's side.
+    vec4 rise = frame_ambient_rise();
+    vec3 sum = ambient.rgb + rise.rgb * (s.shading.y + rise.w * dot(s.shading.xz, frame_sky_sun().xz));
+#else
     vec3 sum = vec3(shading_ambient);
+#endif
 #define ADD_LIGHT(i) sum += light_share(i, s);
     EACH_SHINING_LIGHT(ADD_LIGHT)
 #ifdef LIT_PASS
     if (!any_lit) discard;
 #endif
+#if EXPOSED
+#if SKY_LIGHTS
+    sum *= ambient.w;
+#else
+    sum *= frame_ambient().w;
+#endif
+#endif
+    vec3 colour = toned(sum * base.rgb);
 #ifdef SURFACE_FLAGS
-    if (surface.z > 0.5) sum = vec3(1.0);
+    if (surface.z > 0.5) colour = srgb(base.rgb);
+#endif
+#ifdef GROUND
+    // A disc under a model ends in what lies behind it.
+    float out_there = smoothstep(0.5, 1.0, distance(s.position.xz, frame.ground.xz) * frame.ground.w);
+#if SKY_LIGHTS
+    colour = mix(colour, toned(sky_colour(-s.to_eye)), out_there);
+#else
+    colour = mix(colour, BACKGROUND, out_there);
+#endif
 #endif
 #ifdef BLEND
-    colour_out = vec4(srgb(sum * base.rgb), base.a);
+    colour_out = vec4(colour, base.a);
 #else
-    colour_out = vec4(srgb(sum * base.rgb), 1.0);
+    colour_out = vec4(colour, 1.0);
 #endif
 }

@@ -28,6 +28,10 @@ const vec3 BAND_FAR = vec3(0.25, 0.43, 0.89);
 const vec3 PAGE_NOT_THERE = vec3(0.10, 0.13, 0.22), PAGE_IS_KEPT = vec3(0.20, 0.65, 0.25);
 const vec3 PAGE_IS_DRAWN = vec3(0.93, 0.55, 0.10), PAGE_IS_COARSER = vec3(0.80, 0.20, 0.55);
 
+// Texels of a depth image that hold nothing: stripes, quieter than any depth beside them.
+const vec3 HATCH_LINE = vec3(0.15, 0.16, 0.18), HATCH_BETWEEN = vec3(0.10, 0.11, 0.13);
+const float HATCH_PIXELS = 32.0;
+
 // A light's views, in order: cascades from the camera on, or the faces +x -x +y -y +z -z.
 const int VIEW_COLOUR_COUNT = 8;
 const vec3 VIEW_COLOURS[VIEW_COLOUR_COUNT] = {vec3(0.25, 0.43, 0.89), vec3(0.20, 0.65, 0.25), vec3(0.93, 0.78, 0.20),
@@ -38,7 +42,10 @@ const vec3 VIEW_COLOURS[VIEW_COLOUR_COUNT] = {vec3(0.25, 0.43, 0.89), vec3(0.20,
 #ifdef __cplusplus
 static inline
 #endif
-vec3 view_colour(int view) { return VIEW_COLOURS[view % VIEW_COLOUR_COUNT]; }
+    vec3
+    view_colour(int view) {
+    return VIEW_COLOURS[view % VIEW_COLOUR_COUNT];
+}
 
 #ifdef __cplusplus
 }  // namespace si::shared

@@ -24,9 +24,9 @@ struct ViewBlock {
     mat4 uvd_from_relative;  // homogeneous map coordinates and depth, all in [0,w]
     vec4 curve;              // near, far, half width (orthographic: metres, perspective: tangent), 1 / map resolution
     vec4 warp;               // of LIGHT_WARPED: DepthWarp, middle_m, near_m, far_m and rise
-    vec4 span;               // xy: where the view ends, and from where on the next is blended in; see lib/view_choice.glsl
-                             // zw: of rays that are parallel, in a map that is not warped: a texel's size in metres, and
-                             // the depth of a metre along the rays
+    vec4 span;  // xy: where the view ends, and from where on the next is blended in; see lib/view_choice.glsl
+                // zw: of rays that are parallel, in a map that is not warped: a texel's size in metres, and
+                // the depth of a metre along the rays
 };
 
 struct FrameBlock {
@@ -42,18 +42,24 @@ struct FrameBlock {
     vec4 pixel;            // xy: the picture's pixel at (0, 0) of what is drawn; z: texels that the kernel fetches
     vec4 picture;          // xy: its pixels across and up
     vec4 offset;           // PolygonOffset of the map format: unit_depth, unit_steps, slope_gain; w: 1 slope_is_length
+    vec4 ambient;          // rgb: what a surface turned sideways gets from sky and ground; w: exposure, a factor
+    vec4 ambient_rise;     // rgb: how much more of it one turned up gets; w: how much of that the sun's side counts
+    vec4 sky_zenith, sky_horizon, sky_below;  // rgb: the sky straight up, level and below the horizon
+    vec4 sky_sun;                             // xyz unit, to the sun; w: brightness of the glow about it
+    vec4 ground;                              // xyz relative: centre of the ground under a model; w: 1 / its radius
     LightBlock lights[SI_MAX_LIGHTS];
     ViewBlock views[SI_MAX_VIEWS];
 };
 
 // Where they begin and how long they are, counted in vec4, for shaders that read the block as an image.
-const int FRAME_EYE_AT = 13, FRAME_PIXEL_AT = 18, FRAME_LIGHTS_AT = 21, FRAME_VIEWS_AT = 85;
+const int FRAME_EYE_AT = 13, FRAME_PIXEL_AT = 18, FRAME_AMBIENT_AT = 21, FRAME_LIGHTS_AT = 28, FRAME_VIEWS_AT = 92;
 const int LIGHT_TEXELS = 4, VIEW_TEXELS = 7;
 
 #ifdef __cplusplus
 }  // namespace si::shared
 static_assert(offsetof(si::shared::FrameBlock, eye) == 16 * si::shared::FRAME_EYE_AT);
 static_assert(offsetof(si::shared::FrameBlock, pixel) == 16 * si::shared::FRAME_PIXEL_AT);
+static_assert(offsetof(si::shared::FrameBlock, ambient) == 16 * si::shared::FRAME_AMBIENT_AT);
 static_assert(offsetof(si::shared::FrameBlock, lights) == 16 * si::shared::FRAME_LIGHTS_AT);
 static_assert(offsetof(si::shared::FrameBlock, views) == 16 * si::shared::FRAME_VIEWS_AT);
 static_assert(sizeof(si::shared::LightBlock) == 16 * si::shared::LIGHT_TEXELS);

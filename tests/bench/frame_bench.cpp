@@ -51,10 +51,11 @@ struct Machine {
     }
 };
 
-/// The bare program knows of no map that holds less than the scene.
+/// The bare program knows of no map that holds less than the scene, and of no sky and no curve.
 Settings around_the_scene() {
     Settings s;
     s.lights[0].fit = int(LightFit::Scene);
+    s.shading.sky = int(SkyLook::Plain), s.shading.curve = int(ToneCurve::Plain);
     return s;
 }
 
@@ -116,6 +117,20 @@ void whole_frame(benchmark::State& state, const char* file, const Row& row, int 
     rotation.ratio(state, "ratio", "ours", "like");
     for (const char* who : {"ours", "like", "floor"})
         rotation.ratio(state, std::string(who) + "_of_sampler", who, "sampler");
+}
+
+/// The frame with sky, ambient light by it and filmic curve, against the same without.
+void look(benchmark::State& state, const char* file, const Row& row) {
+    Match match(Machine::get(file), around_the_scene(), row, 2048);
+    Rotation rotation;
+    for (const bool on : {true, false})
+        rotation.add_draw(on ? "look" : "plain", [&match, on] {
+            match.settings.shading.sky = int(on ? SkyLook::Gradient : SkyLook::Plain);
+            match.settings.shading.curve = int(on ? ToneCurve::Filmic : ToneCurve::Plain);
+            match.draw_ours();
+        });
+    rotation.run(state);
+    rotation.ratio(state, "look_of_plain", "look", "plain");
 }
 
 /// Numbers read from images against numbers read from uniform blocks, the same picture.
@@ -285,9 +300,12 @@ void register_all() {
         for (const Row& row : {kRows[0], kRows[1], kRows[3]})
             add(fmt::format("textured/{}/{}/2048", scene, row.name),
                 [row, file](benchmark::State& s) { textured_frame(s, file, row, 2048); });
-    for (const Row& row : {kRows[0], kRows[1], kRows[3]})
+    for (const Row& row : {kRows[0], kRows[1], kRows[3]}) {
+        add(fmt::format("look/{}", row.name), [row](benchmark::State& s) { look(s, "100k", row); });
+        add(fmt::format("look_stage/{}", row.name), [row](benchmark::State& s) { look(s, "stage", row); });
         add(fmt::format("blocks_as_images/{}", row.name),
             [row](benchmark::State& s) { blocks_as_images(s, "100k", row); });
+    }
     add("depth_pass/100k", [](benchmark::State& s) { depth_pass(s, "100k"); });
     add("depth_pass/1M", [](benchmark::State& s) { depth_pass(s, "1M"); });
     for (const char* kernel : {"hw2x2", "pcf3", "pcf5", "pcf7"})

@@ -35,7 +35,9 @@ protected:
                                     {"light.range", std::to_string(range)},
                                     {"shading.ambient", "0"},
                                     {"shading.diffuse", "1"},
-                                    {"shading.specular", "0"}});
+                                    {"shading.specular", "0"},
+                                    {"shading.sky", "plain"},
+                                    {"shading.curve", "plain"}});
     }
 };
 

@@ -1,6 +1,7 @@
 // The map viewer: what it shows of a shadow map or of the camera's depth, and what reading it back gives.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "renderer/base/error.h"
 #include "renderer/inspect/depth_histogram.h"
@@ -46,7 +47,7 @@ TEST_F(MapViewTest, ShowsTheCamerasOwnDepth) {
                     const Probe p = renderer.probe(scene, s, small(), x, y);
                     if (!p.hit) {
                         EXPECT_EQ(depth.at(x, y), 0) << "nothing drawn";
-                        EXPECT_EQ(grey(shown, x, y), 255);
+                        EXPECT_LT(grey(shown, x, y), 45) << "hatched, as dark as no surface here";
                         continue;
                     }
                     ++surfaces;
@@ -105,6 +106,10 @@ TEST_F(MapViewTest, FitsGreysToWhatIsDrawn) {
                     const ByteImage shown = renderer.read_colour(f.map_view);
                     for (int y = 0; y < depth.height; y += 13)
                         for (int x = 0; x < depth.width; x += 11) {
+                            if (depth.at(x, y) == f.map_view_curve.convention.far_depth()) {
+                                EXPECT_LT(grey(shown, x, y), 45) << where << ": nothing was drawn";
+                                continue;
+                            }
                             const double value = shown_depth(double(depth.at(x, y)), f.map_view_curve,
                                                              MapView(s.view.map), row_of_image(depth, y));
                             const double t = (value - f.map_black) / (f.map_white - f.map_black);
@@ -113,6 +118,33 @@ TEST_F(MapViewTest, FitsGreysToWhatIsDrawn) {
                             EXPECT_NEAR(grey(shown, x, y), 255 * std::clamp(t, 0.0, 1.0), 1.01 + 255 * step) << where;
                         }
                 }
+}
+
+// Of a plane that the light meets aslant, whose depths are all there are.
+TEST_F(MapViewTest, RampsFollowDepth) {
+    const Scene scene = load_scene("boxes");
+    Settings s = settings_for(scene, {{"map.resolution", "128"}, {"view.map_fit", "true"}});
+    const FrameResult grey_frame = frame(scene, s);
+    const ByteImage greys = renderer.read_colour(grey_frame.map_view);
+    for (const char* ramp : {"turbo", "viridis"}) {
+        set_setting(s, "view.map_colours", ramp);
+        const ByteImage shown = renderer.read_colour(frame(scene, s).map_view);
+        std::map<int, glm::ivec3> of_grey;  // one colour for one depth
+        for (std::size_t i = 0; i < shown.data.size(); i += 4) {
+            if (greys.data[i] != greys.data[i + 2]) continue;  // hatched: bluish
+            const glm::ivec3 colour(shown.data[i], shown.data[i + 1], shown.data[i + 2]);
+            const glm::ivec3 known = of_grey.emplace(greys.data[i], colour).first->second;
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(known[c], colour[c], 16) << ramp;  // within one grey
+        }
+        ASSERT_GT(of_grey.size(), 50u);
+        const glm::ivec3 low = of_grey.begin()->second, high = of_grey.rbegin()->second;
+        if (ramp == std::string("viridis")) {
+            EXPECT_GT(low.z, low.y) << "violet";
+            EXPECT_GT(high.y, high.z + 100) << "yellow";
+        } else {
+            EXPECT_GT(high.x, high.z + 50) << "red";
+        }
+    }
 }
 
 TEST_F(MapViewTest, GreysByHandAreGivenBack) {

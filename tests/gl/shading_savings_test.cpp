@@ -97,7 +97,7 @@ TEST_F(ShadingSavingsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
                          {{"light.type", "point"}, {"light.range", "2"}, {"light.distance", "200"}},
                          {{"light.type", "spot"}, {"light.range", "2"}, {"light.distance", "200"}}};
     for (const Sets& sets : lone) {
-        Sets all = {{"filter.kernel", "pcf5"}};
+        Sets all = {{"filter.kernel", "pcf5"}, {"shading.sky", "plain"}};  // the last program is shading's
         all.insert(all.end(), sets.begin(), sets.end());
         const Settings s = settings_for(scene, all);
         FrameRequest request = small();
@@ -136,14 +136,18 @@ TEST_F(ShadingSavingsTest, ColoursAreEncodedAsSrgb) {
     for (int wanted = 0; wanted <= 255; wanted += 3) {
         const double encoded = wanted / 255.0;
         const double linear = encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-        const ByteImage p =
-            plain_colour(linear, {{"shading.ambient", "1"}, {"shading.diffuse", "0"}, {"shading.specular", "0"}});
+        const ByteImage p = plain_colour(linear, {{"shading.sky", "plain"},
+                                                  {"shading.curve", "plain"},
+                                                  {"shading.ambient", "1"},
+                                                  {"shading.diffuse", "0"},
+                                                  {"shading.specular", "0"}});
         const int found = p.data[4 * (8 * 16 + 8)];
         EXPECT_NEAR(found, wanted, 1) << "of " << linear;
         other += found != wanted, ++levels;
     }
     EXPECT_LE(other, levels / 20);
-    const ByteImage bright = plain_colour(1, {{"shading.ambient", "10"}});
+    const ByteImage bright =
+        plain_colour(1, {{"shading.sky", "plain"}, {"shading.curve", "plain"}, {"shading.ambient", "10"}});
     EXPECT_EQ(bright.data[4 * (8 * 16 + 8)], 255) << "what is brighter than white is white";
 }
 

@@ -2,6 +2,7 @@
 // same, and whoever reads a whole map has it whole.
 #include <algorithm>
 
+#include "renderer/base/error.h"
 #include "renderer/frame/effects.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"

@@ -210,6 +210,11 @@ std::vector<Axis> axes() {
     out.push_back({{"BIAS_NORMAL_OFFSET"}, {{{"bias.normal", "0"}}, {{"bias.normal", "3"}}}});
     out.push_back({{"SURFACE_FLAGS"}, {{}, {{"object.plain.receive", "false"}}}});
     out.push_back({{"SEPARATE_VISIBILITY"}, {{}, {{"shading.separate_visibility", "true"}}}});
+    out.push_back({{"SKY_LIGHTS", "CURVE_FILMIC", "EXPOSED", "GROUND"},
+                   {{},
+                    {{"shading.sky", "plain"}},
+                    {{"shading.curve", "plain"}, {"shading.exposure", "1"}},
+                    {{"shading.sky", "plain"}, {"shading.exposure", "1"}}}});
     out.push_back({{"BLUR_COLUMNS"}, {{}, {{"map.blur_texels", "3"}}}});
     out.push_back({{"HAS_CONTACTS"}, {{}, {{"light.contact", "1"}}}});
     out.push_back({{"MOMENTS_FROM"}, {{}, {{"map.samples", "4"}}}});
@@ -275,6 +280,8 @@ Scene scene_of(bool every_kind) {
         add(AlphaMode::Mask, true, true, true);
         add(AlphaMode::Blend, true, true, true);
     }
+    scene.objects.push_back(scene.objects.front());
+    scene.objects.back().ground = true;
     finalise(scene);
     return scene;
 }
@@ -358,7 +365,7 @@ protected:
             for (const auto& [key, value] : always) set_setting(s, key, value);
             for (const Change* choice : chosen)
                 for (const auto& [key, value] : *choice) set_setting(s, key, value);
-            FrameRequest request{.width = 8, .height = 8};
+            FrameRequest request{.width = 8, .height = 8, .smoothed = 1};
             request.outputs = {.colour = true, .shadow_map = true, .visibility = true, .overlay = true};
             request.outputs.map_coordinates = request.outputs.texels_read = request.outputs.error =
                 request.outputs.true_colour = true;

@@ -86,6 +86,8 @@ const std::vector<GoldenTable>& tables() {
         {"moment-formats",
          "filter.moment_format",
          {{"view.overlay", "visibility"}, {"filter.kernel", "msm_hamburger"}}},
+        {"skies", "shading.sky", {{"light.elevation", "20"}}},
+        {"curves", "shading.curve", {{"shading.exposure", "1"}}},
         {"sums", "filter.sums", {{"view.overlay", "visibility"}, {"filter.kernel", "savsm"}}},
         {"overlays",
          "view.overlay",
@@ -111,6 +113,7 @@ GoldenPicture picture_of(const GoldenTable& table, const std::string& row, const
     GoldenPicture out{table.name, row, still_life(), texel_settings("hard", 96, 1.5)};
     out.settings.camera.distance = 6.5, out.settings.camera.target_y = 0.6;
     out.settings.view.overlay_opacity = 1;
+    out.settings.shading.sky = int(SkyLook::Plain), out.settings.shading.curve = int(ToneCurve::Plain);
     const auto set = [&](const Sets& of) {
         for (const auto& [key, value] : of) set_setting(out.settings, key, value);
     };

@@ -43,6 +43,7 @@ Settings version_1_settings(const fs::path& preset) {
         for (int i = 1; i < lights; ++i)
             set_setting(s, "light." + std::to_string(i) + key.substr(key.find('.')), text_of(value));
     }
+    set_setting(s, "scene.ground", "off");  // there was none
     for (const auto& [key, value] : values.items()) set_setting(s, key, text_of(value));
     return s;
 }

@@ -101,6 +101,7 @@ void header(EditorState& state, const FrameResult* result, EditorActions& action
         setting_widget(s, bands ? "view.band_high" : "view.map_white", end);
     });
     if (!bands) setting("Fit", "view.map_fit", ImGui::GetFrameHeight());
+    if (!bands) setting("Colours", "view.map_colours", em * 5.5f);
     bar.item("", check_width("Plots"), [&](float) {
         ImGui::Checkbox("Plots", &state.layout.map_plots);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Histogram of the depths, and depth over distance");
@@ -301,6 +302,8 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         if (state.frozen) {
             map_lines(rect, camera_outline_in_map(result.camera, light_view), theme::kLive);
             map_lines(rect, camera_outline_in_map(state.frozen->camera, light_view), theme::kFrozen);
+        } else if (state.settings.view.map_region) {
+            map_lines(rect, camera_region_in_map(result.camera, light_view), theme::kLive);
         }
         if (frame.probe && frame.probe->hit)
             for (const Probe::PerLight& p : frame.probe->lights)

@@ -12,6 +12,8 @@ namespace {
 constexpr double kFarInFocus = 20;
 constexpr double kBeforeLight = 1e-3;  // of a perspective map's near plane: what is nearer is not projected
 
+constexpr double kOnRim = 1e-9;  // of an edge's length: so far inside lies nothing of it
+
 }  // namespace
 
 std::vector<std::pair<glm::dvec3, glm::dvec3>> camera_edges(const Camera& camera) {
@@ -52,6 +54,29 @@ std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_outline_in_map(const Camer
         if (const auto inside = clip_to_box(in_map(a), in_map(b), glm::dvec2(0), glm::dvec2(1)))
             lines.push_back(*inside);
     }
+    return lines;
+}
+
+std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_region_in_map(const Camera& camera, const LightView& view) {
+    if (view.curve.perspective || view.warped()) return camera_outline_in_map(camera, view);
+    std::vector<glm::dvec2> points;
+    const glm::dmat3 to_view = glm::transpose(view.axes);
+    for (const auto& [from, to] : camera_edges(camera))
+        for (const glm::dvec3& p : {from, to})
+            points.push_back(0.5 + 0.5 * glm::dvec2(view.projection * glm::dvec4(to_view * (p - view.eye), 1)));
+    // An edge of the rim has all points on one side.
+    std::vector<std::pair<glm::dvec2, glm::dvec2>> lines;
+    for (const glm::dvec2& a : points)
+        for (const glm::dvec2& b : points) {
+            const glm::dvec2 along = b - a;
+            const double length = glm::length(along);
+            if (!(length > 0)) continue;
+            const bool rim = std::ranges::all_of(points, [&](const glm::dvec2& p) {
+                return (along.x * (p.y - a.y) - along.y * (p.x - a.x)) / length > -kOnRim * length;
+            });
+            if (!rim) continue;
+            if (const auto inside = clip_to_box(a, b, glm::dvec2(0), glm::dvec2(1))) lines.push_back(*inside);
+        }
     return lines;
 }
 

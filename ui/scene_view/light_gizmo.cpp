@@ -122,7 +122,8 @@ void draw_lights(const EditorState& state, const EditorFrame& frame, const Pictu
                              hovered && hovered->light == i);
     if (shown >= count) return;  // a light was added a moment ago
     const LightPose pose = pose_of(state, result, shown);
-    draw_shown_light(painter, pose, hovered && hovered->light == shown && !hovered->handle);
+    const bool busy = hovered && hovered->light == shown;
+    draw_shown_light(painter, pose, busy, busy && !hovered->handle);
     if (shows_handles(state)) draw_handles(painter, pose, hovered ? hovered->handle : std::nullopt);
     if (state.handle_drag && state.handle_drag->moved)
         draw_numbers(painter, pose, state.handle_drag->handle, result.map_resolution);

@@ -17,6 +17,7 @@ namespace {
 
 constexpr ImU32 kHot = IM_COL32_WHITE;
 constexpr int kRimSegments = 64;
+constexpr int kRest = 70;  ///< opacity of lines while nobody reaches for the light, of 255
 // How far the pointer to a light outside stays from the picture's edges, pixels at scale 1.
 constexpr double kEdge = 12, kCaptionEdge = 42;
 
@@ -109,14 +110,15 @@ std::optional<glm::dvec2> pointer_place(const LightPose& pose, const PictureView
     return middle + std::min(across, upwards) * way;
 }
 
-void draw_shown_light(const PicturePainter& p, const LightPose& pose, bool pointer_hovered) {
+void draw_shown_light(const PicturePainter& p, const LightPose& pose, bool busy, bool pointer_hovered) {
+    const int near_alpha = busy ? 220 : kRest, far_alpha = busy ? 110 : kRest / 2;
     for (std::size_t i = 0; i < pose.cascades.size(); ++i)
         for (const Segment& s : frustum_edges(pose.cascades[i]))
-            p.line(s.from, s.to, faded(theme::colour(shared::view_colour(int(i))), s.far ? 110 : 220));
+            p.line(s.from, s.to, faded(theme::colour(shared::view_colour(int(i))), s.far ? far_alpha : near_alpha));
     if (pose.has_map && !pose.cascaded())
         for (const Segment& s : frustum_edges(pose.view))
-            p.line(s.from, s.to, s.far ? theme::kLightFar : theme::kLight);
-    if (pose.type == LightType::Spot) draw_rim(p, pose, cone_reach(pose), faded(theme::kLight, 190));
+            p.line(s.from, s.to, faded(theme::kLight, s.far ? far_alpha : near_alpha));
+    if (pose.type == LightType::Spot) draw_rim(p, pose, cone_reach(pose), faded(theme::kLight, near_alpha));
     if (pose.ranged()) draw_range(p, pose);
     const PictureView& view = p.view();
     if (const auto at = pointer_place(pose, view))

@@ -8,7 +8,8 @@ namespace si {
 
 /// Frustum, place, cone and aim of the light whose handles are shown; at the picture's edge a pointer to a light
 /// outside.
-void draw_shown_light(const PicturePainter& painter, const LightPose& pose, bool pointer_hovered);
+/// @param busy it is hovered or dragged: else its lines are faint
+void draw_shown_light(const PicturePainter& painter, const LightPose& pose, bool busy, bool pointer_hovered);
 /// Where that pointer stands; nothing when the light is in the picture.
 std::optional<glm::dvec2> pointer_place(const LightPose& pose, const PictureView& view);
 /// A faint frustum and a mark where the light stands.

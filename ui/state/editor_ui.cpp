@@ -312,6 +312,8 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     state.history.observe(state.settings, gesture || state.between_steps);
     actions.hold_cursor = state.flight.on;
     actions.redraw = state.playback.playing || turning_wheel || state.open_tab.has_value() || state.flight.moving;
+    actions.at_rest = !gesture && !actions.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
+                      io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
     return actions;
 }
 

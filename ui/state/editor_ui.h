@@ -153,6 +153,7 @@ struct EditorActions : MapActions,
     bool quit = false;
     bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies
     bool redraw = false;       ///< something still moves: draw another frame soon
+    bool at_rest = false;      ///< nobody touches anything: the picture may be made smooth (view.smooth)
 };
 
 /// Draws one frame of the editor into the current ImGui frame; edits state.settings in place.

@@ -23,7 +23,6 @@ inline constexpr ImU32 kAxes[3] = {IM_COL32(222, 110, 98, 255), IM_COL32(126, 18
 
 // Marks in the scene picture and the map: one hue a thing, the same in both (tests/ui/theme_test.cpp keeps them apart).
 inline constexpr ImU32 kLight = IM_COL32(236, 186, 96, 255);     ///< frusta and handles
-inline constexpr ImU32 kLightFar = IM_COL32(196, 150, 72, 175);  ///< the far plane
 inline constexpr ImU32 kLit = IM_COL32(255, 244, 190, 255);      ///< what light reaches
 inline constexpr ImU32 kShadowed = IM_COL32(92, 146, 236, 255);  ///< what is kept from it
 inline constexpr ImU32 kOffset = IM_COL32(240, 120, 170, 255);   ///< the normal offset

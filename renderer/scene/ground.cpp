@@ -1,0 +1,137 @@
+#include "renderer/scene/ground.h"
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace si {
+namespace {
+
+constexpr double kLevel = 0.85;       // cosine to the vertical from which on a surface is level
+constexpr double kGentle = 0.5;       // the same of a landscape
+constexpr double kBottom = 0.15;      // of the scene's height: level surfaces up to there are a ground
+constexpr double kMostOfIt = 0.5;     // of the scene's width and depth, that a ground has to cover
+constexpr double kFlat = 0.25;        // height over width up to which what is gentle all over is a landscape
+constexpr double kShadowLengths = 2;  // how far the disc reaches, in radii and heights of the scene
+constexpr double kBelow = 5e-4;       // of the scene's radius: what lies flat on the ground stays in front of it
+constexpr int kSides = 96;
+
+constexpr int kCells = 32;  // a side, by which what is covered is counted
+
+/// Which of the cells of a scene's outline, as seen from above, triangles cover.
+class Cover {
+public:
+    explicit Cover(const Bounds& bounds)
+        : lo_(bounds.lo.x, bounds.lo.z),
+          per_m_(double(kCells) / glm::dvec2(bounds.hi.x - bounds.lo.x, bounds.hi.z - bounds.lo.z)) {}
+
+    void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        const glm::dvec2 p[3] = {cell(a), cell(b), cell(c)};
+        const glm::dvec2 lo = glm::min(glm::min(p[0], p[1]), p[2]), hi = glm::max(glm::max(p[0], p[1]), p[2]);
+        const auto first = [](double at) { return std::clamp(int(std::ceil(at - 0.5)), 0, kCells); };
+        for (int y = first(lo.y); y < first(hi.y); ++y)
+            for (int x = first(lo.x); x < first(hi.x); ++x)
+                if (holds(p, {x + 0.5, y + 0.5})) cells_.set(std::size_t(y * kCells + x));
+    }
+    double share() const { return double(cells_.count()) / (kCells * kCells); }
+
+private:
+    glm::dvec2 cell(const glm::dvec3& at) const { return (glm::dvec2(at.x, at.z) - lo_) * per_m_; }
+    static bool holds(const glm::dvec2* p, const glm::dvec2& at) {
+        int left = 0, right = 0;
+        for (int i = 0; i < 3; ++i) {
+            const glm::dvec2 along = p[(i + 1) % 3] - p[i], to = at - p[i];
+            const double side = along.x * to.y - along.y * to.x;
+            left += side >= 0, right += side <= 0;
+        }
+        return left == 3 || right == 3;
+    }
+
+    glm::dvec2 lo_, per_m_;
+    std::bitset<kCells * kCells> cells_;
+};
+
+Mesh make_disc(double radius) {
+    Mesh mesh;
+    mesh.positions.push_back(glm::vec3(0));
+    for (int i = 0; i < kSides; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kSides;
+        mesh.positions.emplace_back(radius * std::cos(angle), 0, -radius * std::sin(angle));
+        for (const int corner : {0, 1 + i, 1 + (i + 1) % kSides}) mesh.indices.push_back(std::uint32_t(corner));
+    }
+    mesh.normals.assign(mesh.positions.size(), glm::vec3(0, 1, 0));
+    for (const glm::vec3& p : mesh.positions) mesh.bounds.add(glm::dvec3(p));
+    return mesh;
+}
+
+/// One that no node has.
+std::string free_name(const Scene& scene) {
+    std::string name = "Ground";
+    while (std::ranges::any_of(scene.nodes, [&](const Node& n) { return n.path == name; })) name += " below";
+    return name;
+}
+
+}  // namespace
+
+bool has_level_surface(const Scene& scene) {
+    if (scene.bounds.empty()) return false;
+    const glm::dvec3 size = scene.bounds.hi - scene.bounds.lo;
+    if (!(size.x > 0 && size.z > 0)) return false;
+    const double bottom = scene.bounds.lo.y + kBottom * size.y;
+    Cover level(scene.bounds), gentle(scene.bounds);
+    for (const Object& object : scene.objects) {
+        if (object.ground) continue;
+        const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
+        const double winding = glm::determinant(glm::dmat3(object.world)) < 0 ? -1 : 1;
+        const bool two_sided = mesh.material >= 0 && scene.materials[std::size_t(mesh.material)].double_sided;
+        std::vector<glm::dvec3> at(mesh.positions.size());
+        for (std::size_t i = 0; i < at.size(); ++i)
+            at[i] = glm::dvec3(object.world * glm::dvec4(glm::dvec3(mesh.positions[i]), 1));
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            const glm::dvec3 &a = at[mesh.indices[i]], &b = at[mesh.indices[i + 1]], &c = at[mesh.indices[i + 2]];
+            const glm::dvec3 normal = winding * glm::cross(b - a, c - a);
+            const double up = two_sided ? std::abs(normal.y) : normal.y, whole = glm::length(normal);
+            if (!(up > kGentle * whole)) continue;
+            gentle.add(a, b, c);
+            if (up > kLevel * whole && std::max({a.y, b.y, c.y}) <= bottom) level.add(a, b, c);
+        }
+    }
+    return level.share() >= kMostOfIt || (size.y <= kFlat * std::max(size.x, size.z) && gentle.share() >= kMostOfIt);
+}
+
+void add_ground(Scene& scene) {
+    if (!scene.ground_bounds.empty() || scene.bounds.empty() || !std::isfinite(scene.bounds.radius())) return;
+    if (!(scene.bounds.radius() > 0) || has_level_surface(scene)) return;
+    const glm::dvec3 size = scene.bounds.hi - scene.bounds.lo, centre = scene.bounds.centre();
+    const double radius = kShadowLengths * (0.5 * std::hypot(size.x, size.z) + size.y);
+    Mesh disc = make_disc(radius);
+    disc.name = "Ground";
+    disc.material = int(scene.materials.size());
+    Material material;
+    material.name = "Ground";
+    material.base_colour = {0.46f, 0.44f, 0.41f, 1.0f};
+    scene.materials.push_back(std::move(material));
+    Node node;
+    node.name = node.path = free_name(scene);
+    // Nodes are where they are before the scene is placed.
+    node.local[3] = glm::inverse(scene.placement) *
+                    glm::dvec4(centre.x, scene.bounds.lo.y - kBelow * scene.bounds.radius(), centre.z, 1);
+    for (int axis = 0; axis < 3; ++axis) node.local[axis] /= glm::length(scene.placement[0]);
+    scene.nodes.push_back(std::move(node));
+    scene.meshes.push_back(std::move(disc));
+    Object object;
+    object.node = int(scene.nodes.size()) - 1, object.mesh = int(scene.meshes.size()) - 1;
+    object.ground = true;
+    scene.objects.push_back(object);
+    refresh(scene);
+}
+
+void remove_ground(Scene& scene) {
+    if (scene.objects.empty() || !scene.objects.back().ground) return;
+    scene.objects.pop_back(), scene.meshes.pop_back(), scene.nodes.pop_back(), scene.materials.pop_back();
+    refresh(scene);
+}
+
+}  // namespace si

@@ -1,0 +1,184 @@
+// A model that is opened shows its shadow: on a ground of its own, or on one that it is stood on.
+#include "renderer/scene/ground.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "app/session/session.h"
+#include "renderer/inspect/texel_usage.h"
+#include "renderer/reference/live_error.h"
+#include "renderer/reference/truth_picture.h"
+#include "renderer/scenes/shapes.h"
+#include "tests/gl/frame_fixture.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+Session session_of(Scene scene, std::vector<std::string> sets = {}) {
+    sets.insert(sets.begin(), "map.resolution=512");  // as the pictures here are a fourth of a window's
+    scene.file_scenes = {""};                         // as if from a file
+    return compose_session(plan_session({.scene = "a file", .sets = std::move(sets)}), std::move(scene));
+}
+
+Scene box_alone() {
+    Scene scene;
+    scene.name = "box";
+    add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1, 2, 1.5}), add_material(scene, "grey", {1, 1, 1})),
+               moved(3, 5, -2) * turned(20));
+    finalise(scene);
+    return scene;
+}
+
+/// What a first picture shows of the shadow on the ground.
+struct FirstPicture {
+    std::size_t ground = 0, dark = 0, dark_at_rim = 0;
+    double read = 0;  ///< share of the map's texels
+};
+
+class GroundTest : public FrameTest {
+protected:
+    FirstPicture first_picture(const Session& session) {
+        FrameRequest request{.width = 320, .height = 180};
+        request.outputs.surface_ids = request.outputs.map_coordinates = true;
+        TruthCache cache;
+        const FrameResult frame = renderer.render(session.scene, session.settings, request);
+        const SurfaceIds ids = renderer.read_surface_ids(frame.surface_ids);
+        FirstPicture out;
+        if (!frame.lights.empty() && frame.lights[0].casts)
+            out.read =
+                texel_usage(renderer.read_float(frame.map_coordinates, 4), session.settings, frame.map_resolution)
+                    .utilisation();
+        request.outputs = {.error = true};
+        const FrameResult judged = render_with_truth(renderer, session.scene, session.settings, request, cache);
+        const Truth& truth = *request.truth->traced.truth;
+        for (int y = 0; y < ids.height; ++y)
+            for (int x = 0; x < ids.width; ++x) {
+                const std::size_t i = std::size_t(y) * std::size_t(ids.width) + std::size_t(x);
+                if (ids.data[i].x == 0 || !session.scene.objects[ids.data[i].x - 1].ground) continue;
+                const bool dark = truth.visibility.data[i] < 0.5f;
+                ++out.ground, out.dark += dark;
+                out.dark_at_rim += dark && (x == 0 || y == 0 || x == ids.width - 1 || y == ids.height - 1);
+            }
+        EXPECT_EQ(out.ground, judged.error ? judged.error->metrics.ground_pixels : 0);
+        return out;
+    }
+};
+
+TEST_F(GroundTest, AModelAloneShowsItsShadow) {
+    const FirstPicture seen = first_picture(session_of(box_alone()));
+    EXPECT_GT(seen.ground, 10000u);
+    EXPECT_GE(double(seen.dark), 0.02 * double(seen.ground));
+    EXPECT_EQ(seen.dark_at_rim, 0u) << "the shadow's edge is inside the picture";
+    EXPECT_GE(seen.read, 0.2);
+    EXPECT_EQ(first_picture(session_of(box_alone(), {"scene.ground=off"})).ground, 0u);
+}
+
+TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
+    const Session with = session_of(box_alone()), without = session_of(box_alone(), {"scene.ground=off"});
+    ASSERT_FALSE(with.scene.ground_bounds.empty());
+    EXPECT_TRUE(without.scene.ground_bounds.empty());
+    EXPECT_EQ(with.scene.triangle_count(), without.scene.triangle_count());
+    EXPECT_EQ(with.scene.bounds.lo, without.scene.bounds.lo);
+    EXPECT_EQ(with.scene.bounds.hi, without.scene.bounds.hi);
+    for (const Choice& fit : find_setting("light.fit")->param->choices())
+        for (const char* type : {"directional", "spot", "point"}) {
+            SCOPED_TRACE(std::string(fit.key) + " " + type);
+            Settings s = with.settings;
+            set_setting(s, "light.fit", fit.key);
+            set_setting(s, "light.type", type);
+            if (fit.key == "stabilised" || fit.key == "lispsm" || fit.key == "view") continue;  // go by what is seen
+            const auto a = fit_lights(with.scene, s), b = fit_lights(without.scene, s);
+            // A fit that narrows has a kernel's room about it.
+            EXPECT_LE(a[0].views[0].half_width, b[0].views[0].half_width * (fit.key == "casters" ? 1.04 : 1 + 1e-9));
+        }
+    // Under a light from below the box is lit as it would be without a ground.
+    Settings s = with.settings;
+    s.camera = manual_camera(without.scene, without.settings, 16.0 / 9);
+    s.lights[0].elevation = -60;
+    FrameRequest request = small();
+    request.outputs.visibility = request.outputs.surface_ids = true;
+    const auto of_box = [&](const Scene& scene) {
+        const FrameResult frame = renderer.render(scene, s, request);
+        const SurfaceIds ids = renderer.read_surface_ids(frame.surface_ids);
+        FloatImage v = renderer.read_float(frame.visibility, 1);
+        for (std::size_t i = 0; i < v.data.size(); ++i)
+            if (ids.data[i].x != 1) v.data[i] = -1;
+        return v.data;
+    };
+    const std::vector<float> stood = of_box(with.scene), alone = of_box(without.scene);
+    std::size_t box = 0, differ = 0;
+    for (std::size_t i = 0; i < alone.size(); ++i) box += alone[i] >= 0, differ += stood[i] != alone[i];
+    EXPECT_GT(box, 5000u);
+    EXPECT_LT(differ, box / 100);
+}
+
+/// Of each folder of models the first file that can be read.
+std::vector<fs::path> models() {
+    std::vector<fs::path> out;
+    const fs::path folder = fs::path(SI_SOURCE_DIR) / "../shared/models";
+    std::ifstream list(folder / "EXPECT.tsv");
+    std::string line, last;
+    while (std::getline(list, line)) {
+        const std::string file = line.substr(0, line.find('\t')), place = file.substr(0, file.find('/'));
+        // What is told as "load, or an error that is clear" asks for what is not supported.
+        if (!line.ends_with("\tload\t\t") || place == last || !fs::exists(folder / file)) continue;
+        out.push_back(folder / file), last = place;
+    }
+    return out;
+}
+
+// Which of them stand on something of their own is the files' affair; those that bring a camera are seen as it does.
+TEST_F(GroundTest, ModelsShowTheirShadowsAtOnce) {
+    const std::vector<fs::path> files = models();
+    if (files.empty()) GTEST_SKIP() << "../shared/models is not there";
+    int shown = 0;
+    for (const fs::path& file : files) {
+        SCOPED_TRACE(file);
+        const Session session = open_session({.scene = file.string(), .sets = {"map.resolution=512"}});
+        const Scene& scene = session.scene;
+        if (scene.ground_bounds.empty() || !scene.cameras.empty() || !scene.lights.empty()) continue;
+        if (scene.triangle_count() > 20'000) continue;  // for the time that it takes
+        const FirstPicture seen = first_picture(session);
+        EXPECT_GT(seen.ground, 5000u);
+        EXPECT_GE(double(seen.dark), 0.02 * double(seen.ground));
+        EXPECT_EQ(seen.dark_at_rim, 0u);
+        EXPECT_GE(seen.read, 0.2);
+        ++shown;
+    }
+    EXPECT_GT(shown, 15);
+}
+
+TEST_F(GroundTest, ItComesAndGoesWithTheSettingAndFollowsThePlacement) {
+    Session session = session_of(box_alone(), {"scene.scale=3", "scene.distance=100"});
+    const double gap = session.scene.bounds.lo.y - session.scene.ground_bounds.hi.y;
+    EXPECT_GT(gap, 0);
+    EXPECT_LT(gap, 0.01);
+    SceneSettings moment = session.settings.scene;
+    moment.ground = int(Ground::Off);
+    const std::size_t objects = session.scene.objects.size(), nodes = session.scene.nodes.size();
+    pose_scene(session.scene, moment);
+    EXPECT_EQ(session.scene.objects.size(), objects - 1);
+    EXPECT_EQ(session.scene.nodes.size(), nodes - 1);
+    EXPECT_TRUE(session.scene.ground_bounds.empty());
+    moment.ground = int(Ground::Auto), moment.scale = 1, moment.distance = 0;
+    pose_scene(session.scene, moment);
+    EXPECT_EQ(session.scene.objects.size(), objects);
+    EXPECT_NEAR(session.scene.ground_bounds.hi.y, session.scene.bounds.lo.y, 0.01);
+}
+
+TEST_F(GroundTest, WhatHasALevelSurfaceGetsNone) {
+    for (const BuiltinScene& row : builtin_scenes()) {
+        if (row.key == "plane") continue;
+        EXPECT_TRUE(has_level_surface(row.make())) << row.key;
+    }
+    EXPECT_FALSE(has_level_surface(box_alone()));
+    const Session session = session_of(load_scene("boxes"));
+    EXPECT_TRUE(session.scene.ground_bounds.empty());
+    EXPECT_TRUE(open_session({.scene = "boxes"}).scene.ground_bounds.empty());
+}
+
+}  // namespace
+}  // namespace si

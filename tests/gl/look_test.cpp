@@ -1,0 +1,209 @@
+// What makes a picture pleasant to look at touches no number: sky, ambient light, tone curve, smoothing at rest.
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/frame/effects.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/view/sky.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+class LookTest : public FrameTest {
+protected:
+    static Settings plain(Settings s) {
+        s.shading.sky = int(SkyLook::Plain), s.shading.curve = int(ToneCurve::Plain), s.shading.exposure = 0;
+        return s;
+    }
+    static glm::ivec3 pixel(const ByteImage& image, int x, int y) {
+        const std::uint8_t* p = &image.data[4 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x))];
+        return {p[0], p[1], p[2]};
+    }
+    static int brightest(const ByteImage& image) {
+        int most = 0;
+        for (std::size_t i = 0; i < image.data.size(); ++i)
+            most = i % 4 == 3 ? most : std::max(most, int(image.data[i]));
+        return most;
+    }
+};
+
+TEST_F(LookTest, VisibilityHasTheSameBytesWithAllOfItOnAndOff) {
+    for (const BuiltinScene& row : builtin_scenes()) {
+        SCOPED_TRACE(row.key);
+        const Scene scene = row.make();
+        Settings on = settings_for(scene, {{"map.resolution", "512"}});
+        on.shading.exposure = 1;
+        FrameRequest request{.width = 96, .height = 54};
+        request.outputs.visibility = true;
+        FrameRequest smooth = request;
+        smooth.smoothed = 2;
+        const FrameResult drawn = renderer.render(scene, on, smooth);
+        const FloatImage visibility = renderer.read_float(drawn.visibility, 1);
+        const ByteImage picture = renderer.read_colour(drawn.colour);
+        const FrameResult bare = renderer.render(scene, plain(on), request);
+        EXPECT_EQ(bare.pass("visibility")->state, PassState::Reused) << "it does not even have to be drawn again";
+        EXPECT_GT(different_pixels(picture, renderer.read_colour(bare.colour)), 1000u);
+        request.force = true;
+        const FloatImage anew = renderer.read_float(renderer.render(scene, plain(on), request).visibility, 1);
+        EXPECT_TRUE(anew.data == visibility.data);
+    }
+}
+
+TEST_F(LookTest, SeveralLightsDoNotBecomePaper) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = test::texel_settings("hard", 128, 3);
+    s.light_count = 2;
+    s.lights[0].intensity = 1.5, s.lights[1] = s.lights[0], s.lights[1].azimuth += 20;
+    const int filmic = brightest(picture(scene, s));
+    s.shading.curve = int(ToneCurve::Plain);
+    EXPECT_EQ(brightest(picture(scene, s)), 255);
+    EXPECT_LT(filmic, 250);
+    EXPECT_GT(filmic, 200);
+}
+
+// By ambient light alone: what is turned up is brighter than what is turned sideways, where light from everywhere makes
+// them one.
+TEST_F(LookTest, ShadowsKeepTheirForm) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = test::texel_settings("hard", 64, 3);
+    s.lights[0].intensity = 0;
+    const auto tones = [&](const Settings& of) {
+        std::vector<int> greens;
+        const ByteImage image = picture(scene, of);
+        FrameRequest request = small();
+        request.outputs = {.colour = false, .surface_ids = true};
+        const SurfaceIds ids = renderer.read_surface_ids(renderer.render(scene, of, request).surface_ids);
+        for (std::size_t i = 0; i < ids.data.size(); ++i)
+            if (ids.data[i].x == 2) greens.push_back(image.data[4 * i + 1]);  // of the box
+        std::ranges::sort(greens);
+        return greens;
+    };
+    const std::vector<int> formed = tones(s), flat = tones(plain(s));
+    ASSERT_GT(formed.size(), 100u);
+    EXPECT_GT(formed.back() - formed.front(), 12);
+    EXPECT_LE(flat.back() - flat.front(), 1);
+}
+
+// As an eye sees it: of encoded values.
+TEST_F(LookTest, TheStageIsNeitherDarkNorPaper) {
+    const Scene scene = load_scene("stage");
+    const Settings s = settings_for(scene);
+    FrameRequest request{.width = 480, .height = 270};
+    request.outputs.visibility = request.outputs.surface_ids = true;
+    const FrameResult frame = renderer.render(scene, s, request);
+    const ByteImage image = renderer.read_colour(frame.colour);
+    const FloatImage visibility = renderer.read_float(frame.visibility, 1);
+    const SurfaceIds ids = renderer.read_surface_ids(frame.surface_ids);
+    double sum = 0, clipped = 0, lit = 0, dark = 0, lit_count = 0, dark_count = 0;
+    for (std::size_t i = 0; i < ids.data.size(); ++i) {
+        const std::uint8_t* p = &image.data[4 * i];
+        const double luma = (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]) / 255;
+        sum += luma, clipped += std::max({p[0], p[1], p[2]}) == 255;
+        if (ids.data[i].x == 0 || scene.nodes[std::size_t(scene.objects[ids.data[i].x - 1].node)].name != "Ground")
+            continue;
+        if (visibility.data[i] > 0.99f) lit += luma, ++lit_count;
+        if (visibility.data[i] < 0.01f) dark += luma, ++dark_count;
+    }
+    const double count = double(ids.data.size());
+    EXPECT_GT(sum / count, 0.35);
+    EXPECT_LT(sum / count, 0.6);
+    EXPECT_LE(clipped / count, 0.01);
+    ASSERT_GT(dark_count, 1000);
+    EXPECT_GE(lit / lit_count, 1.8 * (dark / dark_count));
+}
+
+TEST_F(LookTest, TheSkyFollowsTheSunAndFillsOnlyWhatIsEmpty) {
+    const Scene scene = load_scene("stage");
+    Settings s = settings_for(scene, {{"map.resolution", "256"}});
+    const ByteImage high = picture(scene, s);
+    EXPECT_GT(std::abs(pixel(high, 4, 2).z - pixel(high, 4, 70).z), 5) << "a gradient";
+    EXPECT_GT(pixel(high, 4, 2).z, pixel(high, 4, 2).x) << "and a blue one";
+    s.lights[0].elevation = 3;
+    const ByteImage low = picture(scene, s);
+    EXPECT_GT(pixel(low, 4, 70).x - pixel(low, 4, 70).z, pixel(high, 4, 70).x - pixel(high, 4, 70).z + 10)
+        << "a low sun is warm at the horizon";
+    const ByteImage none = picture(scene, plain(s));
+    EXPECT_EQ(pixel(none, 4, 2), pixel(none, 4, 30));
+}
+
+TEST_F(LookTest, ExposureCountsInPowersOfTwo) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = test::texel_settings("hard", 64, 3);
+    s.shading.specular = 0, s.shading.sky = int(SkyLook::Plain);
+    s.shading.exposure = 1;
+    const ByteImage exposed = picture(scene, s);
+    s.shading.exposure = 0;
+    s.lights[0].intensity *= 2, s.shading.ambient *= 2;
+    EXPECT_LE(different_pixels(exposed, picture(scene, s), 1), 3u);
+}
+
+TEST_F(LookTest, ARestingViewGetsSmoothOverMapsThatAreKept) {
+    const Scene scene = load_scene("boxes");
+    const Settings s = settings_for(scene, {{"map.resolution", "512"}});
+    FrameRequest request = small();
+    const FrameResult first = renderer.render(scene, s, request);
+    const ByteImage as_drawn = renderer.read_colour(first.colour);
+    EXPECT_EQ(first.smooth.texture, 0u) << "nobody asked";
+    ByteImage one;
+    for (request.smoothed = 1; request.smoothed <= kSmoothedMost; ++request.smoothed) {
+        const FrameResult frame = renderer.render(scene, s, request);
+        for (const PassInfo& pass : frame.passes)
+            EXPECT_EQ(pass.state == PassState::Ran, pass.name == "smoothing at rest") << pass.name;
+        EXPECT_TRUE(renderer.read_colour(frame.colour).data == as_drawn.data) << "the picture itself stays";
+        if (request.smoothed == 1) one = renderer.read_colour(frame.smooth);
+    }
+    request.smoothed = kSmoothedMost;
+    const ByteImage by_steps = renderer.read_colour(renderer.render(scene, s, request).smooth);
+    request.force = true;
+    const ByteImage at_once = renderer.read_colour(renderer.render(scene, s, request).smooth);
+    EXPECT_TRUE(by_steps.data == at_once.data);
+    // An edge's pixels lie between what is on its sides: neighbours differ by less than in one picture.
+    const auto steepest = [](const ByteImage& image) {
+        long steep = 0;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x + 1 < image.width; ++x)
+                steep += std::abs(pixel(image, x, y).y - pixel(image, x + 1, y).y) > 40;
+        return steep;
+    };
+    EXPECT_LT(steepest(by_steps), 0.85 * double(steepest(one)));
+    EXPECT_GT(different_pixels(one, as_drawn, 20), 20u) << "its camera is turned by part of a pixel";
+    // Blue sky and plain ground are the same from all of them.
+    EXPECT_LT(different_pixels(by_steps, as_drawn, 12), by_steps.data.size() / 4 / 8);
+}
+
+TEST_F(LookTest, ThePlanTellsOfEach) {
+    const Scene scene = load_scene("boxes");
+    const auto told = [&](const Settings& s, std::string_view name) {
+        FrameRequest request = small();
+        request.smoothed = 1, request.force = true;
+        for (const Effect& e : frame_effects(scene, s, renderer.render(scene, s, request), {}))
+            if (e.name == name) return e;
+        ADD_FAILURE() << name;
+        return Effect{};
+    };
+    const Settings s = settings_for(scene, {{"map.resolution", "64"}});
+    for (const char* name : {"sky and its ambient light", "tone curve", "smoothing at rest"}) {
+        EXPECT_EQ(told(s, name).state, EffectState::Simulated) << name;
+        EXPECT_FALSE(told(s, name).reason.empty()) << name;
+    }
+    EXPECT_EQ(told(plain(s), "sky and its ambient light").state, EffectState::NotCalledFor);
+    EXPECT_EQ(told(plain(s), "tone curve").state, EffectState::NotCalledFor);
+    Settings apart = s;
+    apart.lights[0].contact = 0.2;
+    EXPECT_EQ(told(apart, "smoothing at rest").state, EffectState::NotCalledFor) << "visibility has its own pixels";
+}
+
+TEST(SkyTest, AmbientLightIsAsMuchAsIsAskedFor) {
+    for (const double sine : {-1.0, -0.1, 0.0, 0.3, 0.7, 1.0}) {
+        const Sky sky = sky_of({std::sqrt(1 - sine * sine), sine, 0});
+        EXPECT_NEAR(0.5 * luminance(sky.ambient_up + sky.ambient_down), 1, 1e-9) << sine;
+        EXPECT_GT(luminance(sky.ambient_up), luminance(sky.ambient_down));
+        EXPECT_GT(luminance(sky.horizon), luminance(sky.zenith));
+    }
+    EXPECT_GT(luminance(sky_of({0, 1, 0}).zenith), luminance(sky_of({1, 0, 0}).zenith));
+}
+
+}  // namespace
+}  // namespace si
