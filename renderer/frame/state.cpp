@@ -110,6 +110,15 @@ GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragm
     std::vector<gl::Define> wanted = extra;
     if (batch.masked) wanted.push_back({"MASKED", "1"});
     if (batch.texture && (batch.masked || !alpha_only)) wanted.push_back({"TEXTURED", "1"});
+void FrameState::draw_fullscreen(std::span<const TexelRect> rects, PassInfo& info) {
+    glEnable(GL_SCISSOR_TEST);
+    for (const TexelRect& r : rects) {
+        glScissor(r.from.x, r.from.y, r.to.x - r.from.x, r.to.y - r.from.y);
+        draw_fullscreen(info);
+    }
+    glDisable(GL_SCISSOR_TEST);
+}
+
     if (batch.masked || (surface_flags && !alpha_only)) wanted.push_back({"SURFACE_FLAGS", "1"});
     if (batch.normal_texture && !alpha_only) {
         wanted.push_back({"NORMAL_MAPPED", "1"});

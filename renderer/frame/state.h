@@ -23,6 +23,7 @@
 #include "renderer/gl/timer.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/map_cells.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/units.h"
 
@@ -101,9 +102,10 @@ struct FrameState {
     std::vector<LightMapNeed> light_maps;  ///< as FrameResult::light_maps
     /// The baked one of a light whose source it is; null: its source is another, or it is not baked yet.
     std::vector<const LightMap*> light_map_of_light;
-    std::uint64_t truth_content = 0;    ///< key of what of it is used
-    Plan plan;                          ///< see plan_frame()
-    std::vector<bool> layers_drawn;     ///< of the maps: of others nothing is read. Once their passes are planned
+    std::uint64_t truth_content = 0;  ///< key of what of it is used
+    Plan plan;                        ///< see plan_frame()
+    /// What of each of the maps is drawn: of the rest nothing is read. Once their passes are planned.
+    std::vector<MapCells> layers_held;
     Key maps_extent;                    ///< of what the maps hold of all that they could; the same
     bool maps_are_whole = true;         ///< FrameResult::maps_are_whole; the same
     bool camera_depth_renewed = false;  ///< where the request forces it: once a frame
@@ -160,6 +162,8 @@ struct FrameState {
     void begin_fullscreen_pass(GLuint framebuffer, int width, int height) const;
     static void draw_fullscreen(PassInfo& info);
 };
+    /// Draws no more than these pixels of it.
+    static void draw_fullscreen(std::span<const TexelRect> rects, PassInfo& info);
 
 /// Writes what rays found into a light's layer of a visibility texture of the frame's size.
 void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibility, int light);

@@ -340,7 +340,7 @@ bool keeps_resting(const FrameState& f, const DrawnMaps& t) {
 }  // namespace
 
 void add_light_depth_passes(FrameState& f) {
-    f.layers_drawn.assign(std::size_t(f.view_count), true);
+    f.layers_held.assign(std::size_t(f.view_count), MapCells::whole());
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
     if (!keeps_resting(f, t)) f.plan.release([&t] { t.resting = {}; });
     if (f.paged) return;
@@ -372,7 +372,7 @@ void add_light_depth_passes(FrameState& f) {
         pass.lacks = kept && work.draws();
         if (kept) pass.unneeded = work.uncalled;
         for (std::size_t v = 0; v < work.holds.size(); ++v) {
-            f.layers_drawn[std::size_t(f.first_view[i]) + v] = !work.holds[v].empty();
+            f.layers_held[std::size_t(f.first_view[i]) + v] = work.holds[v];
             work.holds[v].add_to(f.maps_extent);
         }
         f.maps_are_whole &= all_whole(work.holds);
