@@ -56,6 +56,12 @@ constexpr SavingRow kRows[] = {
              "texel the nearest depth stays, in whatever order. It takes the maps' memory once more, while something "
              "moves."},
 };
+    {.key = "fragments",
+     .label = "Fragments of opaque casters",
+     .help =
+         "Opaque casters with flat sides, none of which the light's parallel rays meet edge-on, are drawn into "
+         "depth buffers without a fragment shader. Of the others it drops what rounding draws from beyond the map's "
+         "range, which a flat side seen well from its front does not leave."},
 static_assert(std::size(kRows) == kSavings);
 
 }  // namespace
