@@ -60,6 +60,11 @@ bool FrameState::shades_by(std::size_t light) const {
     return !shades_nothing(gl.fitted[light], settings) || request.forced.contains(Saving::Uncalled);
 }
 
+bool FrameState::takes_for_lit(std::size_t light) const {
+    return !separate_visibility && never_shadows(gl.fitted[light], settings) &&
+           !request.forced.contains(Saving::Uncalled);
+}
+
 bool FrameState::draws_unfiltered() const {
     return offsets_polygons(settings) || mask_levels;
 }
@@ -105,11 +110,6 @@ void FrameState::draw_fullscreen(PassInfo& info) {
     ++info.triangles;
 }
 
-GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragment,
-                                 const std::vector<gl::Define>& extra, const Batch& batch, bool alpha_only) const {
-    std::vector<gl::Define> wanted = extra;
-    if (batch.masked) wanted.push_back({"MASKED", "1"});
-    if (batch.texture && (batch.masked || !alpha_only)) wanted.push_back({"TEXTURED", "1"});
 void FrameState::draw_fullscreen(std::span<const TexelRect> rects, PassInfo& info) {
     glEnable(GL_SCISSOR_TEST);
     for (const TexelRect& r : rects) {
@@ -119,6 +119,11 @@ void FrameState::draw_fullscreen(std::span<const TexelRect> rects, PassInfo& inf
     glDisable(GL_SCISSOR_TEST);
 }
 
+GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragment,
+                                 const std::vector<gl::Define>& extra, const Batch& batch, bool alpha_only) const {
+    std::vector<gl::Define> wanted = extra;
+    if (batch.masked) wanted.push_back({"MASKED", "1"});
+    if (batch.texture && (batch.masked || !alpha_only)) wanted.push_back({"TEXTURED", "1"});
     if (batch.masked || (surface_flags && !alpha_only)) wanted.push_back({"SURFACE_FLAGS", "1"});
     if (batch.normal_texture && !alpha_only) {
         wanted.push_back({"NORMAL_MAPPED", "1"});

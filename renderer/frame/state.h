@@ -73,11 +73,12 @@ struct FrameState {
     int map_resolution = 0;
     /// As gl::Target counts layers: 0 for a single view.
     int map_layers() const { return view_count > 1 ? view_count : 0; }
-    GLenum map_format() const;                   ///< as OpenGL names it
-    bool blurs_depths() const;                   ///< map.blur_texels has maps to blur
-    bool has_contacts(std::size_t light) const;  ///< contact shadows darken the light
-    bool shades_by(std::size_t light) const;     ///< the light may change the picture: else shading leaves it out
-    bool paged = false;                          ///< the maps are drawn by pages: there are some, and map.virtual acts
+    GLenum map_format() const;                    ///< as OpenGL names it
+    bool blurs_depths() const;                    ///< map.blur_texels has maps to blur
+    bool has_contacts(std::size_t light) const;   ///< contact shadows darken the light
+    bool shades_by(std::size_t light) const;      ///< the light may change the picture: else shading leaves it out
+    bool takes_for_lit(std::size_t light) const;  ///< shading looks nothing up of it: see never_shadows()
+    bool paged = false;                           ///< the maps are drawn by pages: there are some, and map.virtual acts
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn
     std::vector<glm::vec2> disk_texels;        ///< places of the kernel's disks that shaders read from an image
@@ -161,9 +162,9 @@ struct FrameState {
     /// Prepares a pass that computes every pixel of a framebuffer by one triangle; draw it with draw_fullscreen().
     void begin_fullscreen_pass(GLuint framebuffer, int width, int height) const;
     static void draw_fullscreen(PassInfo& info);
-};
     /// Draws no more than these pixels of it.
     static void draw_fullscreen(std::span<const TexelRect> rects, PassInfo& info);
+};
 
 /// Writes what rays found into a light's layer of a visibility texture of the frame's size.
 void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibility, int light);

@@ -320,9 +320,9 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
         if (!work.drawn[v] && !(lost && !work.holds[v].empty()))
             info.parts.push_back(left_part(f, i, v, !work.holds[v].empty()));
         else if (apart)
-            closed += draw_over_resting(f, i, v, work.holds[v], resting, views[v], info);
+            count(draw_over_resting(f, i, v, work.holds[v], resting, views[v], info));
         else
-            closed += draw_part(f, i, v, work.holds[v], info);
+            count(draw_part(f, i, v, work.holds[v], info));
     }
     t.held[i] = work.holds;
     if (apart || !resting.reason.empty()) info.parts.push_back(resting_part(f, i, resting));

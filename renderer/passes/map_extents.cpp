@@ -63,6 +63,7 @@ std::optional<PartInfo> unread_texels(const FrameState& f, std::string name) {
 CalledMaps maps_called_for(FrameState& f, std::size_t light, std::uint64_t maps) {
     const FittedLight& fitted = f.gl.fitted[light];
     if (reads_whole_maps(f)) return {std::vector<MapCells>(fitted.views.size(), MapCells::whole()), {}};
+    if (f.takes_for_lit(light)) return {std::vector<MapCells>(fitted.views.size()), fitted.empty};
     const Settings& s = f.settings;
     const LookupArea area{.resolution = f.map_resolution,
                           .reach_texels = reach_under(s, fitted, f.map_resolution).read + s.map.blur_texels,
