@@ -179,6 +179,8 @@ void lookup_parts(const Facts& f, const PassInfo& pass, bool separate, Effects& 
         const bool forced = f.forced.contains(Saving::Uncalled);
         if (!separate && light.shadowed && shades_nothing(light, f.settings))
             out.push_back(part_of(pass, name, forced, (forced ? "forced: " : "") + light.dark, Saving::Uncalled));
+        else if (!separate && !forced && never_shadows(light, f.settings))
+            out.push_back(part_of(pass, name, false, light.empty, Saving::Uncalled));
         else if (!light.shadowed)
             out.push_back(lit_everywhere(f, pass, name, light.reason + ": it is lit wherever it shines", separate));
         else if (source.file.empty() && !source.needs.truth)

@@ -14,7 +14,8 @@ constexpr SavingRow kRows[] = {
     {.key = "uncalled",
      .label = "What nothing calls for",
      .help = "Passes and look-ups for lights without a shadow are left out: what they would find is lit everywhere. "
-             "Shading leaves out lights that are black or reach nothing of the scene."},
+             "Shading leaves out lights that are black or reach nothing of the scene, and takes for lit what is in "
+             "reach of a light whose maps no caster lies in."},
     {.key = "blockers",
      .label = "Searches without a penumbra",
      .help = "A kernel that searches for blockers looks once where its light is too small for a penumbra: all places "
@@ -55,6 +56,12 @@ constexpr SavingRow kRows[] = {
              "own, which is copied where others were, and only what moves is drawn over it: of all that covers a "
              "texel the nearest depth stays, in whatever order. It takes the maps' memory once more, while something "
              "moves."},
+    {.key = "fragments",
+     .label = "Fragments of opaque casters",
+     .help =
+         "Opaque casters with flat sides, none of which the light's parallel rays meet edge-on, are drawn into "
+         "depth buffers without a fragment shader. Of the others it drops what rounding draws from beyond the map's "
+         "range, which a flat side seen well from its front does not leave."},
 };
 static_assert(std::size(kRows) == kSavings);
 

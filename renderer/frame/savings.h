@@ -22,6 +22,7 @@ enum class Saving {
     Casters,    ///< of which nothing lies in a map
     Views,      ///< maps, and casters into them, of which no look-up of the picture reads anything
     Resting,    ///< casters that did not move, where others did
+    Fragments,  ///< work on fragments of casters that have no stray ones
     kCount
 };
 inline constexpr std::size_t kSavings = std::size_t(Saving::kCount);

@@ -60,6 +60,11 @@ bool FrameState::shades_by(std::size_t light) const {
     return !shades_nothing(gl.fitted[light], settings) || request.forced.contains(Saving::Uncalled);
 }
 
+bool FrameState::takes_for_lit(std::size_t light) const {
+    return !separate_visibility && never_shadows(gl.fitted[light], settings) &&
+           !request.forced.contains(Saving::Uncalled);
+}
+
 bool FrameState::draws_unfiltered() const {
     return offsets_polygons(settings) || mask_levels;
 }
@@ -103,6 +108,15 @@ void FrameState::draw_fullscreen(PassInfo& info) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
     ++info.draws;
     ++info.triangles;
+}
+
+void FrameState::draw_fullscreen(std::span<const TexelRect> rects, PassInfo& info) {
+    glEnable(GL_SCISSOR_TEST);
+    for (const TexelRect& r : rects) {
+        glScissor(r.from.x, r.from.y, r.to.x - r.from.x, r.to.y - r.from.y);
+        draw_fullscreen(info);
+    }
+    glDisable(GL_SCISSOR_TEST);
 }
 
 GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragment,

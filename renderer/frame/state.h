@@ -23,6 +23,7 @@
 #include "renderer/gl/timer.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/map_cells.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/units.h"
 
@@ -72,11 +73,12 @@ struct FrameState {
     int map_resolution = 0;
     /// As gl::Target counts layers: 0 for a single view.
     int map_layers() const { return view_count > 1 ? view_count : 0; }
-    GLenum map_format() const;                   ///< as OpenGL names it
-    bool blurs_depths() const;                   ///< map.blur_texels has maps to blur
-    bool has_contacts(std::size_t light) const;  ///< contact shadows darken the light
-    bool shades_by(std::size_t light) const;     ///< the light may change the picture: else shading leaves it out
-    bool paged = false;                          ///< the maps are drawn by pages: there are some, and map.virtual acts
+    GLenum map_format() const;                    ///< as OpenGL names it
+    bool blurs_depths() const;                    ///< map.blur_texels has maps to blur
+    bool has_contacts(std::size_t light) const;   ///< contact shadows darken the light
+    bool shades_by(std::size_t light) const;      ///< the light may change the picture: else shading leaves it out
+    bool takes_for_lit(std::size_t light) const;  ///< shading looks nothing up of it: see never_shadows()
+    bool paged = false;                           ///< the maps are drawn by pages: there are some, and map.virtual acts
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn
     std::vector<glm::vec2> disk_texels;        ///< places of the kernel's disks that shaders read from an image
@@ -101,9 +103,10 @@ struct FrameState {
     std::vector<LightMapNeed> light_maps;  ///< as FrameResult::light_maps
     /// The baked one of a light whose source it is; null: its source is another, or it is not baked yet.
     std::vector<const LightMap*> light_map_of_light;
-    std::uint64_t truth_content = 0;    ///< key of what of it is used
-    Plan plan;                          ///< see plan_frame()
-    std::vector<bool> layers_drawn;     ///< of the maps: of others nothing is read. Once their passes are planned
+    std::uint64_t truth_content = 0;  ///< key of what of it is used
+    Plan plan;                        ///< see plan_frame()
+    /// What of each of the maps is drawn: of the rest nothing is read. Once their passes are planned.
+    std::vector<MapCells> layers_held;
     Key maps_extent;                    ///< of what the maps hold of all that they could; the same
     bool maps_are_whole = true;         ///< FrameResult::maps_are_whole; the same
     bool camera_depth_renewed = false;  ///< where the request forces it: once a frame
@@ -159,6 +162,8 @@ struct FrameState {
     /// Prepares a pass that computes every pixel of a framebuffer by one triangle; draw it with draw_fullscreen().
     void begin_fullscreen_pass(GLuint framebuffer, int width, int height) const;
     static void draw_fullscreen(PassInfo& info);
+    /// Draws no more than these pixels of it.
+    static void draw_fullscreen(std::span<const TexelRect> rects, PassInfo& info);
 };
 
 /// Writes what rays found into a light's layer of a visibility texture of the frame's size.

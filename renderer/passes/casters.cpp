@@ -1,7 +1,10 @@
 #include "renderer/passes/casters.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/gtc/type_ptr.hpp>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -50,37 +53,50 @@ void set_raster_bias(const FrameState& f, bool reversed) {
 struct Side {
     glm::dvec3 normal, corner;
 };
-/// Of a closed mesh, found when first asked for. None: there are very many, all of them small.
-using SidesOfMesh = std::optional<std::vector<Side>>;
+/// Of a mesh, found when first asked for.
+struct SidesOfMesh {
+    std::vector<Side> sides;  ///< none: there are very many, all of them small
+    double least_height = 0;  ///< of its triangles that have an area
+};
 constexpr std::size_t kMostSides = 1024;
 
 /// Sine of the angle to a ray below which a side is taken to be seen edge-on.
 constexpr double kEdgeOn = 1e-4;
+
+/// Texels that a triangle has to be wide for what floats make of its corners.
+constexpr double kLeastWidth = 0.01;
+/// Steps of a rasteriser's grid by which a texel that it takes for covered may lie beside a triangle.
+constexpr double kStepsBeside = 4;
+/// Of a map's side, in which depths of triangles are counted from one corner: what floats make of that.
+constexpr double kFloatSide = 1e-6;
 
 /// Of a view's near plane: what begins nearer to a light may cover any texel.
 constexpr double kBeforeShare = 1e-3;
 /// Around what a caster covers.
 constexpr double kCasterRoomTexels = 2;
 
-std::vector<Side> sides_of(const Mesh& mesh) {
+SidesOfMesh sides_of(const Mesh& mesh) {
     std::map<std::array<int, 3>, Side> sides;
+    double least_height = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 2 < mesh.indices.size() && sides.size() <= kMostSides; i += 3) {
-        const glm::dvec3 a = mesh.positions[mesh.indices[i]];
-        const glm::dvec3 n = glm::cross(glm::dvec3(mesh.positions[mesh.indices[i + 1]]) - a,
-                                        glm::dvec3(mesh.positions[mesh.indices[i + 2]]) - a);
+        const glm::dvec3 a = mesh.positions[mesh.indices[i]], ab = glm::dvec3(mesh.positions[mesh.indices[i + 1]]) - a,
+                         ac = glm::dvec3(mesh.positions[mesh.indices[i + 2]]) - a, n = glm::cross(ab, ac);
         const double length = glm::length(n);
+        const double longest = std::sqrt(std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(ab - ac, ab - ac)}));
+        if (longest > 0) least_height = std::min(least_height, length / longest);
         if (!(length > 0)) continue;
         const glm::ivec3 steps(glm::round(n / length * 1e5));
         sides.try_emplace({steps.x, steps.y, steps.z}, Side{n / length, a});
     }
-    std::vector<Side> out;
+    SidesOfMesh out;
     if (sides.size() > kMostSides) return out;
-    for (const auto& [steps, side] : sides) out.push_back(side);
+    out.least_height = least_height;
+    for (const auto& [steps, side] : sides) out.sides.push_back(side);
     return out;
 }
 
-const std::vector<Side>& sides_of(FrameState& f, std::size_t mesh) {
-    SidesOfMesh& sides = f.gl.owned.get<OfMeshes<SidesOfMesh>>().of(f.scene, mesh);
+const SidesOfMesh& sides_of(FrameState& f, std::size_t mesh) {
+    auto& sides = f.gl.owned.get<OfMeshes<std::optional<SidesOfMesh>>>().of(f.scene, mesh);
     if (!sides) sides = sides_of(f.scene.meshes[mesh]);
     return *sides;
 }
@@ -97,24 +113,64 @@ glm::dvec4 ray_source(const glm::dmat4& clip) {
     return {without(0), -without(1), without(2), -without(3)};
 }
 
+/// The programs that casters of one batch after another are drawn with.
+class CasterPrograms {
+public:
+    /// @param drops what rounding draws from beyond the range is left out
+    CasterPrograms(const FrameState& f, const CasterView& view, bool drops) : f_(f), view_(view), drops_(drops) {}
+
+    void use(const Batch& batch, bool bare) {
+        if (!previous_ || previous_->masked != batch.masked || (batch.masked && !previous_->texture != !batch.texture))
+            made_ = {};
+        previous_ = batch;
+        GLuint& id = made_[bare];
+        if (id == 0)
+            id = f_.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl",
+                                  {{"DROPS_STRAYS", drops_ && !bare ? "1" : "0"}}, batch, true);
+        if (id != current_) {
+            const glm::mat4 matrix(view_.clip_from_relative);
+            const DepthCurve& curve = view_.curve;
+            glUseProgram(current_ = id);
+            glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
+            if (holds_distances(f_.settings.map.format))
+                glUniform4f(glGetUniformLocation(id, "curve"), float(curve.near), float(curve.far), curve.perspective,
+                            curve.convention.reversed);
+        }
+        const GLuint mask = view_.unfiltered ? batch.finest_texture : batch.texture;
+        if (batch.masked && mask && mask != texture_) glBindTextureUnit(shared::UNIT_BASE_COLOUR, texture_ = mask);
+    }
+    bool drops() const { return drops_; }
+
+private:
+    const FrameState& f_;
+    const CasterView& view_;
+    const bool drops_;
+    std::optional<Batch> previous_;
+    std::array<GLuint, 2> made_{};  ///< for such batches: with a fragment shader, and bare
+    GLuint current_ = 0, texture_ = 0;
+};
+
 /// Draws the casters of one view, batch by batch.
 class CasterDrawer {
 public:
-    CasterDrawer(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info)
+    CasterDrawer(FrameState& f, const CasterView& view, const SeenOf& seen, CasterPrograms& programs, PassInfo& info)
         : f_(f),
           view_(view),
           which_(view.which),
           seen_(seen),
+          programs_(programs),
           info_(info),
           sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.resolution),
           rays_from_(ray_source(view.clip_from_relative)),
           offset_(!view.unfiltered && offsets_polygons(f.settings)),
           skips_(!seen && !f.request.forced.contains(Saving::Casters)),
+          bares_(programs.drops() && !is_colour(f.settings.map.format) && !view.curve.perspective && !view.curve.warp &&
+                 !f.request.forced.contains(Saving::Fragments)),
           uvd_from_relative_(uvd_from_clip(view.curve.convention) * view.clip_from_relative) {}
 
     void draw(const Batch& batch) {
         const bool closed = batch.closed && !batch.masked && !offset_ && cull_of(f_, batch) == Cull::None;
-        Run run{batch, false};
+        Run run{batch};
         run.batch.instances = 0;
         for (GLuint i = 0; i < GLuint(batch.instances); ++i) add(batch, batch.first_instance + i, closed, run);
         finish(run);
@@ -125,17 +181,18 @@ public:
 private:
     struct Run {
         Batch batch;
-        bool fronts_alone;
+        bool fronts_alone = false, bare = false;
     };
 
     FrameState& f_;
     const CasterView& view_;
     const CasterChoice& which_;
     const SeenOf& seen_;
+    CasterPrograms& programs_;
     PassInfo& info_;
     BoxSight sight_;
     glm::dvec4 rays_from_;
-    bool offset_, skips_;
+    bool offset_, skips_, bares_;
     glm::dmat4 uvd_from_relative_;
     std::vector<IndexRange> parts_;
 
@@ -158,15 +215,16 @@ private:
         if (which_.covered && what != Seen::Nothing) note_covered(box_of(instance));
         const bool fronts_alone =
             closed && what != Seen::Nothing && sight_.has_before_it(box_of(instance)) && !shows_edge(instance);
-        spared.closed += fronts_alone;
-        if (what != Seen::Whole || fronts_alone != run.fronts_alone) finish(run);
-        run.fronts_alone = fronts_alone;
+        const bool bare = bares_ && !batch.masked && what != Seen::Nothing && leaves_no_strays(instance);
+        spared.closed += fronts_alone, spared.bare += bare;
+        if (what != Seen::Whole || fronts_alone != run.fronts_alone || bare != run.bare) finish(run);
+        run.fronts_alone = fronts_alone, run.bare = bare;
         if (what == Seen::Whole) {
             if (run.batch.instances++ == 0) run.batch.first_instance = instance;
             return;
         }
         for (const IndexRange& range : what == Seen::Parts ? parts_ : std::vector<IndexRange>{}) {
-            Run part{batch, fronts_alone};
+            Run part{batch, fronts_alone, bare};
             part.batch.first_instance = instance, part.batch.instances = 1;
             part.batch.first_index += range.first, part.batch.index_count = range.count;
             finish(part);
@@ -217,15 +275,45 @@ private:
         glm::dmat4 world = object.world;
         world[3] -= glm::dvec4(view_.origin, 0);
         const glm::dvec4 from = glm::inverse(world) * rays_from_;
-        for (const Side& side : sides_of(f_, std::size_t(object.mesh))) {
+        for (const Side& side : sides_of(f_, std::size_t(object.mesh)).sides) {
             const glm::dvec3 ray = glm::dvec3(from) - side.corner * from.w;
             if (!(std::abs(glm::dot(side.normal, ray)) > kEdgeOn * glm::length(ray))) return true;
         }
         return false;
     }
 
+    /// Whether no texel that a rasteriser takes for covered gets a depth from before the map's range: all sides are
+    /// seen so far from their edges that their planes do not rise so far beside their triangles. Of parallel rays.
+    bool leaves_no_strays(GLuint instance) const {
+        const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
+        if (f_.scene.meshes[std::size_t(object.mesh)].deformer) return false;
+        const SidesOfMesh& mesh = sides_of(f_, std::size_t(object.mesh));
+        if (mesh.sides.empty()) return false;
+        const glm::dmat4& m = uvd_from_relative_;
+        const glm::dvec3 u(m[0][0], m[1][0], m[2][0]), v(m[0][1], m[1][1], m[2][1]), z(m[0][2], m[1][2], m[2][2]);
+        const SkewBox box = box_of(instance);
+        double half = 0;
+        for (int i = 0; i < 3; ++i) half += std::abs(glm::dot(z, box.half[i]));
+        const double middle = glm::dot(z, box.centre - view_.origin) + m[3][2];
+        const double before = view_.curve.convention.reversed ? 1 - middle - half : middle - half;
+        if (!(before > 0)) return false;
+        const glm::dmat3 back = glm::inverse(glm::dmat3(object.world));
+        double shrinks = 0;  // at least what lengths in the mesh are divided by in the world
+        for (int i = 0; i < 3; ++i) shrinks += glm::dot(back[i], back[i]);
+        const double texels = std::min(glm::length(u), glm::length(v)) * view_.resolution;
+        const double least_sine = kLeastWidth * std::sqrt(shrinks) / (mesh.least_height * texels);
+        const double beside = std::ldexp(kStepsBeside, -f_.driver.subpixel_bits) + kFloatSide * view_.resolution;
+        const double least_tangent = beside * glm::length(z) / (texels * before);
+        const glm::dvec3 ray = glm::normalize(glm::cross(u, v));
+        return std::ranges::all_of(mesh.sides, [&](const Side& side) {
+            const double sine = std::abs(glm::dot(glm::normalize(side.normal * back), ray));
+            return sine > least_sine && sine > least_tangent * std::sqrt(std::max(1 - sine * sine, 0.0));
+        });
+    }
+
     void finish(Run& run) {
         if (run.batch.instances == 0) return;
+        programs_.use(run.batch, run.bare);
         set_cull(run.fronts_alone ? Cull::Back : cull_of(f_, run.batch), run.batch.mirrored);
         draw_now(run.batch);
         if (run.fronts_alone && f_.request.forced.contains(Saving::BackFaces)) draw_backs(run.batch);
@@ -294,32 +382,15 @@ SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& 
     else
         set_raster_bias(f, convention.reversed);
     if (view.clamps_near) glEnable(GL_DEPTH_CLAMP);
-    const glm::mat4 matrix(view.clip_from_relative);
     f.gl.scene->bind(f.scene, f.settings, view.origin, 1);
-    CasterDrawer drawer(f, view, seen, info);
     // Beyond the range lies what a near plane flattens, and what is moved there.
     const bool strays = !view.clamps_near && (view.unfiltered || !offsets_polygons(f.settings));
-    const std::vector<gl::Define> defines = {{"DROPS_STRAYS", strays ? "1" : "0"}};
-    GLuint current = 0, texture = 0;
-    std::optional<Batch> previous;
+    CasterPrograms programs(f, view, strays);
+    CasterDrawer drawer(f, view, seen, programs, info);
     for (const Batch& drawn : f.gl.scene->batches()) {
         if (!draws_into_maps(f, drawn)) continue;
         Batch batch = drawn;
         batch.masked |= batch.blend;
-        const bool same =
-            previous && previous->masked == batch.masked && (!batch.masked || !previous->texture == !batch.texture);
-        const GLuint id =
-            same ? current : f.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", defines, batch, true);
-        if (id != current) {
-            glUseProgram(current = id);
-            glUniformMatrix4fv(glGetUniformLocation(id, "clip_from_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
-            if (holds_distances(f.settings.map.format))
-                glUniform4f(glGetUniformLocation(id, "curve"), float(view.curve.near), float(view.curve.far),
-                            view.curve.perspective, convention.reversed);
-        }
-        const GLuint mask = view.unfiltered ? batch.finest_texture : batch.texture;
-        if (batch.masked && mask && mask != texture) glBindTextureUnit(shared::UNIT_BASE_COLOUR, texture = mask);
-        previous = batch;
         drawer.draw(batch);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);

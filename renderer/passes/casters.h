@@ -54,6 +54,7 @@ struct SparedCasters {
     std::uint64_t beside = 0;  ///< instances of which nothing lies in the map
     std::uint64_t unread = 0;  ///< instances that cover nothing of what is called for
     std::uint64_t closed = 0;  ///< instances that were drawn by their front faces alone
+    std::uint64_t bare = 0;    ///< instances that were drawn without a fragment shader
 };
 
 /// Draws every caster, or what of them can be seen, into the bound framebuffer and viewport.

@@ -2,7 +2,7 @@
 // and receiver that is not there ("corresponds to filtered geometry"), where a filter averages the tests' results.
 #include <fmt/format.h>
 
-#include "renderer/frame/state.h"
+#include "renderer/passes/map_extents.h"
 #include "renderer/settings/map_storage.h"
 
 namespace si {
@@ -28,7 +28,7 @@ void blur_layer(FrameState& f, const BlurredMaps& t, const gl::Framebuffer& rows
         glUseProgram(id);
         glUniform1i(glGetUniformLocation(id, "layer"), layer);
         glUniform1i(glGetUniformLocation(id, "radius"), f.settings.map.blur_texels);
-        FrameState::draw_fullscreen(info);
+        FrameState::draw_fullscreen(f.layers_held[std::size_t(layer)].texels(n), info);
     };
     draw(rows.id(), "0");
     const int target_layer = t.maps.layers == 0 ? -1 : layer;
@@ -64,7 +64,9 @@ void add_depth_blur_pass(FrameState& f) {
         t.rows.ensure("shadow map blurred along x", GL_R32F, n, n);
         const auto rows = gl::make_framebuffer("shadow map blurred along x", &t.rows, nullptr);
         for (int layer = 0; layer < f.view_count; ++layer)
-            if (f.layers_drawn[std::size_t(layer)]) blur_layer(f, t, rows, layer, info);
+            if (!f.layers_held[std::size_t(layer)].empty()) blur_layer(f, t, rows, layer, info);
+        if (std::optional<PartInfo> part = unread_texels(f, "blurred depths that nothing reads"))
+            info.parts.push_back(std::move(*part));
         info.reason += fmt::format("; mean of {0} x {0} texels' depths, wrong on purpose", 2 * radius + 1);
     };
     f.plan.add(std::move(pass));

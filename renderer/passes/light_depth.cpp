@@ -64,9 +64,8 @@ std::string name_of_view(const FittedLight& light, std::size_t view, std::size_t
     return fmt::format("{} of light {}", name.empty() ? "map" : name, number);
 }
 
-/// Draws one of a light's views, and says what was left out of it. @returns the closed casters drawn without their
-/// backs
-std::uint64_t draw_part(FrameState& f, std::size_t light, std::size_t view, const MapCells& called, PassInfo& info) {
+/// Draws one of a light's views, and says what was left out of it.
+SparedCasters draw_part(FrameState& f, std::size_t light, std::size_t view, const MapCells& called, PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
     const std::uint64_t draws = info.draws, triangles = info.triangles;
     const SparedCasters spared =
@@ -88,7 +87,7 @@ std::uint64_t draw_part(FrameState& f, std::size_t light, std::size_t view, cons
         part.reason = fmt::format("its casters are drawn, but for {} that {} nothing that the camera can read",
                                   spared.unread, cover);
     info.parts.push_back(std::move(part));
-    return spared.closed;
+    return spared;
 }
 
 /// A view that is not drawn.
@@ -110,6 +109,15 @@ PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t c
     part.reason =
         fmt::format("{} closed caster{} drawn by {}", closed, closed == 1 ? " is" : "s are",
                     forced ? "both their faces, which is forced" : "front faces alone, which hide the back ones");
+    return part;
+}
+
+/// @param bare casters, each counted once a view
+PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
+    PartInfo part{.name = fmt::format("fragments in maps of light {}", light), .unit = "casters"};
+    part.by = Saving::Fragments, part.left_out = bare;
+    part.reason = fmt::format("{} caster{} drawn without a fragment shader: no side is seen edge-on", bare,
+                              bare == 1 ? " is" : "s are");
     return part;
 }
 
@@ -255,8 +263,7 @@ void copy_texels(const gl::Target& from, const gl::Target& to, int layer, const 
 
 /// Draws one of a light's views as a copy of what rests with what moved over it.
 /// @param of what the light's map is made of so far
-/// @returns the closed casters drawn without their backs
-std::uint64_t draw_over_resting(FrameState& f, std::size_t light, std::size_t view, const MapCells& called,
+SparedCasters draw_over_resting(FrameState& f, std::size_t light, std::size_t view, const MapCells& called,
                                 const RestingWork& work, RestingView& of, PassInfo& info) {
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
     const FittedLight& l = f.gl.fitted[light];
@@ -282,7 +289,8 @@ std::uint64_t draw_over_resting(FrameState& f, std::size_t light, std::size_t vi
                   : part.draws == 0 ? "what rests in it is kept, and nothing that moves covers what is called for"
                                     : "what rests in it is kept, and what moves is drawn over it";
     info.parts.push_back(std::move(part));
-    return spared.closed + over.closed;
+    spared.closed += over.closed, spared.bare += over.bare;
+    return spared;
 }
 
 void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& work, PassInfo& info) {
@@ -306,19 +314,21 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
     }
     std::vector<RestingView>& views = rest.casters.views;
     views.resize(apart ? l.views.size() : 0);
-    std::uint64_t closed = 0;
+    std::uint64_t closed = 0, bare = 0;
+    const auto count = [&](const SparedCasters& spared) { closed += spared.closed, bare += spared.bare; };
     for (std::size_t v = 0; v < l.views.size(); ++v) {
         if (!work.drawn[v] && !(lost && !work.holds[v].empty()))
             info.parts.push_back(left_part(f, i, v, !work.holds[v].empty()));
         else if (apart)
-            closed += draw_over_resting(f, i, v, work.holds[v], resting, views[v], info);
+            count(draw_over_resting(f, i, v, work.holds[v], resting, views[v], info));
         else
-            closed += draw_part(f, i, v, work.holds[v], info);
+            count(draw_part(f, i, v, work.holds[v], info));
     }
     t.held[i] = work.holds;
     if (apart || !resting.reason.empty()) info.parts.push_back(resting_part(f, i, resting));
     t.at_rest[i] = std::move(rest);
     if (closed > 0) info.parts.push_back(back_faces_part(f, i, closed));
+    if (bare > 0) info.parts.push_back(fragments_part(i, bare));
     if (!work.uncalled.empty()) {
         info.state = PassState::Skipped;
         info.reason = work.uncalled;
@@ -340,7 +350,7 @@ bool keeps_resting(const FrameState& f, const DrawnMaps& t) {
 }  // namespace
 
 void add_light_depth_passes(FrameState& f) {
-    f.layers_drawn.assign(std::size_t(f.view_count), true);
+    f.layers_held.assign(std::size_t(f.view_count), MapCells::whole());
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
     if (!keeps_resting(f, t)) f.plan.release([&t] { t.resting = {}; });
     if (f.paged) return;
@@ -372,7 +382,7 @@ void add_light_depth_passes(FrameState& f) {
         pass.lacks = kept && work.draws();
         if (kept) pass.unneeded = work.uncalled;
         for (std::size_t v = 0; v < work.holds.size(); ++v) {
-            f.layers_drawn[std::size_t(f.first_view[i]) + v] = !work.holds[v].empty();
+            f.layers_held[std::size_t(f.first_view[i]) + v] = work.holds[v];
             work.holds[v].add_to(f.maps_extent);
         }
         f.maps_are_whole &= all_whole(work.holds);

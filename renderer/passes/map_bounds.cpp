@@ -34,7 +34,7 @@ void find_bounds(const FrameState& f, BoundsTargets& t, PassInfo& info) {
         if (!light.casts) continue;
         const int reach = bounds_reach_cells(f, light);
         for (int layer = f.first_view[i]; layer < f.first_view[i] + int(light.views.size()); ++layer) {
-            if (!f.layers_drawn[std::size_t(layer)]) continue;
+            if (f.layers_held[std::size_t(layer)].empty()) continue;
             draw_step(f, t.cells, -1, 0, layer, reach, info);
             glBindTextureUnit(shared::UNIT_BLURRED_ROWS, t.cells.texture.id());
             draw_step(f, t.bounds, t.bounds.layers == 0 ? -1 : layer, 1, layer, reach, info);

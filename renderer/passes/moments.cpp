@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "renderer/frame/driver.h"
 #include "renderer/passes/casters.h"
 #include "renderer/passes/lookup_savings.h"
+#include "renderer/passes/map_extents.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 
@@ -48,12 +50,13 @@ class LayerMaker {
 public:
     LayerMaker(FrameState& f, MomentTargets& t, PassInfo& info) : f_(f), t_(t), info_(info) {}
 
-    void make(const FittedLight& light, const LightView& view, int layer) {
+    /// @param held what of the view's map is drawn
+    void make(const FittedLight& light, const LightView& view, int layer, const MapCells& held) {
         const FilterSettings& s = f_.settings.filter;
-        view_ = &view, layer_ = layer;
+        view_ = &view, layer_ = layer, texels_ = held.texels(f_.map_resolution);
         From from = From::Depths;
         if (sampled(f_)) {
-            draw_samples(light, view);
+            draw_samples(light, view, held);
             from = From::Samples;
         }
         if (filter_of(f_.settings).moments.summed) {
@@ -77,7 +80,8 @@ private:
     MomentTargets& t_;
     PassInfo& info_;
     const LightView* view_ = nullptr;
-    int layer_ = 0, filled_ = 0;  ///< which of the steps holds what was drawn last
+    std::vector<TexelRect> texels_;  ///< that the map holds
+    int layer_ = 0, filled_ = 0;     ///< which of the steps holds what was drawn last
 
     /// Of what the next draw writes into: the layer itself, or the step that is not read.
     gl::Framebuffer begin(bool last) {
@@ -96,14 +100,21 @@ private:
         const gl::Framebuffer into = begin(last);
         // Only near the map's sides are windows cut: to find how far, texel by texel, costs a frame's fifteenth.
         const int n = f_.map_resolution, cut = std::min(radius, (n + 1) / 2);
-        average_strip(from, radius, axis, last, true, cut, n - cut);
-        average_strip(from, radius, axis, last, false, 0, cut);
-        average_strip(from, radius, axis, last, false, std::max(cut, n - cut), n);
+        const glm::ivec2 inner[] = {{cut, n - cut}}, sides[] = {{0, cut}, {std::max(cut, n - cut), n}};
+        average_strips(from, radius, axis, last, true, inner);
+        average_strips(from, radius, axis, last, false, sides);
     }
 
-    /// Texels from `first` to before `end` along the axis. @param whole none of their windows is cut
-    void average_strip(From from, int radius, int axis, bool last, bool whole, int first, int end) {
-        if (first >= end) return;
+    /// Of what is held, texels from the first to before the second number along the axis.
+    /// @param whole none of their windows is cut
+    void average_strips(From from, int radius, int axis, bool last, bool whole, std::span<const glm::ivec2> strips) {
+        std::vector<TexelRect> rects;
+        for (const glm::ivec2& strip : strips)
+            for (TexelRect r : texels_) {
+                r.from[axis] = std::max(r.from[axis], strip[0]), r.to[axis] = std::min(r.to[axis], strip[1]);
+                if (r.from[axis] < r.to[axis]) rects.push_back(r);
+            }
+        if (rects.empty()) return;
         const bool summed = filter_of(f_.settings).moments.summed;
         const GLuint id = f_.program("passes/fullscreen.vert.glsl", "passes/moments.frag.glsl",
                                      {{"BLUR_COLUMNS", std::to_string(axis)},
@@ -120,12 +131,7 @@ private:
         glUniform1i(glGetUniformLocation(id, "layer"), layer_);
         glUniform4f(glGetUniformLocation(id, "curve"), float(curve.near), float(curve.far),
                     curve.perspective ? 1.f : 0.f, 0.f);
-        const int n = f_.map_resolution;
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(axis == 0 ? first : 0, axis == 0 ? 0 : first, axis == 0 ? end - first : n,
-                  axis == 0 ? n : end - first);
-        FrameState::draw_fullscreen(info_);
-        glDisable(GL_SCISSOR_TEST);
+        f_.draw_fullscreen(rects, info_);
     }
 
     /// Sums along an axis, of what was drawn last; along the last axis into the layer.
@@ -140,12 +146,12 @@ private:
         }
     }
 
-    void draw_samples(const FittedLight& light, const LightView& view) {
+    void draw_samples(const FittedLight& light, const LightView& view, const MapCells& held) {
         const bool colour = is_colour(f_.settings.map.format);
         t_.samples.ensure("samples of a map", colour ? GLenum(GL_DEPTH_COMPONENT32F) : f_.map_format(),
                           f_.map_resolution, f_.map_resolution, 0, {.samples = f_.settings.map.samples});
         const gl::Framebuffer into = gl::make_framebuffer("samples of a map", nullptr, &t_.samples);
-        draw_casters(f_, into, false, light, view, info_);
+        draw_casters(f_, into, false, light, view, info_, {.called = &held});
     }
 };
 
@@ -204,10 +210,12 @@ void add_moments_pass(FrameState& f) {
         for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
             const FittedLight& light = f.gl.fitted[i];
             for (std::size_t v = 0; light.casts && v < light.views.size(); ++v)
-                if (const int layer = f.first_view[i] + int(v); f.layers_drawn[std::size_t(layer)])
-                    maker.make(light, light.views[v], layer);
+                if (const auto layer = std::size_t(f.first_view[i]) + v; !f.layers_held[layer].empty())
+                    maker.make(light, light.views[v], int(layer), f.layers_held[layer]);
         }
         if (mips) glGenerateTextureMipmap(t.moments.texture.id());
+        if (std::optional<PartInfo> part = unread_texels(f, "moments that nothing reads"))
+            info.parts.push_back(std::move(*part));
         info.reason += description(f);
     };
     f.plan.add(std::move(pass));

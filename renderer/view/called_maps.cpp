@@ -100,7 +100,7 @@ private:
     void take(MapRect rect, bool held) {
         if (!held && area_.wrap == MapWrap::Repeat) return take_all();
         rect.lo -= room_, rect.hi += room_;
-        const bool beyond = !held && area_.wrap == MapWrap::Clamp;
+        const bool beyond = !held && (area_.wrap == MapWrap::Clamp || area_.weighs_rim);
         MapCells read;
         read.add(rect, beyond);
         if (read.empty()) return;
@@ -144,8 +144,8 @@ private:
             if (!(p.nearest > 0)) return take_all();
             take(p.rect, true);
         }
-        if (light_.chooser.choice == ViewChoice::Face || area_.wrap == MapWrap::Border || area_.wrap == MapWrap::Range)
-            return;
+        const bool ends = area_.wrap == MapWrap::Border || area_.wrap == MapWrap::Range;
+        if (light_.chooser.choice == ViewChoice::Face || (ends && !area_.weighs_rim)) return;
         if (area_.whole_maps || area_.wrap == MapWrap::Repeat) return take_all();
         region.add_rim();
     }

@@ -55,6 +55,7 @@ struct LookupArea {
     double normal_texels = 0;  ///< bias.normal
     MapWrap wrap = MapWrap::Border;
     bool whole_maps = false;   ///< what is read depends on the whole of each map that is read
+    bool weighs_rim = false;   ///< beyond a map's sides its last texels are read, if only to count for nothing
     bool light_alone = false;  ///< visibility counts only where light arrives
 };
 

@@ -11,8 +11,10 @@
 #include "renderer/settings/fits.h"
 #include "renderer/settings/paging.h"
 #include "renderer/settings/sources.h"
+#include "renderer/view/box_sight.h"
 #include "renderer/view/called_maps.h"
 #include "renderer/view/fit_context.h"
+#include "renderer/view/fits/convex.h"
 #include "renderer/view/map_limits.h"
 #include "renderer/view/near_far.h"
 
@@ -43,6 +45,55 @@ std::string why_dark(const FittedLight& light, const Scene& scene) {
     return arrives ? "" : "nothing lies within the light's range and cone";
 }
 
+SkewBox skew_box(const Box& corners) {
+    SkewBox box;
+    box.centre = 0.5 * (corners[0] + corners[7]);
+    for (int i = 0; i < 3; ++i) box.half[i] = 0.5 * (corners[std::size_t(1) << i] - corners[0]);
+    return box;
+}
+
+/// Points around all of a box that a view may show and its light's range holds.
+std::vector<glm::dvec3> shown_of(const Box& box, const LightView& view, double range_m) {
+    if (!view.curve.perspective) return {box.begin(), box.end()};
+    double far = 0;
+    for (const glm::dvec3& p : box) far = std::max(far, 1.01 * glm::distance(p, view.eye));
+    if (range_m > 0) far = std::min(far, 1.01 * range_m);
+    Box pyramid;
+    for (unsigned i = 0; i < 8; ++i) {
+        const double z = i & 4 ? far : 1e-4 * far, side = 1.01 * z * view.half_width;
+        pyramid[i] = view.eye + view.axes * glm::dvec3(i & 1 ? side : -side, i & 2 ? side : -side, -z);
+    }
+    const std::vector<HalfSpace> sides = half_spaces_of(pyramid);
+    const ConvexBody body{pyramid, sides};
+    return common_points(box, {&body, 1});
+}
+
+/// How much nearer than a map's end, in depth, what is looked up in an empty map is lit whatever floats make of it.
+constexpr double kBeforeEnd = 1e-5;
+
+bool ends_before(const Box& box, const LightView& view, double range_m) {
+    const DepthCurve& c = view.curve;
+    return std::ranges::all_of(shown_of(box, view, range_m), [&](const glm::dvec3& p) {
+        const double z = -glm::dot(view.axes[2], p - view.eye);
+        const double before = (c.far - z) / (c.far - c.near);
+        return before * (c.perspective ? c.near / std::max(z, c.near) : 1) > kBeforeEnd;
+    });
+}
+
+/// Why nothing is drawn into a light's maps, and all it shines on lies before their far end; else empty.
+std::string why_empty(const FittedLight& light, const SceneShape& shape, const FitContext& c) {
+    for (const LightView& view : light.views) {
+        const BoxSight sight(view.clip_from_relative(light.map_origin), light.map_origin, view.curve.convention,
+                             view.clamps_near, c.resolution);
+        for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
+            const Box& box = shape.boxes[i];
+            if (shape.box_casts[i] && !sight.misses(skew_box(box))) return {};
+            if (shape.box_receives[i] && arrives_at(light, box) && !ends_before(box, view, light.range_m)) return {};
+        }
+    }
+    return "nothing that casts lies in what its map holds: all that it shines on is lit";
+}
+
 /// Maps about the camera that pages are drawn of.
 void fit_clip_levels(FittedLight& light, const FitContext& c, const Camera& camera, int picture_lines) {
     const Settings& settings = c.all_settings;
@@ -65,6 +116,17 @@ void fit_clip_levels(FittedLight& light, const FitContext& c, const Camera& came
 
 bool shades_nothing(const FittedLight& light, const Settings& settings) {
     return !light.dark.empty() && settings.shading.composition != int(Composition::DimLit);
+}
+
+bool never_shadows(const FittedLight& light, const Settings& settings) {
+    const Filter& kernel = filter_of(settings);
+    const bool compares = kernel.samples == Samples::Depth && (!kernel.reads_light_size || kernel.searches_blockers);
+    // What faces the light is moved towards it.
+    const BiasSettings& b = settings.bias;
+    const bool nearer = b.constant >= 0 && b.slope >= 0 &&
+                        (b.normal == 0 || (b.normal > 0 && b.normal_source == int(NormalSource::Geometric)));
+    return !light.empty.empty() && compares && nearer && !compares_per_texel(settings) && !draws_pages(settings) &&
+           settings.map.outside == int(Outside::Lit) && settings.map.compare == int(Compare::LessEqual);
 }
 
 bool fit_reads_camera(const Settings& settings, int light) {
@@ -137,6 +199,7 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
         if (!light.casts) continue;
         if (!light.views.front().clamps_near) light.clipped_casters = count_clipped(shape, light.views);
         light.limits = map_limits(shape, light.views, MapFormat(settings.map.format), resolution);
+        if (!fit_reads_camera(settings, int(i))) light.empty = why_empty(light, shape, context);
         for (std::string& text : map_limit_notes(light.limits, int(i))) note(light, std::move(text));
     }
     return lights;

@@ -45,10 +45,11 @@ struct PlacedLight {
 };
 
 struct FittedLight : PlacedLight {
-    bool shadowed = false;          ///< light.cast is on and something casts and receives, by whatever source
-    bool casts = false;             ///< the same, and the source is a map: has views and anything to draw into them
-    std::string reason;             ///< why it has no map
-    std::string dark;               ///< why no surface of the scene gets anything of it; empty: some may
+    bool shadowed = false;  ///< light.cast is on and something casts and receives, by whatever source
+    bool casts = false;     ///< the same, and the source is a map: has views and anything to draw into them
+    std::string reason;     ///< why it has no map
+    std::string dark;       ///< why no surface of the scene gets anything of it; empty: some may
+    std::string empty;  ///< of one that casts, under a fit that knows no camera: why its maps stay empty; else empty
     std::vector<LightView> views;   ///< all perspective or none; six faces: +x -x +y -y +z -z; cascades
     ViewChooser chooser;            ///< which of them a point is looked up in
     std::vector<ClipLevel> levels;  ///< where its views lie, if they are clip levels; else none
@@ -70,6 +71,10 @@ struct FittedLight : PlacedLight {
 /// Whether shading can do without the light: nothing of it arrives, and the composition does not show by its visibility
 /// alone what is lit.
 bool shades_nothing(const FittedLight& light, const Settings& settings);
+
+/// Whether look-ups of a light's maps answer 1 wherever it shines on what receives: nothing lies in them, and by its
+/// place nothing beside or behind them is dark.
+bool never_shadows(const FittedLight& light, const Settings& settings);
 
 /// Whether a light of this range (0: unlimited) shines so far.
 constexpr bool within_range(double distance_m, double range_m) {

@@ -36,6 +36,12 @@ bool any_lit = false;
 #endif
 #endif
 
+/// 1 lit, 0 in shadow.
+float visibility_of(int light, Surface s, vec3 to_light) {
+    if (LIGHT_EMPTY[light] != 0) return float(!s.receives || faces_light(s, to_light));
+    return light_visibility(s, light);
+}
+
 /// One light's share: visibility * (diffuse + specular).
 vec3 light_share(int i, Surface s) {
     float distance_m;
@@ -46,7 +52,7 @@ vec3 light_share(int i, Surface s) {
 #elif defined(SEPARATE_VISIBILITY)
     float visibility = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, i), 0).r;
 #else
-    float visibility = calls_for_visibility(i, s, l, distance_m) ? light_visibility(s, i) : 1.0;
+    float visibility = calls_for_visibility(i, s, l, distance_m) ? visibility_of(i, s, l) : 1.0;
 #endif
 #if shading_composition == shading_composition_dim_lit
 #ifdef LIT_PASS

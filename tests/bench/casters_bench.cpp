@@ -7,6 +7,7 @@
 #include "app/context/headless_context.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/param.h"
 #include "tests/bench/bare.h"
 #include "tests/bench/rotation.h"
 #include "tests/bench/rounds.h"
@@ -200,6 +201,11 @@ const int kRegistered = [] {
         [=](benchmark::State& s) { seen_map(s, ten_thousand_objects(), seeing_a_part(directional)); });
     add("casters/seen/100k_triangles_all",
         [=](benchmark::State& s) { seen_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), directional); });
+    Settings blurred = seeing_a_part(directional);
+    blurred.camera.target_x = blurred.camera.target_z = -3, set_setting(blurred, "filter.kernel", "vsm");
+    add("casters/seen/64_balls_vsm_part", [=](benchmark::State& s) { seen_map(s, balls_on_a_floor(64), blurred); });
+    blurred.camera.distance = 2.5, blurred.camera.elevation = 40;
+    add("casters/seen/64_balls_vsm_close", [=](benchmark::State& s) { seen_map(s, balls_on_a_floor(64), blurred); });
     add("casters/seen/100k_triangles_point",
         [=](benchmark::State& s) { seen_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), point); });
     return 0;

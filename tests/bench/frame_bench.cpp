@@ -214,21 +214,29 @@ void textured_frame(benchmark::State& state, const std::string& name, const Row&
     if (casts) rotation.ratio(state, "depth_ratio", "depth_ours", "depth_like");
 }
 
-/// The shadow map by itself against the bare program's, which leaves back faces out ("culled") or not.
+/// The shadow map by itself against the bare program's, which leaves back faces out ("culled") or not; and with
+/// fragments of all casters looked at ("looked_at").
 void depth_pass(benchmark::State& state, const char* file) {
     const Match match(Machine::get(file), around_the_scene(), kRows[2], 2048);
     BareForward culled = match.bare({}), whole = match.bare({.cull_casters = false});
     FrameRequest map = match.request;
-    map.outputs = {.colour = false, .shadow_map = true};
-    map.timing = true;
+    map.outputs = {.colour = false, .unfiltered_map = true};  // maps alone
+    FrameRequest forced = map;
+    forced.forced = {Saving::Fragments};
     Renderer& renderer = match.machine.renderer;
     Rotation rotation;
-    rotation.add("ours", [&] { return renderer.render(match.machine.scene, match.settings, map).passes[0].gpu_ms; });
+    rotation.add_draw("ours", [&] { renderer.render(match.machine.scene, match.settings, map); });
+    rotation.add_draw("looked_at", [&] { renderer.render(match.machine.scene, match.settings, forced); });
     rotation.add_draw("culled", [&] { culled.draw(match.facts.camera, match.light, true, false); });
     rotation.add_draw("whole", [&] { whole.draw(match.facts.camera, match.light, true, false); });
     rotation.run(state);
     rotation.ratio(state, "ratio", "ours", "culled");
     rotation.ratio(state, "whole_ratio", "ours", "whole");
+    rotation.ratio(state, "looked_at_ratio", "looked_at", "culled");
+    const FrameResult drawn = renderer.render(match.machine.scene, match.settings, map);
+    for (const PassInfo& pass : drawn.passes)
+        for (const PartInfo& part : pass.parts)
+            if (part.by == Saving::Fragments) state.counters["not_looked_at"] += double(part.left_out);
 }
 
 /// The shadow sampler against gathers with own comparison, the same kernel and picture.

@@ -21,6 +21,7 @@ struct LookupCase {
     const char* kernel;
     Saving saving;
     std::vector<std::pair<const char*, const char*>> sets;
+    bool ground_casts = true;
 };
 
 double drawn_ms(Renderer& renderer, const Scene& scene, const Settings& s, const FrameRequest& request) {
@@ -35,6 +36,7 @@ void lookups(benchmark::State& state, const LookupCase& c, bool anew) {
     set_setting(s, "filter.kernel", c.kernel);
     set_setting(s, "bias.kind", "adaptive");
     for (const auto& [key, value] : c.sets) set_setting(s, key, value);
+    if (!c.ground_casts) s.objects["ground"].cast = false;
     FrameRequest request{.width = 1280, .height = 720}, all = request;
     all.forced = {c.saving};
     request.force = all.force = anew;
@@ -82,6 +84,26 @@ void register_lookup_benchmarks(int rounds) {
                           {"light.1.intensity", "0"},
                           {"light.2.intensity", "0"},
                           {"light.3.intensity", "0"}}});
+    for (const char* kernel : {"hard", "pcf5"})  // below three of four lights nothing casts
+        cases.push_back({kernel,
+                         Saving::Uncalled,
+                         {{"light.count", "4"},
+                          {"light.1.type", "spot"},
+                          {"light.2.type", "spot"},
+                          {"light.3.type", "spot"},
+                          {"light.1.elevation", "90"},
+                          {"light.2.elevation", "90"},
+                          {"light.3.elevation", "90"},
+                          {"light.1.distance", "1.5"},
+                          {"light.2.distance", "1.5"},
+                          {"light.3.distance", "1.5"},
+                          {"light.1.target_y", "0"},
+                          {"light.2.target_y", "0"},
+                          {"light.3.target_y", "0"},
+                          {"light.1.target_x", "19.2"},
+                          {"light.2.target_x", "-19.2"},
+                          {"light.3.target_z", "19.2"}},
+                         false});
     for (const LookupCase& c : cases)
         for (const bool anew : {false, true})
             benchmark::RegisterBenchmark(

@@ -37,7 +37,7 @@ protected:
         Settings s = settings_for(scene, sets);
         s.map.resolution = std::min(s.map.resolution, 512);
         const std::vector<float> saved = texels(frame(scene, s));
-        for (const Saving by : {Saving::BackFaces, Saving::Casters})
+        for (const Saving by : {Saving::BackFaces, Saving::Casters, Saving::Fragments})
             EXPECT_EQ(differing(saved, texels(frame(scene, s, {by}))), 0u)
                 << what << (sets.empty() ? "" : ", " + sets[0].second) << ", " << row_of(by).key << " forced";
     }
@@ -151,6 +151,36 @@ TEST_F(CasterSavingsTest, BackFacesOfClosedCastersAreNotDrawn) {
     EXPECT_EQ(triangles({}, {Saving::BackFaces}), 4 * ball + 2) << "the balls once more, by their backs";
     for (const auto& [key, value] : {std::pair{"caster.cull", "front"}, {"bias.raster_units", "3"}})
         EXPECT_EQ(triangles({{key, value}}, {Saving::BackFaces}), 2 * ball + 2) << key << ": both sides, or as asked";
+}
+
+TEST_F(CasterSavingsTest, FlatCastersSeenWellNeedNoFragmentShader) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(9, 9), grey));
+    const int box = add_mesh(scene, "Box", make_box(glm::dvec3(0.5)), grey);
+    for (int i = 0; i < 3; ++i) add_object(scene, "Box", -1, box, moved(2.0 * i - 2, 0.6, 0) * turned(20 * i));
+    add_object(scene, "Ball", -1, add_mesh(scene, "Ball", make_sphere(0.5, 48, 32), grey), moved(0, 1, 2));
+    finalise(scene);
+    const auto bare = [&](const Sets& sets, SavingSet forced) {
+        std::uint64_t count = 0;
+        for (const PartInfo& part : map_pass(frame(scene, settings_for(scene, sets), forced)).parts)
+            if (part.by == Saving::Fragments) count += part.left_out;
+        return count;
+    };
+    const Sets slanted = {{"light.azimuth", "33"}, {"light.elevation", "40"}, {"light.fit", "scene"}};
+    const auto with = [&](const char* key, const char* value) {
+        Sets sets = slanted;
+        sets.emplace_back(key, value);
+        return sets;
+    };
+    EXPECT_EQ(bare(slanted, {}), 4u) << "floor and boxes, of which no side is seen edge-on; the ball has many";
+    EXPECT_EQ(bare(slanted, {Saving::Fragments}), 0u);
+    EXPECT_EQ(bare(with("light.elevation", "90"), {}), 1u) << "the boxes' walls are seen edge-on";
+    EXPECT_EQ(bare(with("light.azimuth", "90.001"), {}), 3u) << "two walls of the first box are nearly so";
+    EXPECT_EQ(bare(with("map.format", "colour"), {}), 0u) << "a fragment shader writes the map";
+    EXPECT_EQ(bare(with("light.type", "spot"), {}), 0u) << "its rays are not parallel";
+    for (const Sets& sets : {slanted, with("light.elevation", "90"), with("light.azimuth", "90.001")})
+        expect_one_map(scene, sets, "flat casters");
 }
 
 // What the driver itself makes of both sides: rounding decides where a texel's centre lies on a silhouette, and nowhere

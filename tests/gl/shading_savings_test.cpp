@@ -129,6 +129,56 @@ TEST_F(ShadingSavingsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
     }
 }
 
+TEST_F(ShadingSavingsTest, WhereNothingCastsNothingIsLookedUp) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(20, 20), grey));
+    add_object(scene, "Ball", -1, add_mesh(scene, "Ball", make_sphere(0.5), grey), moved(8, 0.5, 8));
+    finalise(scene);
+    const Sets over_floor = {{"filter.kernel", "pcf5"}, {"light.type", "spot"},   {"light.distance", "4"},
+                             {"light.elevation", "70"}, {"light.target_x", "-6"}, {"light.target_z", "-6"},
+                             {"bias.normal", "2"},      {"bias.kind", "constant"}};
+    const auto settings = [&](const Sets& more, bool floor_casts) {
+        Sets sets = over_floor;
+        sets.insert(sets.end(), more.begin(), more.end());
+        Settings s = settings_for(scene, sets);
+        s.objects["Floor"].cast = floor_casts;
+        return s;
+    };
+    const auto draw = [&](const Settings& s, SavingSet forced) {
+        FrameRequest request = small();
+        request.forced = forced;
+        return renderer.render(scene, s, request);
+    };
+    for (const Sets& more : {Sets{}, Sets{{"map.reversed_z", "true"}}, Sets{{"filter.kernel", "pcss"}}}) {
+        const Settings s = settings(more, false);
+        const FrameResult saved = draw(s, {});
+        EXPECT_EQ(active_samplers(), 0);
+        const ByteImage seen = renderer.read_colour(saved.colour);
+        EXPECT_EQ(saved.pass("shadow map 0 (spot)")->state, PassState::Skipped);
+        bool told = false;
+        for (const Effect& e : frame_effects(scene, s, saved))
+            if (e.name == "look-ups of light 0") {
+                told = true;
+                EXPECT_EQ(e.state, EffectState::NotCalledFor);
+                EXPECT_NE(e.reason.find("that casts lies in what its map holds"), std::string::npos) << e.reason;
+            }
+        EXPECT_TRUE(told);
+        const FrameResult forced = draw(s, {Saving::Uncalled});
+        EXPECT_GT(active_samplers(), 0);
+        EXPECT_EQ(different_pixels(seen, renderer.read_colour(forced.colour)), 0u);
+    }
+    // A caster in its cone, what lies beyond a map is dark, averages of depths.
+    for (const Settings& s : {settings({{"light.target_x", "8"}, {"light.target_z", "8"}}, false),
+                              settings({{"map.outside", "unlit"}}, false), settings({{"filter.kernel", "vsm"}}, false),
+                              settings({}, true)}) {
+        const FrameResult saved = draw(s, {});
+        EXPECT_GT(active_samplers(), 0);
+        const ByteImage seen = renderer.read_colour(saved.colour);
+        EXPECT_EQ(different_pixels(seen, renderer.read_colour(draw(s, {Saving::Uncalled}).colour)), 0u);
+    }
+}
+
 // The encoding is a polynomial: every level that eight bits have, of grey that the light leaves as it is, within one
 // step, and mostly the very one.
 TEST_F(ShadingSavingsTest, ColoursAreEncodedAsSrgb) {

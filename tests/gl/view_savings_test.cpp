@@ -183,6 +183,34 @@ TEST_F(ViewSavingsTest, PicturesAreTheSameFromAnywhere) {
     EXPECT_LT(double(saved), 0.85 * double(forced));
 }
 
+TEST_F(ViewSavingsTest, WhatNothingReadsIsNotBlurred) {
+    const Scene scene = row_of_balls();
+    const auto unread = [](const FrameResult& f, std::string_view name) {
+        std::uint64_t count = 0;
+        for (const PartInfo& part : f.pass(name)->parts) count += part.by == Saving::Views ? part.left_out : 0;
+        return count;
+    };
+    const Sets kinds[] = {{{"filter.kernel", "esm"}, {"filter.blur_shape", "gaussian"}},
+                          {{"filter.kernel", "evsm4"}, {"map.samples", "4"}},
+                          {{"filter.kernel", "msm_hausdorff"}, {"light.type", "spot"}, {"light.distance", "30"}},
+                          {{"map.blur_texels", "3"}, {"filter.kernel", "pcf3"}},
+                          {{"map.blur_texels", "2"}, {"map.format", "colour"}}};
+    for (const Sets& kind : kinds) {
+        const Settings s = settings_for(scene, joined(camera_over("-16"), joined(kind, {{"map.resolution", "512"}})));
+        const std::string_view pass = kind[0].first == "filter.kernel" ? "moments" : "depth blur";
+        expect_one_picture(scene, s, kind[0].second);
+        const std::uint64_t left_out = unread(frame(scene, s, cold()), pass);
+        EXPECT_GT(left_out, 512u * 512u / 2) << kind[0].second << ": the camera sees one end of the row";
+        EXPECT_LT(left_out, 512u * 512u) << kind[0].second;
+        EXPECT_EQ(unread(frame(scene, s, cold({Saving::Views})), pass), 0u) << kind[0].second;
+    }
+    for (const Sets& whole :
+         {Sets{{"filter.kernel", "vsm"}, {"filter.mips", "true"}}, Sets{{"filter.kernel", "savsm"}}}) {
+        const Settings s = settings_for(scene, joined(camera_over("-16"), whole));
+        EXPECT_EQ(unread(frame(scene, s, cold()), "moments"), 0u) << "each is made of all of a map";
+    }
+}
+
 TEST_F(ViewSavingsTest, ACameraThatMovesPaysForEachMapOnce) {
     const Scene scene = row_of_balls();
     const Sets point = {{"light.type", "point"}, {"light.distance", "2"}, {"map.resolution", "128"}};
@@ -224,7 +252,9 @@ TEST_F(ViewSavingsTest, AnOrbitOverMapsThatAreWholeDrawsNone) {
             s.camera.azimuth += 30, s.camera.target_x += 2;
             const FrameResult f = frame(scene, s);
             EXPECT_EQ(map_pass(f).state, PassState::Reused);
-            if (const PassInfo* moments = f.pass("moments")) EXPECT_NE(moments->state, PassState::Ran);
+            if (const PassInfo* moments = f.pass("moments")) {
+                EXPECT_NE(moments->state, PassState::Ran);
+            }
         }
     }
 }
