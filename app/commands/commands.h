@@ -129,6 +129,7 @@ struct ProbeOptions {
     SessionOptions session;
     std::string pixel;  ///< "X,Y" from the top left
     PictureSize size;
+    std::filesystem::path section;  ///< where the cross-section of view.light's test goes, .svg; empty: nowhere
     bool json = false, truth = true, check_numeric = false;
 };
 void run_probe(const ProbeOptions& options);

@@ -51,7 +51,7 @@ struct Entry {
     std::string shown_key() const { return sets.empty() ? std::string(key) : sets; }
 };
 
-struct Section {
+struct PageSection {
     std::string_view title, setting, about;
     std::vector<Entry> entries;
 };
@@ -143,7 +143,7 @@ std::vector<Entry> lighting_entries(const Settings& base) {
     return out;
 }
 
-std::vector<Section> all_sections(Renderer& renderer, const Scene& scene, const Settings& base) {
+std::vector<PageSection> all_sections(Renderer& renderer, const Scene& scene, const Settings& base) {
     return {
         {"Filter kernels", "filter.kernel", "How the shadow test is filtered.", kernel_entries(base)},
         {"Biases", "bias.kind",
@@ -161,7 +161,7 @@ std::vector<Section> all_sections(Renderer& renderer, const Scene& scene, const 
         {"Composition", "shading.composition", "How light and shadow meet in the picture.", lighting_entries(base)}};
 }
 
-std::string picture_name(const Section& s, const Entry& e) {
+std::string picture_name(const PageSection& s, const Entry& e) {
     std::string name = fmt::format("{}.{}", s.setting, e.sets.empty() ? e.key : std::string_view(e.sets));
     std::ranges::replace(name, '.', '-'), std::ranges::replace(name, '=', '-');
     return name + ".png";
@@ -189,13 +189,13 @@ void run_docs_techniques(const std::string& output) {
     const Scene scene = load_scene("stage");
     Settings base = base_settings(scene);
     base.map.resolution = kResolution;
-    const std::vector<Section> sections = all_sections(renderer, scene, base);
+    const std::vector<PageSection> sections = all_sections(renderer, scene, base);
     std::size_t count = 0, done = 0;
-    for (const Section& s : sections) count += s.entries.size();
+    for (const PageSection& s : sections) count += s.entries.size();
     ProgressLine line;
     InterruptGuard interrupt;
     std::string text;
-    for (const Section& s : sections) {
+    for (const PageSection& s : sections) {
         text += fmt::format("\n## {}\n\n`{}`. {}\n\n", s.title, s.setting, s.about) +
                 "| picture, what is wrong | technique | error | wrong | taps | maps | ms a frame |\n"
                 "|---|---|---|---|---|---|---|\n";

@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "app/base/notes.h"
+#include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
 #include "app/report/cures_json.h"
 #include "app/report/health_report.h"
 #include "app/report/probe_json.h"
 #include "app/report/report.h"
+#include "app/report/section_svg.h"
 #include "app/report/views.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/renderer.h"
@@ -162,10 +164,28 @@ std::optional<CureTable> cures(Renderer& renderer, const Session& session, const
     return find_cures(renderer, session.scene, session.settings, probe.width, probe.height, options, cache);
 }
 
+/// The test under view.light, as a picture.
+std::string section_of(const Session& session, const Probe& probe, const std::vector<Dossier>& found,
+                       const TruthScene* casters) {
+    const auto i = std::size_t(std::max(session.settings.view.light, 0));
+    if (i >= probe.lights.size()) throw Error(fmt::format("view.light is {}: there is no such light to draw", i));
+    const Dossier* const dossier = i < found.size() ? &found[i] : nullptr;
+    const SectionCut cut = section_cut(probe.lights[i], dossier, session.settings, probe.map_resolution);
+    std::vector<TruePoint> profile;
+    if (casters) profile = true_profile(*casters, probe.lights[i], cut, probe.map_resolution);
+    const Section section = cross_section(probe.lights[i], dossier, cut, probe.map_resolution, profile);
+    return section_svg(draw_section(section, {}), fmt::format("Shadow test of a pixel: {}", section.verdict));
+}
+
 }  // namespace
 
 void run_probe(const ProbeOptions& options) {
     const auto [x, y] = parse_pixel(options.pixel, options.size);
+    if (!options.section.empty()) {
+        if (lower_extension(options.section) != ".svg")
+            throw UsageError(fmt::format("{}: the drawing must end in .svg", options.section.string()));
+        require_writable(options.section);
+    }
     const Session session = open_session(options.session);
     const HeadlessContext context;
     Renderer renderer;
@@ -179,8 +199,9 @@ void run_probe(const ProbeOptions& options) {
     Probe probe = renderer.probe(session.scene, session.settings, request, place->pixel.x, place->pixel.y);
     std::vector<Dossier> found;
     std::optional<CureTable> table;
+    std::shared_ptr<const TruthScene> casters;
     if (options.truth && probe.hit) {
-        const auto casters = ray_scenes().get(ray_scenes().geometry(session.scene, session.settings));
+        casters = ray_scenes().get(ray_scenes().geometry(session.scene, session.settings));
         found = dossiers(probe, session.scene, session.settings, renderer.driver(), *casters);
         table = cures(renderer, session, probe, found);
     }
@@ -202,6 +223,12 @@ void run_probe(const ProbeOptions& options) {
         if (table) print_cures(*table, 8);
     }
     print_notes(session.notes);
+    if (!options.section.empty()) {
+        if (!probe.hit)
+            throw Error(fmt::format("{}: not written, as pixel {},{} shows no surface; name one that does",
+                                    options.section.string(), x, y));
+        write_file(options.section, section_of(session, probe, found, casters.get()));
+    }
     if (options.check_numeric)
         require_sound(*search_numbers(renderer, session.scene, session.settings, request, tracing_workers()));
 }

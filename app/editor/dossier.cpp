@@ -4,6 +4,28 @@ namespace si {
 
 bool EditorDossier::update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
                            const DriverInfo& driver) {
+    const bool changed = update_truth(probe, fresh, scene, settings, driver);
+    if (changed || fresh) sections_.reset();
+    return changed;
+}
+
+bool EditorDossier::update_sections(const Probe* probe, const Settings& settings, bool shown) {
+    if (!shown || sections_ || !probe || !probe->hit) return false;
+    std::vector<Section> out;
+    for (std::size_t i = 0; i < probe->lights.size(); ++i) {
+        const Dossier* const dossier = i < dossiers_.size() ? &dossiers_[i] : nullptr;
+        const int resolution = probe->map_resolution;
+        const SectionCut cut = section_cut(probe->lights[i], dossier, settings, resolution);
+        std::vector<TruePoint> profile;
+        if (casters_ && dossier) profile = true_profile(*casters_, probe->lights[i], cut, resolution);
+        out.push_back(cross_section(probe->lights[i], dossier, cut, resolution, profile));
+    }
+    sections_ = std::make_shared<const std::vector<Section>>(std::move(out));
+    return true;
+}
+
+bool EditorDossier::update_truth(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
+                                 const DriverInfo& driver) {
     if (!probe || !probe->hit) {
         building_.drop();
         casters_.reset();

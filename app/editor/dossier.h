@@ -8,6 +8,7 @@
 #include "app/base/job.h"
 #include "renderer/inspect/dossier.h"
 #include "renderer/reference/ray_scenes.h"
+#include "ui/panels/probed.h"
 
 namespace si {
 
@@ -18,6 +19,10 @@ public:
     /// @throws Error when the hierarchy cannot be built
     bool update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings, const DriverInfo& driver);
     std::span<const Dossier> dossiers() const { return dossiers_; }
+    /// Draws the probed pixel's test as cross-sections, one a light, after update() and by what is known by then: once
+    /// while they are shown. Returns whether they are new.
+    bool update_sections(const Probe* probe, const Settings& settings, bool shown);
+    const Sections& sections() const { return sections_; }
     /// The hierarchy is being built; it is worth asking again when ready() says so.
     bool tracing() const { return building_.wanted(); }
     bool ready() const { return building_.ended(); }
@@ -26,7 +31,11 @@ public:
 private:
     using Casters = std::shared_ptr<const TruthScene>;
 
+    bool update_truth(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
+                      const DriverInfo& driver);
+
     std::vector<Dossier> dossiers_;
+    Sections sections_;  ///< null: of what is known now, none were drawn
     Casters casters_;
     std::uint64_t building_key_ = 0;
     Job<Casters> building_;

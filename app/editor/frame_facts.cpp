@@ -7,6 +7,7 @@ void FrameFacts::fill(EditorFrame& f) const {
     f.result = driver ? &result : nullptr;
     f.probe = readings.probe.get();
     f.dossiers = readings.dossiers;
+    f.sections = readings.sections;
     f.tracing_probe = readings.tracing_probe;
     f.map_values = readings.map_values.get();
     f.map_facts = readings.map_facts ? &*readings.map_facts : nullptr;

@@ -18,6 +18,7 @@ namespace si {
 struct ReadingFacts {
     std::shared_ptr<const Probe> probe;
     std::vector<Dossier> dossiers;  ///< of the probed pixel
+    Sections sections;              ///< of it, while the panel is shown
     bool tracing_probe = false;     ///< they will follow
     std::shared_ptr<const FloatImage> map_values, map_coordinates, overlay_values;
     std::optional<MapFacts> map_facts;

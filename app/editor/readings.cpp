@@ -43,6 +43,7 @@ bool EditorReadings::finish_tracing() const {
 ReadingFacts EditorReadings::facts() const {
     ReadingFacts out = facts_;
     out.dossiers.assign(dossier_.dossiers().begin(), dossier_.dossiers().end());
+    out.sections = facts_.probe ? dossier_.sections() : nullptr;
     out.tracing_probe = facts_.probe && dossier_.tracing();
     return out;
 }
@@ -62,6 +63,7 @@ bool EditorReadings::update(Renderer& renderer, const Scene& scene, const Pictur
         if (image) bytes += array_bytes(image->data);
     if (bytes != held_.bytes()) held_ = HeldMemory("numbers read back", bytes);
     changed |= dossier_.update(facts_.probe.get(), probed, scene, state.settings, renderer.driver());
+    changed |= dossier_.update_sections(facts_.probe.get(), state.settings, state.tab == BottomTab::Probe);
     return changed || probed;
 }
 

@@ -177,7 +177,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     p.stored_m = range.at_row(row_of(p.texel)).distance(p.stored), p.stored_linear = linear(p.stored_m);
     p.gap_m = (p.own_m - p.stored_m) / r.axis_per_ray;
     if (r.place != MapPlace::Behind && r.place != MapPlace::BeyondShadows) {
-        for (const RecordedTap& recorded : merged(pixel.taps)) {
+        const auto compared = [&](const RecordedTap& recorded) {
             KernelTap tap{.texel = recorded.texel, .weight = recorded.weight, .stored = recorded.stored};
             tap.stored_m = range.at_row(row_of(tap.texel)).distance(tap.stored);
             const glm::dvec2 at = (glm::dvec2(tap.texel) + 0.5) / double(n);
@@ -186,8 +186,17 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
             tap.lit = passes(settings, tap.compared, tap.stored);
             tap.meets = depths.inside(tap.texel) ? met(p.account, view.curve.convention, tap.stored, tap.plane)
                                                  : KernelTap::Meets::Nothing;
-            p.taps.push_back(tap);
-        }
+            return tap;
+        };
+        for (const RecordedTap& recorded : merged(pixel.taps)) p.taps.push_back(compared(recorded));
+        for (int axis = 0; axis < 2; ++axis)
+            for (int along = -kRowReach; along <= kRowReach; ++along) {
+                glm::ivec2 texel = p.texel;
+                texel[axis] += along;
+                const auto tap = std::ranges::find(p.taps, texel, &KernelTap::texel);
+                p.rows[std::size_t(axis)].push_back(tap != p.taps.end() ? *tap
+                                                                        : compared({texel, depths.at(texel), 0}));
+            }
         enclose_taps(p);
     }
     p.verdict = dark.empty() ? verdict(settings, p) : dark;

@@ -31,10 +31,10 @@ const Ring kOutlines[6][4] = {
 };
 
 /// A control section of handle or spout: inner and outer point in the plane y = 0, and the half width.
-struct Section {
+struct PotSection {
     double inner_x, inner_z, outer_x, outer_z, half_width;
 };
-const Section kTubes[4][4] = {
+const PotSection kTubes[4][4] = {
     {{-1.6, 2.025, -1.5, 2.25, 0.3},
      {-2.3, 2.025, -2.5, 2.25, 0.3},
      {-2.7, 2.025, -3, 2.25, 0.3},
@@ -67,10 +67,10 @@ Patch quarter(const Ring (&outline)[4], int turns) {
     return patch;
 }
 
-Patch half(const Section (&tube)[4], bool far_side) {
+Patch half(const PotSection (&tube)[4], bool far_side) {
     Patch patch;
     for (int i = 0; i < 4; ++i) {
-        const Section& s = tube[i];
+        const PotSection& s = tube[i];
         const double y = far_side ? s.half_width : -s.half_width;
         patch[i] = {glm::dvec3(s.inner_x, 0, s.inner_z),
                     {s.inner_x, y, s.inner_z},

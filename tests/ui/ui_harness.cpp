@@ -116,6 +116,7 @@ EditorActions UiHarness::frame() {
         if (map_facts) facts.map_facts = &*map_facts;
         facts.lost_casters = lost_casters;
         if (facts.probe) facts.dossiers = dossiers;
+        facts.sections = sections;
         facts.tracing_probe = tracing_probe;
         facts.tuning = tuning;
         facts.tuned = tuned;

@@ -42,6 +42,7 @@ public:
     std::optional<MapFacts> map_facts;
     std::vector<LostCaster> lost_casters;
     std::vector<Dossier> dossiers;
+    Sections sections;
     bool tracing_probe = false;
     std::optional<TuneFacts> tuning;
     std::vector<TunedFamily> tuned;

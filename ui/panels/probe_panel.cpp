@@ -8,6 +8,7 @@
 #include "renderer/inspect/dossier.h"
 #include "renderer/settings/param.h"
 #include "ui/panels/cures_table.h"
+#include "ui/panels/section_view.h"
 #include "ui/scene_view/kernel_marks.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/right_aligned.h"
@@ -217,7 +218,6 @@ void judgement(const Probe::PerLight& p, const Dossier* d, bool tracing, Setting
     if (ImGui::SmallButton(text.c_str()))
         for (const auto& [key, value] : d->remedy->settings) set_setting(settings, key, value);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Puts this pixel right; Ctrl+Z takes it back");
-    if (p.where == "inside") ImGui::SameLine();
 }
 
 /// Blocks beside each other as far as they fit.
@@ -243,15 +243,9 @@ private:
     float room_ = ImGui::GetContentRegionAvail().x, used_ = 0;
 };
 
-/// @param cures draws what puts the pixel right, below the verdict
+/// All that the verdict rests on. @param cures draws what puts the pixel right
 template <typename Cures>
-void draw_light(const Probe::PerLight& p, const Dossier* d, bool tracing, Settings& settings, int resolution,
-                Cures&& cures) {
-    if (!p.casts) {
-        verdict(p.verdict.empty() ? fmt::format("Light {} casts no shadow: lit.", p.light) : p.verdict);
-        return;
-    }
-    judgement(p, d, tracing, settings);
+void reasons(const Probe::PerLight& p, const Dossier* d, Settings& settings, int resolution, Cures&& cures) {
     cures();
     slabs_button(settings, p, resolution);
     const float em = ImGui::GetFontSize();
@@ -265,6 +259,19 @@ void draw_light(const Probe::PerLight& p, const Dossier* d, bool tracing, Settin
     if (faces_light(p.n_dot_l)) flow.block(em * 20, [&] { bias_terms(p.account); });
     flow.block(em * 33, [&] { depths(p); });
     flow.block(em * 36, [&] { space(p); });
+}
+
+/// The verdict.
+void heading(const Probe::PerLight& p, const Dossier* d, bool tracing, Settings& settings) {
+    if (p.casts) return judgement(p, d, tracing, settings);
+    verdict(p.verdict.empty() ? fmt::format("Light {} casts no shadow: lit.", p.light) : p.verdict);
+}
+
+/// Room for the drawing left of the verdict; 0: too little for both.
+float section_width(const Sections& sections, std::size_t light, float room) {
+    const float em = ImGui::GetFontSize();
+    if (!sections || light >= sections->size() || !(*sections)[light].shadowed || room < em * 58) return 0;
+    return std::clamp(0.42f * room, em * 28, em * 56);
 }
 
 }  // namespace
@@ -286,22 +293,53 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
     const std::string where = fmt::format("Pixel {}, {}   {}   position {} m   normal {}", probe->x, probe->y,
                                           probe->object, vec(probe->position_ws, 4), vec(probe->normal_ws, 4));
     ImGui::TextDisabled("%s", where.c_str());
-    for (const Probe::PerLight& light : probe->lights) {
-        ImGui::PushID(light.light);
-        if (probe->lights.size() > 1) ImGui::Separator();
-        const Dossier* dossier = nullptr;
+    const auto dossier_of = [&](const Probe::PerLight& light) -> const Dossier* {
         for (const Dossier& d : frame.dossiers)
-            if (d.light == light.light) dossier = &d;
+            if (d.light == light.light) return &d;
+        return nullptr;
+    };
+    const auto write_out = [&](const Probe::PerLight& light) {
+        const Dossier* const dossier = dossier_of(light);
         const bool wrong = dossier && dossier->cause().artefact != Artefact::None;
-        draw_light(light, dossier, frame.tracing_probe, state.settings, frame.result ? frame.result->map_resolution : 0,
-                   [&] {
-                       // Cures are those of the light whose shadows are judged.
-                       if (!wrong || light.light != state.settings.view.light) return;
-                       cures_button(frame.cures, actions, state.probe_pixel, frame.result && frame.scene, wrong);
-                       cures_table(state.settings, frame.cures, actions, state.probe_pixel);
-                   });
+        reasons(light, dossier, state.settings, frame.result ? frame.result->map_resolution : 0, [&] {
+            // Cures are those of the light whose shadows are judged.
+            if (!wrong || light.light != state.settings.view.light) return;
+            cures_button(frame.cures, actions, state.probe_pixel, frame.result && frame.scene, wrong);
+            cures_table(state.settings, frame.cures, actions, state.probe_pixel);
+        });
+    };
+    if (probe->lights.empty()) return;
+    // The light whose shadows are judged stands on top: its drawing, and beside it its verdict, both pinned.
+    const std::size_t first =
+        std::clamp<std::size_t>(std::size_t(std::max(state.settings.view.light, 0)), 0, probe->lights.size() - 1);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float drawn = section_width(frame.sections, first, room.x);
+    if (drawn > 0) {
+        draw_section_view(state.section_views, frame.sections, first, {drawn, std::min(room.y, 0.75f * drawn)});
+        ImGui::SameLine(0, ImGui::GetFontSize());
+        ImGui::BeginGroup();
+    }
+    ImGui::PushID(probe->lights[first].light);
+    heading(probe->lights[first], dossier_of(probe->lights[first]), frame.tracing_probe, state.settings);
+    ImGui::PopID();
+    ImGui::BeginChild("reasons");
+    for (std::size_t k = 0; k < probe->lights.size(); ++k) {
+        const std::size_t i = k == 0 ? first : k <= first ? k - 1 : k;
+        const Probe::PerLight& light = probe->lights[i];
+        ImGui::PushID(light.light);
+        if (k > 0) {
+            ImGui::Separator();
+            const float width = section_width(frame.sections, i, 1e6f);
+            if (width > 0 && drawn > 0)
+                draw_section_view(state.section_views, frame.sections, i,
+                                  {std::min(width, ImGui::GetContentRegionAvail().x), ImGui::GetFontSize() * 15});
+            heading(light, dossier_of(light), frame.tracing_probe, state.settings);
+        }
+        if (light.casts) write_out(light);
         ImGui::PopID();
     }
+    ImGui::EndChild();
+    if (drawn > 0) ImGui::EndGroup();
 }
 
 }  // namespace si

@@ -108,6 +108,7 @@ struct EditorState : PictureState {
     Flight flight;
     std::optional<CameraSettings> camera_before_light;  ///< what looking through the light goes back to
     bool select_probed = false;                         ///< the next probe of a click chooses the selected object
+    SectionViews section_views;
 };
 
 /// A scene that is being read while the editor shows another.

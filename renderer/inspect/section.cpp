@@ -1,0 +1,305 @@
+#include "renderer/inspect/section.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/first_surface.h"
+#include "renderer/view/kernel_reach.h"
+
+namespace si {
+namespace {
+
+constexpr int kRaysPerTexel = 8;
+constexpr int kLeastSide = 4;  ///< texels to either side of the look-up that are always shown
+
+const LightView& view_of(const Probe::PerLight& p) {
+    return p.fitted.views[std::size_t(p.face)];
+}
+
+/// The plane of a cut in world space and in its own metres.
+class CutPlane {
+public:
+    CutPlane(const Probe::PerLight& p, int axis, int resolution)
+        : p_(p), view_(view_of(p)), axis_(axis), n_(resolution), tap_(p.tap) {
+        const BiasAccount& a = p.account;
+        // The surface's place in the cut: where it has the point's own depth.
+        const double own = a.plane.gradient[axis], other = a.plane.gradient[1 - axis];
+        surface_along_ = p.uvd[axis];
+        if (!a.plane.edge_on() && std::abs(own) >= std::abs(other) && own != 0)
+            surface_along_ += other / own * (p.uvd[1 - axis] - tap_[1 - axis]);
+        tap_m_ = view_.curve.perspective ? a.receiver.tap_m : curve().distance(p.tap.z);
+        origin_ = world(surface_along_, p.own_m);
+        const glm::dvec3 here = world(tap_[axis], tap_m_);
+        up_ = glm::normalize(view_.curve.perspective ? view_.eye - here : view_.axes[2]);
+        const double step = 0.5 / n_;
+        const glm::dvec3 across = world(tap_[axis] + step, tap_m_) - world(tap_[axis] - step, tap_m_);
+        texel_m_ = glm::length(across);
+        right_ = glm::normalize(across - up_ * glm::dot(across, up_));
+    }
+
+    glm::dvec2 at(double along, double axis_m) const {
+        const glm::dvec3 from = world(along, axis_m) - origin_;
+        return {glm::dot(from, right_), glm::dot(from, up_)};
+    }
+    glm::dvec3 world(double along, double axis_m) const {
+        glm::dvec2 uv(tap_);
+        uv[axis_] = along;
+        return view_.position_ws(uv, axis_m);
+    }
+    /// Unit, towards the light, in the cut.
+    glm::dvec2 ray(double along, double axis_m) const {
+        const glm::dvec2 d = at(along, 0.99 * axis_m - (view_.curve.perspective ? 0 : 1)) - at(along, axis_m);
+        return d / glm::length(d);
+    }
+    /// Of the row of the look-up; all of a warped map's rays in the cut along u.
+    DepthCurve curve() const { return view_.curve.at_row(tap_.y); }
+    /// Metres along the axis at a depth so much nearer to the light than that of the look-up.
+    double nearer_m(double depth) const {
+        const double z = tap_m_ - curve().metres_nearer(tap_m_, depth);
+        if (!view_.curve.perspective) return z;
+        return std::clamp(z, 1e-3 * view_.curve.near, 4 * std::max(view_.curve.far, tap_m_));
+    }
+    double metres(double depth) const { return nearer_m(towards() * (p_.tap.z - depth)); }
+    /// 1 where nearer surfaces have smaller depths, else -1.
+    double towards() const { return view_.curve.convention.reversed ? -1 : 1; }
+
+    double surface_along() const { return surface_along_; }
+    double tap_along() const { return tap_[axis_]; }
+    double tap_m() const { return tap_m_; }
+    double texel_m() const { return texel_m_; }
+    int n() const { return n_; }
+
+private:
+    const Probe::PerLight& p_;
+    const LightView& view_;
+    int axis_, n_;
+    glm::dvec3 tap_;
+    double surface_along_ = 0, tap_m_ = 1, texel_m_ = 1;
+    glm::dvec3 origin_{0}, up_{0, 1, 0}, right_{1, 0, 0};
+};
+
+/// Texels from the look-up to the nearest one of the row whose comparison meets another kind of surface.
+int change_within(const std::vector<KernelTap>& row) {
+    const auto occludes = [&](int i) { return row[std::size_t(i)].meets == KernelTap::Meets::Nearer; };
+    const int middle = int(row.size()) / 2;
+    for (int d = 1; d <= middle; ++d)
+        if (occludes(middle - d) != occludes(middle) || occludes(middle + d) != occludes(middle)) return d;
+    return middle + 1;
+}
+
+glm::dvec2 unit(const glm::dvec2& v) {
+    const double length = glm::length(v);
+    return length > 0 ? v / length : glm::dvec2(1, 0);
+}
+
+/// Neighbouring points are one surface where the line through one of them and its own neighbour leads to the other.
+std::vector<std::vector<glm::dvec2>> surfaces(const std::vector<glm::dvec2>& points, double texel_m) {
+    std::vector<std::vector<glm::dvec2>> out;
+    const auto known = [&](std::size_t i) { return i < points.size() && std::isfinite(points[i].y); };
+    const auto goes_on = [&](std::size_t i) {
+        const double rise = points[i + 1].y - points[i].y, step = texel_m / kRaysPerTexel;
+        const auto as_before = [&](std::size_t from) {
+            return known(from) && known(from + 1) &&
+                   std::abs(points[from + 1].y - points[from].y - rise) < 0.5 * step + 0.1 * std::abs(rise);
+        };
+        return std::abs(rise) < 2 * step || (i > 0 && as_before(i - 1)) || as_before(i + 1);
+    };
+    bool open = false;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!known(i)) {
+            open = false;
+            continue;
+        }
+        if (!open) out.emplace_back();
+        out.back().push_back(points[i]);
+        open = known(i + 1) && goes_on(i);
+    }
+    return out;
+}
+
+void add_steps(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
+    for (const KernelTap& t : p.rows[std::size_t(s.cut.axis)]) {
+        const int i = t.texel[s.cut.axis];
+        if (i < s.cut.first || i >= s.cut.first + s.cut.count) continue;
+        const double from = double(i) / plane.n(), to = double(i + 1) / plane.n();
+        const double compared_m = plane.metres(t.compared);
+        Section::Step step{.texel = i,
+                           .from = plane.at(from, t.stored_m),
+                           .to = plane.at(to, t.stored_m),
+                           .from_ray = plane.ray(from, t.stored_m),
+                           .to_ray = plane.ray(to, t.stored_m),
+                           .compared_from = plane.at(from, compared_m),
+                           .compared_to = plane.at(to, compared_m),
+                           .stored = t.stored,
+                           .stored_m = t.stored_m,
+                           .weight = t.weight,
+                           .lit = t.lit,
+                           .in_map = i >= 0 && i < plane.n() && s.row >= 0 && s.row < plane.n(),
+                           .meets = t.meets};
+        s.steps.push_back(step);
+    }
+}
+
+void add_terms(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
+    const BiasAccount& a = p.account;
+    double spent = 0;
+    const auto add = [&](const char* name, double depth) {
+        if (depth == 0 || !std::isfinite(depth)) return;
+        const double from = plane.nearer_m(spent), to = plane.nearer_m(spent + depth);
+        s.terms.push_back({name, a.amount(depth), plane.at(plane.tap_along(), from), plane.at(plane.tap_along(), to)});
+        spent += depth;
+    };
+    add("constant bias", a.constant);
+    add("slope bias", a.slope);
+    add("bias of the plane", a.by_itself);
+    s.raster = a.amount(a.raster);
+}
+
+void add_moments(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
+    const KernelFacts& k = p.kernel;
+    if (std::isnan(k.bound) || std::isnan(k.mean)) return;
+    const DepthCurve curve = plane.curve();
+    const double near = curve.distance(curve.convention.near_depth());
+    const double range = curve.distance(curve.convention.far_depth()) - near;
+    const auto y = [&](double share) { return plane.at(plane.tap_along(), near + share * range).y; };
+    Section::Moments m{.mean = y(k.mean), .spread = KernelFacts::kUnknown, .bound = k.bound};
+    if (k.variance >= 0) m.spread = std::abs(y(k.mean) - y(k.mean - std::sqrt(k.variance)));
+    s.moments = m;
+}
+
+void add_truth(Section& s, const Probe::PerLight& p, const Dossier& d, const CutPlane& plane) {
+    s.judged = true;
+    s.verdict = d.verdict;
+    s.true_lit = d.truth.lit;
+    for (const ArtefactStyle& style : artefact_styles())
+        if (style.artefact == d.cause().artefact) s.artefact = style.label;
+    if (d.truth.state != PixelState::Counted) return;
+    s.least = d.least, s.has = d.has, s.lifted = d.lifted;
+    const double axis_per_ray = p.account.receiver.axis_per_ray;
+    s.occluder_in_map = std::isfinite(d.truth.gap_m);
+    const double gap = s.occluder_in_map ? d.truth.gap_m : d.truth.blocker_m;
+    if (std::isfinite(gap)) {
+        s.occluder = plane.at(plane.surface_along(), p.own_m - gap * axis_per_ray);
+        s.occluder_m = gap;
+    }
+    if (!std::isfinite(d.least.depth) || p.account.plane.edge_on()) return;
+    // The surface's own depth where the look-up reads, less what it needs.
+    const double own = p.account.plane.at(glm::dvec2(p.tap)), t = plane.towards();
+    s.window_from = plane.at(plane.tap_along(), plane.nearer_m(t * (p.tap.z - own) + d.least.depth)).y;
+    if (std::isfinite(d.occluder.depth))
+        s.window_to = plane.at(plane.tap_along(), plane.nearer_m(t * (p.tap.z - p.uvd.z) + d.occluder.depth)).y;
+    s.has_window = true;
+}
+
+}  // namespace
+
+const Section::Step* Section::step_at(int texel) const {
+    for (const Step& step : steps)
+        if (step.texel == texel) return &step;
+    return nullptr;
+}
+
+SectionCut section_cut(const Probe::PerLight& p, const Dossier* d, const Settings& settings, int resolution) {
+    SectionCut cut;
+    if (!p.casts || p.rows[0].empty() || resolution <= 0) return cut;
+    const glm::dvec2 gradient = glm::abs(p.account.plane.gradient);
+    cut.axis = gradient.y > gradient.x ? 1 : 0;
+    const bool of_plane = d && (d->cause().artefact == Artefact::Acne || d->cause().faint);
+    const int change[2] = {change_within(p.rows[0]), change_within(p.rows[1])};
+    if (!of_plane && change[0] != change[1]) cut.axis = change[1] < change[0] ? 1 : 0;
+    // Moments are read of an area that their blur has gathered; other kernels say which texels they read.
+    const int look_up = p.texel[cut.axis];
+    if (p.taps.empty()) {
+        cut.reach_texels = reach_under(settings, p.fitted, resolution).read;
+    } else {
+        const int last = p.taps_first[cut.axis] + p.taps_size[cut.axis];
+        cut.reach_texels = 0.5 + std::max(look_up - p.taps_first[cut.axis], last - 1 - look_up);
+    }
+    const int nearest_change = std::min(change[cut.axis], kLeastSide + 4);
+    const int side = std::clamp(std::max(int(std::ceil(std::min(cut.reach_texels, 1e3))) + 2, nearest_change + 2),
+                                kLeastSide, kRowReach);
+    const double moved = (p.tap[cut.axis] - p.uvd[cut.axis]) * resolution;
+    const int back = int(std::clamp(std::ceil(std::abs(moved)), 0.0, double(kRowReach)));
+    const int first = std::max(look_up - std::max(side, moved > 0 ? back + 2 : 0), look_up - kRowReach);
+    const int last = std::min(look_up + std::max(side, moved < 0 ? back + 2 : 0), look_up + kRowReach);
+    cut.first = first, cut.count = last - first + 1;
+    return cut;
+}
+
+std::vector<TruePoint> true_profile(const TruthScene& scene, const Probe::PerLight& p, const SectionCut& cut,
+                                    int resolution) {
+    std::vector<TruePoint> out;
+    if (cut.count <= 0) return out;
+    const CutPlane plane(p, cut.axis, resolution);
+    const LightView& view = view_of(p);
+    const Bounds& bounds = scene.geometry().bounds;
+    const double size = bounds.empty() ? 0 : glm::length(bounds.hi - bounds.lo);
+    // Parallel rays begin before all that casts; others at the light.
+    const DepthCurve curve = plane.curve();
+    const double from_m = curve.perspective ? 1e-3 * curve.near : std::min(curve.near, p.own_m - size);
+    const double to_m = std::max(p.own_m + std::max(size, plane.texel_m()), 2 * from_m);
+    std::vector<LightWay> ways;
+    for (int i = 0; i <= cut.count * kRaysPerTexel; ++i) {
+        const double along = (cut.first + double(i) / kRaysPerTexel) / resolution;
+        out.push_back({along, 0});
+        ways.push_back({plane.world(along, from_m), plane.world(along, to_m)});
+    }
+    const std::vector<double> first = first_surfaces(scene, ways);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const double share = first[i] / glm::length(ways[i].to_ws - ways[i].from_ws);
+        out[i].axis_m = from_m + share * (to_m - from_m);
+    }
+    return out;
+}
+
+Section cross_section(const Probe::PerLight& p, const Dossier* d, const SectionCut& cut, int resolution,
+                      std::span<const TruePoint> profile) {
+    Section s;
+    s.cut = cut;
+    s.light = p.fitted.type;
+    s.visibility = p.visibility, s.lit = p.visibility >= 0.5;
+    s.verdict = p.verdict;
+    s.shadowed = cut.count > 0;
+    if (!s.shadowed) {
+        if (d) s.judged = true, s.verdict = d->verdict, s.true_lit = d->truth.lit;
+        return s;
+    }
+    const BiasAccount& a = p.account;
+    const CutPlane plane(p, cut.axis, resolution);
+    s.row = p.texel[1 - cut.axis];
+    s.row_aside = s.row + 0.5 - p.tap[1 - cut.axis] * resolution;
+    s.looked_up_texel = p.texel[cut.axis];
+    s.texel_m = plane.texel_m();
+    s.light_m = view_of(p).curve.perspective ? p.own_m : p.own_m - plane.curve().near;
+    s.theta_rad = a.theta_rad;
+    s.per_texel = a.per_texel;
+    s.normal_offset_m = p.normal_offset_m;
+    s.light_ray = plane.ray(plane.surface_along(), p.own_m);
+    s.moved = plane.at(plane.tap_along(), plane.tap_m());
+    s.compared = plane.at(plane.tap_along(), plane.metres(p.compared));
+    if (a.plane.edge_on()) {
+        s.surface_along = {0, 1};
+    } else {
+        glm::dvec2 other(p.tap);
+        const auto on_surface = [&](double along) {
+            other[cut.axis] = along;
+            const double nearer = plane.towards() * (p.tap.z - a.plane.at(other));
+            return plane.at(along, plane.nearer_m(nearer));
+        };
+        const double at = plane.surface_along(), step = 0.25 / resolution;
+        s.surface_at = on_surface(at);
+        s.surface_along = unit(on_surface(at + step) - on_surface(at - step));
+    }
+    add_steps(s, p, plane);
+    add_terms(s, p, plane);
+    add_moments(s, p, plane);
+    if (d) add_truth(s, p, *d, plane);
+    std::vector<glm::dvec2> points;
+    for (const TruePoint& point : profile) points.push_back(plane.at(point.along, point.axis_m));
+    s.profile = surfaces(points, s.texel_m);
+    return s;
+}
+
+}  // namespace si

@@ -1,0 +1,112 @@
+// The shadow test of a probed pixel as a cross-section along the light's ray: the map's stair-step of texels, the
+// surface's line, what is compared with what, and where it should lie. Pure CPU, no ImGui, no GL.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/probe.h"
+
+namespace si {
+
+class TruthScene;
+
+/// Which row of the map's texels is cut, and how much of it.
+struct SectionCut {
+    int axis = 0;              ///< of the map: 0 along u, 1 along v
+    int first = 0, count = 0;  ///< texels along it, all of them in Probe::PerLight::rows
+    double reach_texels = 0;   ///< of the kernel, to either side of the look-up
+    bool operator==(const SectionCut&) const = default;
+};
+
+/// Where the cut meets a surface that the light sees first, by rays.
+struct TruePoint {
+    double along = 0;   ///< map coordinate along the cut
+    double axis_m = 0;  ///< metres along the light's axis; NaN: nothing stands there
+};
+
+/// Lengths are metres. Points count from where the light's ray meets the surface: y towards the light along the ray of
+/// the look-up, x across it, the way that map coordinates grow.
+struct Section {
+    /// A texel of the row, cut along its middle line in the other direction.
+    struct Step {
+        int texel = 0;                                ///< along the row
+        glm::dvec2 from{0}, to{0};                    ///< its two sides at the stored depth
+        glm::dvec2 from_ray{0, 1}, to_ray{0, 1};      ///< unit, towards the light, of its two sides
+        glm::dvec2 compared_from{0}, compared_to{0};  ///< its sides at the depth that it is compared with
+        double stored = 0, stored_m = 0;              ///< raw, and metres along the light's axis
+        double weight = 0;                            ///< in the kernel, of all its texels; 0: not read
+        bool lit = false;                             ///< the comparison's result, were it read
+        bool in_map = true;
+        KernelTap::Meets meets = KernelTap::Meets::Nothing;
+    };
+    /// A part of the way from the look-up to the compared depth.
+    struct Term {
+        std::string name;
+        DepthAmount amount;
+        glm::dvec2 from{0}, to{0};
+    };
+    /// Mean and spread of the depths that a kernel of moments read.
+    struct Moments {
+        double mean = 0, spread = 0;  ///< y of the mean; one standard deviation, NaN: not known
+        double bound = 1;             ///< the most that can be lit by them
+    };
+
+    SectionCut cut;
+    int row = 0;           ///< texel in the other direction
+    double row_aside = 0;  ///< by how many texels the middle line of the row lies beside the cut
+    double texel_m = 0;    ///< width of a texel along the cut, at the look-up
+    LightType light = LightType::Directional;
+    double light_m = 0;  ///< along its axis from the light to the surface; directional: from the map's near plane
+    bool lit = true, shadowed = false;  ///< what the kernel answers, above one half; whether the cut has any texels
+    double visibility = 1, theta_rad = 0;
+    std::vector<Step> steps;
+    glm::dvec2 surface_at{0}, surface_along{1, 0};  ///< the surface's plane in the cut: a point of it, and unit
+    glm::dvec2 light_ray{0, 1};                     ///< unit, from the surface's point towards the light
+    glm::dvec2 moved{0}, compared{0};               ///< the point after the normal offset, and after the depth bias
+    double normal_offset_m = 0;
+    std::vector<Term> terms;                       ///< of the depth bias, those that are not 0
+    DepthAmount raster;                            ///< by which polygon offset has moved the stored depths
+    bool per_texel = false;                        ///< each texel is compared with a depth of its own
+    std::optional<Moments> moments;                ///< of kernels that read them
+    std::vector<std::vector<glm::dvec2>> profile;  ///< what the light sees in truth, each surface a line
+
+    // By the dossier, where there is one.
+    bool judged = false;
+    std::string artefact;  ///< label; empty: nothing is wrong
+    std::string verdict;   ///< a sentence
+    bool true_lit = true;
+    DepthAmount least, has, lifted;
+    /// y on the ray of the look-up: depths from `window_from` towards the light up to `window_to` are right.
+    double window_from = 0, window_to = std::numeric_limits<double>::infinity();
+    bool has_window = false;
+    bool window_open() const { return window_from < window_to; }
+    std::optional<glm::dvec2> occluder;  ///< what stands in the light's way in truth, nearest to the light
+    double occluder_m = 0;               ///< metres along the light's ray to it
+    bool occluder_in_map = true;         ///< else culling or the near plane leaves it out
+
+    const Step* step_at(int texel) const;
+    /// The texel that the look-up lies in; null where the map has none there.
+    const Step* looked_up() const { return step_at(looked_up_texel); }
+    int looked_up_texel = 0;
+};
+
+/// Which cut shows best why the pixel is as it is: along the map's direction in which the surface falls away from the
+/// light faster, or, where an edge of shadow decides, in which that edge is nearer. A count of 0 where the light has no
+/// map or the point no place in it.
+/// @param dossier null: none @param resolution of the map
+SectionCut section_cut(const Probe::PerLight& light, const Dossier* dossier, const Settings& settings, int resolution);
+
+/// What the light sees first along the cut, eight rays a texel.
+std::vector<TruePoint> true_profile(const TruthScene& scene, const Probe::PerLight& light, const SectionCut& cut,
+                                    int resolution);
+
+/// @param dossier null: none, and nothing of the truth is known
+/// @param profile true_profile(), or empty
+Section cross_section(const Probe::PerLight& light, const Dossier* dossier, const SectionCut& cut, int resolution,
+                      std::span<const TruePoint> profile = {});
+
+}  // namespace si

@@ -1,0 +1,567 @@
+#include "renderer/inspect/section_drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace si {
+namespace {
+
+constexpr std::array<InkColour, kInks> kColours{{
+    {"paper", {251, 250, 246}, {27, 28, 30}},
+    {"text", {29, 29, 31}, {230, 229, 226}},
+    {"muted", {92, 92, 96}, {169, 169, 166}},
+    {"grid", {214, 210, 202}, {60, 61, 64}},
+    {"shade", {72, 96, 150}, {104, 140, 210}},
+    {"step", {38, 86, 178}, {126, 172, 255}},
+    {"surface", {29, 29, 31}, {230, 229, 226}},
+    {"plane", {110, 104, 92}, {158, 152, 140}},
+    {"ray", {138, 92, 0}, {236, 190, 96}},
+    {"lit", {240, 196, 64}, {255, 244, 190}},
+    {"dark", {60, 104, 196}, {92, 146, 236}},
+    {"self", {190, 78, 0}, {255, 150, 84}},
+    {"offset", {176, 40, 116}, {244, 130, 178}},
+    {"bias", {112, 52, 184}, {196, 160, 255}},
+    {"window", {0, 112, 76}, {70, 214, 160}},
+    {"no-window", {190, 70, 0}, {255, 150, 84}},
+    {"occluder", {176, 24, 40}, {255, 128, 120}},
+    {"moments", {0, 108, 124}, {96, 212, 224}},
+}};
+
+/// A rectangle in metres and the one in pixels that shows it.
+struct Viewport {
+    glm::dvec2 lo{0}, hi{1};  ///< metres; y towards the light
+    double x = 0, bottom = 0, across = 1, along = 1;
+    glm::dvec2 px(const glm::dvec2& m) const { return {x + (m.x - lo.x) * across, bottom - (m.y - lo.y) * along}; }
+    bool holds(const glm::dvec2& m) const { return m.x >= lo.x && m.x <= hi.x && m.y >= lo.y && m.y <= hi.y; }
+};
+
+/// The part of a line within a rectangle (Liang, Barsky, A New Concept and Method for Line Clipping, 1984).
+std::optional<std::pair<glm::dvec2, glm::dvec2>> clipped(glm::dvec2 a, glm::dvec2 b, const Viewport& v) {
+    double from = 0, to = 1;
+    const glm::dvec2 d = b - a;
+    for (int i = 0; i < 2; ++i)
+        for (const double side : {-1.0, 1.0}) {
+            const double p = side * d[i], q = side > 0 ? v.hi[i] - a[i] : a[i] - v.lo[i];
+            if (p == 0 && q < 0) return {};
+            if (p < 0) from = std::max(from, q / p);
+            if (p > 0) to = std::min(to, q / p);
+        }
+    if (!(from <= to)) return {};
+    return std::pair{a + from * d, a + to * d};
+}
+
+/// The part of a convex area within a rectangle (Sutherland, Hodgman, Reentrant Polygon Clipping, 1974).
+std::vector<glm::dvec2> clipped(std::vector<glm::dvec2> area, const Viewport& v) {
+    for (int i = 0; i < 2; ++i)
+        for (const double side : {-1.0, 1.0}) {
+            const double edge = side > 0 ? v.hi[i] : v.lo[i];
+            const auto inside = [&](const glm::dvec2& p) { return side * (edge - p[i]) >= 0; };
+            std::vector<glm::dvec2> out;
+            for (std::size_t k = 0; k < area.size(); ++k) {
+                const glm::dvec2 a = area[k], b = area[(k + 1) % area.size()];
+                if (inside(a)) out.push_back(a);
+                if (inside(a) != inside(b)) out.push_back(a + (b - a) * ((edge - a[i]) / (b[i] - a[i])));
+            }
+            area = std::move(out);
+        }
+    return area;
+}
+
+/// 1, 2 or 5 times a power of ten: the largest that is not above `most`.
+double round_length(double most) {
+    const double power = std::pow(10, std::floor(std::log10(most)));
+    for (const double digit : {5.0, 2.0})
+        if (digit * power <= most) return digit * power;
+    return power;
+}
+
+std::string texels_text(double texels) {
+    return fmt::format("{:.3g} texel{}", texels, texels == 1 ? "" : "s");
+}
+
+class Draughtsman {
+public:
+    Draughtsman(const Section& section, const SectionPage& page) : s_(section), page_(page), em_(page.em) {
+        out_.width = page.width, out_.height = page.height;
+    }
+
+    SectionDrawing draw() {
+        const double margin = 0.8 * em_;
+        double top = margin;
+        if (page_.captions) {
+            area({{0, 0}, {page_.width, 0}, {page_.width, page_.height}, {0, page_.height}}, Ink::Paper, 1);
+            top = header(margin);
+        }
+        if (!s_.shadowed) {
+            if (!page_.captions) words({margin, top + em_}, "No map tests this pixel.", Ink::Muted);
+            if (page_.captions) out_.height = top + margin;
+            resize_paper();
+            return std::move(out_);
+        }
+        frame(margin, top);
+        columns();
+        steps();
+        moments();
+        truth();
+        window();
+        ray();
+        comparison();
+        taps();
+        scales();
+        place_labels();
+        if (page_.captions) legend(margin);
+        resize_paper();
+        return std::move(out_);
+    }
+
+private:
+    struct Label {
+        glm::dvec2 at;
+        std::string text;
+        Ink ink;
+        double y = 0;
+    };
+    const Section& s_;
+    const SectionPage& page_;
+    const double em_;
+    SectionDrawing out_;
+    Viewport near_;
+    std::optional<Viewport> far_;
+    double left_ = 0, right_ = 0, top_ = 0, bottom_ = 0, below_ = 0;
+    double stretch_ = 1;
+    std::vector<Label> labels_;
+
+    double width_of(std::string_view text) const {
+        return page_.text_width ? page_.text_width(text) : 0.54 * em_ * double(text.size());
+    }
+
+    // Marks in pixels.
+    Mark& add(Mark mark) { return out_.marks.emplace_back(std::move(mark)); }
+    void line(std::vector<glm::dvec2> points, Ink ink, double width, bool dashed = false, bool arrow = false) {
+        add({.kind = Mark::Kind::Line,
+             .ink = ink,
+             .points = std::move(points),
+             .width = width * em_ / 15,
+             .dashed = dashed,
+             .arrow = arrow});
+    }
+    void area(std::vector<glm::dvec2> points, Ink ink, double opacity) {
+        if (points.size() > 2)
+            add({.kind = Mark::Kind::Area, .ink = ink, .points = std::move(points), .opacity = opacity});
+    }
+    void dot(const glm::dvec2& at, Ink ink, double radius) {
+        add({.kind = Mark::Kind::Dot, .ink = ink, .points = {at}, .width = radius * em_ / 15});
+    }
+    void words(const glm::dvec2& at, std::string text, Ink ink, bool strong = false,
+               Mark::Anchor anchor = Mark::Anchor::Start) {
+        add({.kind = Mark::Kind::Text,
+             .ink = ink,
+             .points = {at},
+             .strong = strong,
+             .anchor = anchor,
+             .text = std::move(text)});
+    }
+    void box(double x0, double y0, double x1, double y1, Ink ink, double opacity) {
+        area({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, ink, opacity);
+    }
+
+    // The same in metres, wherever they show.
+    template <typename Draw>
+    void in_viewports(Draw&& draw) {
+        draw(near_);
+        if (far_) draw(*far_);
+    }
+    void line_m(const glm::dvec2& a, const glm::dvec2& b, Ink ink, double width, bool dashed = false) {
+        in_viewports([&](const Viewport& v) {
+            if (const auto part = clipped(a, b, v)) line({v.px(part->first), v.px(part->second)}, ink, width, dashed);
+        });
+    }
+    /// Joined where it is whole.
+    void polyline_m(const std::vector<glm::dvec2>& points, Ink ink, double width) {
+        in_viewports([&](const Viewport& v) {
+            std::vector<glm::dvec2> run;
+            const auto end = [&] {
+                if (run.size() > 1) line(run, ink, width);
+                run.clear();
+            };
+            for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+                const auto part = clipped(points[i], points[i + 1], v);
+                if (!part) {
+                    end();
+                    continue;
+                }
+                if (run.empty()) run.push_back(v.px(part->first));
+                run.push_back(v.px(part->second));
+                if (part->second != points[i + 1]) end();
+            }
+            end();
+        });
+    }
+    void area_m(const std::vector<glm::dvec2>& points, Ink ink, double opacity) {
+        in_viewports([&](const Viewport& v) {
+            std::vector<glm::dvec2> part = clipped(points, v);
+            for (glm::dvec2& p : part) p = v.px(p);
+            area(std::move(part), ink, opacity);
+        });
+    }
+    std::optional<glm::dvec2> seen(const glm::dvec2& m) const {
+        if (near_.holds(m)) return near_.px(m);
+        if (far_ && far_->holds(m)) return far_->px(m);
+        return {};
+    }
+    /// A line of words beside the drawing that points at a place in it.
+    void label(const glm::dvec2& m, std::string text, Ink ink) {
+        if (const auto at = seen(m)) labels_.push_back({*at, std::move(text), ink});
+    }
+
+    /// @return where the next line's top is
+    double paragraph(double x, double y, double width, const std::string& text, Ink ink) {
+        std::string line_of_words;
+        const auto flush = [&] {
+            words({x, y + em_}, line_of_words, ink);
+            y += 1.35 * em_;
+            line_of_words.clear();
+        };
+        for (std::size_t i = 0; i < text.size();) {
+            const std::size_t end = std::min(text.find(' ', i), text.size());
+            const std::string word = text.substr(i, end - i);
+            if (!line_of_words.empty() && width_of(line_of_words + " " + word) > width) flush();
+            line_of_words += (line_of_words.empty() ? "" : " ") + word;
+            i = end + 1;
+        }
+        if (!line_of_words.empty()) flush();
+        return y;
+    }
+
+    double header(double margin) {
+        std::string title = s_.lit ? "Lit" : "In shadow";
+        if (s_.judged) {
+            title += s_.lit == s_.true_lit ? ", as in truth" : s_.true_lit ? ", lit in truth" : ", in shadow in truth";
+            if (!s_.artefact.empty()) title += ": " + s_.artefact;
+        }
+        words({margin, margin + em_}, title, Ink::Text, true);
+        return paragraph(margin, margin + 1.6 * em_, page_.width - 2 * margin, s_.verdict, Ink::Text) + 0.6 * em_;
+    }
+
+    bool is_near(const Section::Step& step) const {
+        const double off = std::abs(step.texel - s_.looked_up_texel);
+        return step.in_map && off <= std::max(2.0, s_.cut.reach_texels) &&
+               (step.meets == KernelTap::Meets::Own || step.meets == KernelTap::Meets::Farther);
+    }
+
+    /// Which metres are shown where: what the comparison is about, and far above it, at a break, what is far.
+    void frame(double margin, double top) {
+        const double gutter = std::min(18 * em_, 0.42 * page_.width);
+        left_ = margin, right_ = page_.width - margin - gutter, top_ = top;
+        bottom_ = page_.captions ? std::max(page_.height - 9 * em_, top + 16 * em_) : page_.height - 4.1 * em_;
+        double lo = 0, hi = 0;
+        std::vector<double> far;
+        const auto show = [&](double y) {
+            if (std::isfinite(y)) lo = std::min(lo, y), hi = std::max(hi, y);
+        };
+        show(s_.moved.y), show(s_.compared.y);
+        if (s_.has_window) show(s_.window_from);
+        for (const Section::Step& step : s_.steps) {
+            if (is_near(step) && step.meets == KernelTap::Meets::Own) show(step.from.y), show(step.to.y);
+            if (step.in_map && step.meets == KernelTap::Meets::Nearer) far.push_back(std::max(step.from.y, step.to.y));
+        }
+        if (s_.occluder) far.push_back(s_.occluder->y);
+        if (s_.has_window && std::isfinite(s_.window_to)) far.push_back(s_.window_to);
+        if (s_.moments) {
+            const double spread = std::isnan(s_.moments->spread) ? 0 : s_.moments->spread;
+            far.push_back(s_.moments->mean + spread), far.push_back(s_.moments->mean - spread);
+        }
+        const double texel = s_.texel_m;
+        const double content = std::max(hi - lo, 0.15 * texel);
+        lo -= 0.35 * content, hi += 0.35 * content;
+        const double farthest = far.empty() ? hi : *std::max_element(far.begin(), far.end());
+        out_.broken = farthest > hi + 4 * (hi - lo) && farthest > hi + 3 * texel;
+        if (!out_.broken && !far.empty()) {
+            hi = std::max(hi, farthest + 0.12 * (farthest - lo));
+            const double deepest = *std::min_element(far.begin(), far.end());
+            if (deepest < lo) lo = deepest - 0.1 * (hi - deepest);
+        }
+        double x0 = -0.5 * texel, x1 = 0.5 * texel;
+        for (const Section::Step& step : s_.steps)
+            x0 = std::min(x0, step.compared_from.x), x1 = std::max(x1, step.compared_to.x);
+        x0 = std::max(x0, -3.0 * kRowReach * texel), x1 = std::min(x1, 3.0 * kRowReach * texel);
+        const double height = bottom_ - top_, high = out_.broken ? 0.70 * height : height;
+        const double across = (right_ - left_) / (x1 - x0);
+        const double fits = high / (hi - lo) / across;
+        // True to scale where the picture then is neither cut nor mostly empty.
+        stretch_ = fits >= 1 && fits <= 4 ? 1 : round_length(fits);
+        const double along = stretch_ * across, spare = high / along - (hi - lo);
+        lo -= 0.4 * spare, hi = lo + high / along;
+        near_ = {{x0, lo}, {x1, hi}, left_, bottom_, across, along};
+        if (out_.broken) {
+            std::erase_if(far, [&](double y) { return y <= hi; });
+            const auto [least, most] = std::minmax_element(far.begin(), far.end());
+            const double from = *least, to = *most, room = std::max(0.3 * (to - from), 0.5 * texel);
+            const double strip = 0.24 * height;
+            const double begin = std::max(from - room, hi), end = to + room;
+            far_ = Viewport{{x0, begin}, {x1, end}, left_, top_ + strip, across, strip / (end - begin)};
+        }
+        out_.across = across, out_.along = along;
+        const glm::dvec2 zero = near_.px({0, 0});
+        out_.zero_x = zero.x, out_.zero_y = zero.y;
+        below_ = bottom_;
+    }
+
+    double beyond() const { return 4 * (near_.hi.y - near_.lo.y) + (far_ ? far_->hi.y - near_.lo.y : 0); }
+
+    void columns() {
+        for (const Section::Step& step : s_.steps) {
+            line_m(step.from - step.from_ray * beyond(), step.from + step.from_ray * beyond(), Ink::Grid, 0.8);
+            if (&step == &s_.steps.back())
+                line_m(step.to - step.to_ray * beyond(), step.to + step.to_ray * beyond(), Ink::Grid, 0.8);
+        }
+        if (far_) {  // the break
+            const double y = 0.5 * (near_.px(near_.hi).y + far_->px(far_->lo).y), h = 0.22 * em_;
+            std::vector<glm::dvec2> zigzag;
+            bool up = false;
+            for (double x = left_; x <= right_; x += 0.6 * em_, up = !up) zigzag.push_back({x, y + (up ? -h : h)});
+            line(zigzag, Ink::Muted, 0.8);
+        }
+    }
+
+    void steps() {
+        const auto shows = [](const Section::Step& s) { return s.in_map && s.meets != KernelTap::Meets::Nothing; };
+        for (const Section::Step& step : s_.steps)
+            if (shows(step))
+                area_m({step.from, step.to, step.to - step.to_ray * beyond(), step.from - step.from_ray * beyond()},
+                       Ink::Shade, 0.2);
+        for (std::size_t i = 0; i < s_.steps.size(); ++i) {
+            const Section::Step& step = s_.steps[i];
+            if (!shows(step)) continue;
+            line_m(step.from, step.to, Ink::Step, 2.6);
+            if (i + 1 < s_.steps.size() && shows(s_.steps[i + 1]))
+                line_m(step.to, s_.steps[i + 1].from, Ink::Step, 1.2);
+        }
+        if (const Section::Step* own = s_.looked_up(); own && shows(*own)) {
+            const glm::dvec2 side = own->to;
+            label(side, fmt::format("stored in texel {}", own->texel), Ink::Step);
+        }
+    }
+
+    void moments() {
+        if (!s_.moments) return;
+        const double reach = std::max(s_.cut.reach_texels, 0.5) * s_.texel_m, x = s_.moved.x, y = s_.moments->mean;
+        const double spread = s_.moments->spread;
+        if (spread > 0)
+            area_m({{x - reach, y - spread}, {x + reach, y - spread}, {x + reach, y + spread}, {x - reach, y + spread}},
+                   Ink::Moments, 0.2);
+        line_m({x - reach, y}, {x + reach, y}, Ink::Moments, 2, true);
+        label({std::min(x + reach, near_.hi.x), y},
+              spread > 0 ? fmt::format("mean depth ± {}", metric_text(spread)) : "mean depth", Ink::Moments);
+    }
+
+    void truth() {
+        const glm::dvec2 far = s_.surface_along * 4.0 * (near_.hi.x - near_.lo.x + near_.hi.y - near_.lo.y);
+        if (const auto part = clipped(s_.surface_at - far, s_.surface_at + far, near_))
+            line({near_.px(part->first), near_.px(part->second)}, Ink::Plane, 1.2, true);
+        for (const auto& run : s_.profile) polyline_m(run, Ink::Surface, 2);
+    }
+
+    void window() {
+        if (!s_.has_window) return;
+        const double end = std::isfinite(s_.window_to) ? s_.window_to : beyond();
+        const bool open = s_.window_open();
+        const double half = 0.3 * em_ / near_.across, x = s_.moved.x - 0.75 * em_ / near_.across;
+        const double from = std::min(s_.window_from, end), to = std::max(s_.window_from, end);
+        area_m({{x - half, from}, {x + half, from}, {x + half, to}, {x - half, to}}, open ? Ink::Window : Ink::NoWindow,
+               0.55);
+        const Ink ink = open ? Ink::Window : Ink::NoWindow;
+        for (const double y : {s_.window_from, end})
+            if (const auto at = seen({x, y})) line({{at->x - 0.45 * em_, at->y}, {at->x + 0.45 * em_, at->y}}, ink, 2);
+        label({x, s_.window_from}, fmt::format("needs {} of bias", texels_text(s_.least.texels)), ink);
+        if (std::isfinite(s_.window_to))
+            label({x, s_.window_to}, open ? "more bias loses the shadow" : "no bias is right", ink);
+    }
+
+    void ray() {
+        const glm::dvec2 end = s_.light_ray * beyond();
+        line_m({0, 0}, end, Ink::Ray, 1.4, true);
+        const Viewport& v = far_ ? *far_ : near_;
+        if (const auto part = clipped(glm::dvec2(0), end, v)) {
+            const glm::dvec2 at = v.px(part->second);
+            // The light stands beyond the picture: rays come down.
+            line({at, at + glm::dvec2(0, 1.3 * em_)}, Ink::Ray, 1.4, false, true);
+            const bool to_left = at.x > 0.6 * right_ + 0.4 * left_;
+            words({at.x + (to_left ? -0.5 : 0.5) * em_, at.y + 1.05 * em_},
+                  s_.light == LightType::Directional ? "from the light"
+                                                     : fmt::format("from the light, {}", metric_text(s_.light_m)),
+                  Ink::Ray, false, to_left ? Mark::Anchor::End : Mark::Anchor::Start);
+        }
+        if (!s_.occluder) return;
+        if (const auto at = seen(*s_.occluder)) {
+            line({*at - glm::dvec2(0.7 * em_, 0), *at + glm::dvec2(0.7 * em_, 0)}, Ink::Occluder, 3.2);
+            dot(*at, Ink::Occluder, 3.5);
+        }
+        label(*s_.occluder,
+              fmt::format("{} {} nearer", s_.occluder_in_map ? "occluder" : "lost caster", metric_text(s_.occluder_m)),
+              Ink::Occluder);
+    }
+
+    void comparison() {
+        for (const Section::Step& step : s_.steps) {
+            const bool read = step.weight > 0 || (s_.steps.size() > 0 && step.texel == s_.looked_up_texel);
+            if (read && step.in_map && !s_.moments)
+                line_m(step.compared_from, step.compared_to, step.lit ? Ink::Ray : Ink::Dark, 1.6, true);
+        }
+        const glm::dvec2 point = near_.px({0, 0}), moved = near_.px(s_.moved), compared = near_.px(s_.compared);
+        if (glm::length(moved - point) > 0.15 * em_) {
+            line({point, moved}, Ink::Offset, 2, false, true);
+            label(0.5 * s_.moved, fmt::format("normal offset {}", metric_text(s_.normal_offset_m)), Ink::Offset);
+        }
+        for (const Section::Term& term : s_.terms) {
+            const glm::dvec2 a = near_.px(term.from), b = near_.px(term.to);
+            line({a, b}, Ink::Bias, 2.2, false, glm::length(b - a) > 0.5 * em_);
+            label(0.5 * (term.from + term.to), fmt::format("{} {}", term.name, texels_text(term.amount.texels)),
+                  Ink::Bias);
+        }
+        dot(point, Ink::Text, 4.5), dot(point, Ink::Paper, 2.4);
+        dot(compared, Ink::Text, 6), dot(compared, s_.lit ? Ink::Lit : Ink::Dark, 4.4);
+        label({0, 0}, fmt::format("surface, {:.0f}° from the light", s_.theta_rad * 180 / M_PI), Ink::Text);
+        label(s_.compared,
+              s_.visibility > 0 && s_.visibility < 1 ? fmt::format("compared: {:.0f} % lit", 100 * s_.visibility)
+                                                     : fmt::format("compared: {}", s_.lit ? "lit" : "in shadow"),
+              Ink::Text);
+    }
+
+    /// Under each column what its comparison says.
+    void taps() {
+        double heaviest = 0;
+        for (const Section::Step& step : s_.steps) heaviest = std::max(heaviest, step.weight);
+        const double y0 = bottom_ + 0.3 * em_, y1 = y0 + 0.8 * em_;
+        below_ = y1;
+        if (heaviest == 0) return;
+        for (const Section::Step& step : s_.steps) {
+            if (step.weight == 0) continue;
+            const double x0 = std::max(near_.px(step.compared_from).x + 1, left_);
+            const double x1 = std::min(near_.px(step.compared_to).x - 1, right_);
+            if (x1 <= x0) continue;
+            const Ink ink = step.lit ? Ink::Lit : step.meets == KernelTap::Meets::Own ? Ink::Self : Ink::Dark;
+            box(x0, y0, x1, y1, ink, 0.35 + 0.65 * step.weight / heaviest);
+            line({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}, {x0, y0}}, Ink::Muted, 0.6);
+        }
+        words({right_ + 0.8 * em_, y1 - 0.02 * em_}, "the kernel's taps in this row", Ink::Muted);
+    }
+
+    void scales() {
+        const double y = below_ + 0.9 * em_;
+        const auto bar = [&](double x, double metres, const std::string& text) {
+            const double end = x + metres * near_.across, h = 0.25 * em_;
+            line({{x, y - h}, {x, y + h}}, Ink::Muted, 1.2);
+            line({{end, y - h}, {end, y + h}}, Ink::Muted, 1.2);
+            line({{x, y}, {end, y}}, Ink::Muted, 1.2);
+            words({end + 0.5 * em_, y + 0.35 * em_}, text, Ink::Muted);
+            return end + 0.5 * em_ + width_of(text) + 1.5 * em_;
+        };
+        const double room = 0.2 * (right_ - left_) / near_.across;
+        const double texels = std::max(1.0, round_length(room / s_.texel_m));
+        const double x = bar(left_, texels * s_.texel_m,
+                             fmt::format("{} = {}", texels_text(texels), metric_text(texels * s_.texel_m)));
+        const double metres = round_length(room);
+        const double end = bar(x, metres, metric_text(metres));
+        const std::string scale = stretch_ == 1  ? out_.broken ? "to scale below the break" : "to scale"
+                                  : stretch_ > 1 ? fmt::format("depth drawn {:g} times larger", stretch_)
+                                                 : fmt::format("depth drawn {:g} times smaller", 1 / stretch_);
+        words({end, y + 0.35 * em_}, scale, Ink::Muted);
+        below_ = y + 0.6 * em_;
+    }
+
+    /// From top to bottom, none over another.
+    void place_labels() {
+        if (labels_.empty()) return;
+        std::stable_sort(labels_.begin(), labels_.end(),
+                         [](const Label& a, const Label& b) { return a.at.y < b.at.y; });
+        const double line_height = 1.3 * em_, first = top_ + 0.5 * em_, last = bottom_ - 0.3 * em_;
+        double y = first;
+        for (Label& l : labels_) y = (l.y = std::max(l.at.y, y)) + line_height;
+        double most = last;
+        for (auto l = labels_.rbegin(); l != labels_.rend(); ++l) most = (l->y = std::min(l->y, most)) - line_height;
+        const double x = right_ + 0.8 * em_;
+        for (const Label& l : labels_) {
+            line({l.at, {right_ + 0.1 * em_, l.y}, {x - 0.2 * em_, l.y}}, Ink::Muted, 0.5);
+            words({x, l.y + 0.35 * em_}, l.text, l.ink);
+        }
+    }
+
+    void legend(double margin) {
+        struct Entry {
+            std::string text;
+            Ink ink;
+            bool filled, dashed, shown;
+        };
+        const bool traced = !s_.profile.empty();
+        const std::vector<Entry> entries{
+            {"depths that the map stores, a texel a step", Ink::Step, false, false, true},
+            {"in shadow, by the map", Ink::Shade, true, false, true},
+            {"what the light sees in truth", Ink::Surface, false, false, traced},
+            {"the surface's plane", Ink::Plane, false, true, true},
+            {"biases that are right", Ink::Window, true, false, s_.has_window && s_.window_open()},
+            {"no bias is right", Ink::NoWindow, true, false, s_.has_window && !s_.window_open()},
+            {"tap lit", Ink::Lit, true, false, !s_.moments},
+            {"tap in shadow", Ink::Dark, true, false, !s_.moments},
+            {"tap in shadow by the surface itself", Ink::Self, true, false, !s_.moments},
+            {"mean of the depths, one standard deviation to each side", Ink::Moments, true, false, bool(s_.moments)},
+        };
+        double x = margin, y = below_ + 0.5 * em_;
+        for (const Entry& e : entries) {
+            if (!e.shown) continue;
+            const double width = 2.2 * em_ + width_of(e.text) + 1.2 * em_;
+            if (x > margin && x + width > page_.width) x = margin, y += 1.4 * em_;
+            if (e.filled)
+                box(x, y + 0.25 * em_, x + 1.6 * em_, y + 0.95 * em_, e.ink, e.ink == Ink::Shade ? 0.25 : 0.75);
+            else
+                line({{x, y + 0.6 * em_}, {x + 1.6 * em_, y + 0.6 * em_}}, e.ink, 2.2, e.dashed);
+            words({x + 2.2 * em_, y + 0.95 * em_}, e.text, Ink::Text);
+            x += width;
+        }
+        y += 1.6 * em_;
+        std::string note =
+            fmt::format("Cut along the map's {}, texels {} to {} of {} {}", s_.cut.axis == 0 ? "u" : "v", s_.cut.first,
+                        s_.cut.first + s_.cut.count - 1, s_.cut.axis == 0 ? "row" : "column", s_.row);
+        if (std::abs(s_.row_aside) >= 0.005)
+            note += fmt::format(", whose middle lies {:.2f} texels beside the cut", std::abs(s_.row_aside));
+        note += ".";
+        if (s_.raster.depth != 0)
+            note += fmt::format(" Polygon offset has moved the stored depths by {}.", texels_text(s_.raster.texels));
+        if (s_.moments)
+            note += fmt::format(" At most {:.0f} % can be lit by mean and spread.", 100 * s_.moments->bound);
+        y = paragraph(margin, y, page_.width - 2 * margin, note, Ink::Muted);
+        out_.height = y + margin;
+    }
+
+    /// As high as what was written on it.
+    void resize_paper() {
+        if (!page_.captions || out_.marks.empty()) return;
+        out_.marks.front().points = {{0, 0}, {out_.width, 0}, {out_.width, out_.height}, {0, out_.height}};
+    }
+};
+
+}  // namespace
+
+const InkColour& ink_colour(Ink ink) {
+    return kColours[std::size_t(ink)];
+}
+
+std::string metric_text(double metres) {
+    if (metres == 0) return "0 m";
+    const double size = std::abs(metres);
+    if (!std::isfinite(size)) return "endless";
+    if (size < 1e-3) return fmt::format("{:.3g} µm", metres * 1e6);
+    if (size < 1) return fmt::format("{:.3g} mm", metres * 1e3);
+    if (size < 1e3) return fmt::format("{:.3g} m", metres);
+    return fmt::format("{:.3g} km", metres * 1e-3);
+}
+
+SectionDrawing draw_section(const Section& section, const SectionPage& page) {
+    return Draughtsman(section, page).draw();
+}
+
+}  // namespace si

@@ -1,0 +1,102 @@
+// Cross-sections on the command line: those of docs/accuracy.md are what its commands draw, and nothing that goes wrong
+// leaves half a file.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "tests/support/process.h"
+#include "tests/support/strict_xml.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kDocs = fs::path(SI_SOURCE_DIR) / "docs";
+
+std::vector<std::string> words(const std::string& line) {
+    std::istringstream in(line);
+    std::vector<std::string> out;
+    for (std::string word; in >> word;) out.push_back(word);
+    return out;
+}
+
+/// The commands of the page that draw sections, without the program's name.
+std::vector<std::vector<std::string>> documented() {
+    std::istringstream page(file_bytes(kDocs / "accuracy.md"));
+    std::vector<std::vector<std::string>> out;
+    for (std::string line; std::getline(page, line);) {
+        std::vector<std::string> w = words(line);
+        if (w.size() > 3 && w[0] == "./run.sh" && w[1] == "probe") out.push_back({w.begin() + 1, w.end()});
+    }
+    return out;
+}
+
+/// Words and numbers apart, as drivers may round the last digits of a depth otherwise.
+void expect_same_drawing(const std::string& a, const std::string& b, const std::string& name) {
+    static const std::regex number("-?[0-9]+(\\.[0-9]+)?");
+    EXPECT_EQ(std::regex_replace(a, number, "#"), std::regex_replace(b, number, "#")) << name;
+    std::sregex_iterator x(a.begin(), a.end(), number), y(b.begin(), b.end(), number), end;
+    for (; x != end && y != end; ++x, ++y) EXPECT_NEAR(std::stod(x->str()), std::stod(y->str()), 0.6) << name;
+}
+
+TEST(SectionCommand, ThePagesDrawingsAreTheirCommands) {
+    const auto commands = documented();
+    ASSERT_GE(commands.size(), 5u);
+    for (std::vector<std::string> command : commands) {
+        const auto option = std::find(command.begin(), command.end(), "-o");
+        ASSERT_TRUE(option != command.end() && option + 1 != command.end());
+        const fs::path committed = fs::path(SI_SOURCE_DIR) / *(option + 1);
+        *(option + 1) = (fresh_test_folder() / committed.filename()).string();
+        const auto r = run_program(command);
+        ASSERT_EQ(r.code, 0) << r.err;
+        const std::string drawn = file_bytes(*(option + 1)), kept = file_bytes(committed);
+        EXPECT_EQ(test::xml_fault(kept), "") << committed;
+        if (drawn != kept) expect_same_drawing(drawn, kept, committed.filename());
+        // What the page says of it is what the pixel has.
+        std::string artefact = committed.stem().string().substr(std::string("section-").size());
+        EXPECT_NE(r.out.find("verdict: "), std::string::npos);
+        const std::map<std::string, std::string> said{{"acne", "verdict: acne: needs"},
+                                                      {"peter-panning", "verdict: peter-panning: bias moves it"},
+                                                      {"offset", "verdict: peter-panning by normal offset"},
+                                                      {"undersampling", "verdict: undersampled"},
+                                                      {"light-bleeding", "verdict: leak"}};
+        ASSERT_TRUE(said.contains(artefact)) << artefact;
+        EXPECT_NE(r.out.find(said.at(artefact)), std::string::npos) << artefact << "\n" << r.out;
+    }
+}
+
+TEST(SectionCommand, GoesWithJsonAndRefusesWhatItCannotDraw) {
+    const fs::path folder = fresh_test_folder(), file = folder / "one.svg";
+    const std::vector<std::string> scene{"probe", "plane", "--size", "160x90", "--set", "map.resolution=256"};
+    const auto probe = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), scene.begin(), scene.end());
+        return run_program(more);
+    };
+    const auto both = probe({"--pixel", "80,60", "--json", "-o", file.string()});
+    ASSERT_EQ(both.code, 0) << both.err;
+    EXPECT_TRUE(nlohmann::json::parse(both.out, nullptr, false)["hit"].get<bool>());
+    const std::string svg = file_bytes(file);
+    EXPECT_EQ(test::xml_fault(svg), "");
+    EXPECT_EQ(probe({"--pixel", "80,60", "--no-truth", "-o", file.string()}).code, 0);
+    EXPECT_NE(file_bytes(file), svg) << "without rays it shows none";
+    const std::string before = file_bytes(file);
+
+    const auto nothing = probe({"--pixel", "0,0", "-o", file.string()});
+    if (nothing.out.find("nothing there") != std::string::npos) {
+        EXPECT_EQ(nothing.code, 1);
+        EXPECT_NE(nothing.err.find("one.svg"), std::string::npos) << nothing.err;
+    }
+    const auto png = probe({"--pixel", "80,60", "-o", (folder / "one.png").string()});
+    EXPECT_EQ(png.code, 2);
+    EXPECT_NE(png.err.find(".svg"), std::string::npos) << png.err;
+    EXPECT_EQ(probe({"--pixel", "80,60", "-o", (folder / "none" / "one.svg").string()}).code, 1);
+    EXPECT_EQ(file_bytes(file), before);
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,202 @@
+// The cross-section of a probed pixel's test: its steps are the map's own texels in metres under every kind of light
+// and map, and on a tilted plane all of it follows from the plane's angle.
+#include "renderer/inspect/section.h"
+
+#include "renderer/scenes/shapes.h"
+#include "renderer/view/projection.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+const FrameRequest kPicture{.width = 160, .height = 120};
+constexpr glm::ivec2 kMiddle{80, 60};
+
+class SectionTest : public FrameTest {
+protected:
+    Probe probed;
+    Dossier dossier;
+
+    const Probe::PerLight& light() const { return probed.lights.at(0); }
+
+    Section section(const Scene& scene, const Settings& s, glm::ivec2 pixel = kMiddle) {
+        probed = renderer.probe(scene, s, kPicture, pixel.x, pixel.y);
+        EXPECT_TRUE(probed.hit);
+        const TruthScene casters(std::make_shared<TruthGeometry>(scene, s));
+        dossier = explain(probed, light(), fragment_truth(casters, probed, light(), s, object_traits(scene, s)), s,
+                          renderer.driver());
+        const int n = probed.map_resolution;
+        const SectionCut cut = section_cut(light(), &dossier, s, n);
+        return cross_section(light(), &dossier, cut, n, true_profile(casters, light(), cut, n));
+    }
+
+    /// Floor under a sun that stands so many degrees high over the map's v axis.
+    static Settings sun(double elevation, double constant_texels) {
+        Settings s = test::texel_settings("hard", 256, constant_texels);
+        s.lights[0].azimuth = 0, s.lights[0].elevation = elevation;
+        return s;
+    }
+    static Scene sheet_over_floor(double height) {
+        Scene scene;
+        const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
+        add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(3, 3), grey), moved(0, height, 0));
+        finalise(scene);
+        return scene;
+    }
+    /// y of the surface's line.
+    static double surface_y(const Section& s, double x) {
+        return s.surface_at.y + (x - s.surface_at.x) * s.surface_along.y / s.surface_along.x;
+    }
+};
+
+TEST_F(SectionTest, StepsAreTheMapsTexelsUnderEveryLightAndMap) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.3);
+    const std::vector<Sets> kinds{{{"light.type", "directional"}},
+                                  {{"light.type", "directional"}, {"map.format", "d16"}},
+                                  {{"map.reversed_z", "true"}},
+                                  {{"light.fit", "lispsm"}},
+                                  {{"light.cascades", "3"}, {"light.fit", "view"}},
+                                  {{"light.type", "spot"}},
+                                  {{"light.type", "spot"}, {"map.reversed_z", "true"}},
+                                  {{"light.type", "spot"}, {"map.format", "linear"}},
+                                  {{"light.type", "point"}},
+                                  {{"light.type", "point"}, {"map.format", "linear16"}, {"map.reversed_z", "true"}}};
+    for (const Sets& kind : kinds) {
+        Settings s = test::texel_settings("pcf3", 256, 1);
+        for (const auto& [key, value] : kind) set_setting(s, key, value);
+        const std::string name = kind.front().second + (kind.size() > 1 ? " " + kind[1].second : "");
+        int steps = 0, nearer = 0;
+        for (const glm::ivec2 pixel : {glm::ivec2(80, 60), {52, 66}, {100, 80}}) {
+            const Section cut = section(scene, s, pixel);
+            if (!cut.shadowed) continue;
+            FrameRequest maps = kPicture;
+            maps.outputs = {.colour = false, .shadow_map = true};
+            const FrameResult frame = renderer.render(scene, s, maps);
+            const FloatImage map = renderer.read_shadow_map(frame, 0, light().face);
+            const LightView& view = light().fitted.views.at(std::size_t(light().face));
+            const int n = map.width;
+            // By the inverse of the map's projection, from the surface's point: no part of what is tested.
+            const glm::dmat4 ws_from_uvd =
+                glm::inverse(uvd_from_clip(view.curve.convention) * view.clip_from_relative(probed.position_ws));
+            for (const Section::Step& step : cut.steps) {
+                if (!step.in_map || step.meets == KernelTap::Meets::Nothing) continue;
+                const glm::ivec2 texel =
+                    cut.cut.axis == 0 ? glm::ivec2(step.texel, cut.row) : glm::ivec2(cut.row, step.texel);
+                const double stored = map.at(texel.x, n - 1 - texel.y);
+                EXPECT_EQ(step.stored, stored) << name << " " << step.texel;
+                // A warped map's range of depths is that of the texel's own middle: only there it is exact.
+                glm::dvec2 at = (glm::dvec2(texel) + 0.5) / double(n);
+                if (!view.warped()) at[1 - cut.cut.axis] = light().tap[1 - cut.cut.axis];
+                const glm::dvec4 h = ws_from_uvd * glm::dvec4(at, stored, 1);
+                const glm::dvec3 from_surface = glm::dvec3(h) / h.w;
+                const glm::dvec3 ray = light().account.receiver.to_light;
+                const glm::dvec2 middle = 0.5 * (step.from + step.to);
+                const double along = glm::dot(from_surface, ray);
+                if (!view.warped())
+                    EXPECT_NEAR(glm::length(middle), glm::length(from_surface), 1e-5 + 1e-4 * std::abs(along))
+                        << name << " " << step.texel;
+                EXPECT_NEAR(middle.y, along, 1e-5 + 1e-4 * glm::length(from_surface)) << name << " " << step.texel;
+                ++steps, nearer += step.meets == KernelTap::Meets::Nearer;
+            }
+        }
+        EXPECT_GT(steps, 12) << name;
+        EXPECT_GT(nearer, 0) << name << ": a step of the box belongs among them";
+    }
+}
+
+TEST_F(SectionTest, OnATiltedPlaneAcneFollowsFromTheAngle) {
+    const Scene scene = make_scene(make_plane(10, 10));
+    for (const double elevation : {65.0, 40.0, 25.0}) {
+        const double theta = glm::radians(90 - elevation);
+        std::optional<Section> found;
+        for (int y = 50; y < 70 && !found; ++y) {
+            const Section s = section(scene, sun(elevation, 0), {80, y});
+            if (s.artefact == "acne") found = s;
+        }
+        ASSERT_TRUE(found) << "no bias, no acne?";
+        const Section& s = *found;
+        const double texel = s.texel_m;
+        EXPECT_EQ(s.cut.axis, 1) << "the sun stands over v";
+        EXPECT_NEAR(std::abs(s.surface_along.y / s.surface_along.x), std::tan(theta), 1e-6);
+        EXPECT_NEAR(glm::length(s.moved), 0, 1e-9) << "no offset";
+        ASSERT_TRUE(s.looked_up());
+        EXPECT_LT(s.compared.y, s.looked_up()->from.y) << "acne: the point lies behind its own texel's step";
+        EXPECT_FALSE(s.lit);
+        EXPECT_TRUE(s.true_lit);
+        for (const Section::Step& step : s.steps) {
+            EXPECT_EQ(step.meets, KernelTap::Meets::Own);
+            EXPECT_NEAR(step.from.y, surface_y(s, 0.5 * (step.from.x + step.to.x)), 1e-3 * texel)
+                << "each step crosses the surface in its middle";
+            EXPECT_NEAR(step.to.x - step.from.x, texel, 1e-9);
+        }
+        // Half a texel of the slope, and little for format, sub-pixel grid and rounding.
+        EXPECT_TRUE(s.window_open());
+        EXPECT_GE(s.window_from, 0.5 * texel * std::tan(theta));
+        EXPECT_LT(s.window_from, 0.505 * texel * std::tan(theta) + 0.01 * texel);
+        EXPECT_NEAR(s.window_from, dossier.least.metres, 1e-9);
+        EXPECT_GT(s.window_from, s.looked_up()->from.y) << "and clears this step";
+        ASSERT_EQ(s.profile.size(), 1u) << "one surface in truth";
+        EXPECT_GT(s.profile[0].size(), 8u * s.steps.size());
+        for (const glm::dvec2& p : s.profile[0]) EXPECT_NEAR(p.y, surface_y(s, p.x), 1e-4 * texel);
+    }
+}
+
+TEST_F(SectionTest, ANormalOffsetOfHClearsHOverCosine) {
+    const Scene scene = make_scene(make_plane(10, 10));
+    Settings settings = sun(35, 0);
+    settings.bias.normal = 1.5;
+    const Section s = section(scene, settings);
+    const double theta = glm::radians(55.0), h = s.normal_offset_m;
+    EXPECT_NEAR(h, 1.5 * s.texel_m, 1e-9);
+    EXPECT_NEAR(s.moved.y, h * std::cos(theta), 1e-6);
+    EXPECT_NEAR(std::abs(s.moved.x), h * std::sin(theta), 1e-6);
+    EXPECT_NEAR(s.moved.y - surface_y(s, s.moved.x), h / std::cos(theta), 1e-6);
+    EXPECT_NEAR(s.has.metres, h / std::cos(theta), 1e-6) << "what the dossier says it is worth";
+    EXPECT_TRUE(s.lit && s.artefact.empty());
+    EXPECT_GT(s.compared.y, s.window_from);
+    EXPECT_TRUE(s.terms.empty()) << "no depth bias";
+}
+
+TEST_F(SectionTest, PeterPanningPutsTheComparedPointBeforeItsOccluder) {
+    const double elevation = 50, height = 0.3;
+    const Settings settings = sun(elevation, 9);
+    std::optional<Section> found;
+    for (int y = 40; y < 80 && !found; y += 2) {
+        // Seen from beside the sheet, through below it.
+        Settings s = settings;
+        s.camera.elevation = 5, s.camera.target_y = 0;
+        const Section one = section(sheet_over_floor(height), s, {80, y});
+        if (one.artefact.find("peter-panning") == 0 && probed.object == "floor") found = one;
+    }
+    ASSERT_TRUE(found);
+    const Section& s = *found;
+    EXPECT_TRUE(s.lit);
+    EXPECT_FALSE(s.true_lit);
+    ASSERT_TRUE(s.occluder);
+    EXPECT_NEAR(s.occluder_m, height / std::sin(glm::radians(elevation)), 1e-4);
+    EXPECT_NEAR(s.occluder->x, 0, 1e-9);
+    EXPECT_NEAR(s.occluder->y, s.occluder_m, 1e-9);
+    EXPECT_NEAR(s.window_to, s.occluder_m, 1e-6) << "the window ends where the occluder stands";
+    EXPECT_TRUE(s.window_open());
+    EXPECT_GT(s.compared.y, s.window_to) << "and the compared point lies before it";
+    ASSERT_EQ(s.terms.size(), 1u);
+    EXPECT_EQ(s.terms[0].name, "constant bias");
+    EXPECT_NEAR(s.terms[0].to.y, s.compared.y, 1e-9);
+    ASSERT_TRUE(s.looked_up());
+    EXPECT_GE(s.compared.y, s.looked_up()->from.y);
+}
+
+TEST_F(SectionTest, KeepsItsFormWhereThereIsNothingToCut) {
+    const Scene scene = make_scene(make_plane(10, 10));
+    Settings s = sun(40, 1);
+    s.lights[0].cast = false;
+    const Section none = section(scene, s);
+    EXPECT_FALSE(none.shadowed);
+    EXPECT_TRUE(none.steps.empty());
+    EXPECT_FALSE(none.verdict.empty());
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,100 @@
+// The cross-section in the probe panel: beside the verdict, laid out once while nothing changes, and not at all while
+// the panel is hidden.
+#include <gtest/gtest.h>
+
+#include "app/editor/headless_editor.h"
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+Section step_of_shadow() {
+    Section s;
+    s.shadowed = true, s.judged = true;
+    s.cut = {.axis = 0, .first = 100, .count = 5, .reach_texels = 0.5};
+    s.looked_up_texel = 102, s.texel_m = 0.04, s.lit = false, s.visibility = 0;
+    s.verdict = "acne: needs 0.6 texels of bias here, has 0";
+    for (int i = 0; i < 5; ++i) {
+        const double x = (i - 2.5) * 0.04;
+        s.steps.push_back({.texel = 100 + i,
+                           .from = {x, x + 0.02},
+                           .to = {x + 0.04, x + 0.02},
+                           .compared_from = {x, 0},
+                           .compared_to = {x + 0.04, 0},
+                           .weight = i == 2 ? 1.0 : 0,
+                           .meets = KernelTap::Meets::Own});
+    }
+    s.least = {0.006, 0.6, 0.024};
+    s.window_from = 0.024, s.has_window = true;
+    return s;
+}
+
+bool printed(const UiHarness& ui, std::u32string_view words) {
+    return ui.printed().find(words) != std::u32string::npos;
+}
+
+TEST(SectionView, StandsBesideTheVerdictAndIsLaidOutOnce) {
+    UiHarness ui(1600, 900);
+    ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.state.open_tab = BottomTab::Probe;
+    ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
+    ui.frames(5);
+    EXPECT_TRUE(printed(ui, U"needs 0.6 texels of bias"));
+    EXPECT_TRUE(printed(ui, U"stored in texel 102"));
+    const int drawn = ui.state.section_views.drawn;
+    EXPECT_GE(drawn, 1);
+    ui.frames(20);
+    EXPECT_EQ(ui.state.section_views.drawn, drawn) << "nothing has changed";
+    ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
+    ui.frames(5);
+    EXPECT_EQ(ui.state.section_views.drawn, drawn + 1) << "another pixel";
+    ui.state.open_tab = BottomTab::Log;
+    ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
+    ui.frames(5);
+    EXPECT_EQ(ui.state.section_views.drawn, drawn + 1) << "hidden";
+    EXPECT_FALSE(printed(ui, U"stored in texel 102"));
+}
+
+TEST(SectionView, LeavesTheVerdictItsRoomAtAnySize) {
+    for (const auto& [w, h, scale] : {std::tuple{3840, 2160, 2.0f}, {1280, 720, 1.0f}, {700, 480, 1.0f}}) {
+        UiHarness ui(w, h, scale);
+        ui.state.probe_pixel = glm::ivec2(3, 4);
+        ui.state.open_tab = BottomTab::Probe;
+        ui.state.settings.light_count = 3;
+        ui.sections = std::make_shared<const std::vector<Section>>(3, step_of_shadow());
+        ui.frames(4);
+        EXPECT_TRUE(printed(ui, U"in shadow: its texel stores")) << w;
+    }
+}
+
+TEST(EditorSection, IsMadeOnceAndOnlyWhileThePanelIsShown) {
+    EditorOptions options;
+    options.session.scene = "boxes";
+    options.session.sets = {"bias.normal=0", "bias.constant=0", "map.resolution=512"};
+    options.width = 1280, options.height = 720;
+    options.headless = true;
+    HeadlessEditor editor(options);
+    EditorState& state = editor.model().state;
+    state.open_tab = BottomTab::Log;
+    editor.settle();
+    state.probe_pixel = glm::ivec2(200, 150);
+    editor.settle();
+    ASSERT_TRUE(editor.model().facts().probe && editor.model().facts().probe->hit);
+    EXPECT_FALSE(editor.model().facts().sections) << "nobody looks";
+    EXPECT_EQ(state.section_views.drawn, 0);
+    state.open_tab = BottomTab::Probe;
+    editor.settle();
+    const Sections shown = editor.model().facts().sections;
+    ASSERT_TRUE(shown && shown->size() == 1);
+    EXPECT_TRUE(shown->at(0).judged) << "with the truth";
+    EXPECT_FALSE(shown->at(0).profile.empty());
+    for (int i = 0; i < 5; ++i) editor.frame();
+    EXPECT_EQ(editor.model().facts().sections, shown) << "kept";
+    state.settings.bias.constant = 0.01;
+    editor.settle();
+    ASSERT_TRUE(editor.model().facts().sections);
+    EXPECT_NE(editor.model().facts().sections, shown) << "another test";
+}
+
+}  // namespace
+}  // namespace si::test

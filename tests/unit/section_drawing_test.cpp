@@ -1,0 +1,156 @@
+// The drawing of a cross-section: words that keep apart, colours that can be read on either ground, and SVG that is
+// XML.
+#include "renderer/inspect/section_drawing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/report/section_svg.h"
+#include "tests/support/strict_xml.h"
+
+namespace si {
+namespace {
+
+/// Acne on a plane of 45 degrees, ten texels of 40 mm, as no driver need draw it.
+Section acne() {
+    Section s;
+    s.shadowed = true, s.judged = true;
+    s.cut = {.axis = 0, .first = 100, .count = 10, .reach_texels = 1.5};
+    s.row = 7, s.looked_up_texel = 104, s.texel_m = 0.04;
+    s.lit = false, s.visibility = 0.25, s.theta_rad = M_PI / 4;
+    s.artefact = "acne", s.verdict = "acne: needs 0.6 texels of bias here, has 0.1 texels";
+    s.surface_along = glm::dvec2(1, 1) / std::sqrt(2.0);
+    for (int i = 0; i < 10; ++i) {
+        const double x = (i - 4.7) * 0.04, y = x + 0.02;
+        s.steps.push_back({.texel = 100 + i,
+                           .from = {x, y},
+                           .to = {x + 0.04, y},
+                           .compared_from = {x, 0.004},
+                           .compared_to = {x + 0.04, 0.004},
+                           .weight = i > 2 && i < 6 ? 0.25 : 0,
+                           .lit = i < 4,
+                           .meets = KernelTap::Meets::Own});
+    }
+    s.compared = {0, 0.004};
+    s.terms = {{"constant bias", {0.001, 0.1, 0.004}, {0, 0}, {0, 0.004}}};
+    s.least = {0.006, 0.6, 0.024}, s.has = {0.001, 0.1, 0.004};
+    s.window_from = 0.024, s.has_window = true;
+    s.profile = {{{-0.2, -0.2}, {0.2, 0.2}}};
+    return s;
+}
+
+double luminance(const std::array<std::uint8_t, 3>& rgb) {
+    double sum = 0;
+    const double weights[] = {0.2126, 0.7152, 0.0722};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double c = rgb[i] / 255.0;
+        sum += weights[i] * (c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+double contrast(const std::array<std::uint8_t, 3>& a, const std::array<std::uint8_t, 3>& b) {
+    const double x = luminance(a), y = luminance(b);
+    return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+TEST(SectionDrawing, WordsCanBeReadOnEitherGround) {
+    for (const bool captions : {false, true})
+        for (const Mark& m : draw_section(acne(), {.captions = captions}).marks) {
+            if (m.kind != Mark::Kind::Text) continue;
+            const InkColour &ink = ink_colour(m.ink), &paper = ink_colour(Ink::Paper);
+            EXPECT_GE(contrast(ink.on_light, paper.on_light), 4.5) << ink.key;
+            EXPECT_GE(contrast(ink.on_dark, paper.on_dark), 4.5) << ink.key;
+        }
+}
+
+TEST(SectionDrawing, WordsKeepApartAndInside) {
+    Section crowded = acne();
+    // Everything at one height.
+    crowded.window_from = 0.005, crowded.window_to = 0.0052, crowded.has_window = true;
+    crowded.occluder = glm::dvec2(0, 0.0051), crowded.occluder_m = 0.0051;
+    crowded.moved = {0.02, 0.004}, crowded.normal_offset_m = 0.0204;
+    for (const Section& s : {acne(), crowded})
+        for (const bool captions : {false, true}) {
+            const SectionPage page{.width = 900, .height = captions ? 560.0 : 260.0, .captions = captions};
+            const SectionDrawing d = draw_section(s, page);
+            std::vector<std::array<double, 4>> boxes;
+            for (const Mark& m : d.marks) {
+                if (m.kind != Mark::Kind::Text) continue;
+                const double width = 0.54 * page.em * double(m.text.size());
+                const double x = m.points[0].x - (m.anchor == Mark::Anchor::End ? width : 0), y = m.points[0].y;
+                const std::array<double, 4> box{x, y - 0.75 * page.em, x + width, y};
+                EXPECT_GE(box[0], 0) << m.text;
+                EXPECT_LE(box[2], d.width) << m.text;
+                EXPECT_GE(box[1], 0) << m.text;
+                EXPECT_LE(box[3], d.height) << m.text;
+                for (const auto& other : boxes)
+                    EXPECT_FALSE(box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3])
+                        << m.text << " lies over other words";
+                boxes.push_back(box);
+            }
+            EXPECT_GT(boxes.size(), 6u);
+        }
+}
+
+TEST(SectionDrawing, PlacesAreThoseOfTheSection) {
+    const Section s = acne();
+    const SectionDrawing d = draw_section(s, {});
+    EXPECT_FALSE(d.broken);
+    EXPECT_NEAR(d.along, d.across, 1e-9) << "to scale: as high as wide";
+    int found = 0;
+    for (const Section::Step& step : s.steps) {
+        const glm::dvec2 a{d.zero_x + step.from.x * d.across, d.zero_y - step.from.y * d.along};
+        const glm::dvec2 b{d.zero_x + step.to.x * d.across, d.zero_y - step.to.y * d.along};
+        found += std::ranges::any_of(d.marks, [&](const Mark& m) {
+            return m.kind == Mark::Kind::Line && m.ink == Ink::Step && glm::length(m.points.front() - a) < 1e-6 &&
+                   glm::length(m.points.back() - b) < 1e-6;
+        });
+    }
+    EXPECT_GE(found, 5) << "each step that the page holds, where it lies";
+}
+
+TEST(SectionDrawing, WhatIsFarStandsBeyondABreak) {
+    Section s = acne();
+    s.occluder = glm::dvec2(0, 7.5), s.occluder_m = 7.5, s.true_lit = false;
+    const SectionDrawing d = draw_section(s, {});
+    EXPECT_TRUE(d.broken);
+    EXPECT_TRUE(std::ranges::any_of(d.marks, [](const Mark& m) { return m.text == "occluder 7.5 m nearer"; }));
+    for (const Mark& m : d.marks)
+        for (const glm::dvec2& p : m.points)
+            EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && p.x >= 0 && p.y >= 0 && p.x <= d.width &&
+                        p.y <= d.height);
+}
+
+TEST(SectionSvg, IsWellFormedWhateverTheWords) {
+    Section s = acne();
+    s.verdict = "<script>&amp; \"quoted\" 'too' \x01 \xff \xef\xbf\xbf ]]> 0.5\xc2\xb0";
+    const std::string svg = section_svg(draw_section(s, {}), s.verdict + " </title>");
+    EXPECT_EQ(test::xml_fault(svg), "");
+    EXPECT_EQ(svg.find("<script>"), std::string::npos);
+    EXPECT_EQ(svg.find("href"), std::string::npos) << "nothing from elsewhere";
+    EXPECT_EQ(svg, section_svg(draw_section(s, {}), s.verdict + " </title>"));
+    EXPECT_NE(svg.find("prefers-color-scheme:dark"), std::string::npos);
+    Section none;
+    none.verdict = "lit: no map";
+    EXPECT_EQ(test::xml_fault(section_svg(draw_section(none, {}), "none")), "");
+}
+
+TEST(SectionSvg, TheCheckOfXmlFindsWhatIsWrong) {
+    for (const char* bad : {"<a>", "<a></b>", "<a b=c/>", "<a b=\"1\" b=\"2\"/>", "<a>&nbsp;</a>", "<a>&</a>",
+                            "<a/><b/>", "<a b=\"<\"/>", "<a>]]></a>", "<a>\x01</a>", "<a>\xff</a>", "text", ""})
+        EXPECT_NE(test::xml_fault(bad), "") << bad;
+    EXPECT_EQ(test::xml_fault("<a b=\"1\"><c/>x &amp; y</a>\n"), "");
+}
+
+TEST(SectionDrawing, LengthsHaveTheUnitThatSuits) {
+    EXPECT_EQ(metric_text(0.0451), "45.1 mm");
+    EXPECT_EQ(metric_text(2.5e-5), "25 µm");
+    EXPECT_EQ(metric_text(12), "12 m");
+    EXPECT_EQ(metric_text(1200), "1.2 km");
+}
+
+}  // namespace
+}  // namespace si
