@@ -31,7 +31,8 @@ struct MeasuringThread::Bench {
     int width = 0, height = 0;
 };
 
-MeasuringThread::MeasuringThread() : thread_([this](const std::stop_token& end) { run(end); }) {}
+MeasuringThread::MeasuringThread(std::chrono::milliseconds kept)
+    : thread_([this, kept](const std::stop_token& end) { run(end, kept); }) {}
 
 MeasuringThread::~MeasuringThread() {
     cancel_sweep();
@@ -107,7 +108,7 @@ void MeasuringThread::wait_for_sweep() const {
     changed_.wait(lock, [&] { return !news_.sweeping; });
 }
 
-void MeasuringThread::run(const std::stop_token& end) {
+void MeasuringThread::run(const std::stop_token& end, std::chrono::milliseconds kept) {
     std::unique_ptr<Bench> bench;
     while (!end.stop_requested()) {
         std::optional<PictureWanted> picture;
@@ -119,8 +120,14 @@ void MeasuringThread::run(const std::stop_token& end) {
             while (!end.stop_requested() && !sweeping && !next_sweep_ && !due()) {
                 if (next_picture_)
                     changed_.wait_until(lock, end, next_picture_->due, [&] { return next_sweep_ || due(); });
-                else
+                else if (!bench)
                     changed_.wait(lock, end, [&] { return next_sweep_ || next_picture_; });
+                else if (!changed_.wait_for(lock, end, kept, [&] { return next_sweep_ || next_picture_; }) &&
+                         !end.stop_requested()) {
+                    lock.unlock();
+                    bench.reset();  // its maps may be large, and are nobody's
+                    lock.lock();
+                }
             }
             if (due()) picture = std::move(next_picture_), next_picture_.reset();
             new_sweep = next_sweep_.has_value();

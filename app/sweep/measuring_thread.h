@@ -19,7 +19,8 @@ namespace si {
 
 class MeasuringThread {
 public:
-    MeasuringThread();
+    /// @param kept how long maps, programs and the context stay after there was something to measure
+    explicit MeasuringThread(std::chrono::milliseconds kept = std::chrono::seconds(5));
     /// Cancels and joins.
     ~MeasuringThread();
 
@@ -71,7 +72,7 @@ private:
         std::chrono::steady_clock::time_point due;
     };
     struct Bench;
-    void run(const std::stop_token& end);
+    void run(const std::stop_token& end, std::chrono::milliseconds kept);
     void take_sweep(Bench& bench);
     void step_sweep(Bench& bench);
     void measure_picture(Bench& bench, const PictureWanted& wanted);

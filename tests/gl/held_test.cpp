@@ -1,8 +1,11 @@
 // What the renderer holds: every image and buffer is told of by its bytes and let go, and programs do not pile up.
 #include "renderer/base/held.h"
 
+#include <chrono>
 #include <map>
+#include <thread>
 
+#include "app/sweep/measuring_thread.h"
 #include "renderer/gl/program_cache.h"
 #include "renderer/gl/target.h"
 #include "renderer/gl/trouble.h"
@@ -17,11 +20,17 @@ protected:
         gl::trouble_seam() = {};
         FrameTest::TearDown();
     }
-    static HeldBytes of(const std::string& holder) {
-        for (const HeldBytes& h : memory_facts().holders)
-            if (h.holder == holder) return h;
+    /// Beside what other renderers of this process hold.
+    HeldBytes of(const std::string& holder) const {
+        for (HeldBytes h : memory_facts().holders) {
+            if (h.holder != holder) continue;
+            for (const HeldBytes& b : before_)
+                if (b.holder == holder) h.bytes -= b.bytes, h.count -= b.count;
+            return h;
+        }
         return {};
     }
+    std::vector<HeldBytes> before_ = memory_facts().holders;
 };
 
 TEST_F(HeldTest, ImagesByFormatSizeLayersLevelsAndSamples) {
@@ -63,6 +72,23 @@ TEST_F(HeldTest, ATargetThatFoundNoMemoryIsNone) {
     GLint width = 0;
     glGetTextureLevelParameteriv(t.texture.id(), 0, GL_TEXTURE_WIDTH, &width);
     EXPECT_EQ(width, 64);
+}
+
+TEST_F(HeldTest, WhatMeasuresInTheBackgroundGivesBackWhenNothingIsWanted) {
+    const Settings s = settings_for(load_scene("boxes"), {{"map.resolution", "256"}});
+    MeasuringThread thread(std::chrono::milliseconds(300));
+    thread.measure({.scene = std::make_shared<const Scene>(load_scene("boxes")),
+                    .scene_name = "boxes",
+                    .settings = s,
+                    .width = 64,
+                    .height = 48});
+    thread.wait();
+    EXPECT_TRUE(thread.news().measured) << thread.news().measure_problem;
+    EXPECT_GE(of("shadow maps").most, 256u * 256 * 4);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (of("shadow maps").bytes > 0 && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(of("shadow maps").bytes, 0u) << "its maps stay for good";
 }
 
 gl::ProgramRequest plain_program(int number) {
