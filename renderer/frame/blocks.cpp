@@ -73,16 +73,14 @@ void put_sky(const FrameState& f, shared::FrameBlock& block) {
     const ShadingSettings& s = f.settings.shading;
     const double exposure = std::exp2(s.exposure);
     const auto lit = [](const glm::dvec3& colour) { return glm::vec4(glm::vec3(colour), 0); };
-    block.ambient = lit(0.5 * s.ambient * (sky.ambient_up + sky.ambient_down));
+    const glm::dvec3 level(sky.to_sun.x, 0, sky.to_sun.z);
+    block.ambient = lit(s.ambient * sky.ambient);
     block.ambient.w = float(exposure);
-    const glm::dvec2 level(sky.to_sun.x, sky.to_sun.z);
-    block.ambient_rise = lit(0.5 * s.ambient * (sky.ambient_up - sky.ambient_down) /
-                             std::sqrt(1 + sky.sunward * sky.sunward * glm::dot(level, level)));
-    block.ambient_rise.w = float(sky.sunward);
+    block.ambient_rise = lit(sky.rise * glm::normalize(glm::dvec3(0, 1, 0) + sky.sunward * level));
     block.sky_zenith = lit(exposure * sky.zenith);
     block.sky_horizon = lit(exposure * sky.horizon);
     block.sky_below = lit(exposure * sky.below);
-    block.sky_sun = glm::vec4(glm::vec3(sky.to_sun), float(exposure * sky.glow));
+    block.sky_sun = glm::vec4(glm::vec3(sky.to_sun), float(sky.glow));
     const Bounds& ground = f.scene.ground_bounds;
     if (!ground.empty())
         block.ground = glm::vec4(glm::vec3(ground.centre() - f.origin), 2 / std::max(ground.hi.x - ground.lo.x, 1e-30));

@@ -47,7 +47,7 @@ void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo
 
 /// Where nothing was drawn. Its depth is the cleared one, so that what is covered costs no fragment.
 void draw_sky(const FrameState& f, std::span<const gl::Define> look, PassInfo& info) {
-    glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/sky.frag.glsl", {look.begin(), look.end()}));
+    glUseProgram(f.program("passes/sky.vert.glsl", "passes/sky.frag.glsl", {look.begin(), look.end()}));
     glDisable(GL_CULL_FACE);
     glDepthMask(GL_FALSE);
     glBindVertexArray(f.gl.empty_vao.id());

@@ -33,11 +33,6 @@ Hour hour_of(double sine) {
             glm::mix(a.glow, b.glow, t)};
 }
 
-/// A colour of luminance `value`, of which only so much is kept: eyes take ambient light for white.
-glm::dvec3 tinted(const glm::dvec3& colour, double value, double kept) {
-    return value * glm::mix(glm::dvec3(1), colour / luminance(colour), kept);
-}
-
 }  // namespace
 
 double luminance(const glm::dvec3& colour) {
@@ -58,12 +53,13 @@ Sky sky_of(const glm::dvec3& to_sun) {
     const Hour hour = hour_of(to_sun.y);
     // A level surface sees more of the horizon than of the zenith, but that at a flat angle.
     const glm::dvec3 above = 0.5 * (hour.zenith + hour.horizon);
-    constexpr double kUp = 1.3, kKept = 0.4, kSunward = 0.6;
+    constexpr double kKept = 0.4;  // of its colour: eyes take ambient light for white
+    constexpr double kRise = 0.35, kSunward = 0.6;
     return {.zenith = hour.zenith,
             .horizon = hour.horizon,
             .below = hour.below,
-            .ambient_up = tinted(above, kUp, kKept),
-            .ambient_down = tinted(hour.below, 2 - kUp, kKept),
+            .ambient = glm::mix(glm::dvec3(1), above / luminance(above), kKept),
+            .rise = kRise,
             .sunward = kSunward,
             .to_sun = to_sun,
             .glow = hour.glow};

@@ -10,10 +10,9 @@ struct FittedLight;
 
 struct Sky {
     glm::dvec3 zenith{0}, horizon{0}, below{0};
-    /// Of a surface turned to the brightest part of the sky and of one turned away, before shading.ambient: their mean has
-    /// a luminance of 1. That part is straight up but for `sunward` times the level part of the way to the sun.
-    glm::dvec3 ambient_up{1}, ambient_down{1};
-    double sunward = 0;
+    glm::dvec3 ambient{1};       ///< before shading.ambient, of luminance 1: of a surface turned sideways
+    double rise = 0;             ///< how much more one gets that is turned to the brightest part of the sky, as a share
+    double sunward = 0;          ///< that part is straight up but for this times the level part of the way to the sun
     glm::dvec3 to_sun{0, 1, 0};  ///< unit
     double glow = 0;             ///< how much brighter the sky is where the sun stands, as a share
 };

@@ -28,7 +28,11 @@ vec4 frame_eye() { return frame_texel(FRAME_EYE_AT); }
 vec4 frame_pixel() { return frame_texel(FRAME_PIXEL_AT); }
 vec4 frame_ambient() { return frame_texel(FRAME_AMBIENT_AT); }
 vec4 frame_ambient_rise() { return frame_texel(FRAME_AMBIENT_AT + 1); }
+vec4 frame_sky_zenith() { return frame_texel(FRAME_AMBIENT_AT + 2); }
+vec4 frame_sky_horizon() { return frame_texel(FRAME_AMBIENT_AT + 3); }
+vec4 frame_sky_below() { return frame_texel(FRAME_AMBIENT_AT + 4); }
 vec4 frame_sky_sun() { return frame_texel(FRAME_AMBIENT_AT + 5); }
+vec4 frame_ground() { return frame_texel(FRAME_AMBIENT_AT + 6); }
 #else
 LightBlock light_of(int index) { return frame.lights[index]; }
 ViewBlock view_of(int layer) { return frame.views[layer]; }
@@ -36,7 +40,11 @@ vec4 frame_eye() { return frame.eye; }
 vec4 frame_pixel() { return frame.pixel; }
 vec4 frame_ambient() { return frame.ambient; }
 vec4 frame_ambient_rise() { return frame.ambient_rise; }
+vec4 frame_sky_zenith() { return frame.sky_zenith; }
+vec4 frame_sky_horizon() { return frame.sky_horizon; }
+vec4 frame_sky_below() { return frame.sky_below; }
 vec4 frame_sky_sun() { return frame.sky_sun; }
+vec4 frame_ground() { return frame.ground; }
 #endif
 
 /// Whether rays run from one point: only then does depth crowd along them. A warped view's w changes across its rays.

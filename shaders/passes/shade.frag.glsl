@@ -73,9 +73,8 @@ void main() {
     Surface s = make_surface();
 #if SKY_LIGHTS
     vec4 ambient = frame_ambient();
-    // Brighter where the sky is: above, and on the sun's side.
-    vec4 rise = frame_ambient_rise();
-    vec3 sum = ambient.rgb + rise.rgb * (s.shading.y + rise.w * dot(s.shading.xz, frame_sky_sun().xz));
+    // The axis points to where the sky is brightest: each number that is read is read anew for a few pixels.
+    vec3 sum = ambient.rgb * (1.0 + dot(s.shading, frame_ambient_rise().xyz));
 #else
     vec3 sum = vec3(shading_ambient);
 #endif
@@ -97,9 +96,10 @@ void main() {
 #endif
 #ifdef GROUND
     // A disc under a model ends in what lies behind it.
-    float out_there = smoothstep(0.5, 1.0, distance(s.position.xz, frame.ground.xz) * frame.ground.w);
+    float out_there = smoothstep(0.5, 1.0, distance(s.position.xz, frame_ground().xz) * frame_ground().w);
 #if SKY_LIGHTS
-    colour = mix(colour, toned(sky_colour(-s.to_eye)), out_there);
+    colour = mix(colour, toned(sky_colour(-s.to_eye, frame_sky_zenith().rgb, frame_sky_horizon().rgb, frame_sky_below().rgb,
+                                      frame_sky_sun())), out_there);
 #else
     colour = mix(colour, BACKGROUND, out_there);
 #endif

@@ -42,8 +42,8 @@ struct FrameBlock {
     vec4 pixel;            // xy: the picture's pixel at (0, 0) of what is drawn; z: texels that the kernel fetches
     vec4 picture;          // xy: its pixels across and up
     vec4 offset;           // PolygonOffset of the map format: unit_depth, unit_steps, slope_gain; w: 1 slope_is_length
-    vec4 ambient;          // rgb: what a surface turned sideways gets from sky and ground; w: exposure, a factor
-    vec4 ambient_rise;     // rgb: how much more of it one turned up gets; w: how much of that the sun's side counts
+    vec4 ambient;          // rgb: what a surface across the axis gets from sky and ground; w: exposure, a factor
+    vec4 ambient_rise;     // xyz: the axis of ambient light, as long as what one turned along it gets more, a share
     vec4 sky_zenith, sky_horizon, sky_below;  // rgb: the sky straight up, level and below the horizon
     vec4 sky_sun;                             // xyz unit, to the sun; w: brightness of the glow about it
     vec4 ground;                              // xyz relative: centre of the ground under a model; w: 1 / its radius

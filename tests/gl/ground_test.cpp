@@ -8,6 +8,7 @@
 #include "app/session/session.h"
 #include "renderer/inspect/texel_usage.h"
 #include "renderer/reference/live_error.h"
+#include "renderer/reference/truth_geometry.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
@@ -94,6 +95,17 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
             // A fit that narrows has a kernel's room about it.
             EXPECT_LE(a[0].views[0].half_width, b[0].views[0].half_width * (fit.key == "casters" ? 1.04 : 1 + 1e-9));
         }
+    const auto drawn = [&](const Scene& scene) {
+        FrameRequest whole = small();
+        whole.outputs.shadow_map = whole.force = true;
+        for (const PassInfo& pass : renderer.render(scene, with.settings, whole).passes)
+            if (pass.name.starts_with("shadow map 0")) return pass.triangles;
+        return std::uint64_t(0);
+    };
+    EXPECT_EQ(drawn(with.scene), drawn(without.scene)) << "into the map";
+    EXPECT_EQ(TruthGeometry(with.scene, with.settings).caster_triangles(),
+              TruthGeometry(without.scene, with.settings).caster_triangles())
+        << "in the truth";
     // Under a light from below the box is lit as it would be without a ground.
     Settings s = with.settings;
     s.camera = manual_camera(without.scene, without.settings, 16.0 / 9);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/frame_loop.h"
 #include "renderer/frame/effects.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/sky.h"
@@ -173,6 +174,40 @@ TEST_F(LookTest, ARestingViewGetsSmoothOverMapsThatAreKept) {
     EXPECT_LT(different_pixels(by_steps, as_drawn, 12), by_steps.data.size() / 4 / 8);
 }
 
+TEST_F(LookTest, TheEditorAddsToWhatRestsAndThenSleeps) {
+    const Scene scene = load_scene("boxes");
+    FrameLoop loop(false);
+    PictureState state;
+    state.settings = settings_for(scene, {{"map.resolution", "64"}});
+    EditorActions actions;
+    actions.scene_width = 64, actions.scene_height = 36;
+    const auto changed = [&] { return loop.update(scene, state, actions, nullptr).changed; };
+    const auto shows_smooth = [&] {
+        const FrameResult result = loop.facts().result;
+        return result.panes.front().picture.texture != result.colour.texture;
+    };
+    EXPECT_TRUE(changed());
+    EXPECT_FALSE(changed()) << "somebody still touches something";
+    actions.at_rest = true;
+    for (int i = 0; i < kSmoothedMost; ++i) EXPECT_TRUE(changed()) << i;
+    EXPECT_FALSE(changed()) << "it sleeps";
+    EXPECT_TRUE(shows_smooth());
+    state.settings.camera.source = int(CameraSource::Manual);
+    EXPECT_TRUE(changed());
+    EXPECT_FALSE(shows_smooth()) << "what moves is shown as it is drawn";
+    EXPECT_TRUE(changed());
+    EXPECT_TRUE(shows_smooth());
+    set_setting(state.settings, "view.overlay", "visibility");
+    while (changed()) {
+    }
+    EXPECT_FALSE(shows_smooth()) << "an overlay speaks of the one picture";
+    set_setting(state.settings, "view.overlay", "none");
+    state.settings.view.smooth = false;
+    EXPECT_TRUE(changed());
+    EXPECT_FALSE(changed()) << "pixels as they are";
+    EXPECT_FALSE(shows_smooth());
+}
+
 TEST_F(LookTest, ThePlanTellsOfEach) {
     const Scene scene = load_scene("boxes");
     const auto told = [&](const Settings& s, std::string_view name) {
@@ -198,8 +233,9 @@ TEST_F(LookTest, ThePlanTellsOfEach) {
 TEST(SkyTest, AmbientLightIsAsMuchAsIsAskedFor) {
     for (const double sine : {-1.0, -0.1, 0.0, 0.3, 0.7, 1.0}) {
         const Sky sky = sky_of({std::sqrt(1 - sine * sine), sine, 0});
-        EXPECT_NEAR(0.5 * luminance(sky.ambient_up + sky.ambient_down), 1, 1e-9) << sine;
-        EXPECT_GT(luminance(sky.ambient_up), luminance(sky.ambient_down));
+        EXPECT_NEAR(luminance(sky.ambient), 1, 1e-9) << sine;
+        EXPECT_GT(sky.rise, 0);
+        EXPECT_LT(sky.rise, 1) << "what is turned away is not black";
         EXPECT_GT(luminance(sky.horizon), luminance(sky.zenith));
     }
     EXPECT_GT(luminance(sky_of({0, 1, 0}).zenith), luminance(sky_of({1, 0, 0}).zenith));
