@@ -181,7 +181,7 @@ void add_probe(CLI::App& app, Options& o, std::function<void()>& run) {
     add_numeric_option(*c, o.probe.check_numeric);
     c->add_flag("!--no-truth", o.probe.truth, "Trace no rays: only what the map says, no verdict on it");
     c->add_option("-o,--output", o.probe.section,
-                  "Draw the test under view.light as a cross-section along the light's ray, too")
+                  "Draw the test under view.light as a cross-section along the light's ray; cures are not looked for")
         ->type_name("F.svg");
     c->add_flag("--json", o.json, "All numbers as JSON");
     c->callback([&o, &run] {

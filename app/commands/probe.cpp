@@ -203,12 +203,13 @@ void run_probe(const ProbeOptions& options) {
     if (options.truth && probe.hit) {
         casters = ray_scenes().get(ray_scenes().geometry(session.scene, session.settings));
         found = dossiers(probe, session.scene, session.settings, renderer.driver(), *casters);
-        table = cures(renderer, session, probe, found);
+        if (options.section.empty()) table = cures(renderer, session, probe, found);
     }
     probe.x = x, probe.y = y;  // of the picture asked for, of which this pane is a part
     if (options.json) {
         nlohmann::ordered_json json = probe_json(probe, found);
-        if (probe.hit && options.truth) json["cures"] = table ? cures_json(*table) : nlohmann::ordered_json::array();
+        if (probe.hit && options.truth && options.section.empty())
+            json["cures"] = table ? cures_json(*table) : nlohmann::ordered_json::array();
         fmt::print("{}", json_text(json));
     } else if (!probe.hit) {
         fmt::print("pixel {},{}: nothing there\n", x, y);

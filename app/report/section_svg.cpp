@@ -55,7 +55,7 @@ std::string points(const std::vector<glm::dvec2>& at) {
 /// An open head at the last point.
 std::string arrow_head(const Mark& m) {
     const glm::dvec2 tip = m.points.back(), from = m.points[m.points.size() - 2];
-    const double length = glm::length(tip - from), size = std::min(3.5 * m.width, length);
+    const double length = glm::length(tip - from), size = std::min(4.5 * m.width, length);
     if (!(length > 0)) return {};
     const glm::dvec2 along = (tip - from) / length * size, aside(-0.45 * along.y, 0.45 * along.x);
     return points({tip, tip - along + aside, tip - along - aside});

@@ -12,7 +12,8 @@ namespace si {
 namespace {
 
 constexpr int kRaysPerTexel = 8;
-constexpr int kLeastSide = 4;  ///< texels to either side of the look-up that are always shown
+constexpr int kLeastSide = 4;   ///< texels to either side of the look-up that are always shown
+constexpr int kEdgeShown = 10;  ///< texels within which an edge of shadow is shown, too
 
 const LightView& view_of(const Probe::PerLight& p) {
     return p.fitted.views[std::size_t(p.face)];
@@ -217,9 +218,9 @@ SectionCut section_cut(const Probe::PerLight& p, const Dossier* d, const Setting
         const int last = p.taps_first[cut.axis] + p.taps_size[cut.axis];
         cut.reach_texels = 0.5 + std::max(look_up - p.taps_first[cut.axis], last - 1 - look_up);
     }
-    const int nearest_change = std::min(change[cut.axis], kLeastSide + 4);
-    const int side = std::clamp(std::max(int(std::ceil(std::min(cut.reach_texels, 1e3))) + 2, nearest_change + 2),
-                                kLeastSide, kRowReach);
+    const int edge = change[cut.axis] <= kEdgeShown ? change[cut.axis] + 2 : 0;
+    const int side =
+        std::clamp(std::max(int(std::ceil(std::min(cut.reach_texels, 1e3))) + 2, edge), kLeastSide, kRowReach);
     const double moved = (p.tap[cut.axis] - p.uvd[cut.axis]) * resolution;
     const int back = int(std::clamp(std::ceil(std::abs(moved)), 0.0, double(kRowReach)));
     const int first = std::max(look_up - std::max(side, moved > 0 ? back + 2 : 0), look_up - kRowReach);

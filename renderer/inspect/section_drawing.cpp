@@ -249,7 +249,7 @@ private:
 
     bool is_near(const Section::Step& step) const {
         const double off = std::abs(step.texel - s_.looked_up_texel);
-        return step.in_map && off <= std::max(2.0, s_.cut.reach_texels) &&
+        return step.in_map && off <= std::max(1.0, s_.cut.reach_texels) &&
                (step.meets == KernelTap::Meets::Own || step.meets == KernelTap::Meets::Farther);
     }
 
@@ -277,9 +277,10 @@ private:
         }
         const double texel = s_.texel_m;
         const double content = std::max(hi - lo, 0.15 * texel);
-        lo -= 0.35 * content, hi += 0.35 * content;
+        lo -= 0.25 * content, hi += 0.25 * content;
         const double farthest = far.empty() ? hi : *std::max_element(far.begin(), far.end());
-        out_.broken = farthest > hi + 4 * (hi - lo) && farthest > hi + 3 * texel;
+        // Of moments, what lies between is what matters.
+        out_.broken = !s_.moments && farthest > hi + 1.5 * (hi - lo) && farthest > hi + 2 * texel;
         if (!out_.broken && !far.empty()) {
             hi = std::max(hi, farthest + 0.12 * (farthest - lo));
             const double deepest = *std::min_element(far.begin(), far.end());
@@ -293,7 +294,10 @@ private:
         const double across = (right_ - left_) / (x1 - x0);
         const double fits = high / (hi - lo) / across;
         // True to scale where the picture then is neither cut nor mostly empty.
-        stretch_ = fits >= 1 && fits <= 4 ? 1 : round_length(fits);
+        stretch_ = fits > 4     ? round_length(fits)
+                   : fits >= 1  ? 1
+                   : fits > 0.1 ? 1 / std::ceil(1 / fits)
+                                : round_length(fits);
         const double along = stretch_ * across, spare = high / along - (hi - lo);
         lo -= 0.4 * spare, hi = lo + high / along;
         near_ = {{x0, lo}, {x1, hi}, left_, bottom_, across, along};
@@ -419,7 +423,9 @@ private:
         }
         for (const Section::Term& term : s_.terms) {
             const glm::dvec2 a = near_.px(term.from), b = near_.px(term.to);
-            line({a, b}, Ink::Bias, 2.2, false, glm::length(b - a) > 0.5 * em_);
+            const double length = glm::length(b - a), room = &term == &s_.terms.back() ? 0.4 * em_ : 0;
+            const bool has_head = length > 2 * room + 0.3 * em_;  // which ends before the dot that it leads to
+            line({a, has_head ? b - (b - a) * (room / length) : b}, Ink::Bias, 2.2, false, has_head);
             label(0.5 * (term.from + term.to), fmt::format("{} {}", term.name, texels_text(term.amount.texels)),
                   Ink::Bias);
         }

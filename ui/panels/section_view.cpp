@@ -71,7 +71,7 @@ private:
     }
     void head(const Mark& m, ImU32 colour) const {
         const glm::dvec2 tip = m.points.back(), from = m.points[m.points.size() - 2];
-        const double length = glm::length(tip - from), size = std::min(3.5 * m.width, length);
+        const double length = glm::length(tip - from), size = std::min(4.5 * m.width, length);
         if (!(length > 0)) return;
         const glm::dvec2 along = (tip - from) / length * size, aside(-0.45 * along.y, 0.45 * along.x);
         ImGui::GetWindowDrawList()->AddTriangleFilled(screen(tip), screen(tip - along + aside),
