@@ -62,6 +62,7 @@ shared::LightBlock light_block(const FrameState& f, std::size_t i) {
     shared::LightBlock b{};
     b.position = glm::vec4(glm::vec3(light.position - f.origin), float(light.range_m));
     b.to_light = glm::vec4(glm::vec3(light.to_light), float(light.cos_cone_outer));
+    if (light.type == LightType::Directional) b.to_light.w = float(light.radiance.r);
     const Reach reach = reach_under(f.settings, light, f.map_resolution);
     b.kernel = glm::vec4(light.size, reach.bias, reach.edge, reach.read);
     b.radiance = glm::vec4(glm::vec3(light.radiance), float(light.cos_cone_inner));
@@ -90,9 +91,11 @@ shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std:
     const LightView& v = light.views[i];
     shared::ViewBlock b{};
     if (light.is_cascaded()) b.span = glm::vec4(light.chooser.spans[i].ends, light.chooser.spans[i].blends_from, 0, 0);
-    b.uvd_from_relative = glm::mat4(uvd_from_clip(v.curve.convention) * v.clip_from_relative(f.origin));
+    // Row by row, as all matrices of the block: of a map without perspective nothing reads the last.
+    b.uvd_from_relative = glm::transpose(glm::mat4(uvd_from_clip(v.curve.convention) * v.clip_from_relative(f.origin)));
     b.curve = glm::vec4(v.curve.near, v.curve.far, v.half_width, 1.0 / f.map_resolution);
     if (const auto& warp = v.curve.warp) b.warp = glm::vec4(warp->middle_m, warp->near_m, warp->far_m, warp->rise);
+    if (light.chooser.choice == ViewChoice::One) b.span.x = b.curve.w;
     // In single precision, as lib/receiver.glsl has them of all other views.
     b.span.z = 2.f * b.curve.z * b.curve.w;
     b.span.w = 1.f / (b.curve.y - b.curve.x);
@@ -137,6 +140,8 @@ shared::FrameBlock frame_block(const FrameState& f) {
     block.eye_from_relative[3] = glm::vec4(glm::vec3(-(turn * eye)), 1);
     block.relative_from_eye = glm::mat4(glm::dmat4(axes));
     block.relative_from_eye[3] = glm::vec4(glm::vec3(eye), 1);
+    for (glm::mat4* m : {&block.clip_from_relative, &block.eye_from_relative, &block.relative_from_eye})
+        *m = glm::transpose(*m);
     const DepthCurve& depth = f.camera.curve;
     const double half = f.camera.orthographic ? 0.5 * f.camera.height : std::tan(0.5 * f.camera.fov_y_rad);
     block.lens = glm::vec4(half * f.camera.aspect, half,

@@ -25,6 +25,21 @@ void for_shader_params(F&& f) {
         if (p.shader && p.scope == Scope::Scene) f(p);
 }
 
+/// Of those that are numbers in the block, each with its place, counted in numbers. What begins with another word
+/// begins with another texel: what shaders read together then lies in few.
+template <typename F>
+void for_block_params(F&& f) {
+    std::size_t place = 0;
+    std::string_view group;
+    for_shader_params([&](const Param& p) {
+        if (p.cost == Cost::Program || p.choices) return;
+        const std::string_view key = p.key, word = key.substr(0, key.find('.'));
+        if (word != group) place = (place + 3) / 4 * 4;
+        group = word;
+        f(p, place++);
+    });
+}
+
 int as_int(const Value& v) {
     return std::visit([](auto x) { return int(x); }, v);
 }
@@ -42,19 +57,18 @@ std::vector<gl::Define> settings_defines(const Settings& s) {
 
 std::string settings_block_text(bool as_image) {
     std::string choices, block, texels;
-    int place = 0;
     for_shader_params([&](const Param& p) {
+        if (!p.choices) return;
+        const auto rows = p.choices();
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            choices += fmt::format("#define {}_{} {}\n", identifier(p.key), identifier(rows[i].key), i);
+    });
+    for_block_params([&](const Param& p, std::size_t place) {
         const std::string name = identifier(p.key);
-        if (p.choices) {
-            const auto rows = p.choices();
-            for (std::size_t i = 0; i < rows.size(); ++i)
-                choices += fmt::format("#define {}_{} {}\n", name, identifier(rows[i].key), i);
-        }
-        if (p.cost == Cost::Program || p.choices) return;
         Settings probe;
         const bool real = std::holds_alternative<double*>(p.field(probe, 0, nullptr));
-        block += fmt::format("    {} {};\n", real ? "float" : "int", name);
-        texels += fmt::format("#define {} {}(settings_number({}))\n", name, real ? "uintBitsToFloat" : "int", place++);
+        block += fmt::format("    layout(offset = {}) {} {};\n", 4 * place, real ? "float" : "int", name);
+        texels += fmt::format("#define {} {}(settings_number({}))\n", name, real ? "uintBitsToFloat" : "int", place);
     });
     if (!as_image)
         return choices + fmt::format("layout(std140, binding = {}) uniform SettingsUniforms {{\n{}}};\n",
@@ -69,8 +83,8 @@ std::string settings_block_text(bool as_image) {
 
 std::vector<std::byte> settings_block_bytes(const Settings& s) {
     std::vector<std::byte> out;
-    for_shader_params([&](const Param& p) {
-        if (p.cost == Cost::Program || p.choices) return;
+    for_block_params([&](const Param& p, std::size_t place) {
+        out.resize(4 * place);
         const Value v = get_value(s, {&p, 0, {}});
         std::byte bytes[4];
         if (const double* real = std::get_if<double>(&v)) {

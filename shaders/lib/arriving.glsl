@@ -1,9 +1,10 @@
 // What a light brings to a place, whatever stands between.
 #include "lib/receiver.glsl"
 
-/// Where all lights are grey, the three channels are one.
-vec3 radiance_of(LightBlock light) {
+/// Where all lights are grey, the three channels are one, which stands beside a directional light's direction.
+vec3 radiance_of(LightBlock light, int type) {
 #if LIGHTS_GREY
+    if (type == LIGHT_DIRECTIONAL) return light.to_light.www;
     return light.radiance.rrr;
 #else
     return light.radiance.rgb;
@@ -14,7 +15,7 @@ vec3 radiance_of(LightBlock light) {
 /// KHR_lights_punctual gives a light's range.
 vec3 arriving(int index, vec3 to_light, float distance_m) {
     LightBlock light = light_of(index);
-    if (LIGHT_TYPE[index] == LIGHT_DIRECTIONAL) return radiance_of(light);
+    if (LIGHT_TYPE[index] == LIGHT_DIRECTIONAL) return radiance_of(light, LIGHT_DIRECTIONAL);
     float cone = LIGHT_TYPE[index] == LIGHT_SPOT
         ? smoothstep(light.to_light.w, max(light.radiance.w, light.to_light.w + 1e-6), dot(to_light, light.to_light.xyz))
         : 1.0;
@@ -23,7 +24,7 @@ vec3 arriving(int index, vec3 to_light, float distance_m) {
         float share = distance_m / light.position.w, squared = share * share;
         window = clamp(1.0 - squared * squared, 0.0, 1.0);
     }
-    return radiance_of(light) * (cone * window) / max(distance_m * distance_m, 1e-12);
+    return radiance_of(light, LIGHT_TYPE[index]) * (cone * window) / max(distance_m * distance_m, 1e-12);
 }
 
 /// Whether the picture can show the light's visibility at a surface: else its share is nothing, lit or not.

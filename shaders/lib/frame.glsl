@@ -1,6 +1,6 @@
 #include "shared/units.h"
 #include "shared/frame.h"
-layout(std140, binding = BLOCK_FRAME) uniform FrameUniforms { FrameBlock frame; };
+layout(std140, row_major, binding = BLOCK_FRAME) uniform FrameUniforms { FrameBlock frame; };
 
 // What is known of the lights when the program is made (LIGHT_* are constant arrays), so that loops over them unroll
 // and whatever no light of the scene needs costs nothing.
@@ -20,7 +20,7 @@ LightBlock light_of(int index) {
 
 ViewBlock view_of(int layer) {
     int at = FRAME_VIEWS_AT + layer * VIEW_TEXELS;
-    return ViewBlock(mat4(frame_texel(at), frame_texel(at + 1), frame_texel(at + 2), frame_texel(at + 3)),
+    return ViewBlock(transpose(mat4(frame_texel(at), frame_texel(at + 1), frame_texel(at + 2), frame_texel(at + 3))),
                      frame_texel(at + 4), frame_texel(at + 5), frame_texel(at + 6));
 }
 

@@ -205,12 +205,13 @@ Receiver receiver_in(Surface s, int index, int layer) {
     r.reference_slope = reference_slope(b);
 #endif
 
+    float texel = LIGHT_CHOICE[index] == CHOICE_ONE ? view.span.x : view.curve.w;  // of the map's width
     if (LIGHT_CASTS[index] == 0)
         r.where = NO_MAP;
     else if (!(h.w > 0.0) || !(o.w > 0.0))
         r.where = BEHIND;
-    else if (LIGHT_CLOSED[index] != 0 && (any(lessThan(r.uvd.xy, vec2(view.curve.w))) ||
-                                          any(greaterThan(r.uvd.xy, vec2(1.0 - view.curve.w)))))
+    else if (LIGHT_CLOSED[index] != 0 && (any(lessThan(r.uvd.xy, vec2(texel))) ||
+                                          any(greaterThan(r.uvd.xy, vec2(1.0 - texel)))))
         r.where = BEYOND_SHADOWS;
     else if (away(r.uvd.z) > away(1.0 - float(map_reversed_z)))
         r.where = OUTSIDE_FAR;

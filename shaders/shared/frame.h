@@ -14,17 +14,17 @@ using glm::vec4;
 
 struct LightBlock {
     vec4 position;  // xyz; spot and point. w: range in metres where LIGHT_RANGED
-    vec4 to_light;  // xyz unit; directional: to the light, spot: against the axis. w: cos of the outer cone
+    vec4 to_light;  // xyz unit; directional: to the light, spot: against the axis. w: cos of the outer cone, or red
     vec4 radiance;  // rgb; w: cos of the inner cone
     vec4 kernel;    // x: tangent of a directional light's angular radius, else its radius in metres; yzw: how far the
                     // kernel reaches in texels, for the bias, for edges, for reads
 };
 
 struct ViewBlock {
-    mat4 uvd_from_relative;  // homogeneous map coordinates and depth, all in [0,w]
+    mat4 uvd_from_relative;  // homogeneous map coordinates and depth, all in [0,w]; like all here row by row
     vec4 curve;              // near, far, half width (orthographic: metres, perspective: tangent), 1 / map resolution
     vec4 warp;               // of LIGHT_WARPED: DepthWarp, middle_m, near_m, far_m and rise
-    vec4 span;  // xy: where the view ends, and from where on the next is blended in; see lib/view_choice.glsl
+    vec4 span;  // xy: where it ends, where the next is blended in (lib/view_choice.glsl); of one x: curve.w
                 // zw: of rays that are parallel, in a map that is not warped: a texel's size in metres, and
                 // the depth of a metre along the rays
 };
