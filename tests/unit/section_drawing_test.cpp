@@ -126,7 +126,7 @@ TEST(SectionDrawing, WhatIsFarStandsBeyondABreak) {
 
 TEST(SectionSvg, IsWellFormedWhateverTheWords) {
     Section s = acne();
-    s.verdict = "<script>&amp; \"quoted\" 'too' \x01 \xff \xef\xbf\xbf ]]> 0.5\xc2\xb0";
+    s.verdict = "<script>&amp; a & b \"quoted\" 'too' \x01 \xff \xef\xbf\xbf ]]> 0.5\xc2\xb0";
     const std::string svg = section_svg(draw_section(s, {}), s.verdict + " </title>");
     EXPECT_EQ(test::xml_fault(svg), "");
     EXPECT_EQ(svg.find("<script>"), std::string::npos);
