@@ -128,7 +128,7 @@ struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown
     std::span<const LostCaster> lost_casters;    ///< of the shown light
     const ComparisonFacts* comparison = nullptr;
     std::string_view shader_log;
-    std::string_view problem;  ///< why there is no picture
+    std::string_view problem;   ///< why there is no picture
     bool driver_reset = false;  ///< the driver lost what was drawn: only another start of the program draws again
     std::optional<LoadingFacts> loading;
     const SweepFacts* sweep = nullptr;
