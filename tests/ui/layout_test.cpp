@@ -18,8 +18,8 @@ struct Shown : UiHarness {
         state.layout = {};
         frames(3);
     }
-    const ImGuiWindow* part(std::string_view name) {
-        for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
+    ImGuiWindow* part(std::string_view name) {
+        for (ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
             if (w->WasActive && std::string_view(w->Name).starts_with("editor/" + std::string(name) + "_")) return w;
         return nullptr;
     }
@@ -68,7 +68,7 @@ TEST(Layout, APanelFillsTheWindowByAKeyAndGivesItBack) {
     ui.move({300, 300});
     ui.frames(2);
     ui.key(300);
-    EXPECT_EQ(ui.state.maximised, Panel::Scene);
+    EXPECT_EQ(ui.state.maximised, si::Panel::Scene);
     EXPECT_GE(scene_share(ui), 0.88);
     EXPECT_FALSE(ui.frame().want_map) << "what is hidden costs nothing";
     EXPECT_FALSE(ui.part("settings"));
@@ -80,7 +80,7 @@ TEST(Layout, APanelFillsTheWindowByAKeyAndGivesItBack) {
     ui.move({map->Pos.x + 100, map->Pos.y + 100});
     ui.frames(2);
     ui.key(300);
-    EXPECT_EQ(ui.state.maximised, Panel::Map);
+    EXPECT_EQ(ui.state.maximised, si::Panel::Map);
     EXPECT_TRUE(ui.frame().want_map);
     ui.key(300);
     EXPECT_FALSE(ui.state.maximised);

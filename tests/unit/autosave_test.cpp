@@ -137,7 +137,7 @@ TEST(Autosave, RunningEditorsAreNotOfferedToOthers) {
     EXPECT_EQ(Autosave(folder).lost(), nullptr) << "two editors were offered one session";
     third.forget_lost();
     first->follow("boxes", with_bias(12), 50);
-    first->end();
+    first->end("boxes", with_bias(12), false);
     EXPECT_EQ(files_in(folder, ".json"), 0u);
 }
 
