@@ -63,6 +63,8 @@ constexpr std::size_t kMostSides = 1024;
 /// Sine of the angle to a ray below which a side is taken to be seen edge-on.
 constexpr double kEdgeOn = 1e-4;
 
+/// Of meshes of which each instance is asked whether it is seen well: more are seldom all seen so.
+constexpr std::size_t kMostFlatSides = 64;
 /// Texels that a triangle has to be wide for what floats make of its corners.
 constexpr double kLeastWidth = 0.01;
 /// Steps of a rasteriser's grid by which a texel that it takes for covered may lie beside a triangle.
@@ -288,7 +290,7 @@ private:
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         if (f_.scene.meshes[std::size_t(object.mesh)].deformer) return false;
         const SidesOfMesh& mesh = sides_of(f_, std::size_t(object.mesh));
-        if (mesh.sides.empty()) return false;
+        if (mesh.sides.empty() || mesh.sides.size() > kMostFlatSides) return false;
         const glm::dmat4& m = uvd_from_relative_;
         const glm::dvec3 u(m[0][0], m[1][0], m[2][0]), v(m[0][1], m[1][1], m[2][1]), z(m[0][2], m[1][2], m[2][2]);
         const SkewBox box = box_of(instance);

@@ -111,6 +111,18 @@ private:
 
     Projected project(std::span<const glm::dvec3> points) const {
         Projected out;
+        if (!view_.curve.perspective && !view_.warped()) {
+            const glm::dmat4& m = uvd_from_relative_;
+            for (const glm::dvec3& p : points) {
+                const glm::dvec3 d = p - light_.map_origin;
+                const glm::dvec2 at(m[0][0] * d.x + m[1][0] * d.y + m[2][0] * d.z + m[3][0],
+                                    m[0][1] * d.x + m[1][1] * d.y + m[2][1] * d.z + m[3][1]);
+                out.rect.lo = glm::min(out.rect.lo, at), out.rect.hi = glm::max(out.rect.hi, at);
+            }
+            out.nearest = out.farthest = 1;
+            out.beside = out.rect.hi.x < 0 || out.rect.hi.y < 0 || out.rect.lo.x > 1 || out.rect.lo.y > 1;
+            return out;
+        }
         bool beyond[4] = {true, true, true, true};
         for (const glm::dvec3& p : points) {
             const glm::dvec4 h = uvd_from_relative_ * glm::dvec4(p - light_.map_origin, 1);
@@ -218,6 +230,7 @@ SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
                        const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters) {
     SeenBodies out{wider(camera, lines), {}};
     out.mesh_from_world.resize(scene.objects.size());
+    out.bodies.reserve(scene.objects.size());
     for (std::size_t number = 0; number < scene.objects.size(); ++number) {
         const Object& object = scene.objects[number];
         const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];

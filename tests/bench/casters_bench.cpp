@@ -3,11 +3,14 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <optional>
 
 #include "app/context/headless_context.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/scene/clusters.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/called_maps.h"
 #include "tests/bench/bare.h"
 #include "tests/bench/rotation.h"
 #include "tests/bench/rounds.h"
@@ -106,6 +109,26 @@ void seen_map(benchmark::State& state, const Scene& scene, Settings s) {
         state, [&] { turn(), renderer.render(scene, s, whole); }, [&] { turn(), renderer.render(scene, s, request); });
 }
 
+/// What it takes to find what the camera reads of a map: what it sees ("seen_ms", once a camera), and where that lies
+/// in the map ("called_ms").
+void analysis(benchmark::State& state, const Scene& scene, const Settings& s) {
+    HeadlessContext context;
+    Renderer renderer;
+    const FrameResult facts = renderer.render(scene, s, {});
+    std::vector<std::vector<Cluster>> clusters;
+    for (const Mesh& mesh : scene.meshes) clusters.push_back(clusters_of(mesh));
+    const auto of_mesh = [&](std::size_t mesh) { return std::span<const Cluster>(clusters[mesh]); };
+    const LookupArea area{.resolution = facts.map_resolution, .reach_texels = 3, .normal_texels = 1};
+    std::vector<double> seen_ms, called_ms;
+    for (auto _ : state) {
+        std::optional<SeenBodies> seen;
+        seen_ms.push_back(wall_ms([&] { seen.emplace(seen_bodies(scene, facts.camera, 720, of_mesh)); }));
+        called_ms.push_back(wall_ms([&] { benchmark::DoNotOptimize(called_maps(facts.lights[0], *seen, area)); }));
+        state.SetIterationTime((seen_ms.back() + called_ms.back()) / 1000);
+    }
+    state.counters["seen_ms"] = median(seen_ms), state.counters["called_ms"] = median(called_ms);
+}
+
 /// Frames in which small boxes of a scene move on, of maps drawn whole (first) and with what rests kept. The scene
 /// is laid out anew for each: what that takes is no part of the times.
 void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) {
@@ -195,6 +218,10 @@ const int kRegistered = [] {
     });
     add("casters/moving_box/100k_triangles_point",
         [=](benchmark::State& s) { moving_boxes(s, test::agreed_scene(test::AgreedSize::Triangles100k), point, 1); });
+    add("casters/analysis/10000_objects",
+        [=](benchmark::State& s) { analysis(s, ten_thousand_objects(), directional); });
+    add("casters/analysis/100k_triangles",
+        [=](benchmark::State& s) { analysis(s, test::agreed_scene(test::AgreedSize::Triangles100k), directional); });
     add("casters/seen/10000_objects_all",
         [=](benchmark::State& s) { seen_map(s, ten_thousand_objects(), directional); });
     add("casters/seen/10000_objects_part",

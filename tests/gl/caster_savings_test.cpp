@@ -173,10 +173,13 @@ TEST_F(CasterSavingsTest, FlatCastersSeenWellNeedNoFragmentShader) {
         sets.emplace_back(key, value);
         return sets;
     };
-    EXPECT_EQ(bare(slanted, {}), 4u) << "floor and boxes, of which no side is seen edge-on; the ball has many";
+    // Of the floor, whose side begins where the map does, a driver of few sub-pixel bits may leave strays.
+    const std::uint64_t well_seen = bare(slanted, {});
+    EXPECT_GE(well_seen, 3u) << "the boxes, of which no side is seen edge-on";
+    EXPECT_LE(well_seen, 4u) << "and the floor; the ball has many sides";
     EXPECT_EQ(bare(slanted, {Saving::Fragments}), 0u);
     EXPECT_EQ(bare(with("light.elevation", "90"), {}), 1u) << "the boxes' walls are seen edge-on";
-    EXPECT_EQ(bare(with("light.azimuth", "90.001"), {}), 3u) << "two walls of the first box are nearly so";
+    EXPECT_EQ(bare(with("light.azimuth", "90.001"), {}), well_seen - 1) << "two walls of the first box are nearly so";
     EXPECT_EQ(bare(with("map.format", "colour"), {}), 0u) << "a fragment shader writes the map";
     EXPECT_EQ(bare(with("light.type", "spot"), {}), 0u) << "its rays are not parallel";
     for (const Sets& sets : {slanted, with("light.elevation", "90"), with("light.azimuth", "90.001")})
