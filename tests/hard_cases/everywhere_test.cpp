@@ -37,12 +37,14 @@ struct Allowance {
     std::size_t inside = 0;  ///< pixels of one picture away from what is an edge at home
     /// Of the same bytes: pixels whose ray passes an edge by less than a double resolves at a place in the world.
     std::size_t truths = 0;
+    double same_cause = kSameCause;  ///< share of the wrong pixels, at least
 };
 constexpr Allowance kAllowances[] = {
     {"no-blockers", "the places of its taps turn by pixel, and are no mirror image", 0.02, false},
     {"edge-on-planes",
-     "kernels span several steps, whose depths lie at all distances from the plane: a tap of 25 may turn", 0.1, true, 0,
-     1},
+     "kernels span several steps, whose depths lie at all distances from the plane: a tap of 25 may turn, and with it "
+     "whether the kernel or the edge is told as the cause",
+     0.1, true, 0, 1, 0.97},
     {"thin-caster",
      "a wire that no texel caught at home is an edge that no pixel shows; corners snap otherwise in a mirror", 0.02,
      true, 4},
@@ -176,14 +178,14 @@ int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>
     return compared;
 }
 
-void expect_alike(const Differences& d, double most = kMostDiffering) {
+void expect_alike(const Differences& d, double same_cause = kSameCause, double most = kMostDiffering) {
     testing::Test::RecordProperty("differing", std::to_string(d.visibility) + " look and " + std::to_string(d.truth) +
                                                    " are otherwise of " + std::to_string(d.pixels) + "; " +
                                                    std::to_string(d.other_cause) + " of " + std::to_string(d.wrong) +
                                                    " wrong ones have another cause");
     EXPECT_LE(double(d.visibility), most * double(d.pixels)) << "pixels that look otherwise, of " << d.pixels;
     EXPECT_LE(double(d.truth), kMostDiffering * double(d.pixels)) << "pixels that are otherwise, of " << d.pixels;
-    EXPECT_GE(double(d.wrong - d.other_cause), kSameCause * double(d.wrong)) << "wrong pixels of one cause";
+    EXPECT_GE(double(d.wrong - d.other_cause), same_cause * double(d.wrong)) << "wrong pixels of one cause";
 }
 
 constexpr std::uint32_t kSeed = 20260101;
@@ -228,7 +230,7 @@ TEST_P(HardCasesEverywhere, LookAndErrAsAtHome) {
     Differences d;
     EXPECT_GE(compare_places(row, true, one_by_one(), homes, d), 14) << "most placements must lie in settings' ranges";
     EXPECT_GE(compare_places(row, true, in_pairs(row), homes, d), 4);
-    expect_alike(d);
+    expect_alike(d, allowance_of(row.key).same_cause);
     expect_axes_nothing_special(row, homes);
 }
 
@@ -246,7 +248,7 @@ TEST_P(HardCasesEverywhere, LookAndErrAsAtHomeInEveryPlacement) {
     Homes homes;
     Differences d;
     compare_places(*GetParam(), true, all_placements(), homes, d);
-    expect_alike(d);
+    expect_alike(d, allowance_of(GetParam()->key).same_cause);
 }
 
 // The covering array covers.

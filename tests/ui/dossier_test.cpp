@@ -32,7 +32,7 @@ TEST(DossierPanel, TheRemedyIsOneStepOfUndo) {
     const Settings before = ui.state.settings;
     const int light = 0;
     const auto id_of_light = std::string(reinterpret_cast<const char*>(&light), sizeof light);
-    const auto at = ui.find("Probe", id_of_light, "Set bias.slope to 4.5 texels");
+    const auto at = ui.find("Probe", id_of_light, "Fix: Slope bias 4.5 texels");
     ASSERT_TRUE(at) << "no button for the remedy";
     ui.click(*at);
     EXPECT_EQ(ui.state.settings.bias.slope, 4.5);

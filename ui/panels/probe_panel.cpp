@@ -204,6 +204,17 @@ void truth_column(const Dossier& d) {
     ImGui::TextUnformatted(truth.c_str());
 }
 
+/// "Fix: Normal offset 0.445 texels": the remedy by the names that the settings have on the screen.
+std::string fix_label(const Remedy& remedy, const Settings& settings) {
+    std::string text;
+    for (const auto& [key, value] : remedy.settings) {
+        const SettingRef ref = *find_setting(key);
+        text += fmt::format("{}{} {}", text.empty() ? "Fix: " : ", ", ref.param->label,
+                            shown_value(settings, *ref.param, parse_value(ref, value)));
+    }
+    return text;
+}
+
 void judgement(const Probe::PerLight& p, const Dossier* d, bool tracing, Settings& settings) {
     verdict(d ? d->verdict : p.verdict);
     if (d) {
@@ -214,10 +225,10 @@ void judgement(const Probe::PerLight& p, const Dossier* d, bool tracing, Setting
         ImGui::TextDisabled("tracing the truth...");
     }
     if (!d || !d->remedy) return;
-    const std::string text = d->remedy->text.substr(0, 1) == "s" ? "S" + d->remedy->text.substr(1) : d->remedy->text;
-    if (ImGui::SmallButton(text.c_str()))
+    if (ImGui::SmallButton(fix_label(*d->remedy, settings).c_str()))
         for (const auto& [key, value] : d->remedy->settings) set_setting(settings, key, value);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Puts this pixel right; Ctrl+Z takes it back");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Puts this pixel right (%s); Ctrl+Z takes it back", d->remedy->text.c_str());
 }
 
 /// Blocks beside each other as far as they fit.
