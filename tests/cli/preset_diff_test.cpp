@@ -27,14 +27,14 @@ protected:
 TEST_F(PresetDiffCommand, SaysInWordsWhatDiffers) {
     const ProcessResult r = run({"preset", "diff", "a.json", "b.json"});
     EXPECT_EQ(r.code, 0) << r.err;
-    EXPECT_EQ(r.out, "a.json → b.json: 1 difference\nBias\n  bias.constant: 0.5 → 0 texels (Constant)\n");
+    EXPECT_EQ(r.out, "a.json → b.json: 1 difference\nBias\n  bias.constant: 0.5 → 0 texels (Constant bias)\n");
     EXPECT_EQ(run({"preset", "diff", "a.json", "a.json"}).out, "a.json and a.json are equal\n");
 }
 
 TEST_F(PresetDiffCommand, ComparesWithTheDefaults) {
     const std::string text = run({"preset", "diff", "default", "a.json"}).out;
     EXPECT_NE(text.find("Scene\n  scene: any → boxes\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("bias.constant: 0.1 → 0.5 texels (Constant)"), std::string::npos) << text;
+    EXPECT_NE(text.find("bias.constant: 0.1 → 0.5 texels (Constant bias)"), std::string::npos) << text;
     EXPECT_NE(text.find("light.azimuth: -40° → -52° (Azimuth)"), std::string::npos) << text;
     EXPECT_EQ(run({"preset", "diff", "default", "default"}).out, "default and default are equal\n");
 }

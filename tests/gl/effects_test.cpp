@@ -135,7 +135,7 @@ TEST_F(EffectsTest, WhatNobodyLooksAtIsSaidToBeUnasked) {
     };
     for (const char* name : {"metrics", "pixels compared", "causes found"}) says(all, name, "asked for");
     says(all, "drawn depth range", "closed");
-    says(all, "unfiltered map", "Nobody asks");
+    says(all, "unfiltered map", "Not needed: causes are not shown");
     FrameRequest request = small();
     request.outputs.shadow_map = request.outputs.error = true;
     const std::vector<Effect> asked = effects(scene, {}, request);

@@ -253,7 +253,7 @@ TEST_F(NumericHealthTest, CostsNothingUnlessAskedForAndThenLeavesThePictureAlone
     bool told = false;
     for (const Effect& e : frame_effects(scene, s, plain, {}))
         told |= e.name == "numeric health" && e.state == EffectState::NotCalledFor &&
-                e.reason == "Nobody asks whether all numbers are sound.";
+                e.reason == "Not needed: the numbers are not checked.";
     EXPECT_TRUE(told);
     request.outputs.health = true;
     const FrameResult searched = renderer.render(scene, s, request);

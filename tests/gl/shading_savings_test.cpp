@@ -135,9 +135,10 @@ TEST_F(ShadingSavingsTest, WhereNothingCastsNothingIsLookedUp) {
     add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(20, 20), grey));
     add_object(scene, "Ball", -1, add_mesh(scene, "Ball", make_sphere(0.5), grey), moved(8, 0.5, 8));
     finalise(scene);
-    const Sets over_floor = {{"filter.kernel", "pcf5"}, {"light.type", "spot"},   {"light.distance", "4"},
-                             {"light.elevation", "70"}, {"light.target_x", "-6"}, {"light.target_z", "-6"},
-                             {"bias.normal", "2"},      {"bias.kind", "constant"}};
+    const Sets over_floor = {
+        {"filter.kernel", "pcf5"}, {"light.type", "spot"},   {"light.distance", "4"}, {"light.elevation", "70"},
+        {"light.target_x", "-6"},  {"light.target_z", "-6"}, {"bias.normal", "2"},    {"bias.kind", "constant"},
+        {"shading.sky", "plain"}};  // shading is the last that is drawn
     const auto settings = [&](const Sets& more, bool floor_casts) {
         Sets sets = over_floor;
         sets.insert(sets.end(), more.begin(), more.end());

@@ -345,7 +345,10 @@ TEST(Loading, AnotherSceneOfTheFileIsReadWhenItsIndexIsChosen) {
     HeadlessEditor editor(first(folder.write("two.glb", file.glb()).string()));
     editor.settle();
     EditorModel& model = editor.model();
-    const auto objects = [&] { return model.facts().scene->objects.size(); };
+    const auto objects = [&] {
+        return std::size_t(
+            std::ranges::count_if(model.facts().scene->objects, [](const Object& o) { return !o.ground; }));
+    };
     EXPECT_EQ(objects(), 1u);
     const NamedValues expected{{-1, "-1: the file's default"}, {0, "0: one"}, {1, "1: two"}};
     EXPECT_EQ(scene_choices(model.facts().scene, "scene.index"), expected);

@@ -97,7 +97,7 @@ TEST(MapWindow, PlotsAndLinksAreReadOnlyWhereTheyAreShown) {
 
 TEST(MapWindow, ExactTexelsAreAskedForByABoxWhileTheirMapIsShown) {
     MapViewer m;
-    m.ui.state.layout.map_share = 0.8f;  // its box has room in the row
+    m.ui.state.layout.settings_width = 14, m.ui.state.layout.map_share = 0.85f;  // its box has room in the row
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels);
     const auto box = m.ui.find("editor/map", "", "Texels read");
     ASSERT_TRUE(box);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/headless_editor.h"
+#include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"
 
 namespace si::test {
@@ -80,6 +81,7 @@ TEST(EditorSection, IsMadeOnceAndOnlyWhileThePanelIsShown) {
     HeadlessEditor editor(options);
     EditorState& state = editor.model().state;
     state.open_tab = BottomTab::Log;
+    editor.model().state.layout = kBeside;
     editor.settle();
     state.probe_pixel = glm::ivec2(200, 150);
     editor.settle();

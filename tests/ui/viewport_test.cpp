@@ -200,10 +200,11 @@ TEST(Viewport, FreezeKeepsTheCameraThatIsLeft) {
     EXPECT_GT(glm::distance(v.camera().eye, before.eye), 1e-3);
     v.press('K');
     EXPECT_FALSE(v.ui.state.frozen);
-    // The button stands above the picture, the last of its row.
-    const PictureView view = *v.ui.state.scene_view;
-    for (float x = float(view.origin.x + view.size.x); x > float(view.origin.x) && !v.ui.state.frozen; x -= 12)
-        v.ui.click({x, float(view.origin.y) - 14});
+    v.ui.state.layout.map_place = MapSpot::Hidden;  // the row has room for the button
+    v.ui.frames(2);
+    const auto button = v.ui.find("editor/scene", "", "Freeze view");
+    ASSERT_TRUE(button);
+    v.ui.click(*button);
     EXPECT_TRUE(v.ui.state.frozen);
     EXPECT_NE(v.settings.camera.source, int(CameraSource::Light)) << "another button was hit";
 }

@@ -32,13 +32,13 @@ TEST(PresetDiff, EqualPresetsHaveNone) {
 
 TEST(PresetDiff, NamesKeyValuesUnitAndLabel) {
     const Preset a = preset_with({}), b = preset_with({{"bias.constant", "0"}});
-    EXPECT_EQ(line(a, b, "bias.constant"), "Bias | bias.constant: 0.1 → 0 texels (Constant)");
-    EXPECT_EQ(line(b, a, "bias.constant"), "Bias | bias.constant: 0 → 0.1 texels (Constant)");
+    EXPECT_EQ(line(a, b, "bias.constant"), "Bias | bias.constant: 0.1 → 0 texels (Constant bias)");
+    EXPECT_EQ(line(b, a, "bias.constant"), "Bias | bias.constant: 0 → 0.1 texels (Constant bias)");
 }
 
 TEST(PresetDiff, NamesBothUnitsWhereTheyDiffer) {
     const Preset a = preset_with({}), b = preset_with({{"bias.unit", "depth"}, {"bias.constant", "0.005"}});
-    EXPECT_EQ(line(a, b, "bias.constant"), "Bias | bias.constant: 0.1 texels → 0.005 depth (Constant)");
+    EXPECT_EQ(line(a, b, "bias.constant"), "Bias | bias.constant: 0.1 texels → 0.005 depth (Constant bias)");
     EXPECT_EQ(line(a, b, "bias.unit"), "Bias | bias.unit: texels → depth (Unit)");
 }
 
@@ -52,7 +52,7 @@ TEST(PresetDiff, SpeaksOfChoicesSwitchesAnglesLightsObjectsAndScenes) {
                                  "stage");
     EXPECT_EQ(line(a, b, "scene"), "Scene | scene: boxes → stage");
     EXPECT_EQ(line(a, b, "caster.cull"), "Casters | caster.cull: none → front faces (Cull casters)");
-    EXPECT_EQ(line(a, b, "map.far_guard"), "Shadow map | map.far_guard: on → off (Far guard)");
+    EXPECT_EQ(line(a, b, "map.far_guard"), "Shadow map | map.far_guard: on → off (Far-plane test)");
     EXPECT_EQ(line(a, b, "light.count"), "Lights | light.count: 1 → 2 (Lights)");
     EXPECT_EQ(line(a, b, "light.1.azimuth"), "Light 1 | light.1.azimuth: -40° → 90° (Azimuth)");
     EXPECT_EQ(line(a, b, "object.Root/Box.v1.cast"), "Object Root/Box.v1 | object.Root/Box.v1.cast: on → off (Casts)");
@@ -100,7 +100,7 @@ TEST(PresetDiff, TextIsGroupedUnderHeadings) {
     EXPECT_EQ(differences_text(preset_differences(a, b), "default", "b"),
               "default → b: 3 differences\n"
               "Shadow map\n  map.resolution: 2048 → 64 texels (Resolution)\n"
-              "Bias\n  bias.slope: 0 → 2 texels (Slope)\n  bias.normal: 3 → 0 texels (Normal offset)\n");
+              "Bias\n  bias.slope: 0 → 2 texels (Slope bias)\n  bias.normal: 3 → 0 texels (Normal offset)\n");
 }
 
 }  // namespace
