@@ -194,7 +194,7 @@ TEST_P(Tour, TheMapDownToItsTexels) {
     ASSERT_TRUE(facts().probe && facts().probe->hit);
     const glm::ivec2 texel = facts().probe->lights[0].texel;
     state().map_window = {512 / 3.0f, (glm::vec2(texel) + 0.5f) / 512.0f};
-    editor_->mouse.at = glm::vec2(width() * 0.55f, height() * 0.25f);
+    editor_->mouse.at = glm::vec2(width() * 0.85f, height() * 0.25f);
     editor_->settle();
     EXPECT_TRUE(state().hovered_texel);
     EXPECT_TRUE(facts().map_values);

