@@ -1,6 +1,8 @@
 #include "renderer/view/sky.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 
 #include "renderer/view/light_fit.h"
 
@@ -24,10 +26,11 @@ constexpr Hour kHours[] = {
 };
 
 Hour hour_of(double sine) {
-    const Hour* next = std::ranges::find_if(kHours, [&](const Hour& h) { return h.sine >= sine; });
-    if (next == std::begin(kHours)) return *next;
-    if (next == std::end(kHours)) return next[-1];
-    const Hour &a = next[-1], &b = *next;
+    std::size_t next = 0;
+    while (next < std::size(kHours) && kHours[next].sine < sine) ++next;
+    if (next == 0) return kHours[0];
+    if (next == std::size(kHours)) return kHours[next - 1];
+    const Hour a = kHours[next - 1], b = kHours[next];
     const double t = (sine - a.sine) / (b.sine - a.sine);
     return {sine, glm::mix(a.zenith, b.zenith, t), glm::mix(a.horizon, b.horizon, t), glm::mix(a.below, b.below, t),
             glm::mix(a.glow, b.glow, t)};
