@@ -163,7 +163,8 @@ TEST_F(CasterSavingsTest, FlatCastersSeenWellNeedNoFragmentShader) {
     finalise(scene);
     const auto bare = [&](const Sets& sets, SavingSet forced) {
         std::uint64_t count = 0;
-        for (const PartInfo& part : map_pass(frame(scene, settings_for(scene, sets), forced)).parts)
+        const FrameResult drawn = frame(scene, settings_for(scene, sets), forced);
+        for (const PartInfo& part : map_pass(drawn).parts)
             if (part.by == Saving::Fragments) count += part.left_out;
         return count;
     };
