@@ -165,15 +165,11 @@ std::optional<CureTable> cures(Renderer& renderer, const Session& session, const
 }
 
 /// The test under view.light, as a picture.
-std::string section_of(const Session& session, const Probe& probe, const std::vector<Dossier>& found,
+std::string drawing_of(const Session& session, const Probe& probe, const std::vector<Dossier>& found,
                        const TruthScene* casters) {
     const auto i = std::size_t(std::max(session.settings.view.light, 0));
     if (i >= probe.lights.size()) throw Error(fmt::format("view.light is {}: there is no such light to draw", i));
-    const Dossier* const dossier = i < found.size() ? &found[i] : nullptr;
-    const SectionCut cut = section_cut(probe.lights[i], dossier, session.settings, probe.map_resolution);
-    std::vector<TruePoint> profile;
-    if (casters) profile = true_profile(*casters, probe.lights[i], cut, probe.map_resolution);
-    const Section section = cross_section(probe.lights[i], dossier, cut, probe.map_resolution, profile);
+    const Section section = section_of(probe, i, found, session.settings, casters);
     return section_svg(draw_section(section, {}), fmt::format("Shadow test of a pixel: {}", section.verdict));
 }
 
@@ -228,7 +224,7 @@ void run_probe(const ProbeOptions& options) {
         if (!probe.hit)
             throw Error(fmt::format("{}: not written, as pixel {},{} shows no surface; name one that does",
                                     options.section.string(), x, y));
-        write_file(options.section, section_of(session, probe, found, casters.get()));
+        write_file(options.section, drawing_of(session, probe, found, casters.get()));
     }
     if (options.check_numeric)
         require_sound(*search_numbers(renderer, session.scene, session.settings, request, tracing_workers()));

@@ -12,14 +12,8 @@ bool EditorDossier::update(const Probe* probe, bool fresh, const Scene& scene, c
 bool EditorDossier::update_sections(const Probe* probe, const Settings& settings, bool shown) {
     if (!shown || sections_ || !probe || !probe->hit) return false;
     std::vector<Section> out;
-    for (std::size_t i = 0; i < probe->lights.size(); ++i) {
-        const Dossier* const dossier = i < dossiers_.size() ? &dossiers_[i] : nullptr;
-        const int resolution = probe->map_resolution;
-        const SectionCut cut = section_cut(probe->lights[i], dossier, settings, resolution);
-        std::vector<TruePoint> profile;
-        if (casters_ && dossier) profile = true_profile(*casters_, probe->lights[i], cut, resolution);
-        out.push_back(cross_section(probe->lights[i], dossier, cut, resolution, profile));
-    }
+    for (std::size_t i = 0; i < probe->lights.size(); ++i)
+        out.push_back(section_of(*probe, i, dossiers_, settings, casters_.get()));
     sections_ = std::make_shared<const std::vector<Section>>(std::move(out));
     return true;
 }

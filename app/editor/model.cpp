@@ -142,10 +142,9 @@ bool EditorModel::fulfil(const EditorActions& asked) {
     wish(scenes_.has_moved() && !frames_.under_way(), [&] { scenes_.follow_settings(); });
     changed |= presets_.compare();
     changed |= work_.follow(scenes_.scene(), actions);
-    EditorActions wished = actions;
-    wished.at_rest &= smooths && !measuring();
+    actions.at_rest &= smooths && !measuring();
     if (const Scene* scene = scenes_.scene())
-        changed |= frames_.update(*scene, wished, presets_.comparison());
+        changed |= frames_.update(*scene, actions, presets_.comparison());
     else
         frames_.clear();
     return changed;

@@ -234,7 +234,6 @@ std::vector<TruePoint> true_profile(const TruthScene& scene, const Probe::PerLig
     std::vector<TruePoint> out;
     if (cut.count <= 0) return out;
     const CutPlane plane(p, cut.axis, resolution);
-    const LightView& view = view_of(p);
     const Bounds& bounds = scene.geometry().bounds;
     const double size = bounds.empty() ? 0 : glm::length(bounds.hi - bounds.lo);
     // Parallel rays begin before all that casts; others at the light.
@@ -301,6 +300,16 @@ Section cross_section(const Probe::PerLight& p, const Dossier* d, const SectionC
     for (const TruePoint& point : profile) points.push_back(plane.at(point.along, point.axis_m));
     s.profile = surfaces(points, s.texel_m);
     return s;
+}
+
+Section section_of(const Probe& probe, std::size_t light, std::span<const Dossier> dossiers, const Settings& settings,
+                   const TruthScene* casters) {
+    const Probe::PerLight& p = probe.lights[light];
+    const Dossier* const dossier = light < dossiers.size() ? &dossiers[light] : nullptr;
+    const SectionCut cut = section_cut(p, dossier, settings, probe.map_resolution);
+    std::vector<TruePoint> profile;
+    if (casters && dossier) profile = true_profile(*casters, p, cut, probe.map_resolution);
+    return cross_section(p, dossier, cut, probe.map_resolution, profile);
 }
 
 }  // namespace si

@@ -109,4 +109,9 @@ std::vector<TruePoint> true_profile(const TruthScene& scene, const Probe::PerLig
 Section cross_section(const Probe::PerLight& light, const Dossier* dossier, const SectionCut& cut, int resolution,
                       std::span<const TruePoint> profile = {});
 
+/// All of that of one of a probe's lights.
+/// @param dossiers of its lights, or fewer: of the others nothing of the truth is known @param casters null: no profile
+Section section_of(const Probe& probe, std::size_t light, std::span<const Dossier> dossiers, const Settings& settings,
+                   const TruthScene* casters);
+
 }  // namespace si

@@ -51,14 +51,6 @@ protected:
     static void apply(Settings& s, const Remedy& remedy) {
         for (const auto& [key, value] : remedy.settings) set_setting(s, key, value);
     }
-    static Scene sheet_over_floor(double height) {
-        Scene scene;
-        const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
-        add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(3, 3), grey), moved(0, height, 0));
-        finalise(scene);
-        return scene;
-    }
 };
 
 /// A probe asks each light by its own map, source and sides, whichever is shown, and if none of that number shines.
@@ -124,7 +116,7 @@ TEST_F(DossierTest, TapsAddUpToWhatTheGpuFound) {
 }
 
 TEST_F(DossierTest, AgreesWithMeasureOnEveryPixel) {
-    const Scene scene = sheet_over_floor(1.5);
+    const Scene scene = test::sheet_over_floor(1.5);
     int kinds[kArtefacts] = {}, dark = 0;
     for (const double constant : {12.0, 3.0, 0.5}) {
         Settings s = plain("hard", constant);
@@ -206,7 +198,7 @@ TEST_F(DossierTest, AWideKernelHidesAcneThatIsStillTold) {
 }
 
 TEST_F(DossierTest, TooMuchBiasIsCalledPeterPanningAndLessCuresIt) {
-    const Scene scene = sheet_over_floor(0.6);
+    const Scene scene = test::sheet_over_floor(0.6);
     Settings s = plain("hard", 0);
     s.bias.constant = 60;
     const auto pixel = find(measure(scene, s), Artefact::PeterPanning);
@@ -227,7 +219,7 @@ TEST_F(DossierTest, TooMuchBiasIsCalledPeterPanningAndLessCuresIt) {
 }
 
 TEST_F(DossierTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
-    const Scene scene = sheet_over_floor(0.3);
+    const Scene scene = test::sheet_over_floor(0.3);
     Settings s = plain("pcf7", 12);
     s.map.resolution = 128;
     s.camera.elevation = 5;  // beneath the sheet
@@ -279,7 +271,7 @@ TEST_F(DossierTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
     EXPECT_EQ(at_edge.verdict.find("edge aliasing"), 0u) << at_edge.verdict;
     EXPECT_FALSE(at_edge.remedy);
 
-    const Scene sheet = sheet_over_floor(1.2);
+    const Scene sheet = test::sheet_over_floor(1.2);
     s = plain("hard", 3);
     s.caster.cull = int(Cull::Front);
     const auto lost = find(measure(sheet, s), Artefact::LostCaster);
@@ -317,7 +309,7 @@ TEST_F(DossierTest, ValuesOfRemediesAreShortDecimals) {
 }
 
 TEST_F(DossierTest, ALargeLightIsSeenInPart) {
-    const Scene scene = sheet_over_floor(1.2);
+    const Scene scene = test::sheet_over_floor(1.2);
     Settings s = plain("hard", 3);
     s.lights[0].size = 8;
     const MeasuredError m = measure(scene, s);

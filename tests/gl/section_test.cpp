@@ -37,14 +37,6 @@ protected:
         s.lights[0].azimuth = 0, s.lights[0].elevation = elevation;
         return s;
     }
-    static Scene sheet_over_floor(double height) {
-        Scene scene;
-        const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
-        add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(3, 3), grey), moved(0, height, 0));
-        finalise(scene);
-        return scene;
-    }
     /// y of the surface's line.
     static double surface_y(const Section& s, double x) {
         return s.surface_at.y + (x - s.surface_at.x) * s.surface_along.y / s.surface_along.x;
@@ -95,9 +87,10 @@ TEST_F(SectionTest, StepsAreTheMapsTexelsUnderEveryLightAndMap) {
                 const glm::dvec3 ray = light().account.receiver.to_light;
                 const glm::dvec2 middle = 0.5 * (step.from + step.to);
                 const double along = glm::dot(from_surface, ray);
-                if (!view.warped())
+                if (!view.warped()) {
                     EXPECT_NEAR(glm::length(middle), glm::length(from_surface), 1e-5 + 1e-4 * std::abs(along))
                         << name << " " << step.texel;
+                }
                 EXPECT_NEAR(middle.y, along, 1e-5 + 1e-4 * glm::length(from_surface)) << name << " " << step.texel;
                 ++steps, nearer += step.meets == KernelTap::Meets::Nearer;
             }
@@ -168,7 +161,7 @@ TEST_F(SectionTest, PeterPanningPutsTheComparedPointBeforeItsOccluder) {
         // Seen from beside the sheet, through below it.
         Settings s = settings;
         s.camera.elevation = 5, s.camera.target_y = 0.1;
-        const Section one = section(sheet_over_floor(height), s, {80, y});
+        const Section one = section(test::sheet_over_floor(height), s, {80, y});
         if (one.artefact.find("peter-panning") == 0) found = one;
     }
     ASSERT_TRUE(found);

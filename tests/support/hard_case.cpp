@@ -153,6 +153,15 @@ Scene floor_and_box(double size, const glm::dvec3& box, double gap) {
     return scene;
 }
 
+Scene sheet_over_floor(double height_m) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
+    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(3, 3), grey), moved(0, height_m, 0));
+    finalise(scene);
+    return scene;
+}
+
 std::string format_name(MapFormat format) {
     const char* names[] = {"d16", "d24", "d32f", "colour", "linear", "linear16"};
     return names[int(format)];

@@ -50,6 +50,9 @@ int kernel(std::string_view key);
 /// A floor of `size` metres at y = 0 with a box of `box` metres that floats `gap` metres above its middle.
 Scene floor_and_box(double size = 10, const glm::dvec3& box = {1.5, 1, 2}, double gap = 0);
 
+/// A floor of 10 m with a sheet of 3 m so far above it.
+Scene sheet_over_floor(double height_m);
+
 inline constexpr LightType kLightTypes[] = {LightType::Directional, LightType::Spot, LightType::Point};
 
 /// As map.format has it.

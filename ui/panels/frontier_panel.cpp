@@ -12,6 +12,7 @@
 #include "renderer/settings/param.h"
 #include "ui/panels/frontier_plot.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -245,7 +246,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
     const auto offer = [&](const char* id, const std::string& text, std::size_t mark) {
         const MeasuredCase& c = facts.cases[view.marks[mark].of];
         const std::string button = text + "##" + id;
-        flow(ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x);
+        flow(button_width(text.c_str()));
         if (ImGui::Button(button.c_str())) take(state, c);
         if (ImGui::IsItemHovered()) case_tooltip(facts, c);
     };
@@ -278,7 +279,7 @@ void draw_state(const SweepFacts& facts, EditorActions& actions) {
             for (const std::string& s : facts.other_settings) list += (list.empty() ? "" : "\n") + s;
             ImGui::SetTooltip("%s", list.c_str());
         }
-        flow(ImGui::CalcTextSize("Set them back").x + 2 * ImGui::GetStyle().FramePadding.x);
+        flow(button_width("Set them back"));
         if (ImGui::Button("Set them back")) actions.take_sweep_base = true;
         tooltip("To what all cases of the sweep share; undo gives the present ones back");
     }

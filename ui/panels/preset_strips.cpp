@@ -9,16 +9,13 @@
 #include <vector>
 
 #include "ui/state/panels.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
 namespace {
 
 constexpr float kGap = 0.53f;  ///< between buttons, in text heights
-
-float button_width(const char* label) {
-    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-}
 
 float buttons_width(std::initializer_list<const char*> labels) {
     float width = 0;

@@ -12,6 +12,7 @@
 #include "ui/panels/tune_controls.h"
 #include "ui/state/light_list.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -88,7 +89,7 @@ void light_tabs(Settings& s) {
     const int shown = shown_light(s);
     for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) {
         const std::string label = fmt::format("Light {}", i);
-        const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+        const float width = button_width(label.c_str());
         if (i > 0) {
             ImGui::SameLine(0, spacing);
             if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();

@@ -9,6 +9,7 @@
 #include "renderer/scenes/builtin.h"
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
@@ -168,7 +169,7 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& a
         actions.save_preset = state.preset_path;
     ImGui::SameLine();
     const char* help = "Help";
-    const float width = ImGui::CalcTextSize(help).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float width = button_width(help);
     const float right = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
     preset_name(state, frame, std::max(right - ImGui::GetCursorPosX() - 2 * em, em * 3));
     ImGui::SameLine(std::max(right, ImGui::GetCursorPosX()));

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "renderer/measure/tuner.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/cost_combo.h"
 
 namespace si {
@@ -97,12 +98,9 @@ void families_table(std::span<const TunedFamily> families, bool current, Setting
 void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& shown, const std::string& why_not,
                         TuneActions& actions) {
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-    const auto width_of = [](const char* text) {
-        return ImGui::CalcTextSize(text).x + 2 * ImGui::GetStyle().FramePadding.x;
-    };
     if (shown.tuning) {
         const std::string text = fmt::format("{:.0f} %", 100 * shown.tuning->progress);
-        ImGui::ProgressBar(float(shown.tuning->progress), {std::max(room - width_of("Cancel") - gap, 20.f), 0},
+        ImGui::ProgressBar(float(shown.tuning->progress), {std::max(room - button_width("Cancel") - gap, 20.f), 0},
                            text.c_str());
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Trying %s", shown.tuning->about.c_str());
         ImGui::SameLine();
@@ -111,7 +109,8 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& s
     }
     ImGui::BeginDisabled(!why_not.empty());
     ImGui::BeginGroup();
-    if (ImGui::Button("Auto bias", {std::max(room - width_of("Tune...") - gap, 20.f), 0})) actions.tune = TuneWish{};
+    if (ImGui::Button("Auto bias", {std::max(room - button_width("Tune...") - gap, 20.f), 0}))
+        actions.tune = TuneWish{};
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Measures this picture against the ray-traced truth and sets the least constant bias, slope bias or\n"

@@ -18,6 +18,7 @@ ImTextureID texture_id(unsigned texture) {
     return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
 }
 
+constexpr float kViewEms = 6.5f, kOtherEms = 9;  ///< widths of the two combos
 constexpr const char* kViews[] = {"off", "swipe", "side by side", "difference"};
 
 std::string other_label(const EditorState& state, const EditorFrame& frame) {
@@ -39,19 +40,20 @@ void label(ImVec2 corner, float room, const std::string& text, bool right) {
 
 float against_width(const EditorState& state) {
     const float em = ImGui::GetFontSize();
-    return em * 6.5f + (state.against.view == AgainstView::Off ? 0 : ImGui::GetStyle().ItemSpacing.x + em * 9);
+    return em * kViewEms +
+           (state.against.view == AgainstView::Off ? 0 : ImGui::GetStyle().ItemSpacing.x + em * kOtherEms);
 }
 
 void against_widgets(EditorState& state, const EditorFrame& frame) {
     Against& a = state.against;
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextItemWidth(em * 6.5f);
+    ImGui::SetNextItemWidth(em * kViewEms);
     int view = int(a.view);
     if (ImGui::Combo("##against view", &view, kViews, int(std::size(kViews)))) a.view = AgainstView(view);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Compare the picture with another one of the same frame (B)");
     if (a.view == AgainstView::Off) return;
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(em * 9);
+    ImGui::SetNextItemWidth(em * kOtherEms);
     if (ImGui::BeginCombo("##against what", other_label(state, frame).c_str())) {
         if (ImGui::Selectable("ray-traced truth", a.truth)) a.truth = true;
         const auto other = [&](const char* text, const CompareWith& with) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/state/panels.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -51,7 +52,7 @@ void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, 
     // A window of its own, so that the mouse over it is not over the picture.
     ImGui::BeginChild("loading", {wide, ImGui::GetFrameHeight() + 2 * pad}, false,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
-    const float button = ImGui::CalcTextSize("Cancel").x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float button = button_width("Cancel");
     const float bar = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
     progress_bar(frame.loading->progress, loading_text(*frame.loading), std::max(bar, em));
     ImGui::SameLine();

@@ -9,6 +9,7 @@
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -74,7 +75,7 @@ void draw_tracing(const EditorFrame& frame, EditorActions& actions, float left, 
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(text.c_str());
     } else {
-        const float button = ImGui::CalcTextSize("Cancel").x + 2 * ImGui::GetStyle().FramePadding.x;
+        const float button = button_width("Cancel");
         const float bar = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
         progress_bar(frame.truth->progress, text, std::max(bar, em));
         ImGui::SameLine();

@@ -14,6 +14,7 @@
 #include "ui/scene_view/picture_painter.h"
 #include "ui/scene_view/scene_marks.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -43,10 +44,6 @@ bool toggle(const char* label, bool on, const char* help) {
     if (on) ImGui::PopStyleColor(2);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
     return pressed;
-}
-
-float button_width(const char* label) {
-    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
 void header(EditorState& state, const EditorFrame& frame) {

@@ -9,6 +9,7 @@
 #include "renderer/settings/param.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -20,13 +21,7 @@ bool line(const char* label, std::string_view help, int number, int chosen) {
     ImGui::PushID(number);
     const bool picked = ImGui::Selectable(label, number == chosen) && number != chosen;
     if (number == chosen) ImGui::SetItemDefaultFocus();
-    if (ImGui::IsItemHovered() && !help.empty()) {
-        ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
-        ImGui::TextUnformatted(help.data(), help.data() + help.size());
-        ImGui::PopTextWrapPos();
-        ImGui::EndTooltip();
-    }
+    if (!help.empty()) wrapped_tooltip(std::string(help));
     if (number <= 9) {  // its key
         const std::string digit = fmt::format("{}", number);
         const ImVec2 hi = ImGui::GetItemRectMax();

@@ -12,6 +12,7 @@
 #include "renderer/settings/splits.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -93,13 +94,7 @@ bool combo(const Param& p, int& value) {
         if (ImGui::Selectable(std::string(list[i].label).c_str(), selected) && !selected)
             value = int(i), changed = true;
         if (selected) ImGui::SetItemDefaultFocus();
-        if (ImGui::IsItemHovered() && !list[i].help.empty()) {
-            ImGui::BeginTooltip();
-            ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
-            ImGui::TextUnformatted(list[i].help.data(), list[i].help.data() + list[i].help.size());
-            ImGui::PopTextWrapPos();
-            ImGui::EndTooltip();
-        }
+        if (!list[i].help.empty()) wrapped_tooltip(std::string(list[i].help));
         ImGui::PopID();
     }
     ImGui::EndCombo();
@@ -168,10 +163,9 @@ bool dead(Settings& settings, const SettingRef& ref) {
     return still;
 }
 
-/// The widget and its menu inside the ID scope of the row.
-bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, const NamedValues& names) {
+/// The widget and its menu inside the ID scope of the row. @param idle see dead()
+bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, const NamedValues& names, bool idle) {
     const Param& p = *ref.param;
-    const bool idle = dead(settings, ref);
     Value value = get_value(settings, ref);
     bool changed = false;
     const bool narrow = width > 0 && width < ImGui::GetFontSize() * 7;  // no room for the unit
@@ -214,7 +208,7 @@ bool setting_menu(Settings& settings, const SettingRef& ref) {
 
 bool setting_widget(Settings& settings, const SettingRef& ref, float width, const NamedValues& names) {
     ImGui::PushID(setting_key(ref).c_str());
-    const bool changed = widget_and_menu(settings, ref, width, names);
+    const bool changed = widget_and_menu(settings, ref, width, names, dead(settings, ref));
     ImGui::PopID();
     return changed;
 }
@@ -227,7 +221,6 @@ bool setting_widget(Settings& settings, std::string_view key, float width) {
 
 bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& names) {
     const Param& p = *ref.param;
-    bool changed = false;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(setting_key(ref).c_str());
@@ -246,7 +239,7 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
     ImGui::OpenPopupOnItemClick("row menu", ImGuiPopupFlags_MouseButtonRight);
     if (ImGui::IsItemHovered()) tooltip(settings, ref);
     ImGui::TableNextColumn();
-    changed |= widget_and_menu(settings, ref, 0, names);
+    const bool changed = widget_and_menu(settings, ref, 0, names, idle);
     ImGui::PopID();
     return changed;
 }

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
@@ -12,10 +13,6 @@ namespace {
 
 constexpr const char* kMore = "»";
 
-float more_width() {
-    return ImGui::CalcTextSize(kMore).x + 2 * ImGui::GetStyle().FramePadding.x;
-}
-
 }  // namespace
 
 Toolbar::Toolbar(const char* id) : id_(id), right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) {}
@@ -23,7 +20,8 @@ Toolbar::Toolbar(const char* id) : id_(id), right_(ImGui::GetCursorScreenPos().x
 bool Toolbar::fits(float width) {
     if (!waiting_.empty()) return false;
     if (!first_) ImGui::SameLine();
-    if (ImGui::GetCursorScreenPos().x + width + ImGui::GetStyle().ItemSpacing.x + more_width() > right_) return false;
+    if (ImGui::GetCursorScreenPos().x + width + ImGui::GetStyle().ItemSpacing.x + button_width(kMore) > right_)
+        return false;
     first_ = false;
     return true;
 }

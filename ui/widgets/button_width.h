@@ -1,0 +1,13 @@
+// How wide buttons are, before they are drawn.
+#pragma once
+
+#include <imgui.h>
+
+namespace si {
+
+/// Of a button with that label, pixels.
+inline float button_width(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+}  // namespace si
