@@ -63,6 +63,27 @@ TEST(Layout, ThePictureStaysWhereItIsWhateverIsChosen) {
     }
 }
 
+TEST(Layout, WhatIsNotDrawnKeepsNothingAwake) {
+    // A tab that is to be opened waits until there are tabs again.
+    Shown ui(1280, 720);
+    ui.state.tab = BottomTab::Effects;
+    ui.state.maximised = si::Panel::Scene;
+    ui.state.open_tab = BottomTab::Error;
+    ui.frames(3);
+    const EditorActions alone = ui.frame();
+    EXPECT_FALSE(alone.redraw);
+    EXPECT_TRUE(alone.at_rest);
+    EXPECT_FALSE(alone.want_timing) << "of the tab below";
+    ui.state.maximised.reset();
+    ui.frames(3);
+    EXPECT_EQ(ui.state.tab, BottomTab::Error);
+    EXPECT_TRUE(ui.frame().want_error);
+    EXPECT_FALSE(ui.frame().redraw);
+    EXPECT_FALSE(ui.state.open_tab);
+    ui.state.maximised = si::Panel::Map;
+    EXPECT_FALSE(ui.frame().want_error);
+}
+
 TEST(Layout, APanelFillsTheWindowByAKeyAndGivesItBack) {
     Shown ui(1280, 720);
     ui.move({300, 300});

@@ -136,6 +136,9 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& ac
     tab(state, BottomTab::Log, log.c_str(), [&] { draw_log(state, frame); });
     if (errors > 0) ImGui::PopStyleColor();
     if (asked == state.tab) state.open_tab.reset();
+    actions.redraw |= state.open_tab.has_value();
+    actions.want_timing = state.tab == BottomTab::Effects;
+    actions.want_error = state.tab == BottomTab::Error;
     ImGui::EndTabBar();
 }
 
@@ -304,14 +307,13 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     draw_replace_dialog(state, actions);
     ImGui::End();
 
-    actions.want_timing = state.tab == BottomTab::Effects;
-    actions.want_error = state.tab == BottomTab::Error || shows_artefacts(state.settings);
+    actions.want_error |= shows_artefacts(state.settings);
     const bool turning_wheel = ImGui::GetTime() < state.wheel_until;
     const bool gesture = ImGui::IsAnyItemActive() || state.dragging || turning_wheel;
     state.history.set_place({state.scene_name, state.guide});
     state.history.observe(state.settings, gesture || state.between_steps);
     actions.hold_cursor = state.flight.on;
-    actions.redraw = state.playback.playing || turning_wheel || state.open_tab.has_value() || state.flight.moving;
+    actions.redraw |= state.playback.playing || turning_wheel || state.flight.moving;
     actions.at_rest = !gesture && !actions.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
                       io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
     return actions;
