@@ -29,6 +29,7 @@ protected:
 
     void SetUp() override { test::expect_named_driver(); }
     void TearDown() override {
+        context.make_current();  // test::hard_renderer() has one of its own, whose objects are not this renderer's
         for (const std::string& message : renderer.take_gl_messages()) ADD_FAILURE() << "driver: " << message;
     }
     static FrameRequest small() { return {.width = 320, .height = 180}; }
