@@ -108,9 +108,9 @@ TEST(Editor, EveryOverlayAndMapView) {
     editor.settle();
     const std::size_t overlays = find_setting("view.overlay")->param->choices().size();
     for (std::size_t overlay = 0; overlay < overlays; ++overlay) {
-        for (int map = 0; map < 3; ++map) {
+        for (int map = 0; map < (overlay == 0 ? 3 : 1); ++map) {
             editor.model().state.settings.view.overlay = int(overlay);
-            editor.model().state.settings.view.map = map;
+            editor.model().state.settings.view.map = (int(overlay) + map) % 3;
             for (int i = 0; i < 3; ++i) editor.frame();
             if (editor.model().facts().result->panes.front().lacks_truth) editor.settle();
             EXPECT_EQ(editor.model().facts().overlay_values != nullptr, overlay > 0) << overlay << ", " << map;

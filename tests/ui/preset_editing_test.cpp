@@ -26,8 +26,8 @@ constexpr int kPageUp = 401, kPageDown = 402;
 EditorOptions preset_options(const std::string& scene = "boxes") {
     EditorOptions o;
     o.session.scene = scene;
-    o.width = 1280;
-    o.height = 720;
+    o.width = 800;
+    o.height = 450;
     return o;
 }
 
