@@ -21,11 +21,13 @@
 #include "app/editor/headless_editor.h"
 #include "app/editor/model.h"
 #include "renderer/base/error.h"
+#include "renderer/base/held.h"
 #include "renderer/gl/trouble.h"
 
 namespace si {
 namespace {
 
+constexpr int kStillLooks = 3;                ///< without anything to do: a person has paused
 constexpr double kPollSeconds = 0.4;          ///< between looks at shader files and blinks of a text cursor
 constexpr double kLoadingPollSeconds = 0.05;  ///< between looks at what is being read, measured or traced
 constexpr int kSettleFrames = 3;              ///< frames that ImGui takes to settle after input
@@ -84,18 +86,21 @@ std::vector<std::string> run_window(const EditorOptions& options) {
     std::string titled;
     const InterruptGuard interrupt;  // a batch system's end is an end like any other
     int due = kSettleFrames;         // frames still to draw before the editor may sleep
+    int still = 0;                   // looks in a row that found nothing to do
     while (!window.should_close() && !interrupt.asked()) {
-        if (due > 0)
+        if (due > 0) {
+            still = 0;
             window.poll_events();
-        else
-            window.wait_events(model.loading() || model.measuring() || model.tracing() ? kLoadingPollSeconds
-                                                                                       : kPollSeconds);
+        } else {
+            window.wait_events(model.busy() ? kLoadingPollSeconds : kPollSeconds);
+        }
         if (window.take_input()) due = kSettleFrames;
         for (const auto& path : window.take_dropped()) model.open(path), due = kSettleFrames;
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
         if (model.loading_moved() || model.measuring_moved() || model.tracing_moved()) due = std::max(due, 1);
         model.keep();
         const int width = window.framebuffer_width(), height = window.framebuffer_height();
+        if (due == 0 && ++still == kStillLooks && !model.busy()) give_back_free_pages();
         if (due == 0 || width == 0 || height == 0) {
             if (due > 0) window.wait_events(kPollSeconds);  // minimised
             continue;

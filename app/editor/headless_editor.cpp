@@ -108,8 +108,7 @@ void HeadlessEditor::settle() {
             model_->finish_measuring();
             frame(), frame();
         }
-    } while (model_->finish_drawing() || model_->loading() || model_->measuring() || model_->tracing() ||
-             lacks_truth(model_->facts()));
+    } while (model_->finish_drawing() || model_->busy() || lacks_truth(model_->facts()));
 }
 
 ByteImage HeadlessEditor::picture() const {

@@ -53,6 +53,8 @@ public:
     /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
     bool tracing_moved() const { return frames_.tracing_moved(); }
     void finish_tracing() const { frames_.finish_tracing(); }
+    /// Something is read, measured or traced in the background.
+    bool busy() const { return loading() || measuring() || tracing(); }
     /// The picture shown stays while the wanted one is drawn.
     bool drawing() const { return frames_.busy(); }
     /// Waits for it. Returns whether the next frame of the editor looks different.

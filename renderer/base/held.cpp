@@ -112,6 +112,12 @@ ProcessMemory process_memory() {
     return out;
 }
 
+void give_back_free_pages() {
+#if defined(__GLIBC__)
+    malloc_trim(0);
+#endif
+}
+
 MemoryFacts memory_facts() {
     MemoryFacts facts{.process = process_memory(), .holders = {}};
     HeldLedger& ledger = HeldLedger::get();

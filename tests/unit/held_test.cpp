@@ -41,6 +41,22 @@ TEST(HeldMemory, IsToldUntilItIsLetGo) {
     EXPECT_EQ(nobody.bytes(), 0u);
 }
 
+#if !defined(__SANITIZE_ADDRESS__)  // which keeps what was freed
+TEST(ProcessMemory, WhatWasFreedGoesBackToTheSystem) {
+    // Below what malloc() maps by itself, with holes that end no page from above.
+    constexpr std::size_t kBlock = 64 << 10, kBlocks = 1600;
+    std::vector<std::vector<char>> blocks, kept;
+    for (std::size_t i = 0; i < kBlocks; ++i) {
+        blocks.emplace_back(kBlock, char(i));
+        if (i % 100 == 0) kept.emplace_back(kBlock, char(i));
+    }
+    const std::uint64_t full = process_memory().resident;
+    blocks.clear();
+    give_back_free_pages();
+    EXPECT_LT(process_memory().resident + kBlock * kBlocks * 3 / 4, full);
+}
+#endif
+
 TEST(HeldMemory, ThreadsAddUp) {
     HeldMemory held("threads' bytes", 0);
     {
