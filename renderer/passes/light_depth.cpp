@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "renderer/gl/pace.h"
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
 #include "renderer/passes/map_extents.h"
@@ -54,6 +55,7 @@ SparedCasters draw_view(FrameState& f, const gl::Target& map, const FittedLight&
         t.depth = {};
     const gl::Framebuffer into = colour ? gl::make_framebuffer("shadow map", &map, &t.depth, layer)
                                         : gl::make_framebuffer("shadow map", nullptr, &map, -1, layer);
+    if (f.driver.software) gl::keep_few_under_way();
     if (!emptied) return draw_casters(f, into, &map == &t.unfiltered, light, view, info, which);
     clear_casters(f, into.id(), view.curve.convention);
     return {};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderer/frame/driver.h"
+#include "renderer/gl/pace.h"
 #include "renderer/passes/casters.h"
 #include "renderer/passes/lookup_savings.h"
 #include "renderer/passes/map_extents.h"
@@ -91,6 +92,7 @@ private:
         filled_ = 1 - filled_;
         gl::Framebuffer into = gl::make_framebuffer("moments", last ? &t_.moments : &step, nullptr,
                                                     last && t_.moments.layers > 0 ? layer_ : -1);
+        if (f_.driver.software) gl::keep_few_under_way();
         f_.begin_fullscreen_pass(into.id(), f_.map_resolution, f_.map_resolution);
         return into;
     }
