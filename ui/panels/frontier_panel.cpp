@@ -88,7 +88,7 @@ std::size_t draw_axes(EditorState& state, std::vector<std::string>& axes) {
         ImGui::SameLine();
         ImGui::SetNextItemWidth(width * 0.58f);
         const Checked c = checked(axis);
-        if (!c.problem.empty()) ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        if (!c.problem.empty()) ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
         ImGui::InputTextWithHint("##values", "1,2,4 or 1:4:0.5", &axis.values);
         if (!c.problem.empty()) ImGui::PopStyleColor();
         tooltip(c.problem.empty() ? "V1,V2,... or from:to:step (step *2 doubles); * is every choice"
@@ -224,7 +224,7 @@ void case_tooltip(const SweepFacts& facts, const MeasuredCase& c) {
 
 void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColumn& cost, const MeasuredColumn& error) {
     if (!facts.present_problem.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
         ImGui::TextWrapped("The present settings cannot be measured: %s", facts.present_problem.c_str());
         ImGui::PopStyleColor();
         return;
@@ -235,7 +235,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
         return;
     }
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
     ImGui::Text("Now %s at %s", number_text(view.present->error, error).c_str(),
                 number_text(view.present->cost, cost).c_str());
     ImGui::PopStyleColor();
@@ -264,7 +264,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
 
 void draw_state(const SweepFacts& facts, EditorActions& actions) {
     if (!facts.problem.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
         ImGui::TextWrapped("The sweep ended: %s", facts.problem.c_str());
         ImGui::PopStyleColor();
     }
@@ -318,7 +318,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
         }
         if (facts.software) {
             flow(ImGui::CalcTextSize("CPU rasteriser").x);
-            ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+            ImGui::PushStyleColor(ImGuiCol_Text, theme::warning());
             ImGui::TextUnformatted("CPU rasteriser");
             ImGui::PopStyleColor();
             tooltip(
