@@ -302,7 +302,17 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
     ImGui::SameLine();
     ImGui::TextUnformatted("over");
     ImGui::SameLine();
-    choose_column(facts, "##cost", false, state.sweep.cost);
+    const std::string across = facts.cost.empty() ? state.sweep.cost : facts.cost;
+    std::string chosen = across;
+    choose_column(facts, "##cost", false, chosen);
+    if (chosen != across) state.sweep.cost = chosen;
+    if (const MeasuredColumn* wanted = column_of(facts, state.sweep.cost); wanted && across != state.sweep.cost) {
+        const std::string text = "no " + wanted->label + (facts.running ? " yet" : "");
+        flow(ImGui::CalcTextSize(text.c_str()).x);
+        ImGui::TextDisabled("%s", text.c_str());
+        tooltip(facts.running ? "The plot goes over to it when all cases have a value"
+                              : "No case of this sweep has a value of it");
+    }
     if (facts.total > 0) {
         const std::string count =
             facts.failed > 0 ? fmt::format("{} of {} cases, {} failed", facts.cases.size(), facts.total, facts.failed)
@@ -326,7 +336,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
                 "anywhere.");
         }
     }
-    const MeasuredColumn *cost = column_of(facts, state.sweep.cost), *error = column_of(facts, state.sweep.error);
+    const MeasuredColumn *cost = column_of(facts, across), *error = column_of(facts, state.sweep.error);
     if (cost && error) {
         draw_state(facts, actions);
         draw_advice(state, facts, *cost, *error);
