@@ -251,6 +251,7 @@ void start_editor(Options& o) {
     if (!o.probe.pixel.empty())
         std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe.pixel, {e.width, e.height}, "--probe");
     e.session = o.session;
+    e.welcome = o.session.scene.empty() && o.session.preset.empty() && e.sweep.empty() && e.tab.empty();
     if (!e.headless && !o.no_state) e.state_folder = state_folder();
     if (o.no_state) light_maps().keep_in({});
     if (lower_extension(o.session.preset) == ".json") e.preset = o.session.preset;

@@ -11,6 +11,7 @@
 
 #include "app/context/x11_errors.h"
 #include "renderer/base/error.h"
+#include "ui/state/editor_ui.h"
 
 namespace si {
 namespace {
@@ -59,6 +60,10 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
             fmt::format("no window: glfwCreateWindow (OpenGL 4.5 core) failed ({}); the driver may be too old; {}",
                         reason, kHeadlessHint));
     }
+    float scale_x = 1, scale_y = 1;
+    glfwGetWindowContentScale(window_, &scale_x, &scale_y);
+    glfwSetWindowSizeLimits(window_, int(kLeastWidth * scale_x), int(kLeastHeight * scale_y), GLFW_DONT_CARE,
+                            GLFW_DONT_CARE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, GLFW_FALSE);
     beside_ = glfwCreateWindow(16, 16, title.c_str(), nullptr, window_);

@@ -24,6 +24,7 @@ struct EditorOptions {
     int probe_x = -1, probe_y = -1;  ///< pixel of the scene picture probed at the start; negative: none
     std::string tab;                 ///< of the strip below, in front at the start; empty: effects
     std::filesystem::path sweep;     ///< folder of a sweep to show; may be empty
+    bool welcome = false;            ///< nothing was asked for: a person who is new here is welcomed
     bool check_numeric = false;      ///< search every picture of the scene; run_editor() throws at the end
     std::filesystem::path report;    ///< see SessionReport; empty: none is written
     /// A headless editor draws its frames on a thread of their own, as a window does, and waits so long for each

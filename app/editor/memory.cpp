@@ -41,6 +41,10 @@ void EditorMemory::note_preset(const std::string& path) {
     workspace_.change([&](WorkspaceData& d) { put_first(d.recent_presets, whole_path(path)); });
 }
 
+void EditorMemory::note_welcome() {
+    if (!workspace().welcomed) workspace_.change([](WorkspaceData& d) { d.welcomed = true; });
+}
+
 void EditorMemory::drop(const std::string& path) {
     workspace_.change([&](WorkspaceData& d) {
         std::erase(d.recent_scenes, path);

@@ -19,6 +19,7 @@ public:
     /// A file was opened or saved.
     void note_scene(const std::string& path);
     void note_preset(const std::string& path);
+    void note_welcome();
     /// A file is not there any more.
     void drop(const std::string& path);
     /// The window's size in screen coordinates at scale 1, kept while it is not maximised.

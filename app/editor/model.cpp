@@ -45,6 +45,8 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
     SessionPlan plan = plan_session(options.session);
     scenes_.begin(plan.settings);
     state.layout = memory_.workspace().layout;
+    state.show_welcome = options.welcome && !options.headless && !options.state_folder.empty() &&
+                         !memory_.workspace().welcomed && !memory_.lost();
     if (!options.preset.empty()) state.preset_path = options.preset.string();
     if (options.probe_x >= 0 && options.probe_y >= 0) {
         state.probe_pixel = glm::ivec2(options.probe_x, options.probe_y);
@@ -117,6 +119,7 @@ bool EditorModel::fulfil(const EditorActions& asked) {
     EditorActions actions = asked;
     actions.search_all = check_numeric_;
     session_.note_frame();
+    if (actions.welcomed) memory_.note_welcome();
     follow_memory(actions.want_memory);
     bool changed = frames_.poll();
     // What is being drawn stays as it is meanwhile.

@@ -9,6 +9,7 @@
 #include "app/session/command_line.h"
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"
+#include "ui/state/selection.h"
 
 namespace si {
 namespace {
@@ -156,7 +157,8 @@ void SceneDesk::show_scene(Scene loaded, const Arrival& arrival) {
         notes_ = notes;
     } else {
         state_.probe_pixel.reset();
-        state_.selected_object.clear();
+        select_objects(state_, {});
+        state_.closed_nodes.clear();
         state_.camera_before_light.reset();
         state_.frozen.reset();
         state_.map_window = {};

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/session/command_line.h"
@@ -48,6 +49,22 @@ fs::path folder_for(const fs::path& parent, const SweepSpec& spec, const SweepPl
     throw Error(problem);
 }
 
+/// The column that can be shown across: the chosen one while cases have values there, of a running sweep all of them,
+/// so that the plot does not change from dot to dot; else the first cost that they have.
+std::string shown_cost(const SweepFacts& facts, const std::string& chosen) {
+    const auto known = [&](std::size_t column, bool of_all) {
+        std::size_t cases = 0, have = 0;
+        for (const MeasuredCase& c : facts.cases)
+            if (c.failed.empty()) ++cases, have += column < c.values.size() && std::isfinite(c.values[column]);
+        return of_all ? cases > 0 && have == cases : have > 0;
+    };
+    for (std::size_t i = 0; i < facts.columns.size(); ++i)
+        if (facts.columns[i].key == chosen && known(i, facts.running)) return chosen;
+    for (std::size_t i = 0; i < facts.columns.size(); ++i)
+        if (!facts.columns[i].error && known(i, true)) return facts.columns[i].key;
+    return chosen;
+}
+
 /// Without what has no effect and what a person looks with.
 Settings comparable(const Settings& settings) {
     return without_idle(measured_settings(settings));
@@ -65,6 +82,7 @@ EditorSweep::EditorSweep(const fs::path& state_folder)
 
 EditorSweep::~EditorSweep() {
     thread_.reset();
+    drop_empty();
     std::error_code error;
     if (temporary_) fs::remove_all(parent_, error);
 }
@@ -89,7 +107,11 @@ void EditorSweep::start(const Scene& scene, const std::string& scene_name, const
     RunningSweep::Of of{.sessions = CaseSessions(session_plan(scene_name, scene, measured))};
     of.spec = sweep_spec(scene_name, scene, measured, std::move(axes), wish.width, wish.height);
     of.plan = plan_sweep(of.spec.base, of.spec.axes);
+    std::set<fs::path> there;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(parent_, error)) there.insert(entry.path());
     of.folder = folder_for(parent_, of.spec, of.plan);
+    if (!there.count(of.folder)) made_.insert(of.folder);
     of.timing.cost = wish.timed;
     show(of.spec, of.plan, of.folder);
     swept_cost_ = wish.timed;
@@ -103,6 +125,22 @@ void EditorSweep::show(const SweepSpec& spec, const SweepPlan& plan, const fs::p
     results_.reset();
     facts_.problem.clear();
     fresh_ = true;
+}
+
+void EditorSweep::drop_empty() {
+    std::erase_if(made_, [](const fs::path& folder) {
+        try {
+            if (has_journal(folder)) {
+                const auto cases = read_journal(folder).cases;
+                if (std::ranges::any_of(cases, [](const auto& c) { return c.second.finished; })) return true;
+            }
+            forget_sweep(folder);
+            fs::remove(folder);  // fails when something else is in it, which then stays
+            return true;
+        } catch (const std::exception&) {
+            return false;
+        }
+    });
 }
 
 void EditorSweep::cancel() {
@@ -187,6 +225,7 @@ void EditorSweep::take_news() {
     opened_ = false;
     seen_sweep_ = news.sweep;
     if (news.results) results_ = std::move(news.results);
+    if (!news.sweeping) drop_empty();
     facts_.running = news.sweeping;
     facts_.timing = news.progress.timing;
     facts_.problem = news.sweep_problem;
@@ -241,8 +280,9 @@ bool EditorSweep::update(const EditorState& state) {
         facts_.present.reset();
         if (present_ && followed_) facts_.present = measured_case(*present_);
     }
+    facts_.cost = shown_cost(facts_, state.sweep.cost);
     facts_.view = frontier_view(results_ ? results_->rows : std::vector<SweepRow>{},
-                                present_ && followed_ ? &*present_ : nullptr, state.sweep.cost, state.sweep.error);
+                                present_ && followed_ ? &*present_ : nullptr, facts_.cost, state.sweep.error);
     seen_cost_ = state.sweep.cost, seen_error_ = state.sweep.error;
     fresh_ = false;
     return true;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "app/sweep/measuring_thread.h"
@@ -56,10 +57,13 @@ private:
     void show(const SweepSpec& spec, const SweepPlan& plan, const std::filesystem::path& folder);
     void take_news();
     void compare_settings(const EditorState& state);
+    /// Removes folders that this run made and in which no case was finished; ones still in use stay for later.
+    void drop_empty();
 
     std::filesystem::path parent_;
     bool temporary_ = false;
-    std::shared_ptr<const Scene> scene_;  ///< the last one that was handed over
+    std::set<std::filesystem::path> made_;  ///< by this run
+    std::shared_ptr<const Scene> scene_;    ///< the last one that was handed over
     std::optional<MeasuringThread::Picture> followed_;
     std::unique_ptr<const Shown> shown_;
     std::optional<SweepResults> results_;

@@ -60,12 +60,14 @@ WorkspaceData from_json(const Json& json) {
     int place = int(d.layout.map_place);
     take(layout, "map_place", place, 0, int(MapSpot::Hidden));
     d.layout.map_place = MapSpot(place);
+    d.layout.light_theme = layout.value("light_theme", Json()) == Json(true);
     d.layout.map_plots = layout.value("map_plots", Json()) != Json(false);
     const Json& window = part("window");
     take(window, "width", d.window_width, 200, 32768);
     take(window, "height", d.window_height, 150, 32768);
     if (d.window_width == 0 || d.window_height == 0) d.window_width = d.window_height = 0;
     d.maximised = window.value("maximised", Json()) == Json(true);
+    d.welcomed = json.value("welcomed", Json()) == Json(true);
     take(json, "recent_scenes", d.recent_scenes);
     take(json, "recent_presets", d.recent_presets);
     return d;
@@ -81,8 +83,10 @@ std::string to_text(const WorkspaceData& d) {
                       {"map_height", d.layout.map_height},
                       {"map_inset", d.layout.map_inset},
                       {"map_place", int(d.layout.map_place)},
-                      {"map_plots", d.layout.map_plots}}},
+                      {"map_plots", d.layout.map_plots},
+                      {"light_theme", d.layout.light_theme}}},
                     {"window", {{"width", d.window_width}, {"height", d.window_height}, {"maximised", d.maximised}}},
+                    {"welcomed", d.welcomed},
                     {"recent_scenes", d.recent_scenes},
                     {"recent_presets", d.recent_presets}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -15,6 +15,7 @@ struct WorkspaceData {
     EditorLayout layout;
     int window_width = 0, window_height = 0;  ///< screen coordinates at scale 1; 0: never kept
     bool maximised = false;
+    bool welcomed = false;                                   ///< the welcome was shown
     std::vector<std::string> recent_scenes, recent_presets;  ///< absolute paths, the newest first
     bool operator==(const WorkspaceData&) const = default;
 };

@@ -158,6 +158,9 @@ constexpr auto kCount = std::to_array<Param>({
 constexpr auto kLight = with_scope(
     std::to_array<Param>({
         {SI_LIGHT_FIELD(type), .label = "Type", .unit = "", SI_CHOICES(kTypes), .help = "The kind of light."},
+        {SI_LIGHT_FIELD(on), .label = "On", .unit = "",
+         .help = "Whether the light shines. Off: no map is drawn for it, and it keeps its settings.",
+         .also = "enabled, visible, mute, solo"},
         {SI_LIGHT_FIELD(azimuth), .label = "Azimuth", .unit = "deg", .min = -360, .max = 360,
          .help = "Where the light stands as seen from its target, about the vertical axis: 0 is +z, 90 is +x."},
         {SI_LIGHT_FIELD(elevation), .label = "Elevation", .unit = "deg", .min = -90, .max = 90,

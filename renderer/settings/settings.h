@@ -157,6 +157,7 @@ int default_fit();
 
 struct LightSettings {
     int type = 0;  ///< LightType
+    bool on = true;
     double azimuth = -40, elevation = 45;
     double distance = 0;
     double target_x = 0, target_y = 0, target_z = 0;

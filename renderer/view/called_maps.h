@@ -18,7 +18,8 @@
 namespace si {
 
 /// Why a black light counts for nothing.
-inline constexpr const char* kBringsNothing = "the light brings nothing: its colour or its intensity is 0";
+inline constexpr const char* kBringsNothing =
+    "the light brings nothing: it is off, or its colour or its intensity is 0";
 
 /// Whether some of the light may arrive among points, whatever stands between.
 bool arrives_at(const FittedLight& light, std::span<const glm::dvec3> points);

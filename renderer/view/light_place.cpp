@@ -55,12 +55,16 @@ double automatic_distance(const PlacedLight& light, const LightSettings& s, doub
     return 1.5 * radius;
 }
 
+double intensity_of(const LightSettings& s) {
+    return s.on ? positive_or(s.intensity, 0) : 0;
+}
+
 PlacedLight place(const LightSettings& s, const SceneShape& shape) {
     PlacedLight light;
     light.type = LightType(std::clamp(s.type, 0, 2));
     light.to_light = direction_from_angles(finite_or(s.azimuth, -40), finite_or(s.elevation, 45));
-    light.radiance = positive_or(s.intensity, 0) *
-                     glm::dvec3(positive_or(s.red, 0), positive_or(s.green, 0), positive_or(s.blue, 0));
+    light.radiance =
+        intensity_of(s) * glm::dvec3(positive_or(s.red, 0), positive_or(s.green, 0), positive_or(s.blue, 0));
     light.target =
         shape.centre + glm::dvec3(finite_or(s.target_x, 0), finite_or(s.target_y, 0), finite_or(s.target_z, 0));
     light.range_m = range_of(s);
@@ -79,8 +83,7 @@ void normalise_punctual(std::vector<PlacedLight>& lights, const Settings& settin
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (lights[i].type == LightType::Directional) continue;
         const double d = std::max(glm::distance(lights[i].position, shape.centre), 0.25 * shape.radius);
-        const double intensity = positive_or(settings.lights[i].intensity, 0);
-        brightest = std::max(brightest, intensity / (d * d));
+        brightest = std::max(brightest, intensity_of(settings.lights[i]) / (d * d));
     }
     if (!(brightest > 0)) return;
     for (PlacedLight& light : lights)

@@ -113,6 +113,48 @@ TEST(EditorSweep, CancelledItGoesOnWhereItWas) {
     EXPECT_FALSE(fs::exists(state / "sweep-2"));
 }
 
+TEST(EditorSweep, CancelledBeforeItFoundAnythingItLeavesNothing) {
+    const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "sweep_left";
+    fs::remove_all(state);
+    fs::create_directories(state / "sweep-1");  // somebody else's
+    Swept s(boxes(state));
+    s.ask([](EditorActions& a) { a.start_sweep = kWish, a.cancel_sweep = true; });
+    s.editor.settle();
+    EXPECT_TRUE(fs::exists(state / "sweep-1"));
+    fs::remove(state / "sweep-1");
+    s.ask([](EditorActions& a) { a.start_sweep = kWish, a.cancel_sweep = true; });
+    s.editor.settle();
+    EXPECT_FALSE(fs::exists(state / "sweep-1"));
+}
+
+TEST(EditorSweep, WithoutTimesItsCasesStandOverWhatTheyHave) {
+    const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "sweep_without_times";
+    fs::remove_all(state);
+    Swept s(boxes(state));
+    SweepWish wish = kWish;
+    wish.axes = {"filter.kernel=hard,hw2x2,pcf3,pcf5", "map.resolution=64:2048:*2", "bias.slope=0,1,2"};
+    s.ask([&](EditorActions& a) { a.start_sweep = wish; });
+    const std::string chosen = s.state().sweep.cost;
+    ASSERT_EQ(chosen, "time.total_ms.median");
+    const auto wait_for_cases = [&] {
+        for (int i = 0; i < 20000 && s.facts().cases.empty(); ++i) {
+            if (s.editor.model().measuring_moved()) s.editor.frame();
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+    };
+    wait_for_cases();
+    ASSERT_FALSE(s.facts().cases.empty());
+    ASSERT_FALSE(s.facts().timing) << "too fast for this test";
+    EXPECT_EQ(s.facts().view.marks.size(), s.facts().cases.size()) << "shown as they come";
+    EXPECT_NE(s.facts().cost, chosen);
+    s.ask([](EditorActions& a) { a.cancel_sweep = true; });
+    s.editor.settle();
+    EXPECT_FALSE(s.facts().running);
+    EXPECT_EQ(s.facts().view.marks.size(), s.facts().cases.size());
+    EXPECT_EQ(s.state().sweep.cost, chosen) << "it is still what is wanted";
+    EXPECT_TRUE(fs::exists(state / "sweep-1")) << "what was found is worth keeping";
+}
+
 TEST(EditorSweep, SavedAndOpenedItIsTheSame) {
     const fs::path folder = fresh_test_folder();
     {

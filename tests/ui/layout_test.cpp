@@ -167,5 +167,59 @@ TEST(Layout, ASecondMenuOpensAtOnce) {
     EXPECT_TRUE(open("file"));
 }
 
+TEST(Layout, WhatHasNoRoomInTheTopBarWaitsInAMenu) {
+    Shown ui(640, 400);
+    EXPECT_TRUE(ui.find("editor/top", "", "Help"));
+    EXPECT_TRUE(ui.find("editor/top", "", "View"));
+    EXPECT_FALSE(ui.find("editor/top", "", "Save"));
+    const auto more = ui.find("editor/top", "top bar", "»");
+    ASSERT_TRUE(more);
+    ui.click(*more);
+    for (const char* label : {"Undo", "Steps", "Compare", "Save"}) EXPECT_TRUE(ui.find("##Popup", "", label)) << label;
+    const auto save = ui.find("##Popup", "", "Save");
+    ASSERT_TRUE(save);
+    ui.move(*save);
+    ui.frames(2);
+    ui.press(true);
+    ui.frame();
+    ui.press(false);
+    EXPECT_TRUE(ui.frame().save_preset);
+}
+
+TEST(Layout, AWindowSmallerThanItsLeastSizeScrolls) {
+    Shown ui(400, 300);
+    const ImGuiWindow* window = ImGui::FindWindowByName("editor");
+    ASSERT_TRUE(window);
+    EXPECT_GE(window->ScrollMax.x, kLeastWidth - 400);
+    EXPECT_GE(window->ScrollMax.y, kLeastHeight - 300);
+}
+
+TEST(Layout, AWindowOfItsLeastSizeNeedsNoScrolling) {
+    Shown ui{int(kLeastWidth), int(kLeastHeight)};
+    const ImGuiWindow* window = ImGui::FindWindowByName("editor");
+    ASSERT_TRUE(window);
+    EXPECT_EQ(window->ScrollMax.x, 0);
+    EXPECT_EQ(window->ScrollMax.y, 0);
+}
+
+TEST(Layout, TheViewMenuChangesTheTheme) {
+    Shown ui(1280, 720);
+    const auto choose = [&](const char* item) {
+        const auto view = ui.find("editor/top", "", "View");
+        ASSERT_TRUE(view);
+        ui.click(*view);
+        const auto at = ui.find("##Popup", "", item);
+        ASSERT_TRUE(at);
+        ui.click(*at);
+        ui.frames(2);
+    };
+    const float dark = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg).x;
+    choose("Light theme");
+    EXPECT_TRUE(ui.state.layout.light_theme);
+    EXPECT_GT(ImGui::GetStyleColorVec4(ImGuiCol_WindowBg).x, dark + 0.5f);
+    choose("Dark theme");
+    EXPECT_EQ(ImGui::GetStyleColorVec4(ImGuiCol_WindowBg).x, dark);
+}
+
 }  // namespace
 }  // namespace si::test

@@ -2,6 +2,11 @@
 #include "ui/state/light_list.h"
 
 #include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <cmath>
+#include <functional>
 
 #include "tests/ui/ui_harness.h"
 
@@ -64,6 +69,95 @@ TEST(LightList, MovesAsFarAsThereAreLights) {
     move_light(s, 2, -9);
     EXPECT_EQ(azimuths(s), (std::vector<double>{10, 20, 30, 40}));
     EXPECT_EQ(s.view.light, 0);
+}
+
+TEST(LightList, AddedOnesStandApartFromAllOthers) {
+    Settings s;
+    s.light_count = 1;
+    for (int i = 0; i < 5; ++i) s.view.light = 0, add_light(s);
+    for (int a = 0; a < s.light_count; ++a)
+        for (int b = 0; b < a; ++b)
+            EXPECT_GE(
+                std::abs(std::remainder(s.lights[std::size_t(a)].azimuth - s.lights[std::size_t(b)].azimuth, 360)), 30)
+                << a << " and " << b;
+}
+
+TEST(LightList, SoloSwitchesTheOthersOffAndOnAgain) {
+    Settings s = with_lights(3);
+    const Settings all = s;
+    solo_light(s, 1);
+    EXPECT_TRUE(is_solo(s, 1));
+    EXPECT_FALSE(s.lights[0].on || s.lights[2].on);
+    solo_light(s, 2);
+    EXPECT_TRUE(is_solo(s, 2));
+    solo_light(s, 2);
+    EXPECT_EQ(s, all);
+    solo_light(s, 3);
+    EXPECT_EQ(s, all) << "there is no such light";
+}
+
+/// The ID of a widget in a light's line, below the window's.
+auto in_line(int light, const char* label, const char* within = nullptr) {
+    return [=](ImGuiID id) {
+        id = ImHashStr("lights", 0, ImHashStr("light", 0, id));  // the table
+        id = ImHashData(&light, sizeof light, id);
+        return ImHashStr(label, 0, within ? ImHashStr(within, 0, id) : id);
+    };
+}
+
+class LightTable : public testing::Test {
+protected:
+    LightTable() {
+        ui.state.settings.light_count = 3;
+        ui.state.search = "intensity";  // the group alone
+        ui.frames(2);
+    }
+    void click(const std::function<unsigned(unsigned)>& id) {
+        const auto at = ui.find("rows", id);
+        ASSERT_TRUE(at);
+        ui.click(*at);
+    }
+    const LightSettings& light(int i) const { return ui.state.settings.lights[std::size_t(i)]; }
+    UiHarness ui{700, 600};
+};
+
+TEST_F(LightTable, ChooseSwitchAndSolo) {
+    click(in_line(2, "2 Directional###shown"));
+    EXPECT_EQ(ui.state.settings.view.light, 2);
+    click(in_line(1, "##on"));
+    EXPECT_FALSE(light(1).on);
+    click(in_line(0, "Solo"));
+    EXPECT_TRUE(is_solo(ui.state.settings, 0));
+    click(in_line(0, "Solo"));
+    EXPECT_TRUE(light(0).on && light(1).on && light(2).on);
+    ui.state.history.undo();
+    EXPECT_TRUE(ui.state.history.can_undo()) << "each click is a step";
+}
+
+TEST_F(LightTable, ASwatchOpensAColourToChoose) {
+    click(in_line(1, "##ColorButton", "##colour"));
+    EXPECT_TRUE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
+    const auto square = ui.find("##Popup", [](ImGuiID id) { return ImHashStr("sv", 0, ImHashStr("##picker", 0, id)); });
+    ASSERT_TRUE(square);
+    ui.click(*square);  // near its corner: white, saturation 0
+    const glm::vec2 far = *square + glm::vec2(60, 60);
+    ui.click(far);
+    EXPECT_LT(light(1).green, 0.9);
+    EXPECT_EQ(light(0).green, 1);
+}
+
+TEST_F(LightTable, TheCubesCrossChoosesAFace) {
+    ui.state.settings.lights[0].type = int(LightType::Point);
+    ui.frames(2);
+    const auto face = [](const char* mark) {
+        return [mark](ImGuiID id) { return ImHashStr(mark, 0, ImHashStr("cube", 0, ImHashStr("light", 0, id))); };
+    };
+    for (const auto& [mark, number] : {std::pair{"-x", 1}, {"+y", 2}, {"-z", 5}}) {
+        click(face(mark));
+        EXPECT_EQ(ui.state.settings.view.face, number);
+    }
+    ui.state.settings.lights[0].type = int(LightType::Spot);
+    EXPECT_FALSE(ui.find("rows", face("-x"))) << "one map has no faces";
 }
 
 TEST(LightList, EachChangeIsOneStepOfUndo) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -45,6 +46,87 @@ TEST(Theme, ColoursOfShadersArriveUnchanged) {
     EXPECT_GT(lab(theme::colour(shared::DIVERGING_MIDDLE)).x, lab(theme::colour(shared::DIVERGING_HIGH)).x + 30);
     EXPECT_GT(lab(theme::colour(shared::DIVERGING_MIDDLE)).x, lab(theme::colour(shared::DIVERGING_LOW)).x + 30);
 }
+
+/// Relative luminance (WCAG 2.2).
+double luminance(const glm::dvec3& rgb) {
+    const auto part = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+    return glm::dot(glm::dvec3(part(rgb.r), part(rgb.g), part(rgb.b)), {0.2126, 0.7152, 0.0722});
+}
+
+double contrast(const glm::dvec3& a, const glm::dvec3& b) {
+    const double x = luminance(a), y = luminance(b);
+    return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+/// A colour over an opaque one, as they are blended: not linear. @param alpha of all that is drawn
+glm::dvec3 over(const ImVec4& colour, const glm::dvec3& ground, double alpha = 1) {
+    return glm::mix(ground, glm::dvec3(colour.x, colour.y, colour.z), colour.w * alpha);
+}
+glm::dvec3 over(ImU32 colour, const glm::dvec3& ground) {
+    return over(ImGui::ColorConvertU32ToFloat4(colour), ground);
+}
+
+class ThemeContrast : public testing::TestWithParam<bool> {
+protected:
+    ThemeContrast() {
+        ImGui::CreateContext();
+        theme::apply(1);
+        theme::use(GetParam());
+    }
+    ~ThemeContrast() override {
+        theme::use(false);
+        ImGui::DestroyContext();
+    }
+    static void expect(const std::string& what, const glm::dvec3& text, const glm::dvec3& ground) {
+        EXPECT_GE(contrast(text, ground), 4.5) << what;
+    }
+};
+
+TEST_P(ThemeContrast, TextReadsOnItsGrounds) {
+    const theme::Colours& c = theme::colours();
+    const glm::dvec3 none(0), panel = over(c.panel, none);
+    const std::map<std::string, ImU32> texts = {
+        {"text", c.text}, {"muted", c.muted}, {"accent", c.accent}, {"error", c.error}, {"warning", c.warning}};
+    const std::map<std::string, ImU32> grounds = {
+        {"panel", c.panel}, {"popup", c.popup}, {"title", c.title}, {"well", c.well}, {"note", c.note}};
+    for (const auto& [text, colour] : texts)
+        for (const auto& [ground, under] : grounds)
+            expect(text + " on " + ground, over(colour, none), over(under, panel));
+    expect("faint on panel", over(c.faint, none), panel);
+    expect("text on a progress bar", over(c.text, none), over(c.done, none));
+}
+
+TEST_P(ThemeContrast, WidgetsReadInAllStates) {
+    const ImVec4* c = ImGui::GetStyle().Colors;
+    const theme::Colours& t = theme::colours();
+    const glm::dvec3 panel = over(t.panel, glm::dvec3(0));
+    for (const ImGuiCol state :
+         {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive, ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered,
+          ImGuiCol_FrameBgActive, ImGuiCol_Header, ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive, ImGuiCol_Tab,
+          ImGuiCol_TabHovered, ImGuiCol_TabActive, ImGuiCol_TableHeaderBg, ImGuiCol_TextSelectedBg, ImGuiCol_PopupBg,
+          ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
+        expect(ImGui::GetStyleColorName(state), over(c[ImGuiCol_Text], panel), over(c[state], panel));
+    // Pressed switches and changed values.
+    expect("accent on a pressed button", over(t.accent, panel), over(c[ImGuiCol_ButtonActive], panel));
+    const double faded = ImGui::GetStyle().DisabledAlpha;
+    for (const ImGuiCol state : {ImGuiCol_Button, ImGuiCol_FrameBg}) {
+        const glm::dvec3 ground = over(c[state], panel, faded);
+        expect(std::string("disabled ") + ImGui::GetStyleColorName(state), over(c[ImGuiCol_Text], ground, faded),
+               ground);
+    }
+}
+
+TEST_P(ThemeContrast, LabelsReadOnAnyPicture) {
+    for (const double picture : {0.0, 1.0})
+        for (const ImU32 label :
+             {theme::kOnPicture, theme::kMutedOnPicture, theme::kWarningOnPicture, theme::kLight, theme::kFrozen}) {
+            const glm::dvec3 ground = over(theme::kVeil, glm::dvec3(picture));
+            expect("on a picture", over(label, ground), ground);
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(, ThemeContrast, testing::Values(false, true),
+                         [](const auto& info) { return info.param ? "Light" : "Dark"; });
 
 }  // namespace
 }  // namespace si

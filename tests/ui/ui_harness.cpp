@@ -179,19 +179,25 @@ void UiHarness::type(const std::string& text) {
 
 std::optional<glm::vec2> UiHarness::find(const std::string& window, const std::string& group,
                                          const std::string& label) {
+    return find(window, [&](ImGuiID seed) {
+        if (!group.empty()) seed = ImHashData(group.data(), group.size(), seed);
+        return ImHashStr(label.c_str(), 0, seed);
+    });
+}
+
+std::optional<glm::vec2> UiHarness::find(const std::string& window, const std::function<unsigned(unsigned)>& id) {
     frames(2);
     std::vector<std::pair<ImGuiID, ImRect>> wanted;
     for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
         if (!w->WasActive || std::string(w->Name).find(window) == std::string::npos) continue;
-        const ImGuiID seed = group.empty() ? w->ID : ImHashData(group.data(), group.size(), w->ID);
-        wanted.emplace_back(ImHashStr(label.c_str(), 0, seed), w->InnerClipRect);
+        wanted.emplace_back(id(w->ID), w->InnerClipRect);
     }
-    for (const auto& [id, rect] : wanted)
+    for (const auto& [wished, rect] : wanted)
         for (float y = rect.Min.y + 3; y < rect.Max.y; y += 7)
             for (float x = rect.Min.x + 5; x < rect.Max.x; x += 16) {
                 move({x, y});
                 frame();
-                if (hovered() == id) return glm::vec2(x, y);
+                if (hovered() == wished) return glm::vec2(x, y);
             }
     return {};
 }

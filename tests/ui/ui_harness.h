@@ -2,6 +2,7 @@
 // witness.
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -71,6 +72,8 @@ public:
     /// The middle of the widget called `label` below the ID `group` (empty: none) of a window whose name holds
     /// `window`; found by moving the mouse. Nothing when it is not on the screen.
     std::optional<glm::vec2> find(const std::string& window, const std::string& group, const std::string& label);
+    /// Likewise of a widget deeper in a window: `id` makes its ID of the window's.
+    std::optional<glm::vec2> find(const std::string& window, const std::function<unsigned(unsigned)>& id);
     /// The ID under the mouse, 0 for none.
     unsigned hovered() const;
     int width() const { return width_; }

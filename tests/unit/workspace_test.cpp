@@ -21,15 +21,24 @@ TEST(Workspace, RemembersLayoutWindowAndRecentFiles) {
         Workspace w(folder);
         EXPECT_EQ(w.data(), WorkspaceData{});
         w.change([](WorkspaceData& d) {
-            d.layout = {.settings_width = 30, .bottom_height = 12.5f, .map_share = 0.25f, .map_plots = false};
+            d.layout = {.settings_width = 30,
+                        .bottom_height = 12.5f,
+                        .map_share = 0.25f,
+                        .map_plots = false,
+                        .light_theme = true};
+            d.welcomed = true;
             d.window_width = 1400, d.window_height = 800, d.maximised = true;
             put_first(d.recent_scenes, "/a/b.glb");
             put_first(d.recent_presets, "/a/\xc3\xa4 \"p\".json");
         });
     }
     const Workspace again(folder);
-    EXPECT_EQ(again.data().layout,
-              (EditorLayout{.settings_width = 30, .bottom_height = 12.5f, .map_share = 0.25f, .map_plots = false}));
+    EXPECT_EQ(again.data().layout, (EditorLayout{.settings_width = 30,
+                                                 .bottom_height = 12.5f,
+                                                 .map_share = 0.25f,
+                                                 .map_plots = false,
+                                                 .light_theme = true}));
+    EXPECT_TRUE(again.data().welcomed);
     EXPECT_EQ(again.data().window_width, 1400);
     EXPECT_EQ(again.data().window_height, 800);
     EXPECT_TRUE(again.data().maximised);

@@ -15,7 +15,6 @@ namespace {
 
 const ImU32 kNearBand = theme::colour(shared::BAND_NEAR), kMiddleBand = theme::colour(shared::BAND_MIDDLE),
             kFarBand = theme::colour(shared::BAND_FAR);
-constexpr ImU32 kBar = IM_COL32(168, 168, 166, 255);
 constexpr float kMarker = 0.36f;  ///< half a marker's width, ems; it is half as tall again
 
 /// The plot's frame and its title; returns the area inside, in which the plot is drawn.
@@ -23,11 +22,11 @@ constexpr float kMarker = 0.36f;  ///< half a marker's width, ems; it is half as
 std::pair<ImVec2, ImVec2> frame_of_plot(ImVec2 size, const std::string& title, float below = 0) {
     const ImVec2 lo = ImGui::GetCursorScreenPos(), hi(lo.x + size.x, lo.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(lo, hi, theme::kWell);
+    list.AddRectFilled(lo, hi, theme::well());
     ImFont* font = theme::small();
     const float em = ImGui::GetFontSize();
     list.PushClipRect(lo, hi, true);
-    list.AddText(font, font->FontSize, {lo.x + em * 0.4f, lo.y + em * 0.15f}, theme::kMuted, title.c_str());
+    list.AddText(font, font->FontSize, {lo.x + em * 0.4f, lo.y + em * 0.15f}, theme::muted(), title.c_str());
     list.PopClipRect();
     const float head = font->FontSize * 1.35f, foot = font->FontSize * 1.2f + below;
     return {{lo.x + em * 0.5f, lo.y + head}, {hi.x - em * 0.5f, hi.y - foot}};
@@ -53,7 +52,7 @@ bool marker(const char* id, ImVec2 lo, ImVec2 hi, const DepthHistogram& h, doubl
     list.AddLine({x, lo.y}, {x, hi.y}, colour, em * 0.08f);
     const float half = em * kMarker;
     list.AddTriangleFilled({x, hi.y}, {x + half, hi.y + half * 1.5f}, {x - half, hi.y + half * 1.5f}, colour);
-    list.AddTriangle({x, hi.y}, {x + half, hi.y + half * 1.5f}, {x - half, hi.y + half * 1.5f}, theme::kMuted);
+    list.AddTriangle({x, hi.y}, {x + half, hi.y + half * 1.5f}, {x - half, hi.y + half * 1.5f}, theme::muted());
     const ImVec2 back = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({x - em * 0.5f, lo.y});
     ImGui::InvisibleButton(id, {em, hi.y - lo.y + half * 1.5f});
@@ -101,7 +100,7 @@ void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
     const auto [lo, hi] = frame_of_plot(size, fmt::format("Histogram of {}", unit), markers);
     if (frame.result && frame.result->shown_map.channel > 0)
         small_text({0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y)}, "of depths only: set the channel to depth",
-                   theme::kMuted, 0.5f);
+                   theme::muted(), 0.5f);
     if (frame.result && frame.map_facts && hi.x > lo.x + 8 && hi.y > lo.y + 8) {
         const DepthHistogram& h = frame.map_facts->histogram;
         std::uint64_t most = 1;
@@ -115,14 +114,14 @@ void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
             const double middle = h.lo + (h.hi - h.lo) * (double(i) + 0.5) / double(h.counts.size());
             const float x = lo.x + float(i) * step;
             list.AddRectFilled({x, hi.y - tall}, {x + std::max(step, 1.0f), hi.y},
-                               bands ? band_colour(v, middle) : kBar);
+                               bands ? band_colour(v, middle) : theme::colours().bar);
         }
-        list.AddLine({lo.x, hi.y}, {hi.x, hi.y}, theme::kLine);
+        list.AddLine({lo.x, hi.y}, {hi.x, hi.y}, theme::line());
         if (frame.map_facts->statistics.drawn == 0)
-            small_text({0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y)}, "nothing drawn", theme::kMuted, 0.5f);
+            small_text({0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y)}, "nothing drawn", theme::muted(), 0.5f);
         drag_ends(state, *frame.result, h, lo, hi);
-        small_text({lo.x, hi.y + markers}, fmt::format("{:.3g}", h.lo), theme::kMuted, 0);
-        small_text({hi.x, hi.y + markers}, fmt::format("{:.3g}", h.hi), theme::kMuted, 1);
+        small_text({lo.x, hi.y + markers}, fmt::format("{:.3g}", h.lo), theme::muted(), 0);
+        small_text({hi.x, hi.y + markers}, fmt::format("{:.3g}", h.hi), theme::muted(), 1);
     }
     ImGui::SetCursorScreenPos(corner);
     ImGui::Dummy(size);
@@ -143,8 +142,8 @@ void draw_depth_curve(const EditorState& state, const FrameResult& result, std::
             const double share = (metres - curve.near) / (curve.far - curve.near);
             return ImVec2(lo.x + float(share) * (hi.x - lo.x), hi.y - float(curve.depth(metres)) * (hi.y - lo.y));
         };
-        list.AddLine({lo.x, hi.y}, {hi.x, hi.y}, theme::kLine);
-        list.AddLine(lo, {lo.x, hi.y}, theme::kLine);
+        list.AddLine({lo.x, hi.y}, {hi.x, hi.y}, theme::line());
+        list.AddLine(lo, {lo.x, hi.y}, theme::line());
         const ViewSettings& v = state.settings.view;
         for (const auto& [share, colour] : {std::pair{v.band_low, kMiddleBand}, {v.band_high, kFarBand}}) {
             const ImVec2 p = at(distance_at_share(curve, share));
@@ -157,16 +156,16 @@ void draw_depth_curve(const EditorState& state, const FrameResult& result, std::
         for (int i = 1; i <= kSteps; ++i) {
             const double t = double(i) / kSteps;
             const ImVec2 p = at(curve.near + (curve.far - curve.near) * t * t);
-            list.AddLine(last, p, theme::kText, ImGui::GetFontSize() * 0.1f);
+            list.AddLine(last, p, theme::text(), ImGui::GetFontSize() * 0.1f);
             last = p;
         }
         if (marked_m && *marked_m >= curve.near && *marked_m <= curve.far) {
             const ImVec2 p = at(*marked_m);
-            list.AddCircleFilled(p, ImGui::GetFontSize() * 0.22f, theme::kAccent, 16);
+            list.AddCircleFilled(p, ImGui::GetFontSize() * 0.22f, theme::accent(), 16);
             list.AddCircle(p, ImGui::GetFontSize() * 0.22f, IM_COL32(0, 0, 0, 180), 16);
         }
-        small_text({lo.x, hi.y + 1}, metres_text(curve.near), theme::kMuted, 0);
-        small_text({hi.x, hi.y + 1}, metres_text(curve.far), theme::kMuted, 1);
+        small_text({lo.x, hi.y + 1}, metres_text(curve.near), theme::muted(), 0);
+        small_text({hi.x, hi.y + 1}, metres_text(curve.far), theme::muted(), 1);
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         if (ImGui::IsMouseHoveringRect(lo, hi)) {
             const double metres = curve.near + (curve.far - curve.near) * double((mouse.x - lo.x) / (hi.x - lo.x));

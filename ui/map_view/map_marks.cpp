@@ -57,7 +57,7 @@ void texel_numbers(const MapRect& rect, const FloatImage& values, ImVec2 clip_lo
             const auto [lo, hi] = rect.square({x, y}, 1);
             const ImVec2 at(0.5f * (lo.x + hi.x - extent.x), 0.5f * (lo.y + hi.y - extent.y));
             list.AddRectFilled({at.x - 2, at.y}, {at.x + extent.x + 2, at.y + extent.y}, theme::kVeil);
-            list.AddText(font, font->FontSize, at, theme::kText, text.c_str());
+            list.AddText(font, font->FontSize, at, theme::kOnPicture, text.c_str());
         }
     }
 }

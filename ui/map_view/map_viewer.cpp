@@ -196,7 +196,7 @@ void mark_finding(const EditorState& state, const FrameResult& result, const Map
     const auto& mark = state.marked_texel;
     if (!mark || mark->light != shown_light(state.settings) || mark->view != shown_face(state.settings, result)) return;
     if (mark->level == result.shown_map.mip && shown.holds(mark->texel))
-        outline_texels(shown, mark->texel, {1, 1}, theme::kError);
+        outline_texels(shown, mark->texel, {1, 1}, theme::error());
 }
 
 /// The marks of the texels that the picture's kernels fetch, where they are asked for and this frame has them.
@@ -258,7 +258,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     const ImVec2 size(std::max(available.x, 16.0f), std::max(available.y - caption - plot_height, 16.0f));
     const ImVec2 end(origin.x + size.x, origin.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(origin, end, theme::kWell);
+    list.AddRectFilled(origin, end, theme::well());
     if (const std::string text = obstacle(state.settings, frame); !text.empty()) {
         ImGui::SetCursorScreenPos({origin.x + em, origin.y + em});
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - 2 * em);
@@ -285,7 +285,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     if (const Image* marks = camera ? nullptr : exact_marks(state, frame))  // one channel: red or black
         list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(marks->texture)), rect.lo, rect_end, {0, 1}, {1, 0},
                       faded(IM_COL32_WHITE, kMarksOpacity));
-    list.AddRect(rect.lo, rect_end, theme::kLine);
+    list.AddRect(rect.lo, rect_end, theme::line());
     const MapRect shown{rect.lo, rect.size, result.shown_map.texels};  // a mip level's texels are larger
     if (shows_texel_numbers(shown)) {
         actions.want_map_values = true;
@@ -335,12 +335,15 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     }
     if (fitted && fitted->clipped_casters > 0) {
         const std::string lost = fmt::format("{} object(s) reach in front of the near plane", fitted->clipped_casters);
-        list.AddText({origin.x + em * 0.8f, origin.y + em * 0.6f}, theme::kWarning, lost.c_str());
+        const ImVec2 at(origin.x + em * 0.8f, origin.y + em * 0.6f), size_of_text = ImGui::CalcTextSize(lost.c_str());
+        list.AddRectFilled({at.x - em * 0.3f, at.y - em * 0.15f},
+                           {at.x + size_of_text.x + em * 0.3f, at.y + size_of_text.y + em * 0.15f}, theme::kVeil);
+        list.AddText(at, theme::kWarningOnPicture, lost.c_str());
     }
     list.PopClipRect();
     ImFont* font = theme::small();
-    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.2f}, theme::kText, text.first.c_str());
-    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.2f + line}, theme::kMuted, text.second.c_str());
+    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.2f}, theme::text(), text.first.c_str());
+    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.2f + line}, theme::muted(), text.second.c_str());
     if (!plots) return;
     const float top = end.y + caption, half = 0.5f * (size.x - em * 0.5f);
     ImGui::SetCursorScreenPos({origin.x, top});

@@ -85,7 +85,7 @@ void coloured_text(const std::string& text, ImU32 colour) {
 }
 
 void findings_list(Settings& settings, const AdviceReport& report, bool current) {
-    static constexpr ImU32 kColours[] = {theme::kError, theme::kWarning, theme::kMuted};
+    const ImU32 kColours[] = {theme::error(), theme::warning(), theme::muted()};
     int id = 0;
     for (const Finding& f : report.findings) {
         ImGui::PushID(id++);
@@ -110,7 +110,7 @@ void advice_row(Settings& settings, const TriedAdvice& t, bool current) {
     tip(fmt::format("Error {:.4g}, was {:.4g}", t.after.error, t.before.error));
     ImGui::TableNextColumn();
     const std::string text = t.why_not.empty() ? t.idea.sentence : t.idea.sentence + ": " + t.why_not;
-    coloured_text(text, t.why_not.empty() && current ? theme::kText : theme::kMuted);
+    coloured_text(text, t.why_not.empty() && current ? theme::text() : theme::muted());
     tip(list_of(t.settings));
 }
 
@@ -150,7 +150,7 @@ void show_report(Settings& settings, const AdviceReport& r, bool current) {
 }
 
 void show_flight(Settings& settings, const AutopilotResult& r, bool current, Changes changes) {
-    coloured_text(r.summary, r.held ? theme::kText : theme::kWarning);
+    coloured_text(r.summary, r.held ? theme::text() : theme::warning());
     if (!current) ImGui::TextDisabled("of other settings: run again");
     if (r.held) apply_button(settings, changes, current);
     for (const DroppedEffect& d : r.dropped)

@@ -78,11 +78,11 @@ void cell(const std::string& text, ImU32 colour) {
 void setting_line(EditorState& state, const Settings& reference, const SettingRef& ref) {
     const Param& p = *ref.param;
     const bool idle = !idle_reason(state.settings, ref).empty() && !idle_reason(reference, ref).empty();
-    const ImU32 colour = idle ? theme::kFaint : theme::kText;
+    const ImU32 colour = idle ? theme::faint() : theme::text();
     cell(owner(ref), colour);
     cell(std::string(p.label), colour);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", setting_key(ref).c_str());
-    cell(shown_value(state.settings, p, get_value(state.settings, ref)), idle ? theme::kFaint : theme::kAccent);
+    cell(shown_value(state.settings, p, get_value(state.settings, ref)), idle ? theme::faint() : theme::accent());
     cell(shown_value(reference, p, get_value(reference, ref)), colour);
     ImGui::TableNextColumn();
     ImGui::PushID(setting_key(ref).c_str());
@@ -108,7 +108,7 @@ void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& a
     }
     if (!frame.comparison->problem.empty()) {
         ImGui::TextDisabled("cannot be read");
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
         ImGui::TextWrapped("%s", frame.comparison->problem.c_str());
         ImGui::PopStyleColor();
         return;
@@ -138,10 +138,10 @@ void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& a
     ImGui::TableHeadersRow();
     if (other_scene) {
         ImGui::TableNextRow();
-        cell("Scene", theme::kText);
-        cell("Scene", theme::kText);
-        cell(scene_label(state.scene_name), theme::kAccent);
-        cell(scene_label(scene), theme::kText);
+        cell("Scene", theme::text());
+        cell("Scene", theme::text());
+        cell(scene_label(state.scene_name), theme::accent());
+        cell(scene_label(scene), theme::text());
         ImGui::TableNextColumn();
         if (ImGui::Button("Use")) actions.load_scene = scene;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Opens this scene under the present settings");

@@ -45,9 +45,9 @@ void row(const Cure& cure, const CureTable& table, bool current, Settings& setti
         for (const auto& [key, value] : cure.settings) set_setting(settings, key, value);
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", about(cure, table).c_str());
-    const ImU32 plain = current ? theme::kText : theme::kMuted;
+    const ImU32 plain = current ? theme::text() : theme::muted();
     coloured_cell(std::to_string(cure.cured), plain);
-    coloured_cell(std::to_string(cure.broken), cure.broken == 0 ? theme::kMuted : plain);
+    coloured_cell(std::to_string(cure.broken), cure.broken == 0 ? theme::muted() : plain);
     coloured_cell(time_text(cure.ms), plain);
     coloured_cell(map_bytes_text(cure.map_bytes), plain);
 }

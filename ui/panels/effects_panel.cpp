@@ -37,7 +37,7 @@ void state_cell(EffectState state) {
 }
 
 void saved_cell(const Spread* ms, bool current) {
-    right_aligned(ms ? fmt::format("{:.2f}", ms->median) : "–", ms && current ? theme::kText : theme::kMuted);
+    right_aligned(ms ? fmt::format("{:.2f}", ms->median) : "–", ms && current ? theme::text() : theme::muted());
     if (ms)
         wrapped_tooltip(fmt::format("{:.3g} ms, 95 % interval {:.3g} to {:.3g} ms, by {} pairs of frames in turns.{}",
                                     ms->median, ms->median_low, ms->median_high, ms->samples,
@@ -118,7 +118,7 @@ void header() {
         if (column < kTexts)
             ImGui::TextDisabled("%s", ImGui::TableGetColumnName(column));
         else
-            right_aligned(ImGui::TableGetColumnName(column), theme::kMuted);
+            right_aligned(ImGui::TableGetColumnName(column), theme::muted());
         ImGui::PopID();
     }
 }
@@ -148,7 +148,7 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
     const bool called_for = effect.state != EffectState::NotCalledFor;
     const float indent = effect.part ? ImGui::GetFontSize() * 0.8f : 0;
     if (indent > 0) ImGui::Indent(indent);
-    ImGui::PushStyleColor(ImGuiCol_Text, called_for ? theme::kText : theme::kMuted);
+    ImGui::PushStyleColor(ImGuiCol_Text, called_for ? theme::text() : theme::muted());
     ImGui::TextUnformatted(effect.name.c_str());
     ImGui::PopStyleColor();
     if (indent > 0) ImGui::Unindent(indent);

@@ -62,11 +62,11 @@ void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
         const double value = row->value(m);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::PushStyleColor(ImGuiCol_Text, part ? theme::kMuted : theme::kText);
+        ImGui::PushStyleColor(ImGuiCol_Text, part ? theme::muted() : theme::text());
         ImGui::TextUnformatted(name.c_str());
         ImGui::PopStyleColor();
         tooltip();
-        right_cell(text_of(*row, value), value == 0 ? theme::kMuted : theme::kText);
+        right_cell(text_of(*row, value), value == 0 ? theme::muted() : theme::text());
         tooltip();
     }
     ImGui::EndTable();
@@ -80,10 +80,10 @@ void cause_row(ImU32 colour, std::string_view label, std::size_t pixels, std::si
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + em * 0.2f}, {at.x + em * 0.7f, at.y + em * 0.9f}, colour);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + em * 1.1f);
     ImGui::TextUnformatted(label.data(), label.data() + label.size());
-    right_cell(fmt::format("{}", pixels), pixels == 0 ? theme::kMuted : theme::kText);
+    right_cell(fmt::format("{}", pixels), pixels == 0 ? theme::muted() : theme::text());
     const std::string share = counted == 0 ? "-" : fmt::format("{:.3f} %", 100.0 * double(pixels) / double(counted));
     if (with_share)
-        right_cell(share, theme::kMuted);
+        right_cell(share, theme::muted());
     else if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s of the pixels compared", share.c_str());
 }

@@ -88,7 +88,7 @@ std::size_t draw_axes(EditorState& state, std::vector<std::string>& axes) {
         ImGui::SameLine();
         ImGui::SetNextItemWidth(width * 0.58f);
         const Checked c = checked(axis);
-        if (!c.problem.empty()) ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        if (!c.problem.empty()) ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
         ImGui::InputTextWithHint("##values", "1,2,4 or 1:4:0.5", &axis.values);
         if (!c.problem.empty()) ImGui::PopStyleColor();
         tooltip(c.problem.empty() ? "V1,V2,... or from:to:step (step *2 doubles); * is every choice"
@@ -224,7 +224,7 @@ void case_tooltip(const SweepFacts& facts, const MeasuredCase& c) {
 
 void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColumn& cost, const MeasuredColumn& error) {
     if (!facts.present_problem.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
         ImGui::TextWrapped("The present settings cannot be measured: %s", facts.present_problem.c_str());
         ImGui::PopStyleColor();
         return;
@@ -235,7 +235,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
         return;
     }
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
     ImGui::Text("Now %s at %s", number_text(view.present->error, error).c_str(),
                 number_text(view.present->cost, cost).c_str());
     ImGui::PopStyleColor();
@@ -264,7 +264,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
 
 void draw_state(const SweepFacts& facts, EditorActions& actions) {
     if (!facts.problem.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
         ImGui::TextWrapped("The sweep ended: %s", facts.problem.c_str());
         ImGui::PopStyleColor();
     }
@@ -302,7 +302,17 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
     ImGui::SameLine();
     ImGui::TextUnformatted("over");
     ImGui::SameLine();
-    choose_column(facts, "##cost", false, state.sweep.cost);
+    const std::string across = facts.cost.empty() ? state.sweep.cost : facts.cost;
+    std::string chosen = across;
+    choose_column(facts, "##cost", false, chosen);
+    if (chosen != across) state.sweep.cost = chosen;
+    if (const MeasuredColumn* wanted = column_of(facts, state.sweep.cost); wanted && across != state.sweep.cost) {
+        const std::string text = "no " + wanted->label + (facts.running ? " yet" : "");
+        flow(ImGui::CalcTextSize(text.c_str()).x);
+        ImGui::TextDisabled("%s", text.c_str());
+        tooltip(facts.running ? "The plot goes over to it when all cases have a value"
+                              : "No case of this sweep has a value of it");
+    }
     if (facts.total > 0) {
         const std::string count =
             facts.failed > 0 ? fmt::format("{} of {} cases, {} failed", facts.cases.size(), facts.total, facts.failed)
@@ -318,7 +328,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
         }
         if (facts.software) {
             flow(ImGui::CalcTextSize("CPU rasteriser").x);
-            ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+            ImGui::PushStyleColor(ImGuiCol_Text, theme::warning());
             ImGui::TextUnformatted("CPU rasteriser");
             ImGui::PopStyleColor();
             tooltip(
@@ -326,7 +336,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
                 "anywhere.");
         }
     }
-    const MeasuredColumn *cost = column_of(facts, state.sweep.cost), *error = column_of(facts, state.sweep.error);
+    const MeasuredColumn *cost = column_of(facts, across), *error = column_of(facts, state.sweep.error);
     if (cost && error) {
         draw_state(facts, actions);
         draw_advice(state, facts, *cost, *error);

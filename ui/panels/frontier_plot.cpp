@@ -12,7 +12,7 @@ namespace si {
 namespace {
 
 constexpr ImU32 kBest = IM_COL32(86, 180, 233, 255), kBeaten = IM_COL32(120, 120, 118, 150),
-                kStair = IM_COL32(86, 180, 233, 110), kGrid = IM_COL32(48, 48, 49, 255);
+                kStair = IM_COL32(86, 180, 233, 110);
 
 struct Area {
     ImVec2 lo, hi;  ///< of what lies within the axes
@@ -36,22 +36,22 @@ void draw_axes(const Area& a) {
     float free_x = a.lo.x;
     for (const LogAxis::Tick& t : a.x.ticks) {
         const float x = a.lo.x + float(a.x.at(t.value)) * (a.hi.x - a.lo.x), w = text_width(t.text);
-        list.AddLine({x, a.lo.y}, {x, a.hi.y}, kGrid);
+        list.AddLine({x, a.lo.y}, {x, a.hi.y}, theme::line());
         const float left = std::clamp(x - 0.5f * w, a.lo.x, a.hi.x - w);
         if (t.text.empty() || left < free_x) continue;
-        small_text({left, a.hi.y + line * 0.1f}, t.text, theme::kMuted);
+        small_text({left, a.hi.y + line * 0.1f}, t.text, theme::muted());
         free_x = left + w + line * 0.6f;
     }
     float free_y = a.hi.y + line;
     for (const LogAxis::Tick& t : a.y.ticks) {
         const float y = a.hi.y - float(a.y.at(t.value)) * (a.hi.y - a.lo.y);
-        list.AddLine({a.lo.x, y}, {a.hi.x, y}, kGrid);
+        list.AddLine({a.lo.x, y}, {a.hi.x, y}, theme::line());
         const float top = std::clamp(y - 0.5f * line, a.lo.y, a.hi.y - line);
         if (t.text.empty() || top + line > free_y) continue;
-        small_text({a.lo.x - text_width(t.text) - line * 0.3f, top}, t.text, theme::kMuted);
+        small_text({a.lo.x - text_width(t.text) - line * 0.3f, top}, t.text, theme::muted());
         free_y = top - line * 0.2f;
     }
-    list.AddRect(a.lo, a.hi, theme::kLine);
+    list.AddRect(a.lo, a.hi, theme::line());
 }
 
 void draw_stair(const Area& a, const std::vector<FrontierView::Mark>& marks) {
@@ -95,8 +95,8 @@ void draw_names(const Area& a, const SweepFacts& facts) {
             });
             if (!inside || !free) continue;
             taken.push_back({lo, hi});
-            ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, theme::kWell);  // the stair may pass here
-            small_text(lo, name, theme::kText);
+            ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, theme::well());  // the stair may pass here
+            small_text(lo, name, theme::text());
             break;
         }
     }
@@ -116,14 +116,14 @@ void draw_marks(const Area& a, const SweepFacts& facts, std::optional<int> chose
             }
             list.AddCircleFilled(p, r, on ? kBest : kBeaten, 16);
             if (m.tied) list.AddCircle(p, r * 1.7f, kStair, 16);
-            if (chosen == facts.cases[m.of].number) list.AddCircle(p, r * 2.1f, theme::kText, 20, r * 0.3f);
+            if (chosen == facts.cases[m.of].number) list.AddCircle(p, r * 2.1f, theme::text(), 20, r * 0.3f);
         }
     if (!facts.view.present) return;
     const ImVec2 p = a.at(*facts.view.present);
     const float d = r * 1.5f;
     const ImVec2 corners[] = {{p.x, p.y - d}, {p.x + d, p.y}, {p.x, p.y + d}, {p.x - d, p.y}};
-    list.AddConvexPolyFilled(corners, 4, theme::kAccent);
-    list.AddPolyline(corners, 4, theme::kWell, ImDrawFlags_Closed, r * 0.3f);
+    list.AddConvexPolyFilled(corners, 4, theme::accent());
+    list.AddPolyline(corners, 4, theme::well(), ImDrawFlags_Closed, r * 0.3f);
 }
 
 }  // namespace
@@ -145,7 +145,7 @@ FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, std::optional<int
     if (a.hi.x < a.lo.x + line * 4 || a.hi.y < a.lo.y + line * 2) return out;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
-    list.AddRectFilled(a.lo, a.hi, theme::kWell);
+    list.AddRectFilled(a.lo, a.hi, theme::well());
     draw_axes(a);
     draw_stair(a, facts.view.marks);
     draw_marks(a, facts, chosen);

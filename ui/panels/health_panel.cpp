@@ -42,7 +42,7 @@ void finding_row(EditorState& state, const FrameResult& result, const NumberFind
     const std::string at = fmt::format("{}, {}", f.first.x, f.first.y);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
     const std::string label(fault_label(f.fault));
     const bool marked =
         state.marked_texel && is_of_map(f) && *state.marked_texel == MarkedTexel{f.light, f.view, f.worst, f.level};

@@ -87,7 +87,7 @@ bool begin_numbers(const char* id, std::initializer_list<std::pair<const char*, 
         if (column++ == 0)
             ImGui::TextDisabled("%s", name);
         else
-            right_aligned(name, theme::kMuted);
+            right_aligned(name, theme::muted());
         wrapped_tooltip(about);
     }
     return true;
@@ -119,7 +119,7 @@ void pipelines_part(EditorState& state, const EditorFrame& frame, EditorActions&
                         {"99 %", "of pixels are nearer than this, steps"},
                         {"Flips", "Pixels on the other side of one half than by the first row"}}))
         return;
-    const ImU32 colour = frame.pipelines_current ? theme::kText : theme::kMuted;
+    const ImU32 colour = frame.pipelines_current ? theme::text() : theme::muted();
     for (const PipelineError& e : frame.pipelines) {
         const bool used =
             int(e.origin) == state.settings.map.origin && int(e.transform) == state.settings.map.transform;
@@ -177,7 +177,7 @@ void shimmer_part(EditorState& state, const EditorFrame& frame, EditorActions& a
                                    {"Restless", "Pixels that ever flip"},
                                    {"Change", "Mean of |visibility changed by| over pixels and steps"}}))
         return;
-    const ImU32 colour = frame.shimmer_current ? theme::kText : theme::kMuted;
+    const ImU32 colour = frame.shimmer_current ? theme::text() : theme::muted();
     for (const ShimmerShown& s : frame.shimmer) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();

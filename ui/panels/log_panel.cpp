@@ -11,7 +11,7 @@ namespace si {
 namespace {
 
 ImU32 colour_of(LogKind kind) {
-    return kind == LogKind::Error ? theme::kError : kind == LogKind::Warning ? theme::kWarning : theme::kText;
+    return kind == LogKind::Error ? theme::error() : kind == LogKind::Warning ? theme::warning() : theme::text();
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ void draw_log(EditorState& state, const EditorFrame& frame) {
         ImGui::PopStyleColor();
     }
     if (!frame.shader_log.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
         ImGui::TextUnformatted(frame.shader_log.data(), frame.shader_log.data() + frame.shader_log.size());
         ImGui::PopStyleColor();
     }

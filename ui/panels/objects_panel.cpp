@@ -1,13 +1,20 @@
-// What single objects do differently from the scene: culling, casting, receiving; which of them culling loses.
+// The tree of objects, and what single ones do differently from the scene: culling, casting, receiving; which of them
+// culling loses.
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "ui/state/panels.h"
+#include "ui/state/selection.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -15,33 +22,124 @@
 namespace si {
 namespace {
 
-/// What stands on one row: a node that places at least one mesh.
+/// A node of the tree: one that places a mesh, or one above such.
 struct Row {
-    const std::string* path;
-    std::size_t triangles = 0;
+    int node = 0, depth = 0;
+    const std::string* path = nullptr;
+    bool placed = false;               ///< it places a mesh itself, and so has settings
+    bool above = false;                ///< rows stand below it
+    std::size_t triangles = 0;         ///< with all below it
     const LostCaster* lost = nullptr;  ///< one of its objects leaves nothing in the shown light's map
 };
 
-/// The nodes that place a mesh and match the search.
-std::vector<Row> rows_of(const EditorState& state, const EditorFrame& frame) {
+/// Which column the list is sorted by; below 0: as the file has it.
+struct Order {
+    int column = -1;
+    bool down = false;
+    bool fresh = false;  ///< asked for just now
+};
+
+/// What the search leaves of the tree.
+struct Tree {
+    std::vector<Row> rows;                   ///< one a node of the scene
+    std::vector<std::vector<int>> children;  ///< that are in the list
+    std::vector<int> roots;
+    std::size_t placed = 0;  ///< rows with settings
+};
+
+Tree tree_of(const EditorState& state, const EditorFrame& frame) {
     const Scene& scene = *frame.scene;
-    std::vector<std::size_t> triangles(scene.nodes.size(), 0);
-    std::vector<char> placed(scene.nodes.size(), 0);
-    std::vector<const LostCaster*> lost(scene.nodes.size(), nullptr);
+    const std::size_t count = scene.nodes.size();
+    Tree tree{.rows = std::vector<Row>(count), .children = std::vector<std::vector<int>>(count)};
+    std::vector<char> in(count, 0);
     for (const Object& o : scene.objects) {
-        placed[std::size_t(o.node)] = 1;
-        triangles[std::size_t(o.node)] += scene.meshes[std::size_t(o.mesh)].indices.size() / 3;
+        Row& row = tree.rows[std::size_t(o.node)];
+        row.placed = true;
+        row.triangles += scene.meshes[std::size_t(o.mesh)].indices.size() / 3;
     }
     for (const LostCaster& l : frame.lost_casters)
         if (std::size_t(l.object) < scene.objects.size())
-            lost[std::size_t(scene.objects[std::size_t(l.object)].node)] = &l;
-    std::vector<Row> rows;
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        if (!placed[i] || (state.only_lost && !lost[i])) continue;
-        const std::string& path = scene.nodes[i].path;
-        if (words_match(state.object_search, {path})) rows.push_back({&path, triangles[i], lost[i]});
+            tree.rows[std::size_t(scene.objects[std::size_t(l.object)].node)].lost = &l;
+    for (std::size_t i = count; i-- > 0;) {  // parents stand before their children
+        Row& row = tree.rows[i];
+        row.node = int(i), row.path = &scene.nodes[i].path;
+        row.placed &= (!state.only_lost || row.lost) && words_match(state.object_search, {*row.path});
+        if (!row.placed && !row.above) continue;
+        in[i] = 1;
+        tree.placed += row.placed;
+        if (const int parent = scene.nodes[i].parent; parent >= 0) {
+            Row& up = tree.rows[std::size_t(parent)];
+            up.above = true;
+            up.triangles += row.triangles;
+        }
     }
-    return rows;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!in[i]) continue;
+        const int parent = scene.nodes[i].parent;
+        (parent < 0 ? tree.roots : tree.children[std::size_t(parent)]).push_back(int(i));
+    }
+    return tree;
+}
+
+std::string last_part(const std::string& path) {
+    const auto slash = path.find_last_of('/');
+    return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+/// What the columns of settings are sorted by: of nodes above others the most of them.
+std::vector<double> ranks(const Tree& tree, const Scene& scene, const Settings& settings, const Param& p) {
+    std::vector<double> out(tree.rows.size(), -1);
+    for (std::size_t i = out.size(); i-- > 0;) {
+        if (tree.rows[i].placed) {
+            const Value v = get_value(settings, {&p, 0, *tree.rows[i].path});
+            out[i] = std::max(out[i], std::visit([](auto x) { return double(x); }, v));
+        }
+        if (const int parent = scene.nodes[i].parent; parent >= 0)
+            out[std::size_t(parent)] = std::max(out[std::size_t(parent)], out[i]);
+    }
+    return out;
+}
+
+/// By settings as they were when it was asked for: a row that is changed stays where it is.
+void sort(Tree& tree, const Scene& scene, EditorState& state, std::span<const Param* const> params, Order order) {
+    if (order.column < 0) return;
+    std::vector<double> rank;
+    std::vector<std::string> name;
+    if (order.column == 0)
+        for (const Row& row : tree.rows) name.push_back(last_part(*row.path));
+    else if (order.column == 1)
+        for (const Row& row : tree.rows) rank.push_back(double(row.triangles));
+    else if (order.fresh || state.object_ranks_of != scene.id || state.object_ranks.size() != tree.rows.size()) {
+        state.object_ranks = ranks(tree, scene, state.settings, *params[std::size_t(order.column - 2)]);
+        state.object_ranks_of = scene.id;
+    }
+    const std::vector<double>& by = order.column == 1 ? rank : state.object_ranks;
+    const auto before = [&](int a, int b) {
+        if (order.down) std::swap(a, b);
+        return name.empty() ? by[std::size_t(a)] < by[std::size_t(b)] : name[std::size_t(a)] < name[std::size_t(b)];
+    };
+    std::ranges::stable_sort(tree.roots, before);
+    for (auto& list : tree.children) std::ranges::stable_sort(list, before);
+}
+
+/// The rows that are on view, from top to bottom. What is searched for shows, whatever is closed.
+std::vector<const Row*> open_rows(Tree& tree, const EditorState& state) {
+    const bool all = !state.object_search.empty() || state.only_lost;
+    std::vector<const Row*> list;
+    std::vector<std::pair<int, int>> todo;  // node, depth
+    const auto push = [&](const std::vector<int>& nodes, int depth) {
+        for (std::size_t i = nodes.size(); i-- > 0;) todo.emplace_back(nodes[i], depth);
+    };
+    push(tree.roots, 0);
+    while (!todo.empty()) {
+        const auto [node, depth] = todo.back();
+        todo.pop_back();
+        Row& row = tree.rows[std::size_t(node)];
+        row.depth = depth;
+        list.push_back(&row);
+        if (all || !state.closed_nodes.count(*row.path)) push(tree.children[std::size_t(node)], depth + 1);
+    }
+    return list;
 }
 
 /// A copy of all but the objects' settings.
@@ -58,18 +156,18 @@ bool has_override(const Settings& s, const std::string& path) {
 }
 
 /// Lets the objects cast with all of their faces.
-void keep(Settings& s, const std::vector<Row>& rows) {
-    for (const Row& row : rows)
-        if (row.lost) s.objects[*row.path].cull = int(ObjectCull::None);
+void keep(Settings& s, const Tree& tree) {
+    for (const Row& row : tree.rows)
+        if (row.placed && row.lost) s.objects[*row.path].cull = int(ObjectCull::None);
 }
 
-void lost_line(EditorState& state, const EditorFrame& frame, const std::vector<Row>& rows) {
+void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
     if (frame.lost_casters.empty()) {
         state.only_lost = false;
         return;
     }
     ImGui::SameLine();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::warning());
     ImGui::TextUnformatted(fmt::format("{} lost to culling", frame.lost_casters.size()).c_str());
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered())
@@ -80,35 +178,104 @@ void lost_line(EditorState& state, const EditorFrame& frame, const std::vector<R
     ImGui::SameLine();
     ImGui::Checkbox("Show only lost", &state.only_lost);
     ImGui::SameLine();
-    if (ImGui::Button("Cast from both sides")) keep(state.settings, rows);
+    if (ImGui::Button("Cast from both sides")) keep(state.settings, tree);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Set object.<path>.cull to none for each, so that all faces cast");
 }
 
-/// The object's name, which selects it.
-void name_cell(EditorState& state, const Row& row) {
-    const bool chosen = state.selected_object == *row.path;
-    const bool own = has_override(state.settings, *row.path);
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, row.lost ? theme::kWarning : own ? theme::kAccent : theme::kText);
-    const std::string label = row.lost ? *row.path + "   lost by culling" : *row.path;
-    if (ImGui::Selectable((label + "###" + *row.path).c_str(), chosen)) {
-        if (chosen)
-            state.selected_object.clear();
-        else
-            state.selected_object = *row.path;
+/// Opens and closes what lies below a row.
+void arrow(EditorState& state, const Row& row, float width) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float size = ImGui::GetFrameHeight();
+    if (!row.above) return ImGui::Dummy({width, size});
+    if (ImGui::InvisibleButton(("open " + *row.path).c_str(), {width, size}))
+        if (!state.closed_nodes.erase(*row.path)) state.closed_nodes.insert(*row.path);
+    const bool open = !state.closed_nodes.count(*row.path) || !state.object_search.empty() || state.only_lost;
+    ImGui::RenderArrow(ImGui::GetWindowDrawList(), {at.x, at.y + ImGui::GetStyle().FramePadding.y},
+                       ImGui::IsItemHovered() ? theme::text() : theme::muted(), open ? ImGuiDir_Down : ImGuiDir_Right,
+                       0.8f);
+}
+
+/// A click chooses what the row places, or what lies below one that places nothing: alone, with Ctrl one more or less,
+/// with Shift all from the one that was chosen first.
+void choose(EditorState& state, const Scene& scene, const std::vector<const Row*>& list, std::size_t at) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Row& row = *list[at];
+    const auto first = std::ranges::find_if(list, [&](const Row* r) { return *r->path == state.selected_object; });
+    if (io.KeyShift && first != list.end()) {
+        const std::size_t from = std::size_t(first - list.begin());
+        std::vector<std::string> range{state.selected_object};
+        for (std::size_t i = std::min(from, at); i <= std::max(from, at); ++i)
+            if (list[i]->placed && i != from) range.push_back(*list[i]->path);
+        return select_objects(state, range);
     }
+    const std::vector<std::string> paths =
+        row.placed ? std::vector<std::string>{*row.path} : placed_below(scene, row.node);
+    const std::set<std::string> wanted(paths.begin(), paths.end());
+    if (!io.KeyCtrl)
+        return select_objects(state, selected_objects(state) == wanted ? std::vector<std::string>() : paths);
+    const bool all = std::ranges::all_of(paths, [&](const auto& path) { return is_selected(state, path); });
+    for (const std::string& path : paths)
+        if (is_selected(state, path) == all) toggle_object(state, path);
+}
+
+/// The object's name, which selects it.
+void name_cell(EditorState& state, const Scene& scene, const std::vector<const Row*>& list, std::size_t at) {
+    const Row& row = *list[at];
+    const float em = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ImGui::GetStyle().ItemSpacing.y));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + em * 0.9f * float(std::min(row.depth, 12)));
+    arrow(state, row, em);
+    ImGui::SameLine();
+    const bool own = row.placed && has_override(state.settings, *row.path);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, row.lost     ? theme::warning()
+                                         : own        ? theme::accent()
+                                         : row.placed ? theme::text()
+                                                      : theme::muted());
+    const std::string name = last_part(*row.path);
+    const std::string label = row.lost ? name + "   lost by culling" : name;
+    if (ImGui::Selectable((label + "###" + *row.path).c_str(), is_selected(state, *row.path)))
+        choose(state, scene, list, at);
     ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
     if (!ImGui::IsItemHovered()) return;
+    state.hovered_object = *row.path;
     if (row.lost)
         ImGui::SetTooltip("%s-face culling removes all %zu triangles.\nSet Cull to none to keep it.",
                           row.lost->cull == int(Cull::Front) ? "Front" : "Back", row.lost->triangles);
     else
-        ImGui::SetTooltip("Click to select; F frames it");
+        ImGui::SetTooltip("%s\nClick to select, Ctrl one more, Shift all between; F frames them", row.path->c_str());
+}
+
+/// Of several chosen objects a change of one is a change of all.
+void setting_cells(EditorState& state, Settings& alone, const Row& row, std::span<const Param* const> params) {
+    for (const Param* p : params) {
+        ImGui::TableNextColumn();
+        if (!row.placed) continue;
+        const SettingRef ref{p, 0, *row.path};
+        set_value(alone, ref, get_value(state.settings, ref));
+        if (setting_widget(alone, ref)) {
+            const Value value = get_value(alone, ref);
+            set_value(state.settings, ref, value);
+            if (is_selected(state, *row.path))
+                for (const std::string& path : selected_objects(state)) set_value(state.settings, {p, 0, path}, value);
+        }
+        alone.objects.clear();
+    }
+}
+
+/// What the headers ask for.
+Order order_of() {
+    ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+    if (!specs || specs->SpecsCount == 0) return {};
+    const bool fresh = std::exchange(specs->SpecsDirty, false);
+    return {specs->Specs[0].ColumnIndex, specs->Specs[0].SortDirection == ImGuiSortDirection_Descending, fresh};
 }
 
 }  // namespace
 
 void draw_objects(EditorState& state, const EditorFrame& frame) {
+    state.hovered_object.clear();
     if (!frame.scene) {
         ImGui::TextDisabled("No scene.");
         return;
@@ -117,27 +284,32 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
     for (const Param& p : params())
         if (p.scope == Scope::Object) rows.push_back(&p);
     const float em = ImGui::GetFontSize();
-    search_field("objects", "Search objects", state.object_search, ImGui::GetContentRegionAvail().x - em * 18);
-    const std::vector<Row> list = rows_of(state, frame);
+    search_field("objects", "Search objects", state.object_search,
+                 std::max(ImGui::GetContentRegionAvail().x - em * 18, em * 6));
+    Tree tree = tree_of(state, frame);
     ImGui::SameLine();
-    ImGui::TextDisabled("%zu object%s, %zu with settings of their own", list.size(), list.size() == 1 ? "" : "s",
+    ImGui::TextDisabled("%zu object%s, %zu with settings of their own", tree.placed, tree.placed == 1 ? "" : "s",
                         state.settings.objects.size());
-    lost_line(state, frame, list);
-    if (list.empty()) {
+    lost_line(state, frame, tree);
+    if (tree.placed == 0) {
         ImGui::TextDisabled(state.object_search.empty() ? "No object casts or receives."
                                                         : "No object's path holds these words. × clears the search.");
         return;
     }
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
-                                      ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Sortable |
+                                      ImGuiTableFlags_SortTristate | ImGuiTableFlags_SizingStretchProp |
+                                      ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("objects", int(rows.size()) + 2, flags)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("Object", ImGuiTableColumnFlags_WidthStretch, 3);
-    ImGui::TableSetupColumn("Triangles", ImGuiTableColumnFlags_WidthFixed, em * 5);
+    ImGui::TableSetupColumn("Triangles", ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_PreferSortDescending,
+                            em * 5);
     for (const Param* p : rows)
         ImGui::TableSetupColumn(std::string(p->label).c_str(), ImGuiTableColumnFlags_WidthFixed,
                                 p->choices ? em * 9 : em * 5);
     ImGui::TableHeadersRow();
+    sort(tree, *frame.scene, state, rows, order_of());
+    const std::vector<const Row*> list = open_rows(tree, state);
     // The settings with one object's at a time: a widget may leave an override equal to the defaults, which set_value()
     // does not; and copies of ten thousand overrides for each widget would be slow.
     Settings alone = without_objects(state.settings);
@@ -145,20 +317,14 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
     clipper.Begin(int(list.size()));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const Row& row = list[std::size_t(i)];
-            const std::string& path = *row.path;
+            const Row& row = *list[std::size_t(i)];
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
-            name_cell(state, row);
+            name_cell(state, *frame.scene, list, std::size_t(i));
             ImGui::TableNextColumn();
+            ImGui::AlignTextToFramePadding();
             ImGui::TextUnformatted(fmt::format("{}", row.triangles).c_str());
-            for (const Param* p : rows) {
-                ImGui::TableNextColumn();
-                const SettingRef ref{p, 0, path};
-                set_value(alone, ref, get_value(state.settings, ref));
-                if (setting_widget(alone, ref)) set_value(state.settings, ref, get_value(alone, ref));
-                alone.objects.clear();
-            }
+            setting_cells(state, alone, row, rows);
         }
     }
     ImGui::EndTable();

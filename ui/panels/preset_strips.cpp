@@ -59,7 +59,7 @@ void strip(const char* id, float width, float buttons, const std::vector<Run>& r
     const float wrap = std::max(width - 2 * pad_x - (below ? 0 : buttons + em), em * 8);
     const float text = flow(runs, {}, wrap, nullptr), frame = ImGui::GetFrameHeight();
     const float gap = em * 0.33f;
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kNote);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::colours().note);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad_x, pad_y));
     ImGui::BeginChild(
         id, {width, (below ? text + gap + frame : std::max(text, frame)) + 2 * pad_y}, false,
@@ -94,9 +94,9 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorActions& act
     const bool built_in = at != walk.end();
     std::vector<Run> runs;
     if (built_in)
-        runs.push_back({fmt::format("{}/{}", at - walk.begin() + 1, walk.size()), ImGui::GetFont(), theme::kMuted});
-    if (!guide.title.empty()) runs.push_back({guide.title, theme::strong(), theme::kText});
-    runs.push_back({guide.about, ImGui::GetFont(), theme::kText});
+        runs.push_back({fmt::format("{}/{}", at - walk.begin() + 1, walk.size()), ImGui::GetFont(), theme::muted()});
+    if (!guide.title.empty()) runs.push_back({guide.title, theme::strong(), theme::text()});
+    runs.push_back({guide.about, ImGui::GetFont(), theme::text()});
     const float buttons = built_in ? buttons_width({"Previous", "Next", "Hide"}) : buttons_width({"Hide"});
     strip("guide", width, buttons, runs, [&] {
         if (built_in) {
@@ -115,7 +115,7 @@ void draw_lost(const EditorFrame& frame, EditorActions& actions, float width) {
     if (!frame.lost) return;
     const std::string text = fmt::format("The last session ended with settings that no preset holds: {}, {}.",
                                          scene_label(frame.lost->scene), frame.lost->when);
-    strip("lost session", width, buttons_width({"Restore", "Discard"}), {{text, ImGui::GetFont(), theme::kText}}, [&] {
+    strip("lost session", width, buttons_width({"Restore", "Discard"}), {{text, ImGui::GetFont(), theme::text()}}, [&] {
         if (hint_button("Restore", "Opens its scene with its settings; undo brings back what is shown now"))
             actions.restore_lost = true;
         ImGui::SameLine();
@@ -128,7 +128,7 @@ void draw_reset(EditorState& state, const EditorFrame& frame, EditorActions& act
     constexpr const char* kText =
         "The graphics driver reset: no picture can be drawn until the program is started again. The settings are still "
         "here.";
-    strip("driver reset", width, buttons_width({"Save now", "Save as…"}), {{kText, ImGui::GetFont(), theme::kError}},
+    strip("driver reset", width, buttons_width({"Save now", "Save as…"}), {{kText, ImGui::GetFont(), theme::error()}},
           [&] {
               if (hint_button("Save now", fmt::format("Writes {}", state.preset_path).c_str()))
                   actions.save_preset = state.preset_path;

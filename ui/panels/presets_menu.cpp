@@ -21,9 +21,9 @@ bool entry(const PresetEntry& preset, bool current, float width) {
     ImGui::PopID();
     if (current && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY(0.4f);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddText(theme::strong(), em, {at.x + indent, at.y + em * 0.1f}, theme::kText,
+    draw.AddText(theme::strong(), em, {at.x + indent, at.y + em * 0.1f}, theme::text(),
                  (preset.title.empty() ? preset.key : preset.title).c_str());
-    draw.AddText(ImGui::GetFont(), em, {at.x + indent, at.y + line + em * 0.2f}, theme::kMuted, preset.about.c_str(),
+    draw.AddText(ImGui::GetFont(), em, {at.x + indent, at.y + line + em * 0.2f}, theme::muted(), preset.about.c_str(),
                  nullptr, wrap);
     return chosen;
 }

@@ -90,7 +90,7 @@ bool begin_amounts(const char* id) {
     if (!ImGui::BeginTable(id, 4, flags)) return false;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
     for (const char* name : {"texels", "metres", "depth"}) right_cell(name);
     ImGui::PopStyleColor();
     return true;
@@ -175,7 +175,7 @@ void window_bar(const Dossier& d) {
     const double most = 1.25 * std::max({d.least.texels, d.has.texels, finite, 1e-6});
     const auto x = [&](double texels) { return at.x + width * float(std::clamp(texels / most, 0.0, 1.0)); };
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, {at.x + width, at.y + high}, theme::kWell);
+    list.AddRectFilled(at, {at.x + width, at.y + high}, theme::well());
     const float from = x(d.least.texels), to = std::isfinite(d.occluder.texels) ? x(d.occluder.texels) : at.x + width;
     if (to > from) list.AddRectFilled({from, at.y}, {to, at.y + high}, IM_COL32(0, 158, 115, 200));
     if (to < from) list.AddRectFilled({to, at.y}, {from, at.y + high}, IM_COL32(213, 94, 0, 120));

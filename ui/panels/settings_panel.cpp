@@ -9,10 +9,9 @@
 #include "renderer/measure/tuner.h"
 #include "renderer/settings/owners.h"
 #include "renderer/view/placement.h"
+#include "ui/panels/lights.h"
 #include "ui/panels/tune_controls.h"
-#include "ui/state/light_list.h"
 #include "ui/state/panels.h"
-#include "ui/widgets/button_width.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -82,46 +81,6 @@ bool begin_rows(const char* id) {
     return true;
 }
 
-/// A button for each light; the chosen one is the light shown in the map viewer too.
-void light_tabs(Settings& s) {
-    const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-    const int shown = shown_light(s);
-    for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) {
-        const std::string label = fmt::format("Light {}", i);
-        const float width = button_width(label.c_str());
-        if (i > 0) {
-            ImGui::SameLine(0, spacing);
-            if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
-        }
-        if (i == shown) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyle().Colors[ImGuiCol_ButtonActive]);
-        if (ImGui::Button(label.c_str())) s.view.light = i;
-        if (i == shown) ImGui::PopStyleColor();
-    }
-}
-
-/// What can be done with the list of lights.
-void light_buttons(Settings& s) {
-    const int shown = shown_light(s);
-    const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
-    const auto button = [&](bool possible, const char* label, const char* tip) {
-        ImGui::BeginDisabled(!possible);
-        const bool pressed = ImGui::Button(label);
-        ImGui::EndDisabled();
-        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", tip);
-        ImGui::SameLine(0, spacing);
-        return pressed;
-    };
-    const std::string full = fmt::format("One light more; at most {}", kMaxLights);
-    if (button(can_add_light(s), "Add light", full.c_str())) add_light(s);
-    if (button(shown >= 0 && can_add_light(s), "Copy", "One more like the light shown")) copy_light(s, shown);
-    if (button(shown >= 0, "Delete", "Takes the light shown away (Ctrl+Z brings it back)")) delete_light(s, shown);
-    if (button(shown > 0, "<", "Moves the light shown one place ahead in the list")) move_light(s, shown, -1);
-    if (button(shown >= 0 && shown + 1 < s.light_count, ">", "Moves the light shown one place back in the list"))
-        move_light(s, shown, 1);
-    ImGui::NewLine();
-}
-
 void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Group& group) {
     const std::vector<SettingRef> rows = rows_of(state, group.prefix);
     if (rows.empty()) return;
@@ -143,24 +102,14 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& act
         const ImVec2 size = ImGui::CalcTextSize(text.c_str());
         ImGui::GetWindowDrawList()->AddText(
             {at.x + width - size.x - ImGui::GetFontSize() * 0.6f, at.y + ImGui::GetStyle().FramePadding.y},
-            theme::kMuted, text.c_str());
+            theme::muted(), text.c_str());
     }
     if (!open) return;
     ImGui::PushID(std::string(group.prefix).c_str());
-    bool tabs_due = group.prefix == "light" && state.settings.light_count > 1;
     bool table = false;
-    if (group.prefix == "light" && !filtered) light_buttons(state.settings);
+    if (group.prefix == "light" && (!filtered || state.settings.light_count > 1)) draw_lights(state, frame.result);
     for (const SettingRef& ref : rows) {
-        if (ref.param->scope == Scope::Light && tabs_due) {
-            if (table) ImGui::EndTable();
-            table = false;
-            tabs_due = false;
-            light_tabs(state.settings);
-        }
-        if (!table) {
-            table = begin_rows(ref.param->scope == Scope::Light ? "of one light" : "rows");
-            if (!table) break;
-        }
+        if (!table && !(table = begin_rows("rows"))) break;
         NamedValues names = view_choices(state.settings, frame.result, ref.param->key);
         if (names.empty()) names = scene_choices(frame.scene, ref.param->key);
         setting_row(state.settings, ref, names);
@@ -202,7 +151,7 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& 
         ImGui::TextDisabled(state.only_changed ? "Nothing is changed." : "No setting matches. × clears the search.");
     if (frame.result && !frame.result->notes.empty()) {
         ImGui::Dummy({0, em * 0.3f});
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::warning());
         ImGui::PushTextWrapPos(0);
         for (const std::string& note : frame.result->notes) ImGui::TextUnformatted(note.c_str());
         ImGui::PopTextWrapPos();

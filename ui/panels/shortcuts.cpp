@@ -17,6 +17,8 @@ constexpr std::pair<const char*, const char*> kShortcuts[] = {
     {"Ctrl+drag", "turn the light"},
     {"Click", "probe a pixel; Esc forgets it"},
     {"Double-click", "select an object; Esc twice: none"},
+    {"Right click in the scene", "menu of the object under the mouse: frame, cast, receive, culling"},
+    {"Click, Ctrl+click, Shift+click a row of Objects", "select it, one more or less, all between"},
     {"Click an end of the axes", "look along that axis"},
     {"F", "frame the selected object, or the whole scene"},
     {"L", "look through the light, and back"},

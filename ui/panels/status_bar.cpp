@@ -53,14 +53,14 @@ void draw_status_bar(EditorState& state, const EditorFrame& frame) {
     const float right = width - wide(facts) - em * 0.7f;
     float free = width - em * 1.4f;
     if (right > em * 12) {
-        list.AddText(font, font->FontSize, {at.x + right, y}, theme::kMuted, facts.c_str());
+        list.AddText(font, font->FontSize, {at.x + right, y}, theme::muted(), facts.c_str());
         free = right - em * 2;
     }
     if (state.log.lines().empty()) return;
     const LogLine& last = state.log.lines().back();
-    const ImU32 colour = last.kind == LogKind::Error     ? theme::kError
-                         : last.kind == LogKind::Warning ? theme::kWarning
-                                                         : theme::kMuted;
+    const ImU32 colour = last.kind == LogKind::Error     ? theme::error()
+                         : last.kind == LogKind::Warning ? theme::warning()
+                                                         : theme::muted();
     std::string text = last.text.substr(0, last.text.find('\n'));
     if (wide(text) > free) {
         while (!text.empty() && wide(text + "…") > free) {

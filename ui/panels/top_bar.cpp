@@ -3,7 +3,9 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/scenes/builtin.h"
@@ -12,6 +14,7 @@
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/toolbar.h"
 
 namespace si {
 namespace {
@@ -93,6 +96,33 @@ void guided_presets(EditorState& state, const EditorFrame& frame, EditorActions&
     draw_presets_menu("hard cases", frame.hard_cases, state, actions);
 }
 
+/// How the window looks.
+void view_menu(EditorState& state, const char* label) {
+    menu_button(label, "view", "Theme and panels", ImGui::GetFontSize() * 18);
+    if (!ImGui::BeginPopup("view")) return;
+    EditorLayout& layout = state.layout;
+    if (ImGui::MenuItem("Dark theme", nullptr, !layout.light_theme)) layout.light_theme = false;
+    if (ImGui::MenuItem("Light theme", nullptr, layout.light_theme)) layout.light_theme = true;
+    ImGui::Separator();
+    constexpr std::pair<const char*, MapSpot> kSpots[] = {{"Map above the settings", MapSpot::AboveSettings},
+                                                          {"Map beside the scene", MapSpot::BesideScene},
+                                                          {"Map in the scene's corner", MapSpot::Inset},
+                                                          {"No map", MapSpot::Hidden}};
+    for (const auto& [name, spot] : kSpots)
+        if (ImGui::MenuItem(name, layout.map_place == spot ? "N" : nullptr, layout.map_place == spot))
+            layout.map_place = spot;
+    ImGui::Separator();
+    constexpr std::pair<const char*, Panel> kPanels[] = {
+        {"Scene alone", Panel::Scene}, {"Map alone", Panel::Map}, {"Tabs alone", Panel::Tabs}};
+    for (const auto& [name, which] : kPanels)
+        if (ImGui::MenuItem(name, "F11")) maximise(state, which);
+    ImGui::Separator();
+    if (ImGui::MenuItem("All as wide as at first"))
+        layout = {.map_place = layout.map_place, .map_plots = layout.map_plots, .light_theme = layout.light_theme};
+    if (ImGui::MenuItem("Welcome")) state.show_welcome = true;
+    ImGui::EndPopup();
+}
+
 /// All steps, to go to any of them.
 void steps_menu(EditorState& state) {
     const float em = ImGui::GetFontSize();
@@ -103,7 +133,7 @@ void steps_menu(EditorState& state) {
     for (std::size_t i = names.size(); i-- > 0;) {
         const bool here = i == state.history.at();
         const bool undone = i > state.history.at();
-        if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
+        if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
         if (ImGui::Selectable(fmt::format("{}##{}", names[i], i).c_str(), here)) go_to_step(state, i);
         if (undone) ImGui::PopStyleColor();
     }
@@ -133,7 +163,7 @@ void preset_name(const EditorState& state, const EditorFrame& frame, float width
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float em = ImGui::GetFontSize();
     ImGui::GetWindowDrawList()->AddCircleFilled({at.x + em * 0.17f, at.y + ImGui::GetFrameHeight() * 0.5f}, em * 0.17f,
-                                                theme::kAccent, 12);
+                                                theme::accent(), 12);
     ImGui::Dummy({em * 0.34f, ImGui::GetFrameHeight()});
 }
 
@@ -149,30 +179,42 @@ std::string scene_label(const std::string& name) {
 }
 
 void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
-    const float em = ImGui::GetFontSize();
-    file_menu(state, frame, actions);
-    ImGui::SameLine(0, em);
-    scene_combo(state, actions, em * 11);
-    ImGui::SameLine(0, em);
-    guided_presets(state, frame, actions);
-    ImGui::SameLine(0, em);
-    if (button("Undo", "Ctrl+Z", state.history.can_undo() || state.playback.playing)) undo(state);
+    const float em = ImGui::GetFontSize(), close = ImGui::GetStyle().ItemInnerSpacing.x;
+    const char *help = "Help", *view = "View";
+    const float right = button_width(view) + close + button_width(help);
+    const float edge = ImGui::GetWindowWidth() - right - ImGui::GetStyle().WindowPadding.x;
+    Toolbar bar("top bar", right + em * 0.5f);
+    bar.item("", button_width("File"), [&](float) { file_menu(state, frame, actions); });
+    bar.space(em);
+    bar.item("", em * 11, [&](float room) { scene_combo(state, actions, room); });
+    bar.space(em);
+    const float arrows = 2 * (ImGui::GetFrameHeight() + close) + button_width("Guided presets") + close;
+    bar.item("", arrows + button_width("Hard cases"), [&](float) { guided_presets(state, frame, actions); });
+    bar.space(em);
+    bar.item("", button_width("Undo"), [&](float) {
+        if (button("Undo", "Ctrl+Z", state.history.can_undo() || state.playback.playing)) undo(state);
+    });
+    bar.item("", button_width("Redo"), [&](float) {
+        if (button("Redo", "Ctrl+Y", state.history.can_redo())) redo(state);
+    });
+    bar.space(close);
+    bar.item("", button_width("Steps"), [&](float) { steps_menu(state); });
+    bar.space(em);
+    bar.item("", button_width("Compare"), [&](float) {
+        if (button("Compare", "What differs from the scene's own settings, the defaults or a preset"))
+            state.open_tab = BottomTab::Compare;
+    });
+    bar.space(em);
+    bar.item("", button_width("Save"), [&](float) {
+        if (button("Save", fmt::format("Writes {} (Ctrl+S)", state.preset_path).c_str()))
+            actions.save_preset = state.preset_path;
+    });
+    bar.end();
     ImGui::SameLine();
-    if (button("Redo", "Ctrl+Y", state.history.can_redo())) redo(state);
-    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    steps_menu(state);
-    ImGui::SameLine(0, em);
-    if (button("Compare", "What differs from the scene's own settings, the defaults or a preset"))
-        state.open_tab = BottomTab::Compare;
-    ImGui::SameLine(0, em);
-    if (button("Save", fmt::format("Writes {} (Ctrl+S)", state.preset_path).c_str()))
-        actions.save_preset = state.preset_path;
-    ImGui::SameLine();
-    const char* help = "Help";
-    const float width = button_width(help);
-    const float right = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
-    preset_name(state, frame, std::max(right - ImGui::GetCursorPosX() - 2 * em, em * 3));
-    ImGui::SameLine(std::max(right, ImGui::GetCursorPosX()));
+    if (const float room = edge - ImGui::GetCursorPosX() - 2 * em; room > em * 3) preset_name(state, frame, room);
+    ImGui::SameLine(std::max(edge, 0.0f));
+    view_menu(state, view);
+    ImGui::SameLine(0, close);
     if (button(help, "Mouse and keyboard (F1)")) state.show_shortcuts = true;
 }
 

@@ -95,7 +95,7 @@ void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 
     const ImVec2 p(lo.x, lo.y), q(lo.x + size.x, lo.y + size.y);
     const bool there = frame.against && frame.against->picture.texture != 0;
     const std::string other = other_label(state, frame);
-    if (right_half && !there) list.AddRectFilled(p, q, theme::kWell);
+    if (right_half && !there) list.AddRectFilled(p, q, theme::well());
     if (!there) {
         std::string text = frame.against && !frame.against->problem.empty() ? frame.against->problem
                            : a.truth && frame.truth                         ? truth_status(frame)
@@ -110,13 +110,13 @@ void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 
             list.PushClipRect({line, p.y}, q, true);
             list.AddImage(texture_id(facts.picture.texture), p, q, {0, 1}, {1, 0});
             list.PopClipRect();
-            list.AddLine({line, p.y}, {line, q.y}, theme::kText, std::max(1.0f, em / 10));
+            list.AddLine({line, p.y}, {line, q.y}, theme::kOnPicture, std::max(1.0f, em / 10));
             const float middle = 0.5f * (p.y + q.y), r = em * 0.45f;
             list.AddCircleFilled({line, middle}, r * 1.5f, theme::kVeil);
             list.AddTriangleFilled({line - r * 1.1f, middle}, {line - r * 0.3f, middle - r * 0.6f},
-                                   {line - r * 0.3f, middle + r * 0.6f}, theme::kText);
+                                   {line - r * 0.3f, middle + r * 0.6f}, theme::kOnPicture);
             list.AddTriangleFilled({line + r * 1.1f, middle}, {line + r * 0.3f, middle + r * 0.6f},
-                                   {line + r * 0.3f, middle - r * 0.6f}, theme::kText);
+                                   {line + r * 0.3f, middle - r * 0.6f}, theme::kOnPicture);
             label({line, top}, line - p.x, "A: shown settings", true);
             label({line, top}, q.x - line, "B: " + other, false);
             break;

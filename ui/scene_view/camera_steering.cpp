@@ -35,6 +35,7 @@ void fly_on(EditorState& state, const EditorFrame& frame) {
     const glm::dvec3 way = wanted_way();
     const bool moving = way != glm::dvec3(0);
     if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || moving) take_camera(state, frame);
+    state.flew |= moving || io.MouseWheel != 0 || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
     look_around(state.settings.camera, io.MouseDelta.x, io.MouseDelta.y);
     // The time of the frame in which a key goes down passed before it did: an editor that slept would leap.
     if (moving && flight.moving) {
@@ -65,6 +66,7 @@ void steer_camera(EditorState& state, const EditorFrame& frame, const PictureVie
     const bool moved = ImGui::IsMouseDragging(ImGuiMouseButton_Left, kClickPixels) ||
                        ImGui::IsMouseDragging(ImGuiMouseButton_Middle, kClickPixels);
     state.flight.on = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
+    if (ImGui::IsItemActivated()) state.flew = false;
     if (state.flight.on) {
         state.dragging = state.press_moved = true;
         return fly_on(state, frame);
@@ -92,7 +94,7 @@ void steer_camera(EditorState& state, const EditorFrame& frame, const PictureVie
 
 void frame_selection(EditorState& state, const EditorFrame& frame) {
     if (!frame.scene) return;
-    const Bounds selected = bounds_of(*frame.scene, state.selected_object);
+    const Bounds selected = bounds_of(*frame.scene, selected_objects(state));
     frame_bounds(state, frame, selected.empty() ? frame.scene->bounds : selected);
 }
 

@@ -65,7 +65,7 @@ const KernelTap* draw_tap_grid(const Probe::PerLight& p, float side) {
     ImGui::InvisibleButton("taps", {side, side});
     if (p.taps.empty()) return nullptr;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, {at.x + side, at.y + side}, theme::kWell);
+    list.AddRectFilled(at, {at.x + side, at.y + side}, theme::well());
     const float cell = side / float(n), gap = cell > 8 ? 1.0f : 0.0f;
     const double heaviest = heaviest_tap(p);
     const KernelTap* hovered = nullptr;

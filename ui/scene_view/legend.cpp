@@ -61,12 +61,12 @@ void draw_legend(const Pane& pane, const FittedLight* light, float left, float b
         hi(lo.x + box_width + 2 * pad, bottom - em * 0.6f);
     list.AddRectFilled(lo, hi, theme::kVeil, em * 0.25f);
     const float top = lo.y + pad * 0.6f;
-    list.AddText({lo.x + pad + (small ? width + pad : 0), top + (small ? bar + em * 0.2f : 0)}, theme::kText,
+    list.AddText({lo.x + pad + (small ? width + pad : 0), top + (small ? bar + em * 0.2f : 0)}, theme::kOnPicture,
                  title.c_str());
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const ImVec2 at(lo.x + pad + key_width * float(i), top + em * 1.4f);
         list.AddRectFilled(at, {at.x + em * 0.8f, at.y + em * 0.8f}, theme::colour(shared::view_colour(int(i))));
-        list.AddText({at.x + em, at.y - em * 0.1f}, theme::kText, keys[i].c_str());
+        list.AddText({at.x + em, at.y - em * 0.1f}, theme::kOnPicture, keys[i].c_str());
     }
     if (!overlay.scalar) return;
     const Stops stops = stops_of(overlay);
@@ -77,11 +77,11 @@ void draw_legend(const Pane& pane, const FittedLight* light, float left, float b
     const int steps = width < em * 11 ? 2 : 4;
     for (int i = 0; i <= steps; ++i) {
         const float t = float(i) / float(steps), x = x0 + t * (x2 - x0);
-        list.AddLine({x, y1}, {x, y1 + em * 0.2f}, theme::kText);
+        list.AddLine({x, y1}, {x, y1 + em * 0.2f}, theme::kOnPicture);
         const std::string number = fmt::format("{:.3g}", low + t * (high - low));
         const float w = ImGui::CalcTextSize(number.c_str()).x;
         const float at = i == 0 ? x : i == steps ? x - w : x - 0.5f * w;
-        list.AddText({at, y1 + em * 0.2f}, theme::kText, number.c_str());
+        list.AddText({at, y1 + em * 0.2f}, theme::kOnPicture, number.c_str());
     }
 }
 

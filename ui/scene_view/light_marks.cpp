@@ -182,13 +182,13 @@ void draw_numbers(const PicturePainter& p, const LightPose& pose, LightHandle ha
     std::string text = fmt::format("{}   {}", handle_name(handle), handle_numbers(pose, handle));
     if (is_extent(handle) && map_resolution > 0)
         text += fmt::format("   texel {}", metres_text(pose.view.texel_size(1, map_resolution)));
-    p.caption(*at + glm::dvec2(p.px(14), p.px(10)), text, theme::kText);
+    p.caption(*at + glm::dvec2(p.px(14), p.px(10)), text, theme::kOnPicture);
 }
 
 void handle_tooltip(const LightPose& pose, LightHandle handle) {
     ImGui::BeginTooltip();
     ImGui::Text("%s   %s", std::string(handle_name(handle)).c_str(), handle_numbers(pose, handle).c_str());
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
     ImGui::TextUnformatted(std::string(help(handle, pose.type)).c_str());
     ImGui::TextUnformatted("Drag; Ctrl in steps, Esc as it was");
     ImGui::PopStyleColor();

@@ -33,12 +33,12 @@ void progress_bar(double share, const std::string& text, float width) {
     const ImVec2 end(at.x + size.x, at.y + size.y);
     ImGui::Dummy(size);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, end, theme::kWell, ImGui::GetStyle().FrameRounding);
-    list.AddRectFilled(at, {at.x + size.x * float(std::clamp(share, 0.0, 1.0)), end.y}, theme::kDone,
+    list.AddRectFilled(at, end, theme::well(), ImGui::GetStyle().FrameRounding);
+    list.AddRectFilled(at, {at.x + size.x * float(std::clamp(share, 0.0, 1.0)), end.y}, theme::colours().done,
                        ImGui::GetStyle().FrameRounding);
-    list.AddRect(at, end, theme::kLine, ImGui::GetStyle().FrameRounding);
+    list.AddRect(at, end, theme::line(), ImGui::GetStyle().FrameRounding);
     ImGui::PushClipRect(at, end, true);
-    list.AddText({at.x + padding.x, at.y + padding.y}, theme::kText, text.c_str());
+    list.AddText({at.x + padding.x, at.y + padding.y}, theme::text(), text.c_str());
     ImGui::PopClipRect();
 }
 

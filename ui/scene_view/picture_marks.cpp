@@ -45,7 +45,7 @@ void veiled_text(ImVec2 at, const std::string& text) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({at.x - em * 0.4f, at.y - em * 0.2f}, {at.x + size.x + em * 0.4f, at.y + size.y + em * 0.2f},
                        theme::kVeil, em * 0.2f);
-    list.AddText(at, theme::kText, text.c_str());
+    list.AddText(at, theme::kOnPicture, text.c_str());
 }
 
 void hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, glm::ivec2 pixel) {

@@ -20,6 +20,8 @@ namespace {
 
 constexpr double kLeastTick = 3;  // pixels at scale 1: a shorter normal offset is not drawn
 
+constexpr int kMostSelected = 200;  // boxes of chosen objects that are drawn
+
 void box(const PicturePainter& p, const Box& corners, ImU32 colour, bool thin) {
     for (int i = 0; i < 8; ++i)
         for (int bit = 1; bit < 8; bit <<= 1) {
@@ -75,13 +77,22 @@ void draw_scene_marks(const PicturePainter& p, const EditorState& state, const E
 }
 
 void draw_selection(const PicturePainter& p, const EditorState& state, const Scene& scene) {
+    if (!state.hovered_object.empty())
+        if (const Bounds around = bounds_below(scene, state.hovered_object); !around.empty())
+            box(p, around.corners(), theme::kSelected, true);
+    int drawn = 0;
+    for (const std::string& path : state.also_selected)
+        if (drawn < kMostSelected)
+            if (const auto corners = box_of(scene, path)) ++drawn, box(p, *corners, theme::kSelected, false);
     const auto corners = box_of(scene, state.selected_object);
     if (!corners) return;
     box(p, *corners, theme::kSelected, false);
     std::optional<glm::dvec2> top;
     for (const glm::dvec3& c : *corners)
         if (const auto at = p.view().point(c); at && (!top || at->y < top->y)) top = at;
-    if (top) p.caption(*top - glm::dvec2(0, p.px(26)), last_part(state.selected_object), theme::kText);
+    std::string name = last_part(state.selected_object);
+    if (!state.also_selected.empty()) name += fmt::format(" and {} more", state.also_selected.size());
+    if (top) p.caption(*top - glm::dvec2(0, p.px(26)), name, theme::kOnPicture);
 }
 
 void draw_caster_bounds(const PicturePainter& p, const Scene& scene, const Settings& settings) {
@@ -124,7 +135,7 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
     if (state.settings.camera.source == int(CameraSource::Light) && shown_light(state.settings) >= 0)
         say(fmt::format("Through light {}; L goes back", shown_light(state.settings)), theme::kLight);
     if (state.frozen) say("Shadow camera frozen", theme::kFrozen);
-    if (state.flight.on) say(fmt::format("Flying, speed {:.2g}×", state.flight.speed), theme::kText);
+    if (state.flight.on) say(fmt::format("Flying, speed {:.2g}×", state.flight.speed), theme::kOnPicture);
     const Probe::PerLight* answer = nullptr;
     const auto ray = shown_ray(state, frame, &answer);
     if (!ray) return;
@@ -140,7 +151,7 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
     for (const LegendWord& k : keys) {
         const float middle = at.y + 0.55f * font.FontSize;
         p.list().AddLine({at.x, middle}, {at.x + stroke, middle}, k.colour, p.px(2));
-        p.list().AddText({at.x + stroke + gap, at.y}, theme::kText, k.word);
+        p.list().AddText({at.x + stroke + gap, at.y}, theme::kOnPicture, k.word);
         at.x += stroke + gap + ImGui::CalcTextSize(k.word).x + between;
     }
 }

@@ -10,7 +10,7 @@ namespace si {
 /// All marks that belong over a picture of the scene: those below and the lights.
 void draw_scene_marks(const PicturePainter& painter, const EditorState& state, const EditorFrame& frame);
 
-/// The box of the selected object with its name; nothing when none is selected.
+/// The boxes of the selected objects with the first one's name, and of the row of the list under the mouse.
 void draw_selection(const PicturePainter& painter, const EditorState& state, const Scene& scene);
 /// The boxes of what casts, as the light fit sees them; at most kMostBoxes.
 void draw_caster_bounds(const PicturePainter& painter, const Scene& scene, const Settings& settings);

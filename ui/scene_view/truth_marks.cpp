@@ -54,9 +54,10 @@ void draw_artefact_legend(const LiveError* error, float left, float bottom, floa
     float y = lo.y + 0.6f * pad;
     for (const Line& l : lines) {
         list.AddRectFilled({lo.x + pad, y + em * 0.2f}, {lo.x + pad + em * 0.75f, y + em * 0.95f}, l.colour);
-        list.AddText({lo.x + pad + em * 1.2f, y}, theme::kText, l.label.c_str());
+        list.AddText({lo.x + pad + em * 1.2f, y}, theme::kOnPicture, l.label.c_str());
         if (counts)
-            list.AddText({hi.x - pad - ImGui::CalcTextSize(l.count.c_str()).x, y}, theme::kMuted, l.count.c_str());
+            list.AddText({hi.x - pad - ImGui::CalcTextSize(l.count.c_str()).x, y}, theme::kMutedOnPicture,
+                         l.count.c_str());
         y += line;
     }
 }

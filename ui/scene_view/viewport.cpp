@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "renderer/frame/pane_grid.h"
@@ -13,7 +14,9 @@
 #include "ui/scene_view/picture_marks.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/scene_view/scene_marks.h"
+#include "ui/scene_view/scene_menu.h"
 #include "ui/state/panels.h"
+#include "ui/state/selection.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/setting_widgets.h"
@@ -39,7 +42,7 @@ bool awaits_rays(const FrameResult& result) {
 /// A button that stays down while `on`; returns whether it was pressed.
 bool toggle(const char* label, bool on, const char* help) {
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    if (on) ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
+    if (on) ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
     const bool pressed = ImGui::Button(label);
     if (on) ImGui::PopStyleColor(2);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
@@ -82,7 +85,10 @@ void header(EditorState& state, const EditorFrame& frame) {
 void select_probed(EditorState& state, const EditorFrame& frame) {
     if (!state.select_probed || !frame.probe || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     if (!state.probe_pixel || glm::ivec2(frame.probe->x, frame.probe->y) != *state.probe_pixel) return;
-    state.selected_object = frame.probe->hit ? frame.probe->object : std::string();
+    if (frame.probe->hit)
+        select_objects(state, std::array{frame.probe->object});
+    else
+        select_objects(state, {});
     state.select_probed = false;
 }
 
@@ -209,7 +215,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     actions.scene_width = panes.grid.width;
     actions.scene_height = panes.grid.height;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, theme::kWell);
+    list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, theme::well());
     // After a change of view.panes the pictures are there with the next frame.
     const int pictures = against == AgainstView::Off ? panes.grid.count() : 1;
     if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != pictures) {
@@ -222,6 +228,8 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
     steer(state, frame, actions, panes);
+    if (state.scene_view) open_scene_menu(state, frame, *state.scene_view);
+    draw_scene_menu(state, frame);
     select_probed(state, frame);
     for (int i = 0; i < panes.grid.count(); ++i) draw_pane(state, frame, panes, i);
     if (pictures > 1)

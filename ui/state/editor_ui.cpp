@@ -10,6 +10,7 @@
 #include "ui/scene_view/camera_steering.h"
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
+#include "ui/state/selection.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
@@ -17,6 +18,7 @@ namespace si {
 namespace {
 
 constexpr float kPictures = 10;  ///< least height of the pictures that the tabs below leave, ems
+constexpr float kAllTabs = 40;   ///< width in which all of them have room, ems
 constexpr float kSplitter = 5;   ///< at scale 1, pixels
 constexpr int kF11 = 300;        ///< as the window feeds it (GLFW)
 
@@ -32,7 +34,7 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || state.flight.on || state.handle_drag) return;  // letters and Escape mean something else
     if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {           // keys are for it
-        if (pressed(ImGuiKey_Escape)) state.show_shortcuts = false;
+        if (pressed(ImGuiKey_Escape)) state.show_shortcuts = state.show_welcome = false;
         return;
     }
     Settings& s = state.settings;
@@ -64,7 +66,7 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (pressed(ImGuiKey_Escape) && state.maximised) {
         state.maximised.reset();
     } else if (pressed(ImGuiKey_Escape)) {
-        if (!state.probe_pixel) state.selected_object.clear();
+        if (!state.probe_pixel) select_objects(state, {});
         state.probe_pixel.reset();
         state.show_shortcuts = false;
     }
@@ -88,7 +90,7 @@ Dragged splitter(const char* id, bool vertical, ImVec2 size) {
     const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
     const float thin = hot ? 1.0f : 0.5f;
     const ImVec2 c(0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y));
-    const ImU32 colour = hot ? theme::kMuted : theme::kLine;
+    const ImU32 colour = hot ? theme::muted() : theme::line();
     if (vertical)
         ImGui::GetWindowDrawList()->AddRectFilled({c.x - thin, lo.y}, {c.x + thin, hi.y}, colour);
     else
@@ -119,7 +121,11 @@ bool shows_artefacts(const Settings& settings) {
 }
 
 void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
-    if (!ImGui::BeginTabBar("bottom")) return;
+    // Tabs that have no room are scrolled to and listed, not squeezed to a letter.
+    ImGuiTabBarFlags flags = ImGuiTabBarFlags_FittingPolicyScroll;
+    if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * kAllTabs)
+        flags |= ImGuiTabBarFlags_TabListPopupButton;
+    if (!ImGui::BeginTabBar("bottom", flags)) return;
     const auto asked = state.open_tab;
     tab(state, BottomTab::Effects, "Effects", [&] { draw_effects(state, frame, actions); });
     tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, actions); });
@@ -132,7 +138,7 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& ac
     tab(state, BottomTab::Numbers, "Numbers", [&] { draw_health(state, frame, actions); });
     const int errors = state.log.unseen_errors();
     const std::string log = errors > 0 ? fmt::format("Log ({})###Log", errors) : std::string("Log###Log");
-    if (errors > 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+    if (errors > 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
     tab(state, BottomTab::Log, log.c_str(), [&] { draw_log(state, frame); });
     if (errors > 0) ImGui::PopStyleColor();
     if (asked == state.tab) state.open_tab.reset();
@@ -212,7 +218,7 @@ void pictures_row(EditorState& state, const EditorFrame& frame, EditorActions& a
     const float side = std::min(layout.map_inset * em, 0.6f * std::min(size.x, size.y));
     const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x + size.x - side - em, corner.y + size.y - side - em});
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kPanel);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::panel());
     map_panel(state, frame, actions, {side, side});
     ImGui::PopStyleColor();
     ImGui::SetCursorScreenPos(after);
@@ -285,16 +291,24 @@ void maximise(EditorState& state, Panel panel) {
 EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     EditorActions actions;
     state.dragging = false;
+    theme::use(state.layout.light_theme);
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
     shortcuts(state, frame, actions);
 
     const ImGuiIO& io = ImGui::GetIO();
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(io.DisplaySize);
+    // A smaller window than its least size, which some window managers make, is scrolled.
+    const ImVec2 least(kLeastWidth / 15 * ImGui::GetFontSize(), kLeastHeight / 15 * ImGui::GetFontSize());
+    const bool cramped = io.DisplaySize.x < least.x || io.DisplaySize.y < least.y;
+    if (cramped)
+        ImGui::SetNextWindowContentSize({std::max(io.DisplaySize.x, least.x), std::max(io.DisplaySize.y, least.y)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::Begin("editor", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
+                     (cramped ? ImGuiWindowFlags_HorizontalScrollbar : ImGuiWindowFlags_NoScrollbar));
     ImGui::PopStyleVar();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     if (state.maximised)
@@ -302,11 +316,14 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     else
         all_panels(state, frame, actions);
     ImGui::PopStyleVar();
+    draw_welcome(state, frame, actions);
     draw_shortcuts(state);
     draw_file_dialog(state, actions);
     draw_replace_dialog(state, actions);
     ImGui::End();
 
+    if (state.tab != BottomTab::Objects || (state.maximised && *state.maximised != Panel::Tabs))
+        state.hovered_object.clear();  // no list that says it
     actions.want_error |= shows_artefacts(state.settings);
     const bool turning_wheel = ImGui::GetTime() < state.wheel_until;
     const bool gesture = ImGui::IsAnyItemActive() || state.dragging || turning_wheel;

@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,7 +39,8 @@ enum class MapSpot { AboveSettings, BesideScene, Inset, Hidden };
 /// A part of the window that can fill it.
 enum class Panel { Scene, Map, Tabs };
 
-/// Where the splitters stand. Sizes are in units of text height, so that they survive a change of scale.
+/// Where the splitters stand, and the colours. Sizes are in units of text height, so that they survive a change of
+/// scale.
 struct EditorLayout {
     float settings_width = 24;
     float bottom_height = 13;
@@ -47,6 +49,7 @@ struct EditorLayout {
     float map_share = 0.40f;  ///< of the width left of the settings, where it stands beside the scene
     float map_inset = 20;     ///< width and height, where it stands in a corner of the scene
     bool map_plots = true;    ///< histogram and depth curve under the map
+    bool light_theme = false;
     bool operator==(const EditorLayout&) const = default;
 };
 
@@ -94,8 +97,16 @@ struct EditorState : PictureState {
     SweepPanel sweep;
     std::optional<BottomTab> open_tab = BottomTab::Effects;  ///< brought to the front in the next frame
     std::string object_search;
-    bool only_lost = false;       ///< the object list shows lost casters only
-    std::string selected_object;  ///< node path; empty: none
+    bool only_lost = false;               ///< the object list shows lost casters only
+    std::string selected_object;          ///< node path, of several the one chosen first; empty: none
+    std::set<std::string> also_selected;  ///< the others
+    std::string hovered_object;           ///< node path of the row under the mouse; empty: none
+    std::set<std::string> closed_nodes;   ///< of the list of objects, by path
+    std::vector<double> object_ranks;     ///< that the list is sorted by; one a node of the scene `object_ranks_of`
+    std::uint64_t object_ranks_of = 0;    ///< Scene::id
+    std::string menu_object;              ///< node path that the scene's menu is about
+    bool flew = false;                    ///< or pressed a key, while the right button was held
+    bool show_welcome = false;
     bool show_shortcuts = false;
     double wheel_until = 0;                 ///< a turn of the wheel counts as one gesture until this time, seconds
     bool dragging = false;                  ///< a drag in a picture is under way
@@ -152,10 +163,14 @@ struct EditorActions : MapActions,
     bool want_timing = false;
     bool copy_command_line = false;
     bool quit = false;
+    bool welcomed = false;     ///< the welcome was shown
     bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies
     bool redraw = false;       ///< something still moves: draw another frame soon
     bool at_rest = false;      ///< nobody touches anything: the picture may be made smooth (view.smooth)
 };
+
+/// Of the window at scale 1 (a font of 15 pixels): in a smaller one the editor scrolls.
+inline constexpr float kLeastWidth = 640, kLeastHeight = 360;
 
 /// Draws one frame of the editor into the current ImGui frame; edits state.settings in place.
 EditorActions draw_editor(EditorState& state, const EditorFrame& frame);

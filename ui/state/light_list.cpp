@@ -6,10 +6,31 @@
 namespace si {
 namespace {
 
-constexpr double kTurn_deg = 75;  ///< between the shown light and one added
+constexpr double kTurn_deg = 75;   ///< between the shown light and one added, or a multiple of it
+constexpr double kApart_deg = 30;  ///< between one added and all others, where there is room
+constexpr int kTurns = 24;         ///< until they come round
 
 bool exists(const Settings& s, int light) {
     return light >= 0 && light < std::min(s.light_count, kMaxLights);
+}
+
+/// Degrees to the nearest of all lights.
+double clearance(const Settings& s, double azimuth) {
+    double least = 360;
+    for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i)
+        least = std::min(least, std::abs(std::remainder(s.lights[std::size_t(i)].azimuth - azimuth, 360.0)));
+    return least;
+}
+
+/// Where a light stands apart from the others: the first of some turns that is, else the best of them.
+double free_azimuth(const Settings& s, double from) {
+    double best = from, most = -1;
+    for (int turn = 1; turn < kTurns; ++turn) {
+        const double azimuth = std::remainder(from + turn * kTurn_deg, 360.0), room = clearance(s, azimuth);
+        if (room >= kApart_deg) return azimuth;
+        if (room > most) best = azimuth, most = room;
+    }
+    return best;
 }
 
 }  // namespace
@@ -22,8 +43,7 @@ void add_light(Settings& s) {
     if (!can_add_light(s)) return;
     const int added = std::max(s.light_count, 0);
     LightSettings light;
-    if (exists(s, s.view.light))
-        light.azimuth = std::remainder(s.lights[std::size_t(s.view.light)].azimuth + kTurn_deg, 360.0);
+    if (exists(s, s.view.light)) light.azimuth = free_azimuth(s, s.lights[std::size_t(s.view.light)].azimuth);
     s.lights[std::size_t(added)] = light;
     s.light_count = added + 1;
     s.view.light = added;
@@ -43,6 +63,19 @@ void delete_light(Settings& s, int light) {
     std::copy(s.lights.begin() + light + 1, s.lights.begin() + s.light_count, s.lights.begin() + light);
     s.lights[std::size_t(--s.light_count)] = {};  // what is not there leaves no trace
     if (s.view.light > light || s.view.light >= s.light_count) s.view.light = std::max(s.view.light - 1, 0);
+}
+
+bool is_solo(const Settings& s, int light) {
+    if (!exists(s, light)) return false;
+    for (int i = 0; i < s.light_count; ++i)
+        if (s.lights[std::size_t(i)].on != (i == light)) return false;
+    return true;
+}
+
+void solo_light(Settings& s, int light) {
+    if (!exists(s, light)) return;
+    const bool all = is_solo(s, light);
+    for (int i = 0; i < s.light_count; ++i) s.lights[std::size_t(i)].on = all || i == light;
 }
 
 void move_light(Settings& s, int light, int places) {

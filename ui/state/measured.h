@@ -57,7 +57,8 @@ struct SweepFacts {
     std::optional<MeasuredCase> present;    ///< the shown settings, measured at the sweep's size
     bool measuring_present = false;
     std::string present_problem;
-    FrontierView view;  ///< over SweepPanel::cost and ::error
+    std::string cost;   ///< column across: the chosen one, or, while that has no values, one that has; empty: chosen
+    FrontierView view;  ///< over `cost` and SweepPanel::error
 };
 
 /// "KEY=VALUES" as being typed.

@@ -30,6 +30,8 @@ void draw_lab(EditorState& state, const EditorFrame& frame, EditorActions& actio
 void draw_health(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 void draw_log(EditorState& state, const EditorFrame& frame);
 void draw_shortcuts(EditorState& state);
+/// Three sentences and three ways to begin, while state.show_welcome.
+void draw_welcome(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 /// Only where time_bar_height() is not 0: the scene has animations.
 void draw_time_bar(EditorState& state, const EditorFrame& frame);
 float time_bar_height(const EditorFrame& frame);

@@ -1,6 +1,9 @@
 #include "ui/state/selection.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -20,6 +23,31 @@ Bounds local_bounds(const Scene& scene, int node) {
     return all;
 }
 
+/// For each node whether it is this one or below it.
+std::vector<char> below(const Scene& scene, int node) {
+    std::vector<char> in(scene.nodes.size(), 0);
+    if (node < 0) return in;
+    in[std::size_t(node)] = 1;
+    for (std::size_t i = std::size_t(node) + 1; i < in.size(); ++i)  // parents come first
+        if (const int parent = scene.nodes[i].parent; parent >= 0) in[i] = in[std::size_t(parent)];
+    return in;
+}
+
+/// World bounds of what the marked nodes place, each in a box of its own axes.
+Bounds bounds_of_marked(const Scene& scene, const std::vector<char>& marked) {
+    Bounds all;
+    for (const Object& o : scene.objects) {
+        if (!marked[std::size_t(o.node)]) continue;
+        const Bounds& local = scene.meshes[std::size_t(o.mesh)].bounds;
+        if (!local.empty() && std::isfinite(local.radius())) all.add(local.transformed(o.world));
+    }
+    return all;
+}
+
+void set_cast(Settings& s, const std::string& path, bool cast) {
+    if (const auto ref = find_setting("object." + path + ".cast")) set_value(s, *ref, cast);
+}
+
 }  // namespace
 
 std::optional<Box> box_of(const Scene& scene, const std::string& path) {
@@ -35,6 +63,69 @@ Bounds bounds_of(const Scene& scene, const std::string& path) {
     if (const auto corners = box_of(scene, path))
         for (const glm::dvec3& p : *corners) bounds.add(p);
     return bounds;
+}
+
+Bounds bounds_of(const Scene& scene, const std::set<std::string>& paths) {
+    if (paths.size() == 1) return bounds_of(scene, *paths.begin());
+    std::vector<char> marked(scene.nodes.size(), 0);
+    for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = paths.count(scene.nodes[i].path) > 0;
+    return bounds_of_marked(scene, marked);
+}
+
+Bounds bounds_below(const Scene& scene, const std::string& path) {
+    return bounds_of_marked(scene, below(scene, node_of(scene, path)));
+}
+
+std::vector<std::string> placed_below(const Scene& scene, int node) {
+    const std::vector<char> in = below(scene, node);
+    std::vector<char> placed(in.size(), 0);
+    for (const Object& o : scene.objects) placed[std::size_t(o.node)] = in[std::size_t(o.node)];
+    std::vector<std::string> paths;
+    for (std::size_t i = 0; i < placed.size(); ++i)
+        if (placed[i]) paths.push_back(scene.nodes[i].path);
+    return paths;
+}
+
+std::set<std::string> selected_objects(const EditorState& state) {
+    std::set<std::string> all = state.also_selected;
+    if (!state.selected_object.empty()) all.insert(state.selected_object);
+    return all;
+}
+
+bool is_selected(const EditorState& state, const std::string& path) {
+    return !path.empty() && (state.selected_object == path || state.also_selected.count(path) > 0);
+}
+
+void select_objects(EditorState& state, std::span<const std::string> paths) {
+    state.selected_object = paths.empty() ? std::string() : paths[0];
+    state.also_selected.clear();
+    if (!paths.empty()) state.also_selected.insert(paths.begin() + 1, paths.end());
+}
+
+void toggle_object(EditorState& state, const std::string& path) {
+    if (state.also_selected.erase(path) > 0) return;
+    if (state.selected_object == path) {
+        state.selected_object = state.also_selected.empty() ? std::string() : *state.also_selected.begin();
+        state.also_selected.erase(state.selected_object);
+    } else if (state.selected_object.empty()) {
+        state.selected_object = path;
+    } else {
+        state.also_selected.insert(path);
+    }
+}
+
+void cast_alone(Settings& settings, const Scene& scene, const std::set<std::string>& paths) {
+    for (const Object& o : scene.objects) {
+        const std::string& path = scene.nodes[std::size_t(o.node)].path;
+        if (!o.ground) set_cast(settings, path, paths.count(path) > 0);  // the ground never casts
+    }
+}
+
+void cast_all(Settings& settings) {
+    std::vector<std::string> paths;
+    for (const auto& [path, own] : settings.objects)
+        if (!own.cast) paths.push_back(path);
+    for (const std::string& path : paths) set_cast(settings, path, true);
 }
 
 }  // namespace si

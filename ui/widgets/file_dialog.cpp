@@ -58,7 +58,7 @@ void read_folder(FileDialog& d, const fs::path& wanted) {
 /// The list; returns the entry that was double-clicked.
 std::optional<FileDialog::Entry> draw_entries(FileDialog& d, float height) {
     std::optional<FileDialog::Entry> entered;
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kWell);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::well());
     ImGui::BeginChild("entries", {0, height}, true);
     ImGuiListClipper clipper;
     clipper.Begin(int(d.entries.size()));
@@ -136,7 +136,7 @@ void draw_file_dialog(EditorState& state, EditorActions& actions) {
                        (d.problem.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing());
     const auto entered = draw_entries(d, std::max(ImGui::GetContentRegionAvail().y - rows, em * 3));
     if (!d.problem.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
         ImGui::TextUnformatted(d.problem.c_str());
         ImGui::PopStyleColor();
     }

@@ -26,7 +26,7 @@ bool line(const char* label, std::string_view help, int number, int chosen) {
         const std::string digit = fmt::format("{}", number);
         const ImVec2 hi = ImGui::GetItemRectMax();
         const float top = ImGui::GetItemRectMin().y;
-        ImGui::GetWindowDrawList()->AddText({hi.x - ImGui::GetFontSize(), top}, theme::kMuted, digit.c_str());
+        ImGui::GetWindowDrawList()->AddText({hi.x - ImGui::GetFontSize(), top}, theme::muted(), digit.c_str());
     }
     ImGui::PopID();
     return picked;

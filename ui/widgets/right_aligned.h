@@ -9,7 +9,7 @@
 
 namespace si {
 
-inline void right_aligned(const std::string& text, ImU32 colour = theme::kText) {
+inline void right_aligned(const std::string& text, ImU32 colour = theme::text()) {
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
     if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
@@ -18,7 +18,7 @@ inline void right_aligned(const std::string& text, ImU32 colour = theme::kText) 
 }
 
 /// The same in the table's next column.
-inline void right_cell(const std::string& text, ImU32 colour = theme::kText) {
+inline void right_cell(const std::string& text, ImU32 colour = theme::text()) {
     ImGui::TableNextColumn();
     right_aligned(text, colour);
 }

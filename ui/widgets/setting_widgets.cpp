@@ -41,7 +41,7 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     ImGui::TextUnformatted(p.label.data(), p.label.data() + p.label.size());
     ImGui::PopFont();
     ImGui::TextUnformatted(p.help.data(), p.help.data() + p.help.size());
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
     ImGui::TextUnformatted(
         fmt::format("{}   default {}", setting_key(ref), shown_value(settings, p, default_value(ref))).c_str());
     if (!p.choices && !std::holds_alternative<bool>(default_value(ref)))
@@ -52,7 +52,7 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     if (const auto idle = without_effect(settings, ref); !idle.empty()) {
         std::string text(idle);
         text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
         ImGui::TextUnformatted((text + ".").c_str());
         ImGui::PopStyleColor();
     }
@@ -230,10 +230,10 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
     ImGui::AlignTextToFramePadding();
     if (setting_changed(settings, ref)) {
         const ImVec2 centre(start.x + dot * 0.33f, start.y + ImGui::GetFrameHeight() * 0.5f);
-        ImGui::GetWindowDrawList()->AddCircleFilled(centre, ImGui::GetFontSize() * 0.17f, theme::kAccent, 12);
+        ImGui::GetWindowDrawList()->AddCircleFilled(centre, ImGui::GetFontSize() * 0.17f, theme::accent(), 12);
     }
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + dot);
-    ImGui::PushStyleColor(ImGuiCol_Text, idle ? theme::kFaint : theme::kText);
+    ImGui::PushStyleColor(ImGuiCol_Text, idle ? theme::faint() : theme::text());
     ImGui::TextUnformatted(p.label.data(), p.label.data() + p.label.size());
     ImGui::PopStyleColor();
     ImGui::OpenPopupOnItemClick("row menu", ImGuiPopupFlags_MouseButtonRight);

@@ -39,6 +39,84 @@ ImVec4 grey(float value, float alpha = 1) {
     return {value, value, value * 1.01f, alpha};
 }
 
+constexpr Colours kDark{.text = IM_COL32(222, 222, 220, 255),
+                        .muted = IM_COL32(160, 160, 158, 255),
+                        .faint = IM_COL32(142, 142, 141, 255),
+                        .panel = IM_COL32(35, 35, 36, 255),
+                        .popup = IM_COL32(42, 42, 42, 251),
+                        .title = IM_COL32(28, 28, 28, 255),
+                        .well = IM_COL32(23, 23, 24, 255),
+                        .line = IM_COL32(58, 58, 59, 255),
+                        .accent = IM_COL32(232, 200, 128, 255),
+                        .error = IM_COL32(240, 126, 112, 255),
+                        .warning = IM_COL32(226, 180, 92, 255),
+                        .note = IM_COL32(50, 50, 52, 255),
+                        .done = IM_COL32(92, 84, 62, 255),
+                        .bar = IM_COL32(168, 168, 166, 255)};
+
+constexpr Colours kLightTheme{.text = IM_COL32(26, 26, 27, 255),
+                              .muted = IM_COL32(84, 84, 86, 255),
+                              .faint = IM_COL32(102, 102, 104, 255),
+                              .panel = IM_COL32(238, 238, 236, 255),
+                              .popup = IM_COL32(247, 247, 246, 252),
+                              .title = IM_COL32(228, 228, 226, 255),
+                              .well = IM_COL32(252, 252, 251, 255),
+                              .line = IM_COL32(198, 198, 196, 255),
+                              .accent = IM_COL32(122, 76, 0, 255),
+                              .error = IM_COL32(172, 30, 20, 255),
+                              .warning = IM_COL32(130, 78, 0, 255),
+                              .note = IM_COL32(224, 224, 220, 255),
+                              .done = IM_COL32(222, 204, 158, 255),
+                              .bar = IM_COL32(120, 120, 122, 255)};
+
+bool light_in_use = false;
+
+/// Into the style of the current context.
+void set_colours() {
+    const Colours& theme = colours();
+    const auto by = [](float dark, float light) { return grey(light_in_use ? light : dark); };
+    ImVec4* c = ImGui::GetStyle().Colors;
+    const auto of = ImGui::ColorConvertU32ToFloat4;
+    c[ImGuiCol_Text] = of(theme.text);
+    c[ImGuiCol_TextDisabled] = of(theme.muted);
+    c[ImGuiCol_WindowBg] = c[ImGuiCol_ChildBg] = of(theme.panel);
+    c[ImGuiCol_PopupBg] = of(theme.popup);
+    c[ImGuiCol_Border] = of(theme.line);
+    c[ImGuiCol_FrameBg] = of(theme.well);
+    c[ImGuiCol_FrameBgHovered] = by(0.125f, 0.95f);
+    c[ImGuiCol_FrameBgActive] = by(0.145f, 0.92f);
+    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = c[ImGuiCol_TitleBgCollapsed] = of(theme.title);
+    c[ImGuiCol_MenuBarBg] = of(theme.title);
+    c[ImGuiCol_ScrollbarBg] = grey(0, 0);
+    c[ImGuiCol_ScrollbarGrab] = by(0.30f, 0.74f);
+    c[ImGuiCol_ScrollbarGrabHovered] = by(0.38f, 0.66f);
+    c[ImGuiCol_ScrollbarGrabActive] = by(0.46f, 0.58f);
+    c[ImGuiCol_CheckMark] = by(0.88f, 0.15f);
+    c[ImGuiCol_SliderGrab] = by(0.31f, 0.76f);
+    c[ImGuiCol_SliderGrabActive] = by(0.37f, 0.70f);
+    c[ImGuiCol_Button] = by(0.205f, 0.87f);
+    c[ImGuiCol_ButtonHovered] = by(0.26f, 0.84f);
+    c[ImGuiCol_ButtonActive] = by(0.32f, 0.81f);
+    c[ImGuiCol_Header] = by(0.21f, 0.86f);
+    c[ImGuiCol_HeaderHovered] = by(0.25f, 0.82f);
+    c[ImGuiCol_HeaderActive] = by(0.29f, 0.78f);
+    c[ImGuiCol_Separator] = of(theme.line);
+    c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_SeparatorActive] = by(0.45f, 0.55f);
+    c[ImGuiCol_ResizeGrip] = grey(light_in_use ? 0.6f : 0.30f, 0.4f);
+    c[ImGuiCol_ResizeGripHovered] = c[ImGuiCol_ResizeGripActive] = by(0.45f, 0.55f);
+    c[ImGuiCol_Tab] = c[ImGuiCol_TabUnfocused] = of(theme.panel);
+    c[ImGuiCol_TabHovered] = by(0.27f, 0.82f);
+    c[ImGuiCol_TabActive] = c[ImGuiCol_TabUnfocusedActive] = by(0.23f, 0.85f);
+    c[ImGuiCol_PlotLines] = c[ImGuiCol_PlotHistogram] = by(0.7f, 0.35f);
+    c[ImGuiCol_TableHeaderBg] = by(0.165f, 0.90f);
+    c[ImGuiCol_TableBorderStrong] = c[ImGuiCol_TableBorderLight] = by(0.20f, 0.82f);
+    c[ImGuiCol_TableRowBg] = grey(0, 0);
+    c[ImGuiCol_TableRowBgAlt] = light_in_use ? grey(0, 0.025f) : grey(1, 0.018f);
+    c[ImGuiCol_TextSelectedBg] = by(0.36f, 0.78f);
+    c[ImGuiCol_NavHighlight] = by(0.6f, 0.4f);
+    c[ImGuiCol_ModalWindowDimBg] = grey(0, 0.45f);
+}
+
 }  // namespace
 
 void load_fonts(float scale) {
@@ -82,51 +160,27 @@ void apply(float scale) {
     style.PopupBorderSize = 1;
     style.FrameBorderSize = 1;
     style.IndentSpacing = 12;
-    style.DisabledAlpha = 0.5f;
+    style.DisabledAlpha = 0.68f;
     style.ScaleAllSizes(scale);
     style.PopupBorderSize = style.FrameBorderSize = 1;
 
-    ImVec4* c = style.Colors;
-    const auto of = ImGui::ColorConvertU32ToFloat4;
-    c[ImGuiCol_Text] = of(kText);
-    c[ImGuiCol_TextDisabled] = of(kMuted);
-    c[ImGuiCol_WindowBg] = c[ImGuiCol_ChildBg] = of(kPanel);
-    c[ImGuiCol_PopupBg] = grey(0.165f, 0.985f);
-    c[ImGuiCol_Border] = of(kLine);
-    c[ImGuiCol_FrameBg] = of(kWell);
-    c[ImGuiCol_FrameBgHovered] = grey(0.125f);
-    c[ImGuiCol_FrameBgActive] = grey(0.145f);
-    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = c[ImGuiCol_TitleBgCollapsed] = grey(0.11f);
-    c[ImGuiCol_MenuBarBg] = grey(0.11f);
-    c[ImGuiCol_ScrollbarBg] = grey(0, 0);
-    c[ImGuiCol_ScrollbarGrab] = grey(0.30f);
-    c[ImGuiCol_ScrollbarGrabHovered] = grey(0.38f);
-    c[ImGuiCol_ScrollbarGrabActive] = grey(0.46f);
-    c[ImGuiCol_CheckMark] = grey(0.88f);
-    c[ImGuiCol_SliderGrab] = grey(0.31f);
-    c[ImGuiCol_SliderGrabActive] = grey(0.42f);
-    c[ImGuiCol_Button] = grey(0.205f);
-    c[ImGuiCol_ButtonHovered] = grey(0.26f);
-    c[ImGuiCol_ButtonActive] = grey(0.32f);
-    c[ImGuiCol_Header] = grey(0.21f);
-    c[ImGuiCol_HeaderHovered] = grey(0.25f);
-    c[ImGuiCol_HeaderActive] = grey(0.29f);
-    c[ImGuiCol_Separator] = of(kLine);
-    c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_SeparatorActive] = grey(0.45f);
-    c[ImGuiCol_ResizeGrip] = grey(0.30f, 0.4f);
-    c[ImGuiCol_ResizeGripHovered] = c[ImGuiCol_ResizeGripActive] = grey(0.45f);
-    c[ImGuiCol_Tab] = c[ImGuiCol_TabUnfocused] = of(kPanel);
-    c[ImGuiCol_TabHovered] = grey(0.27f);
-    c[ImGuiCol_TabActive] = c[ImGuiCol_TabUnfocusedActive] = grey(0.23f);
-    c[ImGuiCol_PlotLines] = c[ImGuiCol_PlotHistogram] = grey(0.7f);
-    c[ImGuiCol_TableHeaderBg] = grey(0.165f);
-    c[ImGuiCol_TableBorderStrong] = c[ImGuiCol_TableBorderLight] = grey(0.20f);
-    c[ImGuiCol_TableRowBg] = grey(0, 0);
-    c[ImGuiCol_TableRowBgAlt] = grey(1, 0.018f);
-    c[ImGuiCol_TextSelectedBg] = grey(0.42f);
-    c[ImGuiCol_NavHighlight] = grey(0.6f);
-    c[ImGuiCol_ModalWindowDimBg] = grey(0, 0.45f);
     ImGui::GetStyle() = style;
+    light_in_use = false;
+    set_colours();
+}
+
+const Colours& colours(bool light) {
+    return light ? kLightTheme : kDark;
+}
+
+const Colours& colours() {
+    return colours(light_in_use);
+}
+
+void use(bool light) {
+    if (light == light_in_use) return;
+    light_in_use = light;
+    set_colours();
 }
 
 }  // namespace si::theme

@@ -1,4 +1,4 @@
-// Colours, fonts and spacing of the editor. Greys only: colour is kept for data.
+// Colours, fonts and spacing of the editor, dark or light. Greys only: colour is kept for data.
 #pragma once
 
 #include <imgui.h>
@@ -9,15 +9,54 @@
 
 namespace si::theme {
 
-inline constexpr ImU32 kText = IM_COL32(222, 222, 220, 255);
-inline constexpr ImU32 kMuted = IM_COL32(146, 146, 144, 255);
-inline constexpr ImU32 kFaint = IM_COL32(96, 96, 95, 255);
-inline constexpr ImU32 kPanel = IM_COL32(35, 35, 36, 255);
-inline constexpr ImU32 kWell = IM_COL32(23, 23, 24, 255);  ///< behind pictures and inputs
-inline constexpr ImU32 kLine = IM_COL32(58, 58, 59, 255);
-inline constexpr ImU32 kAccent = IM_COL32(232, 200, 128, 255);  ///< changed values
-inline constexpr ImU32 kError = IM_COL32(236, 116, 100, 255);
-inline constexpr ImU32 kWarning = IM_COL32(226, 180, 92, 255);
+/// What a theme is made of, but the states of widgets. Every text reads on every ground that it stands on
+/// (tests/ui/theme_test.cpp).
+struct Colours {
+    ImU32 text, muted, faint;
+    ImU32 panel, popup, title, well;  ///< grounds; well: behind pictures and inputs
+    ImU32 line;
+    ImU32 accent;  ///< changed values
+    ImU32 error, warning;
+    ImU32 note;  ///< behind remarks to the person
+    ImU32 done;  ///< of a progress bar
+    ImU32 bar;   ///< of a plot
+};
+const Colours& colours(bool light);
+/// Of the theme in use.
+const Colours& colours();
+
+inline ImU32 text() {
+    return colours().text;
+}
+inline ImU32 muted() {
+    return colours().muted;
+}
+inline ImU32 faint() {
+    return colours().faint;
+}
+inline ImU32 panel() {
+    return colours().panel;
+}
+inline ImU32 well() {
+    return colours().well;
+}
+inline ImU32 line() {
+    return colours().line;
+}
+inline ImU32 accent() {
+    return colours().accent;
+}
+inline ImU32 error() {
+    return colours().error;
+}
+inline ImU32 warning() {
+    return colours().warning;
+}
+
+// On pictures, whatever the theme: text over kVeil.
+inline constexpr ImU32 kOnPicture = IM_COL32(222, 222, 220, 255);
+inline constexpr ImU32 kMutedOnPicture = IM_COL32(170, 170, 168, 255);
+inline constexpr ImU32 kWarningOnPicture = IM_COL32(226, 180, 92, 255);
 inline constexpr ImU32 kAxes[3] = {IM_COL32(222, 110, 98, 255), IM_COL32(126, 186, 96, 255),
                                    IM_COL32(104, 152, 224, 255)};  ///< x, y, z
 
@@ -34,10 +73,7 @@ inline constexpr ImU32 kBounds = IM_COL32(168, 186, 206, 74);  ///< boxes of all
 inline constexpr ImU32 kLive = IM_COL32(150, 150, 148, 160);   ///< the camera that flies while another is frozen
 inline constexpr ImU32 kShade = IM_COL32(0, 0, 0, 160);        ///< around marks, so that they show on any ground
 
-inline constexpr ImU32 kNote = IM_COL32(50, 50, 52, 255);  ///< behind remarks to the person
-inline constexpr ImU32 kVeil = IM_COL32(18, 18, 19, 205);  ///< under text on pictures
-
-inline constexpr ImU32 kDone = IM_COL32(92, 84, 62, 255);  ///< of a progress bar: dark enough for text on it
+inline constexpr ImU32 kVeil = IM_COL32(18, 18, 19, 225);  ///< under text on pictures
 
 inline ImU32 rgb(const std::array<std::uint8_t, 3>& c) {
     return IM_COL32(c[0], c[1], c[2], 255);
@@ -45,8 +81,10 @@ inline ImU32 rgb(const std::array<std::uint8_t, 3>& c) {
 
 /// Fills the font atlas of the current ImGui context: [0] body, [1] strong, [2] small. Call before the first frame.
 void load_fonts(float scale);
-/// Sets the style of the current ImGui context; `scale` 1 is for a screen of about 96 dots per inch.
+/// Sets the style of the current ImGui context; `scale` 1 is for a screen of about 96 dots per inch. Dark until use().
 void apply(float scale);
+/// Goes over to the light theme or the dark one.
+void use(bool light);
 
 /// An opaque colour; components 0 to 1, as shaders have them.
 ImU32 colour(const glm::vec3& rgb);

@@ -15,11 +15,12 @@ constexpr const char* kMore = "»";
 
 }  // namespace
 
-Toolbar::Toolbar(const char* id) : id_(id), right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) {}
+Toolbar::Toolbar(const char* id, float kept_free)
+    : id_(id), right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x - kept_free) {}
 
 bool Toolbar::fits(float width) {
     if (!waiting_.empty()) return false;
-    if (!first_) ImGui::SameLine();
+    if (!first_) ImGui::SameLine(0, std::exchange(space_, -1));
     if (ImGui::GetCursorScreenPos().x + width + ImGui::GetStyle().ItemSpacing.x + button_width(kMore) > right_)
         return false;
     first_ = false;

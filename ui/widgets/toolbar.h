@@ -10,7 +10,10 @@ namespace si {
 class Toolbar {
 public:
     /// In what is left of the present line. @param id of the menu
-    explicit Toolbar(const char* id);
+    /// @param kept_free at its right end, for others
+    explicit Toolbar(const char* id, float kept_free = 0);
+    /// The next widget stands that far from the one before.
+    void space(float width) { space_ = width; }
     /// A widget as wide as told, in the row or, from the first on that has no room, in the menu.
     /// @param label stands before it; empty: it has one of its own
     /// @param draw draws it in the width that is given; 0: its own
@@ -31,6 +34,7 @@ private:
     const char* id_;
     float right_;  ///< of the row, on the screen
     bool first_ = true;
+    float space_ = -1;  ///< below 0: as usual
     std::vector<Waiting> waiting_;
 };
 

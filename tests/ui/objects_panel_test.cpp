@@ -1,0 +1,233 @@
+// The tree of objects and the menu of the object under the mouse: rows, sorting, several at once.
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+#include "renderer/scenes/builtin.h"
+#include "renderer/settings/param.h"
+#include "tests/ui/ui_harness.h"
+#include "ui/scene_view/pick.h"
+#include "ui/state/selection.h"
+
+namespace si::test {
+namespace {
+
+class ObjectsPanel : public testing::Test {
+protected:
+    ObjectsPanel() {
+        ui.state.open_tab = BottomTab::Objects;
+        ui.state.layout.bottom_height = 34;
+        ui.frames(4);
+    }
+    static const ImGuiTable* table() {
+        ImGuiContext& g = *ImGui::GetCurrentContext();
+        for (int i = 0; i < g.Tables.GetMapSize(); ++i)
+            if (const ImGuiTable* t = g.Tables.TryGetMapData(i))
+                if (std::string(t->InnerWindow->Name).find("objects") != std::string::npos) return t;
+        return nullptr;
+    }
+    /// Where a widget of this ID stands between two sides; nothing where it is not on view.
+    std::optional<glm::vec2> seek(ImGuiID id, float left, float right, float step) {
+        ui.frames(2);
+        const ImRect all = table()->OuterRect;
+        for (float y = all.Min.y + 5; y < all.Max.y; y += 11)
+            for (float x = left; x < right; x += step) {
+                ui.move({x, y});
+                ui.frame();
+                if (ui.hovered() == id) return glm::vec2(x, y);
+            }
+        return {};
+    }
+    /// A row's name, or the arrow before it.
+    std::optional<glm::vec2> row(const std::string& path) {
+        const float left = table()->OuterRect.Min.x + 150;
+        return seek(ImHashStr(("###" + path).c_str(), 0, table()->ID), left, left + 1, 10);
+    }
+    std::optional<glm::vec2> arrow(const std::string& path) {
+        const float left = table()->OuterRect.Min.x + 4;
+        return seek(ImHashStr(("open " + path).c_str(), 0, table()->ID), left, left + 50, 7);
+    }
+    void click(const std::string& path, bool ctrl = false, bool shift = false) {
+        const auto at = row(path);
+        ASSERT_TRUE(at) << path;
+        ImGui::GetIO().KeyCtrl = ctrl, ImGui::GetIO().KeyShift = shift;
+        ui.click(*at);
+        ImGui::GetIO().KeyCtrl = ImGui::GetIO().KeyShift = false;
+    }
+    std::set<std::string> chosen() const { return selected_objects(ui.state); }
+    using Paths = std::set<std::string>;
+    UiHarness ui{1280, 900};
+};
+
+TEST_F(ObjectsPanel, RowsAreChosenAloneWithOthersAndAllBetween) {
+    click("Stage/Ground");
+    EXPECT_EQ(chosen(), Paths{"Stage/Ground"});
+    click("Stage/Plinth", true);
+    EXPECT_EQ(chosen(), (Paths{"Stage/Ground", "Stage/Plinth"}));
+    click("Stage/Ground", true);
+    EXPECT_EQ(chosen(), Paths{"Stage/Plinth"});
+    click("Stage/Ground", false, true);
+    EXPECT_EQ(chosen(), (Paths{"Stage/Ground", "Stage/Plinth"})) << "all between";
+    click("Stage/Fence");
+    const Paths fence = chosen();
+    EXPECT_GT(fence.size(), 3u) << "what places nothing stands for all below it";
+    for (const std::string& path : fence) EXPECT_TRUE(path.starts_with("Stage/Fence/")) << path;
+    click("Stage/Fence");
+    EXPECT_TRUE(chosen().empty());
+}
+
+TEST_F(ObjectsPanel, AClosedNodeHidesWhatLiesBelowAndASearchShowsItAgain) {
+    const std::string below = placed_below(ui.scene,
+                                           [&] {
+                                               for (std::size_t i = 0; i < ui.scene.nodes.size(); ++i)
+                                                   if (ui.scene.nodes[i].path == "Stage/Fence") return int(i);
+                                               return -1;
+                                           }())
+                                  .front();
+    ASSERT_TRUE(row(below));
+    const auto at = arrow("Stage/Fence");
+    ASSERT_TRUE(at);
+    ui.click(*at);
+    EXPECT_FALSE(row(below));
+    ui.state.object_search = below;
+    EXPECT_TRUE(row(below));
+}
+
+TEST_F(ObjectsPanel, TheRowUnderTheMouseIsMarkedInTheScene) {
+    const auto at = row("Stage/Plinth");
+    ASSERT_TRUE(at);
+    EXPECT_EQ(ui.state.hovered_object, "Stage/Plinth");
+    ui.move({20, 200});
+    ui.frames(2);
+    EXPECT_EQ(ui.state.hovered_object, "");
+}
+
+TEST_F(ObjectsPanel, AChangeOfOneChosenObjectIsAChangeOfAll) {
+    ui.state.history.reset(ui.state.settings);
+    click("Stage/Ground");
+    click("Stage/Plinth", true);
+    const SettingRef cast = *find_setting("object.Stage/Plinth.cast");
+    const float right = table()->OuterRect.Max.x;
+    const auto box =
+        seek(ImHashStr("##value", 0, ImHashStr(setting_key(cast).c_str(), 0, table()->ID)), right - 300, right, 12);
+    ASSERT_TRUE(box);
+    ui.click(*box);
+    EXPECT_FALSE(ui.state.settings.objects["Stage/Plinth"].cast);
+    EXPECT_FALSE(ui.state.settings.objects["Stage/Ground"].cast);
+    EXPECT_EQ(ui.state.settings.objects.size(), 2u);
+    EXPECT_TRUE(ui.state.history.undo().objects.empty()) << "one step";
+}
+
+TEST_F(ObjectsPanel, TheHeadersSort) {
+    const auto header = [&](int column) {
+        return glm::vec2(table()->Columns[column].MinX + 12, table()->OuterRect.Min.y + 9);
+    };
+    const auto above = [&](const char* a, const char* b) {
+        const auto first = row(a), second = row(b);
+        return first && (!second || first->y < second->y);
+    };
+    EXPECT_TRUE(above("Stage/Ground", "Stage/Wall")) << "as the file has it";
+    for (const Node& node : ui.scene.nodes)
+        if (node.path != "Stage") ui.state.closed_nodes.insert(node.path);
+    ui.click(header(1));
+    ASSERT_EQ(table()->SortSpecsCount, 1);
+    ASSERT_EQ(table()->Columns[1].SortDirection, int(ImGuiSortDirection_Descending));
+    const auto triangles = [&](const std::string& path) {
+        std::size_t n = 0;
+        for (const Object& o : ui.scene.objects)
+            if (ui.scene.nodes[std::size_t(o.node)].path == path)
+                n += ui.scene.meshes[std::size_t(o.mesh)].indices.size() / 3;
+        return n;
+    };
+    ASSERT_GT(triangles("Stage/Plinth"), triangles("Stage/Ground"));
+    EXPECT_TRUE(above("Stage/Plinth", "Stage/Ground")) << "the most first";
+    ui.click(header(0));
+    EXPECT_TRUE(above("Stage/Ground", "Stage/Plinth")) << "by name";
+}
+
+TEST(Pick, FindsWhatTheRayMeetsFirst) {
+    const Scene scene = load_scene("boxes");
+    Settings s;
+    const Camera camera = make_camera(scene, s, 1.5);
+    const PictureView view{camera, {0, 0}, {600, 400}, 1};
+    int met = 0;
+    for (const Object& o : scene.objects) {
+        const Bounds b = scene.meshes[std::size_t(o.mesh)].bounds.transformed(o.world);
+        // From right above its middle, straight down.
+        const Ray ray{b.centre() + glm::dvec3(0, 100, 0), {0, -1, 0}, 0};
+        const std::string found = object_at(scene, ray);
+        ASSERT_FALSE(found.empty());
+        met += found == scene.nodes[std::size_t(o.node)].path;
+        EXPECT_EQ(object_at(scene, {ray.origin, {0, 1, 0}, 0}), "") << "nothing above";
+    }
+    EXPECT_GE(met, int(scene.objects.size()) - 1) << "but the floor, on which one stands";
+    EXPECT_EQ(object_at(scene, view.ray({300, 1})), "") << "the sky";
+}
+
+class SceneMenu : public testing::Test {
+protected:
+    SceneMenu() {
+        ui.state.settings.view.frustum = false;
+        ui.frames(3);
+        ui.state.history.reset(ui.state.settings);
+        EXPECT_TRUE(ui.state.scene_view);
+    }
+    bool open() const { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }
+    void click(const char* item) {
+        const auto at = ui.find("##Popup", "", item);
+        ASSERT_TRUE(at) << item;
+        ui.click(*at);
+    }
+    const glm::vec2 at{300, 330};
+    UiHarness ui{1280, 720};
+};
+
+TEST_F(SceneMenu, ARightClickOpensItAndADragFlies) {
+    const Settings before = ui.state.settings;
+    ui.click(at, 1);
+    EXPECT_TRUE(open());
+    EXPECT_EQ(ui.state.settings, before) << "nothing moved";
+    const PictureView& view = *ui.state.scene_view;
+    EXPECT_EQ(ui.state.selected_object, object_at(ui.scene, view.ray({at.x, at.y})));
+    ASSERT_FALSE(ui.state.selected_object.empty());
+    ui.click({5, 400});
+    ASSERT_FALSE(open());
+    ui.drag(at, at + glm::vec2(40, 10), 1);
+    EXPECT_FALSE(open());
+    EXPECT_NE(ui.state.settings.camera, before.camera);
+}
+
+TEST_F(SceneMenu, ItsItemsChangeAllThatIsChosen) {
+    ui.click(at, 1);
+    const std::string first = ui.state.selected_object;
+    click("Casts");
+    EXPECT_FALSE(ui.state.settings.objects[first].cast);
+    EXPECT_EQ(ui.state.settings.objects.size(), 1u);
+    ui.click(at, 1);
+    click("Let all cast");
+    EXPECT_TRUE(ui.state.settings.objects.empty());
+    toggle_object(ui.state, first == "Stage/Wall" ? "Stage/Plinth" : "Stage/Wall");
+    ui.click(at, 1);
+    click("Let only this cast");
+    std::size_t casting = 0;
+    for (const Object& o : ui.scene.objects) {
+        const auto own = ui.state.settings.objects.find(ui.scene.nodes[std::size_t(o.node)].path);
+        casting += own == ui.state.settings.objects.end();
+    }
+    EXPECT_GE(casting, 2u);
+    EXPECT_LT(casting, ui.scene.objects.size());
+    for (const std::string& path : selected_objects(ui.state)) EXPECT_FALSE(ui.state.settings.objects.count(path));
+    EXPECT_TRUE(ui.state.history.undo().objects.empty());
+}
+
+TEST_F(SceneMenu, FramesTheObject) {
+    ui.click(at, 1);
+    const Bounds b = bounds_of(ui.scene, ui.state.selected_object);
+    click("Frame");
+    EXPECT_NEAR(ui.state.settings.camera.target_x, b.centre().x, 1e-9);
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,122 @@
+// What a person sees first: shown once, and only to a person who asked for nothing.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <filesystem>
+
+#include "app/base/output.h"
+#include "app/editor/headless_editor.h"
+#include "tests/ui/ui_harness.h"
+#include "ui/state/light_list.h"
+
+namespace si::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Welcome : public testing::Test {
+protected:
+    Welcome() {
+        ui.presets = {{.key = "acne"}, {.key = "bias"}};
+        ui.state.show_welcome = true;
+        ui.frames(4);
+    }
+    EditorActions click(const char* label) {
+        const auto at = ui.find("Welcome", "", label);
+        EXPECT_TRUE(at) << label;
+        if (!at) return {};
+        ui.move(*at);
+        ui.frames(2);
+        ui.press(true);
+        ui.frame();
+        ui.press(false);
+        return ui.frame();
+    }
+    bool open() const { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }
+    UiHarness ui{1280, 720};
+};
+
+TEST_F(Welcome, EscClosesIt) {
+    EXPECT_TRUE(open());
+    EXPECT_TRUE(ui.frame().welcomed);
+    const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
+    ImGui::GetIO().KeysDown[escape] = true;
+    ui.frame();
+    ImGui::GetIO().KeysDown[escape] = false;
+    ui.frames(3);
+    EXPECT_FALSE(ui.state.show_welcome || open());
+}
+
+TEST_F(Welcome, AModelIsOpenedByTheFileDialog) {
+    click("Open a model…");
+    ui.frames(2);
+    EXPECT_TRUE(open()) << "the file dialog";
+    EXPECT_FALSE(ui.state.show_welcome);
+}
+
+TEST_F(Welcome, TheTourBeginsWithTheFirstPreset) {
+    EXPECT_EQ(click("Guided tour").load_preset, "acne");
+    EXPECT_FALSE(ui.state.show_welcome);
+}
+
+TEST_F(Welcome, TheStageIsLoadedWhereAnotherSceneIsOpen) {
+    ui.state.scene_name = "boxes";
+    EXPECT_EQ(click("Look at the stage").load_scene, "stage");
+}
+
+TEST(WelcomeOnce, IsKeptInTheStateAndNeverShownToAProgram) {
+    const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "welcomed";
+    fs::remove_all(state);
+    EditorOptions options;
+    options.session.scene = "boxes";
+    options.width = 640, options.height = 400;
+    options.welcome = true;
+    options.state_folder = state;
+    const auto shown = [](const EditorOptions& o) {
+        HeadlessEditor editor(o);
+        const bool welcome = editor.model().state.show_welcome;
+        for (int i = 0; i < 3; ++i) editor.frame();
+        if (welcome) write_png(fs::path(SI_TEST_OUTPUT_DIR) / "welcome.png", editor.picture());
+        return welcome;
+    };
+    EditorOptions other = options;
+    other.headless = true;
+    EXPECT_FALSE(shown(other));
+    other = options, other.state_folder.clear();
+    EXPECT_FALSE(shown(other)) << "--no-state";
+    other = options, other.welcome = false;
+    EXPECT_FALSE(shown(other)) << "something was asked for";
+    EXPECT_TRUE(shown(options));
+    EXPECT_FALSE(shown(options));
+}
+
+TEST(LightTheme, IsKeptAndReachesTheWindow) {
+    const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "light_theme";
+    fs::remove_all(state);
+    EditorOptions options;
+    options.session.scene = "boxes";
+    options.width = 1280, options.height = 720;
+    options.state_folder = state;
+    double mean[2] = {};
+    for (double& m : mean) {
+        HeadlessEditor editor(options);
+        editor.model().state.search = "intensity";  // with the lights at its head
+        editor.settle();
+        for (int i = 0; i < 2; ++i) add_light(editor.model().state.settings);
+        editor.settle();
+        const ByteImage picture = editor.picture();
+        write_png(fs::path(SI_TEST_OUTPUT_DIR) / (&m == mean ? "theme_dark.png" : "theme_light.png"), picture);
+        // The lower right corner: settings.
+        int pixels = 0;
+        for (int y = 600; y < 700; ++y)
+            for (int x = 1000; x < 1270; ++x, ++pixels) m += picture.data[(std::size_t(y) * 1280 + std::size_t(x)) * 4];
+        m /= 255.0 * pixels;
+        editor.model().state.layout.light_theme = true;
+        editor.model().end();
+    }
+    EXPECT_LT(mean[0], 0.25);
+    EXPECT_GT(mean[1], 0.75);
+}
+
+}  // namespace
+}  // namespace si::test

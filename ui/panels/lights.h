@@ -1,0 +1,13 @@
+// The lights at the head of their settings.
+#pragma once
+
+#include "ui/state/editor_ui.h"
+
+namespace si {
+
+/// A line for each light: which one is shown, whether it shines, alone or with others, its colour and intensity; what
+/// can be done with the list; and of a light with six maps the cube's cross, which chooses the one that is shown.
+/// @param result of the last frame; null: not known
+void draw_lights(EditorState& state, const FrameResult* result);
+
+}  // namespace si

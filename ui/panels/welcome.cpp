@@ -1,0 +1,45 @@
+// What a person sees first, once.
+#include <imgui.h>
+
+#include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+
+void draw_welcome(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+    constexpr const char* kTitle = "Welcome";
+    constexpr const char* kSentences[] = {
+        "Here a scene stands beside its live shadow map, and every setting of the shadow is a slider.",
+        "Click a pixel: it says why it is lit or in shadow, and whether that is right.",
+        "Begin with a model of your own, with the guided presets from acne to cascades, or with the stage that is "
+        "open."};
+    if (state.show_welcome && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    const float em = ImGui::GetFontSize();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+    if (!ImGui::BeginPopupModal(kTitle, &state.show_welcome, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    actions.welcomed = true;
+    ImGui::PushTextWrapPos(em * 32);
+    for (const char* sentence : kSentences) ImGui::TextUnformatted(sentence);
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy({0, em * 0.3f});
+    const auto button = [&](const char* label, const char* help) {
+        const bool pressed = ImGui::Button(label);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+        ImGui::SameLine();
+        if (pressed) state.show_welcome = false;
+        return pressed;
+    };
+    if (button("Open a model…", "A .gltf or .glb file; dropping one on the window does the same"))
+        ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
+    if (button("Guided tour", "The first guided preset; Page down goes on") && !frame.presets.empty())
+        actions.load_preset = frame.presets.front().key;
+    if (button("Look at the stage", "Closes this (Esc)")) {
+        constexpr const char* kStage = "stage";
+        if (state.scene_name != kStage) actions.load_scene = kStage;
+    }
+    if (!state.show_welcome) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace si

@@ -1,0 +1,109 @@
+#include "ui/scene_view/scene_menu.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "renderer/settings/param.h"
+#include "ui/scene_view/camera_steering.h"
+#include "ui/scene_view/pick.h"
+#include "ui/state/selection.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+constexpr const char* kMenu = "scene menu";
+
+void tooltip(const char* text) {
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+
+/// The setting of each of these objects.
+std::vector<SettingRef> refs_of(const Param& p, const std::set<std::string>& paths) {
+    std::vector<SettingRef> refs;
+    for (const std::string& path : paths) refs.push_back({&p, 0, path});
+    return refs;
+}
+
+/// Sets all of them, where not all are so already.
+void object_switch(Settings& s, const Param& p, const std::set<std::string>& paths) {
+    const std::vector<SettingRef> refs = refs_of(p, paths);
+    const bool all = std::ranges::all_of(refs, [&](const auto& r) { return std::get<bool>(get_value(s, r)); });
+    if (ImGui::MenuItem(std::string(p.label).c_str(), nullptr, all))
+        for (const SettingRef& r : refs) set_value(s, r, !all);
+    tooltip(std::string(p.help).c_str());
+}
+
+void object_choice(Settings& s, const Param& p, const std::set<std::string>& paths) {
+    if (!ImGui::BeginMenu(std::string(p.label).c_str())) return;
+    const std::vector<SettingRef> refs = refs_of(p, paths);
+    const auto choices = p.choices();
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        const bool all =
+            std::ranges::all_of(refs, [&](const auto& r) { return std::get<int>(get_value(s, r)) == int(i); });
+        if (ImGui::MenuItem(std::string(choices[i].label).c_str(), nullptr, all))
+            for (const SettingRef& r : refs) set_value(s, r, int(i));
+        tooltip(std::string(choices[i].help).c_str());
+    }
+    ImGui::EndMenu();
+}
+
+void object_items(EditorState& state, const EditorFrame& frame, const std::set<std::string>& paths) {
+    Settings& s = state.settings;
+    for (const Param& p : params()) {
+        if (p.scope != Scope::Object) continue;
+        if (p.choices)
+            object_choice(s, p, paths);
+        else
+            object_switch(s, p, paths);
+    }
+    ImGui::Separator();
+    if (ImGui::MenuItem("Let only this cast")) cast_alone(s, *frame.scene, paths);
+    tooltip("Isolates its shadow: nothing else casts");
+}
+
+}  // namespace
+
+void open_scene_menu(EditorState& state, const EditorFrame& frame, const PictureView& view) {
+    constexpr float kClickPixels = 3;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!frame.scene || !ImGui::IsItemDeactivated() || !ImGui::IsMouseReleased(ImGuiMouseButton_Right)) return;
+    if (state.flew || io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] > kClickPixels * kClickPixels) return;
+    const ImVec2 at = io.MouseClickedPos[ImGuiMouseButton_Right];
+    if (!view.contains({at.x, at.y})) return;
+    state.menu_object = object_at(*frame.scene, view.ray({at.x, at.y}));
+    if (!state.menu_object.empty() && !is_selected(state, state.menu_object))
+        select_objects(state, std::array{state.menu_object});
+    ImGui::SetNextWindowPos(at);
+    ImGui::OpenPopup(kMenu);
+}
+
+void draw_scene_menu(EditorState& state, const EditorFrame& frame) {
+    if (!frame.scene || !ImGui::BeginPopup(kMenu)) return;
+    const std::set<std::string> paths = selected_objects(state);
+    const bool object = !state.menu_object.empty() && !paths.empty();
+    ImGui::PushFont(theme::strong());
+    ImGui::TextUnformatted(!object             ? "Background"
+                           : paths.size() == 1 ? paths.begin()->c_str()
+                                               : fmt::format("{} objects", paths.size()).c_str());
+    ImGui::PopFont();
+    ImGui::Separator();
+    if (object) {
+        if (ImGui::MenuItem("Frame", "F")) frame_selection(state, frame);
+        if (ImGui::MenuItem("Show in the list")) state.open_tab = BottomTab::Objects;
+        ImGui::Separator();
+        object_items(state, frame, paths);
+    } else if (ImGui::MenuItem("Frame the whole scene")) {
+        select_objects(state, {});
+        frame_selection(state, frame);
+    }
+    const auto silent = [](const auto& own) { return !own.second.cast; };
+    if (ImGui::MenuItem("Let all cast", nullptr, false, std::ranges::any_of(state.settings.objects, silent)))
+        cast_all(state.settings);
+    ImGui::EndPopup();
+}
+
+}  // namespace si
