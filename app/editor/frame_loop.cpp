@@ -19,7 +19,7 @@ FrameFacts FrameLoop::facts() const {
     if (drawn_) {
         f.driver = renderer_.driver();
         f.result = result_;
-        if (result_.smooth.texture != 0)
+        if (result_.smooth.texture != 0 && !against_.facts() && !pinned_)  // the other side is not smooth
             for (Pane& pane : f.result.panes)
                 if (pane.overlay == 0) pane.picture = result_.smooth;
         f.truth = truth_.facts(result_, drawn_settings_.view.light);
@@ -47,6 +47,7 @@ void FrameLoop::clear() {
 FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const EditorActions& actions,
                             const ComparisonFacts* comparison) {
     news_ = {};
+    pinned_ = state.pinned.has_value();
     try {
         news_.changed |= readings_.update_frozen(renderer_, scene, state, actions);
     } catch (const std::exception& e) {
@@ -168,7 +169,7 @@ void FrameLoop::require_sound_numbers(const Scene& scene) {
 bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const EditorActions& actions) {
     const ViewSettings& view = drawn_settings_.view;
     if (!drawn_ || !actions.at_rest || smoothed_ >= kSmoothedMost || !view.smooth) return false;
-    if (view.slabs != int(Slabs::None) || state.against.view != AgainstView::Off) return false;
+    if (view.slabs != int(Slabs::None) || state.against.view != AgainstView::Off || state.pinned) return false;
     if (std::ranges::none_of(result_.panes, [](const Pane& pane) { return pane.overlay == 0; })) return false;
     FrameRequest request = request_;
     request.timing = false;

@@ -82,6 +82,7 @@ private:
     bool drawn_ = false, shaders_changed_ = false, driver_reset_ = false;
     FrameResult result_;
     FrameNews news_;
+    bool pinned_ = false;
     int smoothed_ = 0;  ///< shadings that the smooth picture of the frame drawn last is made of
     std::string problem_, shader_log_;
     EditorReadings readings_;

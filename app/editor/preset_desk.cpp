@@ -66,8 +66,12 @@ bool PresetDesk::holds(const std::string& path, const std::string& scene, const 
            (it->second.scene.empty() || it->second.scene == scene);
 }
 
-const ComparisonFacts& PresetDesk::compare(const CompareWith& with, const Settings& base, const std::string& scene) {
-    if (with.kind != CompareKind::Preset) {
+const ComparisonFacts& PresetDesk::compare(const CompareWith& with, const Settings& base, const std::string& scene,
+                                           const std::optional<PinnedSettings>& pinned) {
+    if (with.kind == CompareKind::Pinned) {
+        comparison_ = pinned ? ComparisonFacts{with, pinned->settings, pinned->scene, {}}
+                             : ComparisonFacts{with, {}, {}, "Nothing is pinned; P pins the present settings as A"};
+    } else if (with.kind != CompareKind::Preset) {
         const bool defaults = with.kind == CompareKind::Defaults;
         comparison_ = {with, defaults ? Settings{} : base, defaults ? std::string() : scene, {}};
     } else if (!comparison_ || comparison_->with != with) {

@@ -27,6 +27,8 @@ constexpr std::pair<const char*, const char*> kShortcuts[] = {
     {"M", "map viewer: raw, linear, bands"},
     {"N", "shadow map: above the settings, beside the scene, inset, hidden"},
     {"B", "compare the picture with the truth or another preset: swipe, side by side, difference"},
+    {"P", "pin the present settings as A, for Compare and to flicker to; the same settings again: take the pin off"},
+    {"A held", "the picture under the pinned settings, alone"},
     {", and .", "move the swipe's line; Shift: farther"},
     {"F11", "the panel under the mouse fills the window; again, or Esc: all of them"},
     {"Double-click a splitter", "as wide as at first"},

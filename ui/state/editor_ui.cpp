@@ -30,8 +30,11 @@ bool pressed(ImGuiKey key) {
 // Letters and digits are looked up by their ASCII code: the window feeds codes that equal it (GLFW's do).
 void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || state.flight.on || state.handle_drag) return;  // letters and Escape mean something else
-    if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {           // keys are for it
+    const bool elsewhere = io.WantTextInput || state.flight.on || state.handle_drag;
+    const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+    steer_flicker(state, !elsewhere && !popup && !io.KeyCtrl);
+    if (elsewhere) return;  // letters and Escape mean something else
+    if (popup) {            // keys are for it
         if (pressed(ImGuiKey_Escape)) state.show_shortcuts = false;
         return;
     }
@@ -53,7 +56,8 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (pressed('L')) toggle_light_camera(state);
     if (pressed(' ') && !io.NavVisible) toggle_play(state, frame);
     if (pressed('K')) toggle_frozen_camera(state, frame);
-    if (pressed('B')) state.against.view = AgainstView((int(state.against.view) + 1) % 4);
+    if (pressed('B') && !state.flicker) state.against.view = AgainstView((int(state.against.view) + 1) % 4);
+    if (pressed('P')) pin_settings(state);
     for (const auto& [key, step] : {std::pair{',', -0.02f}, std::pair{'.', 0.02f}})
         if (state.against.view == AgainstView::Swipe && ImGui::IsKeyPressed(int(key)))
             state.against.at = std::clamp(state.against.at + step * (io.KeyShift ? 5 : 1), 0.0f, 1.0f);

@@ -67,6 +67,12 @@ bool steer_swipe(EditorState& state, const PictureView& view);
 /// The other picture, right of the line, beside or as a difference, and what the sides are. Pixels of the screen.
 void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
 
+/// Pins the present settings as what they are compared with; the same settings again: nothing is pinned.
+void pin_settings(EditorState& state);
+/// While its key is held the picture is that of the pinned settings. Call in every frame.
+/// @param may_start a key that goes down is meant for it
+void steer_flicker(EditorState& state, bool may_start);
+
 /// What is being read, and a button that cancels, at the top of a picture. Pixels of the screen.
 void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, float top, float width);
 
