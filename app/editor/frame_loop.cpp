@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/base/output.h"
+#include "app/editor/artefact_spots.h"
 #include "app/editor/panel_effects.h"
 #include "app/report/number_watch.h"
 #include "app/report/views.h"
@@ -29,6 +30,7 @@ FrameFacts FrameLoop::facts() const {
     f.against = against_.facts();
     f.effects = effects_;
     f.health = health_;
+    f.artefacts = artefacts_;
     f.shader_log = shader_log_;
     f.problem = problem_;
     f.driver_reset = driver_reset_;
@@ -107,6 +109,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     wanted.outputs.colour = true;
     wanted.outputs.shadow_map = actions.want_map;
     wanted.outputs.overlay = true;
+    wanted.outputs.visibility = state.loupe == LoupeMode::Mouse;  // of the probed pixel the probe knows it
     wanted.outputs.map_coordinates = actions.want_links;
     wanted.outputs.texels_read = actions.want_exact_texels;
     wanted.outputs.error = actions.want_error;
@@ -221,6 +224,11 @@ bool FrameLoop::follow_truth(const Scene& scene, const PictureState& state, cons
     }
     const EditorTruth::Wishes wishes{actions.cancel_truth, actions.save_error};
     bool changed = truth_.update(renderer_, scene, drawn_settings_, request_, result_, drawn, wishes);
+    if (state.artefacts.number != artefacts_.number && result_.error && result_.truth.met && request_.truth) {
+        artefacts_ = {.number = state.artefacts.number};  // where it cannot be told there are none
+        artefacts_ = find_artefact_spots(renderer_, scene, drawn_settings_, request_, state.artefacts);
+        changed = true;
+    }
     if (const std::string remark = truth_.take_remark(); !remark.empty()) news_.remarks.push_back({.text = remark});
     changed |= against_.update(renderer_, scene, state, request_, result_, drawn, comparison);
     return changed;

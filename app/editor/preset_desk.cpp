@@ -69,8 +69,11 @@ bool PresetDesk::holds(const std::string& path, const std::string& scene, const 
 const ComparisonFacts& PresetDesk::compare(const CompareWith& with, const Settings& base, const std::string& scene,
                                            const std::optional<PinnedSettings>& pinned) {
     if (with.kind == CompareKind::Pinned) {
-        comparison_ = pinned ? ComparisonFacts{with, pinned->settings, pinned->scene, {}}
-                             : ComparisonFacts{with, {}, {}, "Nothing is pinned; P pins the present settings as A"};
+        comparison_ = {with, {}, {}, {}};
+        if (pinned)
+            comparison_->settings = pinned->settings, comparison_->scene = pinned->scene;
+        else
+            comparison_->problem = "Nothing is pinned; P pins the present settings as A";
     } else if (with.kind != CompareKind::Preset) {
         const bool defaults = with.kind == CompareKind::Defaults;
         comparison_ = {with, defaults ? Settings{} : base, defaults ? std::string() : scene, {}};

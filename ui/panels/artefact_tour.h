@@ -40,4 +40,19 @@ struct ArtefactTour {
     std::string scene;  ///< the same
 };
 
+struct EditorState;
+struct EditorFrame;
+
+/// The cause whose clusters are shown: the one that was chosen, or the one that most pixels are wrong by. None where
+/// nothing is known, or nothing is wrong.
+Artefact touring_cause(const EditorState& state, const EditorFrame& frame);
+/// Chooses the cause and has the picture show what is wrong; the same one again: neither.
+void choose_cause(EditorState& state, Artefact cause);
+/// Takes the camera to the next cluster and probes its middle, once it is known where it is.
+void next_artefact(EditorState& state, const EditorFrame& frame);
+/// Goes where it was waited to go. Call once a frame. Returns whether it is still waited for.
+bool follow_artefact_tour(EditorState& state, const EditorFrame& frame);
+/// "2 of 7: 153 pixels"; empty: none is shown.
+std::string artefact_tour_text(const EditorState& state);
+
 }  // namespace si

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "renderer/base/metres_text.h"
 #include "renderer/measure/tuner.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/cost_combo.h"

@@ -52,10 +52,14 @@ void label(ImVec2 corner, float room, const std::string& text, bool right) {
 
 }  // namespace
 
+AgainstView chosen_view(const EditorState& state) {
+    return (state.flicker ? state.flicker->against : state.against).view;
+}
+
 float against_width(const EditorState& state) {
     const float em = ImGui::GetFontSize();
     return em * kViewEms +
-           (state.against.view == AgainstView::Off ? 0 : ImGui::GetStyle().ItemSpacing.x + em * kOtherEms);
+           (chosen_view(state) == AgainstView::Off ? 0 : ImGui::GetStyle().ItemSpacing.x + em * kOtherEms);
 }
 
 void against_widgets(EditorState& state, const EditorFrame& frame) {
@@ -63,8 +67,10 @@ void against_widgets(EditorState& state, const EditorFrame& frame) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextItemWidth(em * kViewEms);
     int view = int(a.view);
-    if (state.flicker) {
-        ImGui::TextUnformatted("A alone");
+    if (state.flicker) {  // as wide as what stands there otherwise
+        ImGui::BeginDisabled();
+        ImGui::Button("A alone", {against_width(state), 0});
+        ImGui::EndDisabled();
         return;
     }
     if (ImGui::Combo("##against view", &view, kViews, int(std::size(kViews)))) a.view = AgainstView(view);

@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <string>
 
 #include "renderer/frame/frame.h"
 #include "renderer/view/camera.h"
@@ -14,6 +15,8 @@ struct Probe;
 /// A probed point of a surface.
 struct ProbeAnchor {
     glm::dvec3 position_ws{0}, normal_ws{0, 1, 0};
+    std::string scene;    ///< EditorState::scene_name
+    glm::ivec2 pixel{0};  ///< where it was seen last: that is the probed pixel, or another one was chosen since
 };
 
 /// Where a camera sees it.

@@ -67,7 +67,7 @@ struct Flicker {
     CompareWith compare;
 };
 
-/// The pixels that a loupe is to show.
+/// What a loupe shows: the probed pixel, or what is under the mouse.
 enum class LoupeMode { Probed, Mouse, Off };
 
 /// What of the editor's state its frames, and the numbers read from them, depend on.
@@ -80,6 +80,7 @@ struct PictureState {
     std::optional<glm::ivec2> probe_pixel;    ///< of the scene picture, row 0 at the top
     std::optional<ProbeAnchor> probe_anchor;  ///< the surface that it sticks to, once it is known
     std::optional<glm::ivec2> loupe_pixel;    ///< that the loupe stands at; none: it is hidden
+    LoupeMode loupe = LoupeMode::Probed;
     ArtefactWish artefacts;
     int active_pane = 0;  ///< under the mouse, or where a press began
     BottomTab tab = BottomTab::Effects;
@@ -134,7 +135,6 @@ struct EditorState : PictureState {
     bool probe_has_arrows = false;                      ///< the arrow keys move the probe, and no widget takes them
     bool took_navigation = false;                       ///< ImGui's navigation is off for it
     glm::ivec2 wanted_picture{0};                       ///< size of the scene picture asked for last
-    LoupeMode loupe = LoupeMode::Probed;
     ArtefactTour artefact_tour;
     std::optional<Shot> shot_next;    ///< taken in the next frame, when what asked for it is gone from the picture
     ScreenRect scene_rect, map_rect;  ///< where the pictures were drawn last

@@ -62,6 +62,8 @@ void draw_tracing(const EditorFrame& frame, EditorActions& actions, float left, 
 /// Chooses what the picture is held against, in the present line.
 void against_widgets(EditorState& state, const EditorFrame& frame);
 float against_width(const EditorState& state);
+/// What was chosen, which a key may have put aside while it is held.
+AgainstView chosen_view(const EditorState& state);
 /// A press of the mouse on the swipe's line drags it. Call before the picture's own gestures: returns whether it did.
 bool steer_swipe(EditorState& state, const PictureView& view);
 /// The other picture, right of the line, beside or as a difference, and what the sides are. Pixels of the screen.
