@@ -88,9 +88,20 @@ void WindowContext::install_callbacks() {
             static_cast<Events*>(glfwGetWindowUserPointer(w))->keys.push_back({key, mods});
     });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { note_input(w); });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { note_input(w); });
-    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { note_input(w); });
-    glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { note_input(w); });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
+        note_input(w);
+        const Events& events = *static_cast<Events*>(glfwGetWindowUserPointer(w));
+        const double now_s = glfwGetTime();
+        mouse_of(w).button(button, action == GLFW_PRESS, mods, {events.waiting ? now_s : events.polled_s, now_s});
+    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+        note_input(w);
+        mouse_of(w).move({x, y});
+    });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
+        note_input(w);
+        mouse_of(w).enter(entered == GLFW_TRUE);
+    });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { note_input(w); });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { note_input(w); });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { note_input(w); });
@@ -119,6 +130,10 @@ void WindowContext::note_input(GLFWwindow* window) {
     static_cast<Events*>(glfwGetWindowUserPointer(window))->input = true;
 }
 
+MouseQueue& WindowContext::mouse_of(GLFWwindow* window) {
+    return static_cast<Events*>(glfwGetWindowUserPointer(window))->mouse;
+}
+
 bool WindowContext::should_close() const {
     return glfwWindowShouldClose(window_);
 }
@@ -126,16 +141,25 @@ void WindowContext::set_title(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
 }
 void WindowContext::wait_events(double seconds) {
+    poll_events();  // what arrived before is older than what is waited for
+    if (events_.input) return;
+    events_.waiting = true;
     glfwWaitEventsTimeout(seconds);
+    events_.waiting = false;
+    events_.polled_s = glfwGetTime();
 }
 void WindowContext::poll_events() {
     glfwPollEvents();
+    events_.polled_s = glfwGetTime();
 }
 void WindowContext::hold_cursor(bool held) {
     const int wanted = held ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL;
     // ImGui chooses the cursor's shape, and hides it by itself.
-    if (held != (glfwGetInputMode(window_, GLFW_CURSOR) == GLFW_CURSOR_DISABLED))
-        glfwSetInputMode(window_, GLFW_CURSOR, wanted);
+    if (held == (glfwGetInputMode(window_, GLFW_CURSOR) == GLFW_CURSOR_DISABLED)) return;
+    glfwSetInputMode(window_, GLFW_CURSOR, wanted);
+    glm::dvec2 at(0);  // no event tells that it is elsewhere now
+    glfwGetCursorPos(window_, &at.x, &at.y);
+    events_.mouse.move(at);
 }
 void WindowContext::swap() {
     glfwSwapBuffers(window_);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/context/mouse_queue.h"
 #include "app/context/thread_context.h"
 
 struct GLFWwindow;
@@ -52,6 +53,8 @@ public:
     /// Keys pressed since the last call.
     std::vector<KeyPress> take_keys();
     bool is_down(int key) const;
+    /// What the mouse did and no frame has shown yet.
+    MouseQueue& mouse() { return events_.mouse; }
     /// Files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_dropped();
 
@@ -61,11 +64,15 @@ public:
 private:
     struct Events {
         bool input = true;
+        bool waiting = false;  ///< events are told of as they arrive
+        double polled_s = 0;   ///< when they were asked for last
         std::vector<KeyPress> keys;
+        MouseQueue mouse;
         std::vector<std::filesystem::path> dropped;
     };
     void install_callbacks();
     static void note_input(GLFWwindow* window);
+    static MouseQueue& mouse_of(GLFWwindow* window);
 
     GLFWwindow* window_ = nullptr;
     GLFWwindow* beside_ = nullptr;  ///< never shown: a context that shares the window's objects; null: there is none

@@ -51,10 +51,14 @@ EditorAgainst::EditorAgainst() = default;
 EditorAgainst::~EditorAgainst() = default;
 
 void EditorAgainst::clear() {
-    facts_.reset();
-    difference_.reset();
+    hide();
     other_.reset();
     other_scene_ = 0;
+}
+
+void EditorAgainst::hide() {
+    facts_.reset();
+    difference_.reset();
 }
 
 void EditorAgainst::draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,
@@ -106,7 +110,11 @@ bool EditorAgainst::update(Renderer& renderer, const Scene& scene, const Picture
                            const ComparisonFacts* comparison) {
     const bool had = facts_.has_value();
     if (state.against.view == AgainstView::Off) {
-        clear();
+        // What is pinned is flickered to again and again: its maps are kept.
+        if (state.pinned)
+            hide();
+        else
+            clear();
         return had;
     }
     const std::string label = state.against.truth ? "ray-traced truth" : reference_label(state.compare);

@@ -24,6 +24,8 @@ public:
 
 private:
     struct Texture;
+    /// Nothing is compared, for now.
+    void hide();
     void draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,
                     const ComparisonFacts* comparison);
     void find_difference(Renderer& renderer, const FrameResult& frame);

@@ -11,7 +11,7 @@
 // clang-format on
 
 #include <algorithm>
-#include <chrono>
+#include <cfloat>
 #include <vector>
 
 #include "app/base/interrupt.h"
@@ -22,6 +22,7 @@
 #include "app/editor/model.h"
 #include "renderer/base/error.h"
 #include "renderer/base/held.h"
+#include "renderer/gl/target.h"
 #include "renderer/gl/trouble.h"
 
 namespace si {
@@ -31,7 +32,6 @@ constexpr int kStillLooks = 3;                ///< without anything to do: a per
 constexpr double kPollSeconds = 0.4;          ///< between looks at shader files and blinks of a text cursor
 constexpr double kLoadingPollSeconds = 0.05;  ///< between looks at what is being read, measured or traced
 constexpr int kSettleFrames = 3;              ///< frames that ImGui takes to settle after input
-constexpr float kDoubleClickSeconds = 0.3f;   ///< between its presses, where frames are fast
 
 /// ImGui's hold on the window's callbacks.
 struct WindowInput {
@@ -40,6 +40,47 @@ struct WindowInput {
     WindowInput(const WindowInput&) = delete;
     WindowInput& operator=(const WindowInput&) = delete;
 };
+
+/// Shows ImGui the next thing that the mouse did. The backend has it as it is now: of what happened while a frame was
+/// drawn it would show one press, at the place where the mouse has come to since.
+class MouseStep {
+public:
+    explicit MouseStep(WindowContext& window) : window_(window), step_(window.mouse().next()) {
+        ImGuiIO& io = ImGui::GetIO();
+        std::ranges::copy(step_.down, io.MouseDown);
+        if (step_.at) io.MousePos = {float(step_.at->x), float(step_.at->y)};
+        io.MouseDoubleClickTime = step_.doubles ? FLT_MAX : 0;
+        if (!step_.mods) return;
+        io.KeyCtrl = (*step_.mods & GLFW_MOD_CONTROL) != 0;
+        io.KeyShift = (*step_.mods & GLFW_MOD_SHIFT) != 0;
+    }
+    ~MouseStep() {
+        if (!step_.mods) return;
+        const auto held = [&](int left, int right) { return window_.is_down(left) || window_.is_down(right); };
+        ImGui::GetIO().KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+        ImGui::GetIO().KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    }
+    MouseStep(const MouseStep&) = delete;
+    MouseStep& operator=(const MouseStep&) = delete;
+
+private:
+    WindowContext& window_;
+    MouseQueue::Step step_;
+};
+
+/// The window's picture that is drawn but not shown yet, top row first.
+ByteImage read_window(int width, int height) {
+    ByteImage image{width, height, {}};
+    const std::size_t row = std::size_t(width) * 4;
+    image.data.resize(row * std::size_t(height));
+    std::vector<std::uint8_t> read(image.data.size());
+    gl::begin_reading();
+    glReadBuffer(GL_BACK);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
+    for (std::size_t y = 0; y < std::size_t(height); ++y)
+        std::copy_n(&read[(std::size_t(height) - 1 - y) * row], row, &image.data[y * row]);
+    return image;
+}
 
 /// Shows ImGui the keys that were pressed since its last frame as held during the next one, so that a short press is
 /// not lost when frames are long.
@@ -107,9 +148,9 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         }
         --due;
 
-        const auto began = std::chrono::steady_clock::now();
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
+        const MouseStep mouse(window);
         const PressedKeys keys(window);
         ImGui::NewFrame();
         if (ImGui::IsKeyPressed(GLFW_KEY_F1, false)) model.state.show_shortcuts = !model.state.show_shortcuts;
@@ -119,6 +160,8 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         imgui.draw(width, height);
         if (const GLenum error = glGetError(); error != GL_NO_ERROR)
             model.session().note_driver(fmt::format("the editor's window: glGetError {:#x}", error));
+        if (actions.shot)
+            model.save_shot(*actions.shot, read_window(width, height), ImGui::GetIO().DisplayFramebufferScale.x);
         window.swap();
         try {
             gl::require_context();
@@ -128,9 +171,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         }
         window.hold_cursor(actions.hold_cursor);
         if (model.fulfil(actions)) due = std::max(due, 2);
-        // Each press and each release waits for a frame of its own: slow frames must not tear a double click apart.
-        const std::chrono::duration<float> frame = std::chrono::steady_clock::now() - began;
-        ImGui::GetIO().MouseDoubleClickTime = std::max(kDoubleClickSeconds, 4 * frame.count());
+        if (!window.mouse().empty()) due = std::max(due, kSettleFrames);
         if (actions.redraw) due = std::max(due, 1);
         if (actions.quit) break;
         if (titled != model.state.scene_name) {

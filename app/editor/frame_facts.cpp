@@ -6,6 +6,8 @@ void FrameFacts::fill(EditorFrame& f) const {
     f.driver = driver ? &*driver : nullptr;
     f.result = driver ? &result : nullptr;
     f.probe = readings.probe.get();
+    f.anchor_place = readings.anchor_place;
+    f.loupe = readings.loupe.get();
     f.dossiers = readings.dossiers;
     f.sections = readings.sections;
     f.tracing_probe = readings.tracing_probe;
@@ -22,6 +24,7 @@ void FrameFacts::fill(EditorFrame& f) const {
     f.against = against;
     f.effects = effects;
     f.health = health.get();
+    f.artefacts = &artefacts;
     f.shader_log = shader_log;
     f.driver_reset = driver_reset;
 }

@@ -17,6 +17,8 @@ namespace si {
 /// Numbers read back from it, each only while a panel shows it.
 struct ReadingFacts {
     std::shared_ptr<const Probe> probe;
+    AnchorPlace anchor_place = AnchorPlace::Seen;
+    std::shared_ptr<const LoupeFacts> loupe;
     std::vector<Dossier> dossiers;  ///< of the probed pixel
     Sections sections;              ///< of it, while the panel is shown
     bool tracing_probe = false;     ///< they will follow
@@ -36,6 +38,7 @@ struct FrameFacts {
     std::optional<AgainstFacts> against;
     std::vector<Effect> effects;                  ///< empty unless asked for
     std::shared_ptr<const NumericHealth> health;  ///< null: not asked for, or not there yet
+    ArtefactSpots artefacts;                      ///< as EditorFrame has them
     std::string shader_log;
     std::string problem;        ///< why there is no picture; empty: nothing is wrong
     bool driver_reset = false;  ///< as EditorFrame has it

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/base/output.h"
+#include "app/editor/artefact_spots.h"
 #include "app/editor/panel_effects.h"
 #include "app/report/number_watch.h"
 #include "app/report/views.h"
@@ -19,7 +20,7 @@ FrameFacts FrameLoop::facts() const {
     if (drawn_) {
         f.driver = renderer_.driver();
         f.result = result_;
-        if (result_.smooth.texture != 0)
+        if (result_.smooth.texture != 0 && !against_.facts() && !pinned_)  // the other side is not smooth
             for (Pane& pane : f.result.panes)
                 if (pane.overlay == 0) pane.picture = result_.smooth;
         f.truth = truth_.facts(result_, drawn_settings_.view.light);
@@ -29,6 +30,7 @@ FrameFacts FrameLoop::facts() const {
     f.against = against_.facts();
     f.effects = effects_;
     f.health = health_;
+    f.artefacts = artefacts_;
     f.shader_log = shader_log_;
     f.problem = problem_;
     f.driver_reset = driver_reset_;
@@ -47,6 +49,7 @@ void FrameLoop::clear() {
 FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const EditorActions& actions,
                             const ComparisonFacts* comparison) {
     news_ = {};
+    pinned_ = state.pinned.has_value();
     try {
         news_.changed |= readings_.update_frozen(renderer_, scene, state, actions);
     } catch (const std::exception& e) {
@@ -106,6 +109,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     wanted.outputs.colour = true;
     wanted.outputs.shadow_map = actions.want_map;
     wanted.outputs.overlay = true;
+    wanted.outputs.visibility = state.loupe == LoupeMode::Mouse;  // of the probed pixel the probe knows it
     wanted.outputs.map_coordinates = actions.want_links;
     wanted.outputs.texels_read = actions.want_exact_texels;
     wanted.outputs.error = actions.want_error;
@@ -168,7 +172,7 @@ void FrameLoop::require_sound_numbers(const Scene& scene) {
 bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const EditorActions& actions) {
     const ViewSettings& view = drawn_settings_.view;
     if (!drawn_ || !actions.at_rest || smoothed_ >= kSmoothedMost || !view.smooth) return false;
-    if (view.slabs != int(Slabs::None) || state.against.view != AgainstView::Off) return false;
+    if (view.slabs != int(Slabs::None) || state.against.view != AgainstView::Off || state.pinned) return false;
     if (std::ranges::none_of(result_.panes, [](const Pane& pane) { return pane.overlay == 0; })) return false;
     FrameRequest request = request_;
     request.timing = false;
@@ -220,6 +224,11 @@ bool FrameLoop::follow_truth(const Scene& scene, const PictureState& state, cons
     }
     const EditorTruth::Wishes wishes{actions.cancel_truth, actions.save_error};
     bool changed = truth_.update(renderer_, scene, drawn_settings_, request_, result_, drawn, wishes);
+    if (state.artefacts.number != artefacts_.number && result_.error && result_.truth.met && request_.truth) {
+        artefacts_ = {.number = state.artefacts.number};  // where it cannot be told there are none
+        artefacts_ = find_artefact_spots(renderer_, scene, drawn_settings_, request_, state.artefacts);
+        changed = true;
+    }
     if (const std::string remark = truth_.take_remark(); !remark.empty()) news_.remarks.push_back({.text = remark});
     changed |= against_.update(renderer_, scene, state, request_, result_, drawn, comparison);
     return changed;

@@ -82,12 +82,14 @@ private:
     bool drawn_ = false, shaders_changed_ = false, driver_reset_ = false;
     FrameResult result_;
     FrameNews news_;
+    bool pinned_ = false;
     int smoothed_ = 0;  ///< shadings that the smooth picture of the frame drawn last is made of
     std::string problem_, shader_log_;
     EditorReadings readings_;
     EditorTruth truth_;
     EditorAgainst against_;
     std::shared_ptr<const NumericHealth> health_;  ///< of the frame drawn last; null: not asked for, or not there yet
+    ArtefactSpots artefacts_;                      ///< of the last wish that was fulfilled
     std::vector<Effect> frame_effects_;            ///< of the frame drawn last; empty: not asked for yet
     std::vector<Effect> effects_;                  ///< these, and what stands behind panels
     std::uint64_t posed_scene_ = 0;                ///< Scene::id of the frame before

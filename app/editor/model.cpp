@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/editor/screenshot.h"
 #include "app/editor/wishes.h"
 #include "app/session/command_line.h"
 #include "renderer/base/error.h"
@@ -87,6 +88,16 @@ void EditorModel::open(const std::filesystem::path& path) {
             presets_.open(path.string());
         else
             scenes_.load({.scene_name = path.string()});
+    });
+}
+
+void EditorModel::save_shot(const ShotWish& wish, const ByteImage& window, float pixels) {
+    attempt(state, [&] {
+        const std::filesystem::path folder = std::filesystem::path(state.preset_path).parent_path();
+        const auto path = save_screenshot(cut_out(window, wish.rect, pixels), wish.of, state.scene_name, folder);
+        std::error_code error;
+        const auto whole = std::filesystem::absolute(path, error);
+        state.log.add(LogKind::Info, "Saved " + (error ? path : whole).string());
     });
 }
 

@@ -36,6 +36,9 @@ public:
     /// A file dropped on the window: a preset (.json) or a scene. A scene is read in the background; a later fulfil()
     /// switches to it. Errors go to the log.
     void open(const std::filesystem::path& path);
+    /// Writes what was wished for out of a picture of the window that this frame drew. Errors go to the log.
+    /// @param window top row first @param pixels of it per unit of the screen
+    void save_shot(const ShotWish& wish, const ByteImage& window, float pixels);
     /// Whether shader files were saved since the last frame.
     bool poll_shaders() { return frames_.poll_shaders(); }
     /// A scene is being read, or the thread of a cancelled one has not ended yet.

@@ -66,8 +66,15 @@ bool PresetDesk::holds(const std::string& path, const std::string& scene, const 
            (it->second.scene.empty() || it->second.scene == scene);
 }
 
-const ComparisonFacts& PresetDesk::compare(const CompareWith& with, const Settings& base, const std::string& scene) {
-    if (with.kind != CompareKind::Preset) {
+const ComparisonFacts& PresetDesk::compare(const CompareWith& with, const Settings& base, const std::string& scene,
+                                           const std::optional<PinnedSettings>& pinned) {
+    if (with.kind == CompareKind::Pinned) {
+        comparison_ = {with, {}, {}, {}};
+        if (pinned)
+            comparison_->settings = pinned->settings, comparison_->scene = pinned->scene;
+        else
+            comparison_->problem = "Nothing is pinned; P pins the present settings as A";
+    } else if (with.kind != CompareKind::Preset) {
         const bool defaults = with.kind == CompareKind::Defaults;
         comparison_ = {with, defaults ? Settings{} : base, defaults ? std::string() : scene, {}};
     } else if (!comparison_ || comparison_->with != with) {

@@ -37,7 +37,8 @@ public:
     bool knows(const std::string& path) const;
 
     /// The other side of a comparison; a preset is read when it is first asked for, and again after save().
-    const ComparisonFacts& compare(const CompareWith& with, const Settings& base, const std::string& scene);
+    const ComparisonFacts& compare(const CompareWith& with, const Settings& base, const std::string& scene,
+                                   const std::optional<PinnedSettings>& pinned);
 
 private:
     std::vector<PresetEntry> entries_, hard_cases_;

@@ -63,7 +63,8 @@ bool PresetWork::compare() {
     const std::optional<CompareWith> before = comparison_ ? std::optional(comparison_->with) : std::nullopt;
     const bool against = state_.against.view != AgainstView::Off && !state_.against.truth;
     const bool shown = scene && (state_.tab == BottomTab::Compare || against);
-    comparison_ = shown ? &desk_.compare(state_.compare, base_settings(*scene), state_.scene_name) : nullptr;
+    comparison_ =
+        shown ? &desk_.compare(state_.compare, base_settings(*scene), state_.scene_name, state_.pinned) : nullptr;
     const std::optional<CompareWith> after = comparison_ ? std::optional(comparison_->with) : std::nullopt;
     return std::exchange(unsaved_, unsaved) != unsaved || before != after;
 }

@@ -1,7 +1,10 @@
 #include "app/editor/readings.h"
 
+#include <epoxy/gl.h>
+
 #include <algorithm>
 
+#include "renderer/gl/target.h"
 #include "ui/state/panels.h"
 
 namespace si {
@@ -32,7 +35,7 @@ Settings texel_settings(const Settings& settings) {
 void EditorReadings::clear() {
     facts_ = {.frozen_usage = facts_.frozen_usage};
     probed_pixel_.reset();
-    probe_of_ = map_of_ = facts_of_ = links_of_ = exact_of_ = overlay_of_ = lost_of_ = 0;
+    probe_of_ = map_of_ = facts_of_ = links_of_ = exact_of_ = overlay_of_ = lost_of_ = loupe_of_ = 0;
 }
 
 bool EditorReadings::finish_tracing() const {
@@ -57,7 +60,8 @@ bool EditorReadings::update(Renderer& renderer, const Scene& scene, const Pictur
     changed |= update_links(renderer, state, actions, result);
     changed |= update_exact(renderer, actions, result);
     changed |= update_overlay(renderer, state, actions, result);
-    const bool probed = update_probe(renderer, scene, state, request);
+    changed |= update_loupe(state, result);
+    const bool probed = update_probe(renderer, scene, state, request, result);
     std::uint64_t bytes = 0;
     for (const auto& image : {facts_.map_values, facts_.map_coordinates, facts_.overlay_values})
         if (image) bytes += array_bytes(image->data);
@@ -167,20 +171,72 @@ bool EditorReadings::update_frozen(Renderer& renderer, const Scene& scene, const
 }
 
 bool EditorReadings::update_probe(Renderer& renderer, const Scene& scene, const PictureState& state,
-                                  const FrameRequest& request) {
-    if (!state.probe_pixel) {
-        const bool had = bool(facts_.probe);
+                                  const FrameRequest& request, const FrameResult& result) {
+    std::optional<glm::ivec2> pixel = state.probe_pixel;
+    AnchorPlace place = AnchorPlace::Seen;
+    const bool sticks = pixel && state.probe_anchor && state.probe_anchor->pixel == *pixel;
+    if (sticks) {
+        pixel = anchored_pixel(*state.probe_anchor, result.camera, request.width, request.height);
+        if (!pixel) place = AnchorPlace::Outside;
+    }
+    if (!pixel) {
+        const bool changed = facts_.probe || facts_.anchor_place != place;
+        facts_.anchor_place = place;
         facts_.probe.reset();
         probed_pixel_.reset();
+        return changed;
+    }
+    if (probe_of_ == frame_ && probed_pixel_ == pixel) return false;
+    probe_of_ = frame_;
+    probed_pixel_ = pixel;
+    const glm::ivec2 at = glm::clamp(*pixel, glm::ivec2(0), glm::ivec2(request.width, request.height) - 1);
+    facts_.probe.reset();  // in case of an exception
+    facts_.probe = std::make_shared<const Probe>(renderer.probe(scene, state.settings, request, at.x, at.y));
+    if (sticks && hides(*facts_.probe, *state.probe_anchor)) place = AnchorPlace::Hidden;
+    facts_.anchor_place = place;
+    return true;
+}
+
+bool EditorReadings::update_loupe(const PictureState& state, const FrameResult& result) {
+    const auto pane = std::size_t(state.active_pane);
+    const auto at = state.loupe_pixel;
+    if (!at || pane >= result.panes.size() || result.panes[pane].picture.texture == 0) {
+        const bool had = bool(facts_.loupe);
+        facts_.loupe.reset();
         return had;
     }
-    if (probe_of_ == frame_ && probed_pixel_ == state.probe_pixel) return false;
-    probe_of_ = frame_;
-    probed_pixel_ = state.probe_pixel;
-    const glm::ivec2 pixel =
-        glm::clamp(*state.probe_pixel, glm::ivec2(0), glm::ivec2(request.width, request.height) - 1);
-    facts_.probe.reset();  // in case of an exception
-    facts_.probe = std::make_shared<const Probe>(renderer.probe(scene, state.settings, request, pixel.x, pixel.y));
+    if (loupe_of_ == frame_ && loupe_pane_ == int(pane) && facts_.loupe && facts_.loupe->at == *at) return false;
+    loupe_of_ = frame_;
+    loupe_pane_ = int(pane);
+    const Image& picture = result.panes[pane].picture;
+    constexpr int kSide = 2 * kLoupeReach + 1;
+    auto loupe = std::make_shared<LoupeFacts>(LoupeFacts{.at = *at, .pixels = {kSide, kSide, {}}});
+    loupe->pixels.data.resize(std::size_t(kSide) * kSide * 4);
+    const glm::ivec2 size(picture.width, picture.height);
+    const glm::ivec2 lo = glm::clamp(*at - kLoupeReach, glm::ivec2(0), size);
+    const glm::ivec2 hi = glm::clamp(*at + kLoupeReach + 1, glm::ivec2(0), size), n = hi - lo;
+    if (n.x > 0 && n.y > 0) {
+        std::vector<std::uint8_t> read(std::size_t(n.x) * std::size_t(n.y) * 4);
+        gl::begin_reading();
+        glGetTextureSubImage(picture.texture, 0, lo.x, size.y - hi.y, 0, n.x, n.y, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                             GLsizei(read.size()), read.data());
+        for (int y = lo.y; y < hi.y; ++y)
+            for (int x = lo.x; x < hi.x; ++x) {
+                const auto* from = &read[(std::size_t(hi.y - 1 - y) * std::size_t(n.x) + std::size_t(x - lo.x)) * 4];
+                const glm::ivec2 to = glm::ivec2(x, y) - *at + kLoupeReach;
+                auto* pixel = &loupe->pixels.data[(std::size_t(to.y) * kSide + std::size_t(to.x)) * 4];
+                std::copy_n(from, 3, pixel);
+                pixel[3] = 255;
+            }
+    }
+    if (const Image& v = result.visibility;
+        v.texture != 0 && glm::all(glm::greaterThanEqual(*at, glm::ivec2(0))) && at->x < v.width && at->y < v.height) {
+        float visibility = 1;
+        glGetTextureSubImage(v.texture, 0, at->x, v.height - 1 - at->y, 0, 1, 1, 1, GL_RED, GL_FLOAT,
+                             GLsizei(sizeof(visibility)), &visibility);
+        loupe->visibility = visibility;
+    }
+    facts_.loupe = std::move(loupe);
     return true;
 }
 

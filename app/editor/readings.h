@@ -34,7 +34,9 @@ public:
 private:
     /// The objects that culling takes out of the map, while the list of objects is shown.
     bool update_lost(const Scene& scene, const PictureState& state, const FrameResult& result);
-    bool update_probe(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request);
+    bool update_probe(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
+                      const FrameResult& result);
+    bool update_loupe(const PictureState& state, const FrameResult& result);
     bool update_map(Renderer& renderer, const PictureState& state, const EditorActions& actions,
                     const FrameResult& result);
     bool update_overlay(Renderer& renderer, const PictureState& state, const EditorActions& actions,
@@ -45,8 +47,8 @@ private:
 
     std::uint64_t frame_ = 0;  ///< number of the drawn frame
     std::uint64_t probe_of_ = 0, map_of_ = 0, facts_of_ = 0, links_of_ = 0, exact_of_ = 0, overlay_of_ = 0,
-                  lost_of_ = 0;  ///< frames they belong to
-    int overlay_pane_ = 0;
+                  lost_of_ = 0, loupe_of_ = 0;  ///< frames they belong to
+    int overlay_pane_ = 0, loupe_pane_ = 0;
     ReadingFacts facts_;  ///< but what the dossiers' work knows
     EditorDossier dossier_;
     std::optional<glm::ivec2> probed_pixel_;

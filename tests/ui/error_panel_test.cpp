@@ -99,8 +99,8 @@ TEST(Against, EveryViewFitsAndSaysWhatIsMissing) {
     for (const auto& [width, height, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}}) {
         UiHarness ui(width, height, scale);
         ui.truth = made_up_truth();
-        for (const AgainstView view :
-             {AgainstView::Swipe, AgainstView::SideBySide, AgainstView::Difference, AgainstView::Off}) {
+        for (const AgainstView view : {AgainstView::Swipe, AgainstView::SideBySide, AgainstView::Difference,
+                                       AgainstView::Alone, AgainstView::Off}) {
             ui.state.against.view = view;
             for (int variant = 0; variant < 3; ++variant) {
                 ui.state.against.truth = variant != 1;

@@ -269,6 +269,65 @@ TEST(EditorAgainst, HoldsAgainstPresetsInAllViews) {
     EXPECT_EQ(facts()->picture.texture, 0u);
 }
 
+TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
+    HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
+    editor.settle();
+    EditorState& state = editor.model().state;
+    const auto key = [&](int code, bool down) {
+        ImGui::GetIO().KeysDown[code] = down;
+        for (int i = 0; i < 3; ++i) editor.frame();
+    };
+    const auto seen = [&] { return part(editor, *state.scene_view, 0.05, 0.95); };
+    key('A', true);
+    EXPECT_FALSE(state.flicker) << "nothing is pinned";
+    key('A', false);
+    const auto pinned = seen();
+    key('P', true), key('P', false);
+    ASSERT_TRUE(state.pinned);
+    EXPECT_EQ(seen(), pinned);
+    state.settings.map.resolution = 1024;
+    editor.settle();
+    const auto changed = seen();
+    ASSERT_NE(changed, pinned);
+
+    const Against before = state.against;
+    for (int round = 0; round < 2; ++round) {
+        key('A', true);
+        EXPECT_EQ(seen(), pinned) << "while it is held";
+        if (round == 0) write_png(kOut / "editor_flicker.png", editor.picture());
+        key('A', false);
+        EXPECT_EQ(seen(), changed);
+        EXPECT_EQ(state.against.view, before.view);
+        EXPECT_EQ(state.against.truth, before.truth);
+    }
+    EXPECT_EQ(state.settings.map.resolution, 1024) << "it shows settings and sets none";
+    EXPECT_EQ(state.history.at(), 1u);
+
+    state.compare = {CompareKind::Pinned, {}};
+    state.against = {.view = AgainstView::Swipe, .truth = false, .at = 0};
+    editor.settle();
+    EXPECT_EQ(part(editor, *state.scene_view, 0.05, 0.9), [&] {
+        key('A', true);
+        const auto alone = part(editor, *state.scene_view, 0.05, 0.9);
+        key('A', false);
+        return alone;
+    }());
+    state.against.at = 0.5f;
+    editor.settle();
+    write_png(kOut / "editor_pin_swipe.png", editor.picture());
+    state.open_tab = BottomTab::Compare;
+    editor.settle();
+    ASSERT_TRUE(editor.model().facts().comparison);
+    EXPECT_EQ(editor.model().facts().comparison->settings.map.resolution, 128);
+
+    state.settings = state.pinned->settings;
+    editor.settle();
+    key('P', true), key('P', false);
+    EXPECT_FALSE(state.pinned);
+    EXPECT_EQ(state.against.view, AgainstView::Off) << "with what it was compared is gone";
+    expect_calm(editor);
+}
+
 // Light maps are baked beside the frames, and one of another light is not shown.
 TEST(EditorLightMap, IsBakedInTheBackgroundAndAnewWhenTheLightMoves) {
     HeadlessEditor editor(options({"light.source=light-map", "light_map.resolution=256", "view.frustum=false"}));

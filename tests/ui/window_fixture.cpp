@@ -59,6 +59,10 @@ void Process::ask_to_end() {
     if (pid_ > 0) ::kill(pid_, SIGTERM);
 }
 
+void Process::hold(bool held) {
+    if (pid_ > 0) ::kill(pid_, held ? SIGSTOP : SIGCONT);
+}
+
 void Process::kill_at_once() {
     if (!running()) return;
     kill(pid_, SIGKILL);

@@ -32,6 +32,8 @@ public:
     void kill_at_once();
     /// As a batch system does (SIGTERM).
     void ask_to_end();
+    /// Stops it where it is, as a slow frame does, or lets it go on.
+    void hold(bool held);
     /// Valid when no longer running.
     int code() const { return code_.value_or(-1); }
     /// Processor time used so far; 0 when it is gone.

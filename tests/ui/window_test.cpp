@@ -80,6 +80,26 @@ TEST_F(Window, TheSceneIsTurnedProbedFramedAndShownUnderAnOverlay) {
     EXPECT_TRUE(program_->running()) << log();
 }
 
+TEST_F(Window, ADoubleClickDuringASlowFrameSelects) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    mouse(470, 200);  // the cube in the air
+    program_->hold(true);
+    xdotool("click --repeat 2 --delay 100 1");
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    program_->hold(false);
+    breathe();
+    keys("f");
+    const nlohmann::json object = saved();
+    for (int i = 0; i < 2; ++i) {  // the probe, then the object
+        keys("Escape");
+        breathe();
+    }
+    keys("f");
+    const nlohmann::json everything = saved();
+    EXPECT_LT(object.value("camera.distance", 0.0), 0.6 * everything.value("camera.distance", 0.0)) << object;
+    EXPECT_TRUE(program_->running()) << log();
+}
+
 /// The editor without a window as `edit boxes --size 1280x720` shows it.
 std::unique_ptr<HeadlessEditor> twin() {
     EditorOptions o;

@@ -259,6 +259,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     const ImVec2 end(origin.x + size.x, origin.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(origin, end, theme::well());
+    state.map_rect = {{origin.x, origin.y}, {size.x, size.y}};
     if (const std::string text = obstacle(state.settings, frame); !text.empty()) {
         ImGui::SetCursorScreenPos({origin.x + em, origin.y + em});
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - 2 * em);

@@ -7,8 +7,8 @@
 
 namespace si {
 
-/// What the present state is compared with.
-enum class CompareKind { Scene, Defaults, Preset };
+/// What the present state is compared with; Pinned: what PictureState::pinned holds.
+enum class CompareKind { Scene, Defaults, Preset, Pinned };
 struct CompareWith {
     CompareKind kind = CompareKind::Scene;
     std::string preset;  ///< built-in key or path

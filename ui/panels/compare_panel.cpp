@@ -18,6 +18,8 @@ std::string reference_label(const CompareWith& with) {
             return "the scene's own settings";
         case CompareKind::Defaults:
             return "the program's defaults";
+        case CompareKind::Pinned:
+            return "pinned A";
         case CompareKind::Preset:
             break;
     }
@@ -48,6 +50,7 @@ void reference_combo(EditorState& state, const EditorFrame& frame) {
     };
     own(CompareKind::Scene, "Defaults with what the scene suggests over them");
     own(CompareKind::Defaults, {});
+    if (state.pinned) own(CompareKind::Pinned, "What the settings were when P was pressed");
     if (!frame.recent_presets.empty()) ImGui::TextDisabled("Recent presets");
     for (const std::string& path : frame.recent_presets)
         item(scene_label(path) + "##" + path, {CompareKind::Preset, path}, path);

@@ -13,6 +13,7 @@
 #include "renderer/reference/live_error.h"
 #include "ui/panels/cures_table.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/right_aligned.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -72,24 +73,44 @@ void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
     ImGui::EndTable();
 }
 
-void cause_row(ImU32 colour, std::string_view label, std::size_t pixels, std::size_t counted, bool with_share) {
+/// Returns whether it was clicked.
+bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std::size_t counted, bool with_share) {
     const float em = ImGui::GetFontSize();
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + em * 0.2f}, {at.x + em * 0.7f, at.y + em * 0.9f}, colour);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + em * 1.1f);
-    ImGui::TextUnformatted(label.data(), label.data() + label.size());
+    const std::string label(style.label);
+    const bool clicked = ImGui::Selectable(("##" + label).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "%s: a click chooses it for \"Next artefact\" and shows in the picture what is wrong;\n"
+            "a second one takes both back. %.3f %% of the pixels compared",
+            label.c_str(), counted == 0 ? 0.0 : 100.0 * double(pixels) / double(counted));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({at.x, at.y + em * 0.2f}, {at.x + em * 0.7f, at.y + em * 0.9f}, theme::rgb(style.rgb));
+    list.AddText({at.x + em * 1.1f, at.y}, theme::text(), label.c_str());
     right_cell(fmt::format("{}", pixels), pixels == 0 ? theme::muted() : theme::text());
     const std::string share = counted == 0 ? "-" : fmt::format("{:.3f} %", 100.0 * double(pixels) / double(counted));
-    if (with_share)
-        right_cell(share, theme::muted());
-    else if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s of the pixels compared", share.c_str());
+    if (with_share) right_cell(share, theme::muted());
+    return clicked;
+}
+
+void next_button(EditorState& state, const EditorFrame& frame, const std::string& tour) {
+    ImGui::BeginDisabled(touring_cause(state, frame) == Artefact::None || state.artefact_tour.waits_for != 0);
+    if (ImGui::Button("Next artefact")) next_artefact(state, frame);
+    ImGui::EndDisabled();
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip(
+            "Takes the camera to the next cluster of wrong pixels of the chosen cause, largest first, and probes it "
+            "(X).\n"
+            "Clusters are those of the picture in which it was pressed first. Undo takes the camera back.");
+    if (tour.empty()) return;
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", tour.c_str());
 }
 
 /// @param first, end of artefact_styles() @param shares there is room for them
-void causes_table(const LiveError& error, std::size_t first, std::size_t end, bool shares) {
+void causes_table(EditorState& state, const LiveError& error, std::size_t first, std::size_t end, bool shares) {
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
     ImGui::PushID(int(first));
@@ -100,7 +121,9 @@ void causes_table(const LiveError& error, std::size_t first, std::size_t end, bo
         if (shares) ImGui::TableSetupColumn("share", ImGuiTableColumnFlags_WidthFixed, em * 5.5f);
         const ErrorMetrics& m = error.metrics;
         for (const ArtefactStyle& style : artefact_styles().subspan(first, end - first))
-            cause_row(theme::rgb(style.rgb), style.label, m.artefacts[std::size_t(style.artefact)], m.counted, shares);
+            if (cause_row(style, state.artefact_tour.cause == style.artefact, m.artefacts[std::size_t(style.artefact)],
+                          m.counted, shares))
+                choose_cause(state, style.artefact);
         ImGui::EndTable();
     }
     ImGui::PopID();
@@ -150,10 +173,14 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     flow(em * 6);
     cures_button(frame.cures, actions, {}, frame.result && frame.scene,
                  frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
-    flow(em * 12);
+    const std::string tour = artefact_tour_text(state), status = truth_status(frame);
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    flow(button_width("Next artefact") + (tour.empty() ? 0 : gap + ImGui::CalcTextSize(tour.c_str()).x));
+    next_button(state, frame, tour);
+    flow(ImGui::CalcTextSize(status.c_str()).x + em * 4);
     ImGui::AlignTextToFramePadding();
     const bool busy = !frame.truth->doing.empty();
-    ImGui::TextDisabled("%s", truth_status(frame).c_str());
+    ImGui::TextDisabled("%s", status.c_str());
     if (busy && !frame.truth->current) {
         ImGui::SameLine();
         if (ImGui::SmallButton("Cancel")) actions.cancel_truth = true;
@@ -183,9 +210,9 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     }
     const std::size_t all = artefact_styles().size(), half = (all + 1) / 2;
     if (columns > 2) ImGui::TableNextColumn();
-    causes_table(error, 0, half, columns < 3);
+    causes_table(state, error, 0, half, columns < 3);
     if (columns > 2) ImGui::TableNextColumn();
-    causes_table(error, half, all, columns < 3);
+    causes_table(state, error, half, all, columns < 3);
     ImGui::EndTable();
     ImGui::PopStyleVar();
 }

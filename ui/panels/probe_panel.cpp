@@ -293,6 +293,10 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
         return;
     }
     const Probe* probe = frame.probe;
+    if (frame.anchor_place == AnchorPlace::Outside) {
+        ImGui::TextDisabled("The probed point lies outside of the picture: move the camera, or click another.");
+        return;
+    }
     if (!probe) {
         ImGui::TextDisabled("Pixel %d, %d", state.probe_pixel->x, state.probe_pixel->y);
         return;
@@ -301,8 +305,10 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
         ImGui::Text("Pixel %d, %d: background.", probe->x, probe->y);
         return;
     }
-    const std::string where = fmt::format("Pixel {}, {}   {}   position {} m   normal {}", probe->x, probe->y,
-                                          probe->object, vec(probe->position_ws, 4), vec(probe->normal_ws, 4));
+    const bool hidden = frame.anchor_place == AnchorPlace::Hidden;
+    const std::string where =
+        fmt::format("{}Pixel {}, {}   {}   position {} m   normal {}", hidden ? "Hidden, in its place:   " : "",
+                    probe->x, probe->y, probe->object, vec(probe->position_ws, 4), vec(probe->normal_ws, 4));
     ImGui::TextDisabled("%s", where.c_str());
     const auto dossier_of = [&](const Probe::PerLight& light) -> const Dossier* {
         for (const Dossier& d : frame.dossiers)

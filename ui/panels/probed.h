@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/inspect/section_drawing.h"
+#include "ui/scene_view/probe_anchor.h"
 
 namespace si {
 
@@ -16,7 +17,8 @@ struct Dossier;
 using Sections = std::shared_ptr<const std::vector<Section>>;
 
 struct ProbeShown {
-    const Probe* probe = nullptr;       ///< of state.probe_pixel
+    const Probe* probe = nullptr;  ///< of state.probe_pixel
+    AnchorPlace anchor_place = AnchorPlace::Seen;
     std::span<const Dossier> dossiers;  ///< one for each light of the probe, once the truth is there
     Sections sections;                  ///< null: the panel is hidden
     bool tracing_probe = false;         ///< dossiers will follow

@@ -54,6 +54,14 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& acti
         ImGui::SetTooltip("The program's defaults with what the scene suggests over them; undo gives all back");
     if (ImGui::MenuItem("Copy command line", "Ctrl+Shift+C")) actions.copy_command_line = true;
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("The command that renders this picture without a window");
+    if (ImGui::BeginMenu("Screenshot")) {
+        if (ImGui::MenuItem("of the scene", "F12")) state.shot_next = Shot::Scene;
+        if (ImGui::MenuItem("of the map", "Shift+F12")) state.shot_next = Shot::Map;
+        if (ImGui::MenuItem("of the window", "Ctrl+F12")) state.shot_next = Shot::Window;
+        ImGui::EndMenu();
+    }
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("A PNG beside the preset, under a name that no file has; the log tells which");
     ImGui::Separator();
     if (ImGui::MenuItem("Quit", "Ctrl+Q")) actions.quit = true;
     ImGui::EndPopup();

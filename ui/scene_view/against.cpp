@@ -21,13 +21,27 @@ ImTextureID texture_id(unsigned texture) {
 constexpr float kViewEms = 6.5f, kOtherEms = 9;  ///< widths of the two combos
 constexpr const char* kViews[] = {"off", "swipe", "side by side", "difference"};
 
+bool is_pinned(const EditorState& state) {
+    return !state.against.truth && state.compare.kind == CompareKind::Pinned;
+}
+
+/// What stands at each side: what was pinned was there first.
+std::string shown_side(const EditorState& state) {
+    return is_pinned(state) ? "B: shown settings" : "A: shown settings";
+}
+
 std::string other_label(const EditorState& state, const EditorFrame& frame) {
     if (state.against.truth) return "ray-traced truth";
+    if (state.compare.kind == CompareKind::Pinned) return "pinned A";
     if (state.compare.kind == CompareKind::Scene) return "the scene's own settings";
     if (state.compare.kind == CompareKind::Defaults) return "the program's defaults";
     for (const PresetEntry& p : frame.presets)
         if (p.key == state.compare.preset) return p.title.empty() ? p.key : p.title;
     return scene_label(state.compare.preset);
+}
+
+std::string other_side(const EditorState& state, const EditorFrame& frame) {
+    return is_pinned(state) ? "A: pinned settings" : "B: " + other_label(state, frame);
 }
 
 void label(ImVec2 corner, float room, const std::string& text, bool right) {
@@ -38,10 +52,14 @@ void label(ImVec2 corner, float room, const std::string& text, bool right) {
 
 }  // namespace
 
+AgainstView chosen_view(const EditorState& state) {
+    return (state.flicker ? state.flicker->against : state.against).view;
+}
+
 float against_width(const EditorState& state) {
     const float em = ImGui::GetFontSize();
     return em * kViewEms +
-           (state.against.view == AgainstView::Off ? 0 : ImGui::GetStyle().ItemSpacing.x + em * kOtherEms);
+           (chosen_view(state) == AgainstView::Off ? 0 : ImGui::GetStyle().ItemSpacing.x + em * kOtherEms);
 }
 
 void against_widgets(EditorState& state, const EditorFrame& frame) {
@@ -49,8 +67,17 @@ void against_widgets(EditorState& state, const EditorFrame& frame) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextItemWidth(em * kViewEms);
     int view = int(a.view);
+    if (state.flicker) {  // as wide as what stands there otherwise
+        ImGui::BeginDisabled();
+        ImGui::Button("A alone", {against_width(state), 0});
+        ImGui::EndDisabled();
+        return;
+    }
     if (ImGui::Combo("##against view", &view, kViews, int(std::size(kViews)))) a.view = AgainstView(view);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Compare the picture with another one of the same frame (B)");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "Compare the picture with another one of the same frame (B). P pins the present settings as A;\n"
+            "while A is held the picture shows them alone");
     if (a.view == AgainstView::Off) return;
     ImGui::SameLine();
     ImGui::SetNextItemWidth(em * kOtherEms);
@@ -61,6 +88,7 @@ void against_widgets(EditorState& state, const EditorFrame& frame) {
         };
         other("the scene's own settings", {CompareKind::Scene, {}});
         other("the program's defaults", {CompareKind::Defaults, {}});
+        if (state.pinned) other("pinned A", {CompareKind::Pinned, {}});
         for (const std::string& path : frame.recent_presets)
             other((scene_label(path) + "##" + path).c_str(), {CompareKind::Preset, path});
         for (const PresetEntry& p : frame.presets)
@@ -94,7 +122,7 @@ void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 p(lo.x, lo.y), q(lo.x + size.x, lo.y + size.y);
     const bool there = frame.against && frame.against->picture.texture != 0;
-    const std::string other = other_label(state, frame);
+    const std::string other = other_side(state, frame), shown = shown_side(state);
     if (right_half && !there) list.AddRectFilled(p, q, theme::well());
     if (!there) {
         std::string text = frame.against && !frame.against->problem.empty() ? frame.against->problem
@@ -117,21 +145,57 @@ void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 
                                    {line - r * 0.3f, middle + r * 0.6f}, theme::kOnPicture);
             list.AddTriangleFilled({line + r * 1.1f, middle}, {line + r * 0.3f, middle + r * 0.6f},
                                    {line + r * 0.3f, middle - r * 0.6f}, theme::kOnPicture);
-            label({line, top}, line - p.x, "A: shown settings", true);
-            label({line, top}, q.x - line, "B: " + other, false);
+            label({line, top}, line - p.x, shown, true);
+            label({line, top}, q.x - line, other, false);
             break;
         }
         case AgainstView::SideBySide:
             if (right_half) list.AddImage(texture_id(facts.picture.texture), p, q, {0, 1}, {1, 0});
-            label({p.x, top}, size.x, right_half ? "B: " + other : std::string("A: shown settings"), false);
+            label({p.x, top}, size.x, right_half ? other : shown, false);
             break;
         case AgainstView::Difference:
             if (!facts.difference.texture) break;
             list.AddImage(texture_id(facts.difference.texture), p, q, {0, 1}, {1, 0});
-            label({p.x, top}, size.x, fmt::format("2 |A - B|, B: {}   mean |A - B| {:.5f}", other, facts.mae), false);
+            label({p.x, top}, size.x, fmt::format("2 |A - B|, {}   mean |A - B| {:.5f}", other, facts.mae), false);
+            break;
+        case AgainstView::Alone:
+            list.AddImage(texture_id(facts.picture.texture), p, q, {0, 1}, {1, 0});
+            label({p.x, top}, size.x, other, false);
             break;
         case AgainstView::Off:
             break;
+    }
+}
+
+void pin_settings(EditorState& state) {
+    if (state.flicker) return;
+    if (state.pinned && state.pinned->settings == state.settings) {
+        state.pinned.reset();
+        if (state.compare.kind == CompareKind::Pinned) {
+            state.compare = {};
+            state.against.view = AgainstView::Off;
+        }
+        state.log.add(LogKind::Info, "Pin A is taken off");
+        return;
+    }
+    state.pinned = PinnedSettings{state.settings, state.scene_name};
+    state.log.add(LogKind::Info, "Pinned the present settings as A: hold A to see them, P takes the pin off");
+}
+
+void steer_flicker(EditorState& state, bool may_start) {
+    if (!state.flicker && may_start && ImGui::IsKeyPressed('A', false)) {
+        if (!state.pinned) {
+            state.log.add(LogKind::Info, "Nothing is pinned: P pins the present settings as A");
+            return;
+        }
+        state.flicker = Flicker{state.against, state.compare};
+        state.against.view = AgainstView::Alone;
+        state.against.truth = state.against.held = false;
+        state.compare = {CompareKind::Pinned, {}};
+    } else if (state.flicker && !ImGui::IsKeyDown('A')) {
+        state.against = state.flicker->against;
+        state.compare = state.flicker->compare;
+        state.flicker.reset();
     }
 }
 

@@ -7,8 +7,8 @@
 
 namespace si {
 
-/// What the picture shown is held against, and how.
-enum class AgainstView { Off, Swipe, SideBySide, Difference };
+/// What the picture shown is held against, and how. Alone: the other one is all that is seen, while a key is held.
+enum class AgainstView { Off, Swipe, SideBySide, Difference, Alone };
 struct Against {
     AgainstView view = AgainstView::Off;
     bool truth = true;  ///< the ray-traced truth; else what EditorState::compare names

@@ -5,12 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/inspect/probe.h"
 #include "renderer/settings/overlays.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
+namespace {
+
+constexpr float kLoupeFactor = 8;  ///< of a pixel, at scale 1
+constexpr ImU32 kLoupeGrid = IM_COL32(0, 0, 0, 70);
+
+}  // namespace
 
 void draw_probe_mark(const EditorState& state, const FrameResult& result, ImVec2 origin, ImVec2 size) {
     if (!state.probe_pixel || result.colour.width <= 0) return;
@@ -37,6 +44,50 @@ void draw_readers(const EditorState& state, const EditorFrame& frame, ImVec2 ori
         const ImVec2 lo(origin.x + float(p.x) * step.x, origin.y + float(p.y) * step.y);
         list.AddRectFilled(lo, {lo.x + step.x, lo.y + step.y}, faded(theme::kLinked, 200));
     }
+}
+
+void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size) {
+    const LoupeFacts* loupe = frame.loupe;
+    if (!state.loupe_pixel || !loupe || loupe->at != *state.loupe_pixel) return;
+    const float em = ImGui::GetFontSize();
+    const float cell = kLoupeFactor * std::max(1.0f, std::round(em / 15)), side = cell * float(loupe->pixels.width);
+    const float text = em * 2.7f, above = em * 2.6f;
+    if (size.x < 3 * side || size.y < side + text + 2 * above) return;
+    // On the other side where it would lie over what it shows.
+    const float at_x = (float(loupe->at.x) + 0.5f) * size.x / float(std::max(frame.result->colour.width, 1));
+    const bool right = at_x < side * 2;
+    const ImVec2 lo(std::round(right ? origin.x + size.x - side - em : origin.x + em), std::round(origin.y + above)),
+        hi(lo.x + side, lo.y + side);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({lo.x - 2, lo.y - 2}, {hi.x + 2, hi.y + text}, theme::kVeil, em * 0.2f);
+    const auto* pixel = loupe->pixels.data.data();
+    for (int y = 0; y < loupe->pixels.height; ++y)
+        for (int x = 0; x < loupe->pixels.width; ++x, pixel += 4) {
+            const ImVec2 p(lo.x + cell * float(x), lo.y + cell * float(y));
+            if (pixel[3] != 0)
+                list.AddRectFilled(p, {p.x + cell, p.y + cell}, IM_COL32(pixel[0], pixel[1], pixel[2], 255));
+        }
+    for (int i = 0; i <= loupe->pixels.width; ++i) {
+        const float d = cell * float(i);
+        list.AddLine({lo.x + d, lo.y}, {lo.x + d, hi.y}, kLoupeGrid);
+        list.AddLine({lo.x, lo.y + d}, {hi.x, lo.y + d}, kLoupeGrid);
+    }
+    const ImVec2 c(lo.x + cell * kLoupeReach, lo.y + cell * kLoupeReach);
+    list.AddRect({c.x - 1, c.y - 1}, {c.x + cell + 1, c.y + cell + 1}, theme::kShade, 0, 0, 3);
+    list.AddRect({c.x - 1, c.y - 1}, {c.x + cell + 1, c.y + cell + 1}, theme::kProbed, 0, 0, 1.5f);
+    const auto* middle = &loupe->pixels.data[std::size_t(kLoupeReach * (loupe->pixels.width + 1)) * 4];
+    std::optional<double> visibility;
+    if (loupe->visibility) visibility = double(*loupe->visibility);
+    if (frame.probe && glm::ivec2(frame.probe->x, frame.probe->y) == loupe->at)
+        for (const Probe::PerLight& light : frame.probe->lights)
+            if (light.light == shown_light(state.settings) && light.casts) visibility = light.visibility;
+    ImFont* font = theme::small();
+    const auto line = [&](int row, const std::string& what) {
+        list.AddText(font, font->FontSize, {lo.x + em * 0.2f, hi.y + em * (0.15f + 1.2f * float(row))},
+                     theme::kOnPicture, what.c_str());
+    };
+    line(0, fmt::format("{}, {}   {} {} {}", loupe->at.x, loupe->at.y, middle[0], middle[1], middle[2]));
+    if (visibility) line(1, fmt::format("visibility {:.3g}", *visibility));
 }
 
 void veiled_text(ImVec2 at, const std::string& text) {

@@ -19,6 +19,9 @@ void draw_readers(const EditorState& state, const EditorFrame& frame, ImVec2 ori
 /// The pixel under the mouse and the value of the pane's overlay there.
 void hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, glm::ivec2 pixel);
 
+/// The pixels around state.loupe_pixel, large, with a grid, the middle one's colour and visibility, in a corner.
+void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size);
+
 /// Text on a picture, readable over anything.
 void veiled_text(ImVec2 at, const std::string& text);
 

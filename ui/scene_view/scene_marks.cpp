@@ -136,6 +136,10 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
         say(fmt::format("Through light {}; L goes back", shown_light(state.settings)), theme::kLight);
     if (state.frozen) say("Shadow camera frozen", theme::kFrozen);
     if (state.flight.on) say(fmt::format("Flying, speed {:.2g}×", state.flight.speed), theme::kOnPicture);
+    if (state.probe_pixel && frame.anchor_place == AnchorPlace::Outside)
+        say("Probed point: outside of the picture", theme::kWarningOnPicture);
+    if (state.probe_pixel && frame.anchor_place == AnchorPlace::Hidden)
+        say("Probed point: hidden by what is probed here", theme::kWarningOnPicture);
     const Probe::PerLight* answer = nullptr;
     const auto ray = shown_ray(state, frame, &answer);
     if (!ray) return;

@@ -58,7 +58,7 @@ void header(EditorState& state, const EditorFrame& frame) {
     const auto setting = [&](const char* label, const char* key, float width) {
         bar.item(label, width, [&s, key](float room) { setting_widget(s, key, room); });
     };
-    const bool off = state.against.view == AgainstView::Off;
+    const bool off = chosen_view(state) == AgainstView::Off;
     const bool one = !off || s.view.panes == int(Panes::One);
     // Of several panes each has a choice of its own in its picture.
     if (one) bar.item("Overlay", em * 11, [&s](float room) { overlay_widget(s, kPaneOverlays[0], room); });
@@ -149,10 +149,36 @@ void steer(EditorState& state, const EditorFrame& frame, EditorActions& actions,
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !taken) state.select_probed = true;
     if (released && !state.press_moved && !taken) {
         state.probe_pixel = pixel;
+        state.probe_has_arrows = true;
         state.open_tab = BottomTab::Probe;
     }
     state.hovered_pixel = pixel;
     actions.want_links = actions.want_overlay_values = !state.dragging;
+}
+
+/// The probe sticks to its surface: where that lies now is the probed pixel. @param wanted size of the picture
+void follow_probe(EditorState& state, const EditorFrame& frame, glm::ivec2 wanted) {
+    const bool settled = state.wanted_picture == wanted;
+    state.wanted_picture = wanted;
+    if (state.probe_anchor &&
+        (state.probe_anchor->pixel != state.probe_pixel || state.probe_anchor->scene != state.scene_name))
+        state.probe_anchor.reset();
+    if (!state.probe_pixel || !frame.probe) return;
+    const Probe& probe = *frame.probe;
+    const glm::ivec2 at(probe.x, probe.y);
+    if (state.probe_anchor) {
+        if (anchored_pixel(*state.probe_anchor, probe.camera, probe.width, probe.height) == at)
+            state.probe_pixel = state.probe_anchor->pixel = at;
+    } else if (probe.hit && settled && at == *state.probe_pixel && wanted == glm::ivec2(probe.width, probe.height)) {
+        state.probe_anchor = ProbeAnchor{probe.position_ws, probe.normal_ws, state.scene_name, at};
+    }
+}
+
+/// Whose pixels the loupe shows.
+std::optional<glm::ivec2> loupe_pixel(const EditorState& state, const EditorFrame& frame) {
+    if (state.loupe == LoupeMode::Off) return {};
+    if (state.loupe == LoupeMode::Mouse && state.hovered_pixel) return state.hovered_pixel;
+    return frame.anchor_place == AnchorPlace::Outside ? std::nullopt : state.probe_pixel;
 }
 
 /// What the shown light was fitted, or null.
@@ -172,7 +198,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     draw_against(state, frame, {lo.x, lo.y}, {size.x, size.y}, index > 0);
     const PictureView view{result.camera, {lo.x, lo.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
     draw_scene_marks(PicturePainter(view, list), state, frame);
-    draw_probe_mark(state, result, lo, size);
+    if (frame.anchor_place != AnchorPlace::Outside) draw_probe_mark(state, result, lo, size);
     draw_readers(state, frame, lo, size);
     if (pane.overlay > 0 && overlays()[std::size_t(pane.overlay - 1)].names_causes)
         draw_artefact_legend(frame.error, lo.x, hi.y, size.x);
@@ -183,6 +209,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
             panes.grid.count() > 1 ? ImGui::GetFrameHeight() * 1.3f : 0;  // the pane's overlay stands there
         hover_readout(frame, pane, {lo.x, lo.y + below}, *state.hovered_pixel);
     }
+    if (index == state.active_pane) draw_loupe(state, frame, lo, size);
     list.PopClipRect();
 }
 
@@ -201,6 +228,7 @@ int shown_face(const Settings& settings, const FrameResult& result) {
 
 void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     state.hovered_pixel.reset();
+    state.loupe_pixel.reset();
     header(state, frame);
     const float em = ImGui::GetFontSize();
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
@@ -216,6 +244,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     actions.scene_height = panes.grid.height;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, theme::well());
+    state.scene_rect = {{origin.x, origin.y}, {size.x, size.y}};
     // After a change of view.panes the pictures are there with the next frame.
     const int pictures = against == AgainstView::Off ? panes.grid.count() : 1;
     if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != pictures) {
@@ -227,9 +256,13 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
         "scene picture", size,
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
+    // What was clicked last has the arrow keys.
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) state.probe_has_arrows = ImGui::IsItemHovered();
+    follow_probe(state, frame, {panes.grid.width, panes.grid.height});
     steer(state, frame, actions, panes);
     if (state.scene_view) open_scene_menu(state, frame, *state.scene_view);
     draw_scene_menu(state, frame);
+    state.loupe_pixel = loupe_pixel(state, frame);
     select_probed(state, frame);
     for (int i = 0; i < panes.grid.count(); ++i) draw_pane(state, frame, panes, i);
     if (pictures > 1)

@@ -20,7 +20,9 @@ namespace {
 constexpr float kPictures = 10;  ///< least height of the pictures that the tabs below leave, ems
 constexpr float kAllTabs = 40;   ///< width in which all of them have room, ems
 constexpr float kSplitter = 5;   ///< at scale 1, pixels
-constexpr int kF11 = 300;        ///< as the window feeds it (GLFW)
+constexpr int kArrowsFast = 10;  ///< pixels, with Shift
+constexpr int kF12 = 301;
+constexpr int kF11 = 300;  ///< as the window feeds it (GLFW)
 
 bool pressed(char key) {
     return ImGui::IsKeyPressed(int(key), false);
@@ -29,15 +31,63 @@ bool pressed(ImGuiKey key) {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
 }
 
+/// The arrow keys move the probe by a pixel; what it sticks to is found anew.
+void step_probe(EditorState& state, const EditorFrame& frame) {
+    if (pressed(ImGuiKey_Tab)) state.probe_has_arrows = false;
+    if (!state.probe_has_arrows || !state.probe_pixel || !frame.result) return;
+    const int far = ImGui::GetIO().KeyShift ? kArrowsFast : 1;
+    glm::ivec2 by(0);
+    for (const auto& [key, way] : {std::pair{ImGuiKey_LeftArrow, glm::ivec2(-1, 0)},
+                                   {ImGuiKey_RightArrow, glm::ivec2(1, 0)},
+                                   {ImGuiKey_UpArrow, glm::ivec2(0, -1)},
+                                   {ImGuiKey_DownArrow, glm::ivec2(0, 1)}})
+        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(key))) by += far * way;
+    if (by == glm::ivec2(0)) return;
+    const glm::ivec2 size(frame.result->colour.width, frame.result->colour.height);
+    state.probe_pixel = glm::clamp(*state.probe_pixel + by, glm::ivec2(0), glm::max(size, 1) - 1);
+}
+
+/// Where the arrow keys move the probe they do not go from widget to widget.
+void share_arrows(EditorState& state) {
+    ImGuiIO& io = ImGui::GetIO();
+    const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+    const bool mine = state.probe_has_arrows && state.probe_pixel && !popup;
+    if (mine && (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)) {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+        state.took_navigation = true;
+    } else if (!mine && state.took_navigation) {
+        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+        state.took_navigation = false;
+    }
+}
+
+/// A picture of this frame, which shows what is to be seen in it.
+void take_shot(EditorState& state, EditorActions& actions, Shot of) {
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    const ScreenRect rect = of == Shot::Scene ? state.scene_rect
+                            : of == Shot::Map ? state.map_rect
+                                              : ScreenRect{{0, 0}, {all.x, all.y}};
+    if (rect.size.x >= 1 && rect.size.y >= 1)
+        actions.shot = ShotWish{of, rect};
+    else
+        state.log.add(LogKind::Info, of == Shot::Map ? "The map is hidden (N): no screenshot of it"
+                                                     : "The scene is hidden: no screenshot of it");
+}
+
 // Letters and digits are looked up by their ASCII code: the window feeds codes that equal it (GLFW's do).
 void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || state.flight.on || state.handle_drag) return;  // letters and Escape mean something else
-    if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {           // keys are for it
+    const bool elsewhere = io.WantTextInput || state.flight.on || state.handle_drag;
+    const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+    steer_flicker(state, !elsewhere && !popup && !io.KeyCtrl);
+    if (elsewhere) return;  // letters and Escape mean something else
+    if (popup) {            // keys are for it
         if (pressed(ImGuiKey_Escape)) state.show_shortcuts = state.show_welcome = false;
         return;
     }
     Settings& s = state.settings;
+    if (ImGui::IsKeyPressed(kF12, false))
+        state.shot_next = io.KeyCtrl ? Shot::Window : io.KeyShift ? Shot::Map : Shot::Scene;
     if (io.KeyCtrl) {
         if (pressed('Z') && !io.KeyShift) undo(state);
         if (pressed('Y') || (pressed('Z') && io.KeyShift)) redo(state);
@@ -55,7 +105,11 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (pressed('L')) toggle_light_camera(state);
     if (pressed(' ') && !io.NavVisible) toggle_play(state, frame);
     if (pressed('K')) toggle_frozen_camera(state, frame);
-    if (pressed('B')) state.against.view = AgainstView((int(state.against.view) + 1) % 4);
+    if (pressed('B') && !state.flicker) state.against.view = AgainstView((int(state.against.view) + 1) % 4);
+    if (pressed('P')) pin_settings(state);
+    if (pressed('G')) state.loupe = LoupeMode((int(state.loupe) + 1) % 3);
+    step_probe(state, frame);
+    if (pressed('X')) next_artefact(state, frame);
     for (const auto& [key, step] : {std::pair{',', -0.02f}, std::pair{'.', 0.02f}})
         if (state.against.view == AgainstView::Swipe && ImGui::IsKeyPressed(int(key)))
             state.against.at = std::clamp(state.against.at + step * (io.KeyShift ? 5 : 1), 0.0f, 1.0f);
@@ -290,10 +344,13 @@ void maximise(EditorState& state, Panel panel) {
 
 EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     EditorActions actions;
+    const std::optional<Shot> shot = std::exchange(state.shot_next, {});
+    state.scene_rect = state.map_rect = {};
     state.dragging = false;
     theme::use(state.layout.light_theme);
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
     shortcuts(state, frame, actions);
+    const bool waits = follow_artefact_tour(state, frame);
 
     const ImGuiIO& io = ImGui::GetIO();
     ImGui::SetNextWindowPos({0, 0});
@@ -324,7 +381,10 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
 
     if (state.tab != BottomTab::Objects || (state.maximised && *state.maximised != Panel::Tabs))
         state.hovered_object.clear();  // no list that says it
-    actions.want_error |= shows_artefacts(state.settings);
+    actions.want_error |= shows_artefacts(state.settings) || waits;
+    share_arrows(state);
+    if (shot) take_shot(state, actions, *shot);
+    actions.redraw |= state.shot_next.has_value();
     const bool turning_wheel = ImGui::GetTime() < state.wheel_until;
     const bool gesture = ImGui::IsAnyItemActive() || state.dragging || turning_wheel;
     state.history.set_place({state.scene_name, state.guide});

@@ -14,6 +14,7 @@
 #include "renderer/inspect/lost_casters.h"
 #include "ui/map_view/map_shown.h"
 #include "ui/panels/advice.h"
+#include "ui/panels/artefact_tour.h"
 #include "ui/panels/compare.h"
 #include "ui/panels/cures.h"
 #include "ui/panels/effects.h"
@@ -26,9 +27,11 @@
 #include "ui/scene_view/against.h"
 #include "ui/scene_view/cameras.h"
 #include "ui/scene_view/light_drag.h"
+#include "ui/scene_view/probe_anchor.h"
 #include "ui/state/history.h"
 #include "ui/state/log.h"
 #include "ui/state/measured.h"
+#include "ui/state/shots.h"
 #include "ui/widgets/file_dialog.h"
 
 namespace si {
@@ -55,14 +58,34 @@ struct EditorLayout {
 
 enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice, Lab, Numbers, Log };
 
+/// Settings that were kept to compare later ones with.
+struct PinnedSettings {
+    Settings settings;
+    std::string scene;  ///< that they were shown with
+};
+
+/// What was compared before a key showed the other side alone.
+struct Flicker {
+    Against against;
+    CompareWith compare;
+};
+
+/// What a loupe shows: the probed pixel, or what is under the mouse.
+enum class LoupeMode { Probed, Mouse, Off };
+
 /// What of the editor's state its frames, and the numbers read from them, depend on.
 struct PictureState {
     Settings settings;
     CompareWith compare;
     Against against;
+    std::optional<PinnedSettings> pinned;
     EffectsPanel effects;
-    std::optional<glm::ivec2> probe_pixel;  ///< of the scene picture, row 0 at the top
-    int active_pane = 0;                    ///< under the mouse, or where a press began
+    std::optional<glm::ivec2> probe_pixel;    ///< of the scene picture, row 0 at the top
+    std::optional<ProbeAnchor> probe_anchor;  ///< the surface that it sticks to, once it is known
+    std::optional<glm::ivec2> loupe_pixel;    ///< that the loupe stands at; none: it is hidden
+    LoupeMode loupe = LoupeMode::Probed;
+    ArtefactWish artefacts;
+    int active_pane = 0;  ///< under the mouse, or where a press began
     BottomTab tab = BottomTab::Effects;
     std::optional<FrozenCamera> frozen;
 };
@@ -119,6 +142,13 @@ struct EditorState : PictureState {
     Flight flight;
     std::optional<CameraSettings> camera_before_light;  ///< what looking through the light goes back to
     bool select_probed = false;                         ///< the next probe of a click chooses the selected object
+    std::optional<Flicker> flicker;                     ///< the other side is shown while its key is held
+    bool probe_has_arrows = false;                      ///< the arrow keys move the probe, and no widget takes them
+    bool took_navigation = false;                       ///< ImGui's navigation is off for it
+    glm::ivec2 wanted_picture{0};                       ///< size of the scene picture asked for last
+    ArtefactTour artefact_tour;
+    std::optional<Shot> shot_next;    ///< taken in the next frame, when what asked for it is gone from the picture
+    ScreenRect scene_rect, map_rect;  ///< where the pictures were drawn last
     SectionViews section_views;
 };
 
@@ -146,6 +176,8 @@ struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown
     std::optional<TruthFacts> truth;
     const LiveError* error = nullptr;  ///< of the frame shown; null: not known
     std::optional<AgainstFacts> against;
+    const LoupeFacts* loupe = nullptr;         ///< of state.loupe_pixel; null: not known yet
+    const ArtefactSpots* artefacts = nullptr;  ///< of the last wish that was fulfilled
 };
 
 struct EditorActions : MapActions,
@@ -166,7 +198,8 @@ struct EditorActions : MapActions,
     bool welcomed = false;     ///< the welcome was shown
     bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies
     bool redraw = false;       ///< something still moves: draw another frame soon
-    bool at_rest = false;      ///< nobody touches anything: the picture may be made smooth (view.smooth)
+    std::optional<ShotWish> shot;
+    bool at_rest = false;  ///< nobody touches anything: the picture may be made smooth (view.smooth)
 };
 
 /// Of the window at scale 1 (a font of 15 pixels): in a smaller one the editor scrolls.

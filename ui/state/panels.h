@@ -64,10 +64,18 @@ void draw_tracing(const EditorFrame& frame, EditorActions& actions, float left, 
 /// Chooses what the picture is held against, in the present line.
 void against_widgets(EditorState& state, const EditorFrame& frame);
 float against_width(const EditorState& state);
+/// What was chosen, which a key may have put aside while it is held.
+AgainstView chosen_view(const EditorState& state);
 /// A press of the mouse on the swipe's line drags it. Call before the picture's own gestures: returns whether it did.
 bool steer_swipe(EditorState& state, const PictureView& view);
 /// The other picture, right of the line, beside or as a difference, and what the sides are. Pixels of the screen.
 void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
+
+/// Pins the present settings as what they are compared with; the same settings again: nothing is pinned.
+void pin_settings(EditorState& state);
+/// While its key is held the picture is that of the pinned settings. Call in every frame.
+/// @param may_start a key that goes down is meant for it
+void steer_flicker(EditorState& state, bool may_start);
 
 /// What is being read, and a button that cancels, at the top of a picture. Pixels of the screen.
 void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, float top, float width);

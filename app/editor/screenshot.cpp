@@ -1,0 +1,82 @@
+#include "app/editor/screenshot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <system_error>
+
+#include "app/base/output.h"
+#include "renderer/base/error.h"
+
+namespace si {
+namespace {
+
+constexpr int kMostShots = 100000;
+
+const char* part_of(Shot of) {
+    switch (of) {
+        case Shot::Scene:
+            return "scene";
+        case Shot::Map:
+            return "map";
+        case Shot::Window:
+            break;
+    }
+    return "window";
+}
+
+/// "hard/bias" or "/a/fox.glb" as a part of a file's name.
+std::string plain_name(const std::string& scene) {
+    std::string out = std::filesystem::path(scene).stem().string();
+    for (char& c : out)
+        if (const auto u = static_cast<unsigned char>(c); u < 0x20 || u == 0x7f || c == '/') c = '_';
+    return out.empty() ? "screenshot" : out;
+}
+
+/// Makes an empty file, unless one of this name is there.
+bool take_name(const std::filesystem::path& path) {
+    errno = 0;
+    std::FILE* file = std::fopen(path.c_str(), "wx");
+    if (file) std::fclose(file);
+    if (!file && errno != EEXIST)
+        throw Error(fmt::format("{}: cannot be written ({}); save the preset in a folder that can (Ctrl+Shift+S)",
+                                path.string(), std::generic_category().message(errno)));
+    return file != nullptr;
+}
+
+}  // namespace
+
+ByteImage cut_out(const ByteImage& window, const ScreenRect& rect, float pixels) {
+    const glm::ivec2 size(window.width, window.height);
+    const glm::ivec2 lo = glm::clamp(glm::ivec2(glm::round(rect.lo * pixels)), glm::ivec2(0), size);
+    const glm::ivec2 hi = glm::clamp(glm::ivec2(glm::round((rect.lo + rect.size) * pixels)), lo, size);
+    ByteImage out{hi.x - lo.x, hi.y - lo.y, {}};
+    for (int y = lo.y; y < hi.y; ++y) {
+        const auto row = window.data.begin() + (std::ptrdiff_t(y) * size.x + lo.x) * 4;
+        out.data.insert(out.data.end(), row, row + std::ptrdiff_t(out.width) * 4);
+    }
+    return out;
+}
+
+std::filesystem::path save_screenshot(const ByteImage& picture, Shot of, const std::string& scene,
+                                      const std::filesystem::path& folder) {
+    const std::string name = plain_name(scene);
+    for (int number = 1; number < kMostShots; ++number) {
+        const std::filesystem::path path = folder / fmt::format("{}-{}-{}.png", name, part_of(of), number);
+        if (!take_name(path)) continue;
+        try {
+            write_png(path, picture);
+        } catch (...) {
+            std::error_code ignored;
+            std::filesystem::remove(path, ignored);
+            throw;
+        }
+        return path;
+    }
+    throw Error(fmt::format("{}: {} screenshots are there already; move them elsewhere", folder.string(), kMostShots));
+}
+
+}  // namespace si

@@ -1,0 +1,252 @@
+// The probe in the whole editor: it sticks to its surface, arrow keys move it, the loupe shows its pixels; and the tour
+// of what is wrong.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "app/base/output.h"
+#include "app/editor/headless_editor.h"
+#include "renderer/inspect/probe.h"
+#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/live_error.h"
+#include "renderer/settings/overlays.h"
+#include "tests/ui/ui_harness.h"
+#include "ui/scene_view/camera_steering.h"
+
+namespace si::test {
+namespace {
+
+const std::filesystem::path kOut = SI_TEST_OUTPUT_DIR;
+
+EditorOptions boxes_under(std::vector<std::string> sets) {
+    EditorOptions o;
+    sets.insert(sets.end(), {"view.frustum=false", "map.resolution=256"});
+    o.session = {.scene = "boxes", .preset = {}, .sets = sets};
+    o.width = 960, o.height = 600;
+    return o;
+}
+
+struct Probing : HeadlessEditor {
+    explicit Probing(std::vector<std::string> sets = {}) : HeadlessEditor(boxes_under(std::move(sets))) { settle(); }
+    EditorState& state() { return model().state; }
+    void click(glm::ivec2 pixel) {
+        const PictureView& view = *state().scene_view;
+        mouse.at = glm::vec2(view.origin) + glm::vec2(pixel) + 0.5f;
+        frames(2);
+        mouse.left = true;
+        frames(1);
+        mouse.left = false;
+        frames(3);
+        mouse.at.reset();
+        settle();
+    }
+    void key(int code) {
+        ImGui::GetIO().KeysDown[code] = true;
+        frames(1);
+        ImGui::GetIO().KeysDown[code] = false;
+        frames(3);
+    }
+    void arrow(ImGuiKey_ which) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.KeyMap[which] = 256 + which;
+        key(256 + which);
+    }
+    void frames(int n) {
+        for (int i = 0; i < n; ++i) frame();
+    }
+    const Probe* probe() { return model().facts().probe; }
+};
+
+TEST(Probing, TheProbeSticksToItsSurface) {
+    Probing editor;
+    const glm::dvec2 size = editor.state().scene_view->size;
+    editor.click(glm::ivec2(0.5 * size.x + 0.05 * size.y, 0.26 * size.y));  // the cube in the air
+    ASSERT_TRUE(editor.probe() && editor.probe()->hit);
+    ASSERT_EQ(editor.probe()->object.find("loor"), std::string::npos) << editor.probe()->object;
+    const glm::dvec3 at = editor.probe()->position_ws;
+    const std::string object = editor.probe()->object;
+    const glm::ivec2 before = *editor.state().probe_pixel;
+
+    take_camera(editor.state(), editor.model().facts());
+    editor.state().settings.camera.azimuth += 10;
+    editor.settle();
+    ASSERT_TRUE(editor.probe());
+    EXPECT_NE(*editor.state().probe_pixel, before);
+    EXPECT_EQ(editor.probe()->object, object);
+    const PictureView view{
+        editor.probe()->camera, {0, 0}, glm::dvec2(editor.probe()->width, editor.probe()->height), 1};
+    EXPECT_LT(glm::distance(editor.probe()->position_ws, at), 6 * view.metres_per_pixel(at));
+    EXPECT_EQ(editor.model().facts().anchor_place, AnchorPlace::Seen);
+
+    // Beside the picture nothing is probed, and it says so; back again it is where it was.
+    const CameraSettings good = editor.state().settings.camera;
+    editor.state().settings.camera.target_x += 100;
+    editor.settle();
+    EXPECT_FALSE(editor.probe());
+    EXPECT_EQ(editor.model().facts().anchor_place, AnchorPlace::Outside);
+    write_png(kOut / "editor_probe_outside.png", editor.picture());
+    editor.state().settings.camera = good;
+    editor.settle();
+    ASSERT_TRUE(editor.probe());
+    EXPECT_LT(glm::distance(editor.probe()->position_ws, at), 6 * view.metres_per_pixel(at));
+
+    // From behind the cube hides its own front.
+    editor.state().settings.camera.azimuth += 170;
+    editor.settle();
+    EXPECT_EQ(editor.model().facts().anchor_place, AnchorPlace::Hidden);
+    write_png(kOut / "editor_probe_hidden.png", editor.picture());
+    editor.state().probe_pixel = glm::ivec2(40, 40);
+    editor.settle();
+    EXPECT_EQ(editor.model().facts().anchor_place, AnchorPlace::Seen) << "another pixel was chosen";
+    EXPECT_EQ(*editor.state().probe_pixel, glm::ivec2(40, 40));
+}
+
+TEST(Probing, ArrowKeysMoveTheProbeAndTheLoupeShowsItsPixels) {
+    Probing editor;
+    const glm::ivec2 at(310, 62);               // so that slanted edges of the cube in the air come to lie in the loupe
+    const ByteImage window = editor.picture();  // without the probe's marks
+    editor.click(at);
+    ASSERT_EQ(*editor.state().probe_pixel, at);
+    editor.arrow(ImGuiKey_RightArrow);
+    editor.arrow(ImGuiKey_DownArrow);
+    EXPECT_EQ(*editor.state().probe_pixel, at + 1);
+    ASSERT_TRUE(editor.probe());
+    EXPECT_EQ(editor.probe()->x, at.x + 1);
+    editor.mouse.shift = true;
+    editor.arrow(ImGuiKey_LeftArrow);
+    editor.mouse.shift = false;
+    EXPECT_EQ(*editor.state().probe_pixel, at + glm::ivec2(-9, 1));
+    EXPECT_FALSE(editor.state().history.can_undo()) << "it sets nothing";
+
+    const LoupeFacts* loupe = editor.model().facts().loupe;
+    ASSERT_TRUE(loupe);
+    EXPECT_EQ(loupe->at, *editor.state().probe_pixel);
+    const PictureView& view = *editor.state().scene_view;
+    int different = 0;
+    for (int y = 0; y < loupe->pixels.height; ++y)
+        for (int x = 0; x < loupe->pixels.width; ++x) {
+            const glm::ivec2 p = glm::ivec2(view.origin) + loupe->at + glm::ivec2(x, y) - kLoupeReach;
+            const auto* seen = &window.data[(std::size_t(p.y) * std::size_t(window.width) + std::size_t(p.x)) * 4];
+            const auto* large =
+                &loupe->pixels.data[(std::size_t(y) * std::size_t(loupe->pixels.width) + std::size_t(x)) * 4];
+            different += !std::equal(seen, seen + 3, large);
+        }
+    EXPECT_EQ(different, 0);
+    write_png(kOut / "editor_loupe.png", editor.picture());
+    editor.key('G');
+    ASSERT_EQ(editor.state().loupe, LoupeMode::Mouse);
+    editor.mouse.at = glm::vec2(view.origin) + glm::vec2(300.5f, 100.5f);
+    editor.frames(4);
+    ASSERT_TRUE(editor.model().facts().loupe);
+    EXPECT_EQ(editor.model().facts().loupe->at, glm::ivec2(300, 100));
+    EXPECT_TRUE(editor.model().facts().loupe->visibility);
+    editor.key('G');
+    EXPECT_FALSE(editor.model().facts().loupe);
+}
+
+TEST(Probing, WidgetsHaveTheArrowKeysUnlessThePictureWasClickedLast) {
+    UiHarness ui(1280, 720);
+    ImGuiIO& io = ImGui::GetIO();
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    const auto navigates = [&] { return (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0; };
+    const auto key = [&](ImGuiKey_ which) {
+        io.KeysDown[io.KeyMap[which]] = true;
+        ui.frame();
+        io.KeysDown[io.KeyMap[which]] = false;
+        ui.frames(2);
+    };
+    ui.frames(3);
+    EXPECT_TRUE(navigates());
+    const glm::vec2 picture(ui.state.scene_view->origin + 0.3 * ui.state.scene_view->size);
+    ui.click(picture);
+    ASSERT_TRUE(ui.state.probe_pixel);
+    EXPECT_FALSE(navigates());
+    const glm::ivec2 at = *ui.state.probe_pixel;
+    key(ImGuiKey_LeftArrow);
+    EXPECT_EQ(*ui.state.probe_pixel, at - glm::ivec2(1, 0));
+    key(ImGuiKey_Tab);
+    EXPECT_TRUE(navigates());
+    key(ImGuiKey_LeftArrow);
+    EXPECT_EQ(*ui.state.probe_pixel, at - glm::ivec2(1, 0));
+    ui.click(picture);
+    EXPECT_FALSE(navigates());
+    ui.click({1100, 600});  // the settings
+    EXPECT_TRUE(navigates());
+    ui.click(picture);
+    key(ImGuiKey_Escape);
+    EXPECT_FALSE(ui.state.probe_pixel);
+    EXPECT_TRUE(navigates());
+}
+
+TEST(ArtefactTour, GoesFromClusterToClusterAndProbesThem) {
+    Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard"});
+    EditorState& state = editor.state();
+    const Settings before = state.settings;
+    editor.key('X');
+    editor.settle();
+    const ArtefactTour& tour = state.artefact_tour;
+    ASSERT_GT(tour.of.spots.size(), 1u);
+    for (std::size_t i = 1; i < tour.of.spots.size(); ++i)
+        EXPECT_GE(tour.of.spots[i - 1].pixels, tour.of.spots[i].pixels);
+    const Artefact cause = state.artefacts.cause;
+    EXPECT_EQ(cause, Artefact::Acne) << "most pixels are wrong by it";
+    std::vector<glm::dvec3> seen;
+    for (int i = 0; i < 2; ++i) {
+        if (i > 0) editor.key('X');
+        editor.settle();
+        const ArtefactSpot& spot = tour.of.spots[std::size_t(i)];
+        ASSERT_TRUE(editor.probe() && editor.probe()->hit);
+        EXPECT_EQ(editor.model().facts().anchor_place, AnchorPlace::Seen);
+        const PictureView view{
+            editor.probe()->camera, {0, 0}, glm::dvec2(editor.probe()->width, editor.probe()->height), 1};
+        EXPECT_LT(glm::distance(editor.probe()->position_ws, spot.position_ws),
+                  0.05 * view.metres_per_pixel(spot.position_ws))
+            << "the very point that is wrong";
+        ASSERT_FALSE(editor.model().facts().dossiers.empty());
+        EXPECT_EQ(editor.model().facts().dossiers[0].cause().artefact, cause);
+        EXPECT_NEAR(editor.probe()->x, 0.5 * editor.probe()->width, 1.5) << "in the middle of the picture";
+        EXPECT_NEAR(editor.probe()->y, 0.5 * editor.probe()->height, 1.5);
+        seen.push_back(spot.position_ws);
+        if (i == 0) write_png(kOut / "editor_next_artefact.png", editor.picture());
+    }
+    EXPECT_NE(seen[0], seen[1]);
+    EXPECT_EQ(state.history.names().back(), "camera");
+    Settings same = state.settings;
+    same.camera = before.camera;
+    EXPECT_EQ(same, before) << "it moves the camera and nothing else";
+    EXPECT_EQ(state.history.undo(), before) << "one step";
+}
+
+TEST(ArtefactTour, ASwatchChoosesTheCauseAndShowsIt) {
+    UiHarness ui(1600, 900);
+    ui.state.open_tab = BottomTab::Error;
+    ui.state.layout.bottom_height = 17;
+    ui.truth = TruthFacts{.current = true, .wanted = true};
+    LiveError e;
+    e.metrics.counted = 1000, e.metrics.artefacts[std::size_t(Artefact::Leak)] = 7;
+    ui.error = e;
+    ui.frames(4);
+    const ArtefactStyle& style = artefact_styles()[1];
+    choose_cause(ui.state, style.artefact);
+    ui.frames(2);
+    ASSERT_GT(ui.state.settings.view.overlay, 0);
+    EXPECT_TRUE(overlays()[std::size_t(ui.state.settings.view.overlay - 1)].names_causes);
+    choose_cause(ui.state, style.artefact);
+    EXPECT_EQ(ui.state.settings.view.overlay, 0);
+    EXPECT_FALSE(ui.state.artefact_tour.cause);
+    // By mouse: some row of the tables.
+    bool clicked = false;
+    for (float y = float(ui.height()) - 250; y < float(ui.height()) - 40 && !clicked; y += 6)
+        for (const float x : {700.f, 850.f}) {
+            ui.click({x, y});
+            if ((clicked = ui.state.artefact_tour.cause.has_value())) break;
+        }
+    EXPECT_TRUE(clicked);
+    EXPECT_GT(ui.state.settings.view.overlay, 0);
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,86 @@
+// Screenshots of the scene, the map and the window.
+#include "app/editor/screenshot.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <stb_image.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "app/editor/headless_editor.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+ByteImage read_back(const fs::path& file) {
+    ByteImage image;
+    int channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> data(
+        stbi_load(file.c_str(), &image.width, &image.height, &channels, 4), stbi_image_free);
+    if (data) image.data.assign(data.get(), data.get() + std::ptrdiff_t(image.width) * image.height * 4);
+    return image;
+}
+
+TEST(Screenshot, IsThatPartOfTheWindowUnderANameThatNoFileHas) {
+    const fs::path folder = fs::path(SI_TEST_OUTPUT_DIR) / "screenshots";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    const auto text_in = [](const fs::path& file) {
+        std::ifstream in(file, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    std::ofstream(folder / "boxes-scene-1.png") << "mine";
+    EditorOptions o;
+    o.session = {.scene = "boxes", .preset = {}, .sets = {}};
+    o.preset = folder / "preset.json";
+    o.width = 1280, o.height = 720;
+    HeadlessEditor editor(o);
+    editor.settle();
+    EditorState& state = editor.model().state;
+    const auto press = [&](bool ctrl, bool shift) {
+        editor.mouse.ctrl = ctrl, editor.mouse.shift = shift;
+        ImGui::GetIO().KeysDown[301] = true;
+        editor.frame();
+        ImGui::GetIO().KeysDown[301] = false;
+        editor.mouse.ctrl = editor.mouse.shift = false;
+        editor.frame(), editor.frame();
+    };
+    press(false, false);
+    EXPECT_EQ(text_in(folder / "boxes-scene-1.png"), "mine") << "it is never overwritten";
+    const ByteImage scene = read_back(folder / "boxes-scene-2.png");
+    ASSERT_TRUE(state.scene_view);
+    EXPECT_EQ(scene.width, int(state.scene_view->size.x));
+    EXPECT_EQ(scene.height, int(state.scene_view->size.y));
+    EXPECT_NE(state.log.lines().back().text.find((folder / "boxes-scene-2.png").string()), std::string::npos);
+    const ByteImage window = editor.picture();
+    const glm::ivec2 at(state.scene_rect.lo);
+    const auto pixel = [](const ByteImage& i, int x, int y) {
+        const auto* p = &i.data[(std::size_t(y) * std::size_t(i.width) + std::size_t(x)) * 4];
+        return std::array<int, 3>{p[0], p[1], p[2]};
+    };
+    for (int y = 5; y < scene.height; y += 37)
+        for (int x = 5; x < scene.width; x += 41)
+            ASSERT_EQ(pixel(scene, x, y), pixel(window, at.x + x, at.y + y)) << x << ", " << y;
+    press(false, true);
+    const ByteImage map = read_back(folder / "boxes-map-1.png");
+    EXPECT_EQ(map.width, int(state.map_rect.size.x));
+    press(true, false);
+    EXPECT_EQ(read_back(folder / "boxes-window-1.png").width, 1280);
+    state.layout.map_place = MapSpot::Hidden;
+    press(false, true);
+    EXPECT_FALSE(fs::exists(folder / "boxes-map-2.png"));
+    EXPECT_NE(state.log.lines().back().text.find("hidden"), std::string::npos);
+    for (const auto& entry : fs::directory_iterator(folder)) EXPECT_GT(fs::file_size(entry), 0u) << entry.path();
+}
+
+TEST(Screenshot, SaysWhyItCannotBeWritten) {
+    EXPECT_THROW(save_screenshot({1, 1, {0, 0, 0, 0}}, Shot::Map, "a/b.glb", "/no such folder"), std::exception);
+}
+
+}  // namespace
+}  // namespace si

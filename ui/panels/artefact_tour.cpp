@@ -1,0 +1,165 @@
+#include "ui/panels/artefact_tour.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/live_error.h"
+#include "renderer/settings/overlays.h"
+#include "ui/scene_view/camera_steering.h"
+#include "ui/state/editor_ui.h"
+
+namespace si {
+namespace {
+
+constexpr double kShareOfHeight = 0.2;  ///< of the picture's height that a cluster comes to fill
+constexpr double kClosest = 0.25;       ///< of the distance before: what stands around it stays in the picture
+
+int artefact_overlay() {
+    const auto all = overlays();
+    const auto it = std::ranges::find_if(all, [](const Overlay& o) { return o.names_causes; });
+    return it == all.end() ? 0 : int(it - all.begin()) + 1;
+}
+
+std::string_view cause_label(Artefact cause) {
+    for (const ArtefactStyle& style : artefact_styles())
+        if (style.artefact == cause) return style.label;
+    return "an unknown cause";
+}
+
+/// What clusters are found in: all but how they are looked at.
+bool same_picture(Settings a, const Settings& b) {
+    a.view = b.view;
+    return a == b;
+}
+
+/// Towards the spot on the ray that it was seen along, so that nothing comes between.
+void look_at_spot(CameraSettings& camera, const ArtefactSpots& of, const ArtefactSpot& spot) {
+    const glm::ivec2 size = spot.last - spot.first + 1;
+    const double closer =
+        std::clamp(double(std::max(size.x, size.y)) / (kShareOfHeight * std::max(of.height, 1)), kClosest, 1.0);
+    camera.target_x = spot.position_ws.x, camera.target_y = spot.position_ws.y, camera.target_z = spot.position_ws.z;
+    if (of.camera.orthographic) {
+        camera.height = of.camera.height * closer;
+        return;
+    }
+    const glm::dvec3 back = of.camera.eye - spot.position_ws;
+    const double distance = glm::length(back);
+    if (!(distance > 0)) return;
+    camera.azimuth = std::atan2(back.x, back.z) * 180 / std::numbers::pi;
+    camera.elevation = std::asin(std::clamp(back.y / distance, -1.0, 1.0)) * 180 / std::numbers::pi;
+    camera.distance = distance * closer;
+}
+
+/// Moves the camera by part of a pixel, so that the target, this point, lies in a pixel's middle and is what is probed.
+void put_on_pixel(EditorState& state, const EditorFrame& frame, const glm::dvec3& point) {
+    if (!frame.scene || !frame.result) return;
+    const Image& picture = frame.result->colour;
+    const Camera made = make_camera(*frame.scene, state.settings, frame.result->camera.aspect);
+    const PictureView view{made, {0, 0}, glm::dvec2(picture.width, picture.height), 1};
+    const glm::dvec4 at = made.project(point, picture.width, picture.height);
+    const glm::dvec2 off = glm::dvec2(at) - glm::round(glm::dvec2(at));
+    const glm::dvec3 move = view.metres_per_pixel(point) * (off.x * made.axes[0] - off.y * made.axes[1]);
+    CameraSettings& camera = state.settings.camera;
+    camera.target_x += move.x, camera.target_y += move.y, camera.target_z += move.z;
+}
+
+void go_to_spot(EditorState& state, const EditorFrame& frame) {
+    ArtefactTour& tour = state.artefact_tour;
+    const ArtefactSpot& spot = tour.of.spots[tour.at];
+    take_camera(state, frame);
+    look_at_spot(state.settings.camera, tour.of, spot);
+    put_on_pixel(state, frame, spot.position_ws);
+    // The surface is probed wherever the new picture has it.
+    state.probe_pixel = spot.pixel;
+    state.probe_anchor = ProbeAnchor{spot.position_ws, spot.normal_ws, state.scene_name, spot.pixel};
+    state.probe_has_arrows = true;
+    if (state.tab != BottomTab::Error) state.open_tab = BottomTab::Probe;
+    tour.left = state.settings;
+    tour.scene = state.scene_name;
+}
+
+}  // namespace
+
+Artefact touring_cause(const EditorState& state, const EditorFrame& frame) {
+    if (state.artefact_tour.cause) return *state.artefact_tour.cause;
+    if (!frame.error) return Artefact::None;
+    Artefact most = Artefact::None;
+    std::size_t pixels = 0;
+    for (const ArtefactStyle& style : artefact_styles())
+        if (const std::size_t n = frame.error->metrics.artefacts[std::size_t(style.artefact)]; n > pixels)
+            most = style.artefact, pixels = n;
+    return most;
+}
+
+void choose_cause(EditorState& state, Artefact cause) {
+    ArtefactTour& tour = state.artefact_tour;
+    const int overlay = artefact_overlay();
+    if (tour.cause == cause && state.settings.view.overlay == overlay) {
+        tour = {.asked = tour.asked};
+        state.settings.view.overlay = 0;
+        return;
+    }
+    if (tour.cause != cause) tour = {.cause = cause, .asked = tour.asked};
+    state.settings.view.overlay = overlay;
+}
+
+void next_artefact(EditorState& state, const EditorFrame& frame) {
+    ArtefactTour& tour = state.artefact_tour;
+    if (tour.waits_for != 0 || !frame.result) return;
+    if (tour.scene == state.scene_name && !tour.of.spots.empty() && same_picture(state.settings, tour.left)) {
+        tour.at = (tour.at + 1) % tour.of.spots.size();
+        go_to_spot(state, frame);
+        return;
+    }
+    tour.of = {};
+    tour.waits_for = ++tour.asked;
+}
+
+bool follow_artefact_tour(EditorState& state, const EditorFrame& frame) {
+    ArtefactTour& tour = state.artefact_tour;
+    if (tour.waits_for == 0) return false;
+    const auto give_up = [&](const std::string& why) {
+        state.log.add(LogKind::Info, why);
+        tour.waits_for = 0;
+    };
+    if (frame.truth && !frame.truth->problem.empty()) {
+        give_up("Where the picture is wrong is not known: " + frame.truth->problem);
+        return false;
+    }
+    // What is wished for is known once the truth of this picture is.
+    if (state.artefacts.number != tour.waits_for) {
+        if (!frame.error) return true;
+        const Artefact cause = touring_cause(state, frame);
+        if (cause == Artefact::None) {
+            give_up("No pixel of this picture is wrong");
+            return false;
+        }
+        state.artefacts = {cause, tour.waits_for};
+        return true;
+    }
+    if (!frame.artefacts || frame.artefacts->number != tour.waits_for) return true;
+    tour.of = *frame.artefacts;
+    tour.at = 0;
+    if (tour.of.spots.empty()) {
+        give_up(fmt::format("No pixel of this picture is wrong by {}", cause_label(state.artefacts.cause)));
+        return false;
+    }
+    tour.waits_for = 0;
+    go_to_spot(state, frame);
+    return false;
+}
+
+std::string artefact_tour_text(const EditorState& state) {
+    const ArtefactTour& tour = state.artefact_tour;
+    if (tour.waits_for != 0) return "looking for it";
+    if (tour.of.spots.empty() || !same_picture(state.settings, tour.left)) return {};
+    const ArtefactSpot& spot = tour.of.spots[tour.at];
+    return fmt::format("{}, {} of {}: {} pixel{}", cause_label(state.artefacts.cause), tour.at + 1,
+                       tour.of.spots.size(), spot.pixels, spot.pixels == 1 ? "" : "s");
+}
+
+}  // namespace si

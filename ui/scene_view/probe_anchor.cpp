@@ -1,0 +1,39 @@
+#include "ui/scene_view/probe_anchor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/inspect/probe.h"
+#include "ui/scene_view/picture_view.h"
+
+namespace si {
+namespace {
+
+constexpr double kNearerShare = 1e-3;  ///< of the distance: a surface so much nearer is another one
+constexpr double kNearerPixels = 2;    ///< or by so many of the picture's pixels there
+
+}  // namespace
+
+std::optional<glm::ivec2> anchored_pixel(const ProbeAnchor& anchor, const Camera& camera, int width, int height) {
+    const glm::dvec4 at = camera.project(anchor.position_ws, width, height);
+    if (!(at.w > 0) || !(at.x >= -0.5 && at.y >= -0.5 && at.x < width - 0.5 && at.y < height - 0.5)) return {};
+    return glm::ivec2(int(std::floor(at.x + 0.5)), int(std::floor(at.y + 0.5)));
+}
+
+bool hides(const Probe& probe, const ProbeAnchor& anchor) {
+    if (!probe.hit) return false;
+    const Camera& camera = probe.camera;
+    const PictureView view{camera, {0, 0}, {double(probe.width), double(probe.height)}, 1};
+    // The pixel's ray meets the anchor's plane elsewhere than in the anchor, up to its corner.
+    const Ray ray = view.ray({probe.x + 0.5, probe.y + 0.5});
+    const glm::dvec3 away = anchor.position_ws - camera.eye;
+    const double across = 1.5 * view.metres_per_pixel(anchor.position_ws);
+    glm::dvec3 expected = anchor.position_ws;
+    if (const auto met = meet_plane(ray, anchor.position_ws, anchor.normal_ws);
+        met && glm::distance(*met, anchor.position_ws) < 0.1 * glm::length(away))
+        expected = *met;
+    const double nearer = glm::dot(probe.position_ws - expected, camera.axes[2]);
+    return nearer > std::max(kNearerShare * std::abs(glm::dot(away, camera.axes[2])), kNearerPixels * across);
+}
+
+}  // namespace si
