@@ -161,6 +161,7 @@ TEST(Pick, FindsWhatTheRayMeetsFirst) {
         ASSERT_FALSE(found.empty());
         met += found == scene.nodes[std::size_t(o.node)].path;
         EXPECT_EQ(object_at(scene, {ray.origin, {0, 1, 0}, 0}), "") << "nothing above";
+        EXPECT_EQ(object_at(scene, {b.centre() - glm::dvec3(0, 100, 0), {0, 1, 0}, 0}), "Boxes/Floor");
     }
     EXPECT_GE(met, int(scene.objects.size()) - 1) << "but the floor, on which one stands";
     EXPECT_EQ(object_at(scene, view.ray({300, 1})), "") << "the sky";
@@ -176,9 +177,9 @@ protected:
     }
     bool open() const { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }
     void click(const char* item) {
-        const auto at = ui.find("##Popup", "", item);
-        ASSERT_TRUE(at) << item;
-        ui.click(*at);
+        const auto found = ui.find("##Popup", "", item);
+        ASSERT_TRUE(found) << item;
+        ui.click(*found);
     }
     const glm::vec2 at{300, 330};
     UiHarness ui{1280, 720};

@@ -126,7 +126,7 @@ TEST_P(ThemeContrast, LabelsReadOnAnyPicture) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, ThemeContrast, testing::Values(false, true),
-                         [](const auto& info) { return info.param ? "Light" : "Dark"; });
+                         [](const auto& shown) { return shown.param ? "Light" : "Dark"; });
 
 }  // namespace
 }  // namespace si
