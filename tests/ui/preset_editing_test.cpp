@@ -161,7 +161,9 @@ TEST_F(PresetEditing, APresetNamesItsSceneSoThatItIsFoundFromAnywhere) {
 }
 
 TEST_F(PresetEditing, DifferencesAreTakenOverOneByOneAndUndone) {
-    open();
+    EditorOptions large = preset_options();
+    large.width = 1280, large.height = 720;
+    open(large);
     state().compare = {CompareKind::Preset, "acne"};
     state().open_tab = BottomTab::Compare;
     editor_->settle();
