@@ -22,6 +22,7 @@
 #include "app/editor/model.h"
 #include "renderer/base/error.h"
 #include "renderer/base/held.h"
+#include "renderer/frame/read_images.h"
 #include "renderer/gl/target.h"
 #include "renderer/gl/trouble.h"
 
@@ -41,6 +42,13 @@ struct WindowInput {
     WindowInput& operator=(const WindowInput&) = delete;
 };
 
+/// Shows ImGui Ctrl and Shift as they are now.
+void show_held_modifiers(const WindowContext& window) {
+    const auto held = [&](int left, int right) { return window.is_down(left) || window.is_down(right); };
+    ImGui::GetIO().KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    ImGui::GetIO().KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+}
+
 /// Shows ImGui the next thing that the mouse did. The backend has it as it is now: of what happened while a frame was
 /// drawn it would show one press, at the place where the mouse has come to since.
 class MouseStep {
@@ -55,10 +63,7 @@ public:
         io.KeyShift = (*step_.mods & GLFW_MOD_SHIFT) != 0;
     }
     ~MouseStep() {
-        if (!step_.mods) return;
-        const auto held = [&](int left, int right) { return window_.is_down(left) || window_.is_down(right); };
-        ImGui::GetIO().KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
-        ImGui::GetIO().KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+        if (step_.mods) show_held_modifiers(window_);
     }
     MouseStep(const MouseStep&) = delete;
     MouseStep& operator=(const MouseStep&) = delete;
@@ -71,14 +76,11 @@ private:
 /// The window's picture that is drawn but not shown yet, top row first.
 ByteImage read_window(int width, int height) {
     ByteImage image{width, height, {}};
-    const std::size_t row = std::size_t(width) * 4;
-    image.data.resize(row * std::size_t(height));
-    std::vector<std::uint8_t> read(image.data.size());
+    image.data.resize(std::size_t(width) * std::size_t(height) * 4);
     gl::begin_reading();
     glReadBuffer(GL_BACK);
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
-    for (std::size_t y = 0; y < std::size_t(height); ++y)
-        std::copy_n(&read[(std::size_t(height) - 1 - y) * row], row, &image.data[y * row]);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.data.data());
+    flip_rows(image.data, width, height, 4);
     return image;
 }
 
@@ -95,12 +97,8 @@ public:
         }
     }
     ~PressedKeys() {
-        ImGuiIO& io = ImGui::GetIO();
-        const auto held = [&](int left, int right) { return window_.is_down(left) || window_.is_down(right); };
-        for (const auto& [key, mods] : keys_) io.KeysDown[key] = window_.is_down(key);
-        if (keys_.empty()) return;
-        io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
-        io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+        for (const auto& [key, mods] : keys_) ImGui::GetIO().KeysDown[key] = window_.is_down(key);
+        if (!keys_.empty()) show_held_modifiers(window_);
     }
     PressedKeys(const PressedKeys&) = delete;
     PressedKeys& operator=(const PressedKeys&) = delete;

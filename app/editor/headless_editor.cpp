@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "renderer/base/error.h"
+#include "renderer/frame/read_images.h"
 #include "renderer/gl/target.h"
 #include "renderer/reference/live_error.h"
 
@@ -117,10 +118,7 @@ ByteImage HeadlessEditor::picture() const {
     image.data.resize(std::size_t(width_) * std::size_t(height_) * 4);
     gl::begin_reading();
     glGetTextureImage(canvas_->texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(image.data.size()), image.data.data());
-    const std::ptrdiff_t row = std::ptrdiff_t(width_) * 4;
-    for (int y = 0; y < height_ / 2; ++y)
-        std::swap_ranges(image.data.begin() + y * row, image.data.begin() + (y + 1) * row,
-                         image.data.begin() + (height_ - 1 - y) * row);
+    flip_rows(image.data, width_, height_, 4);
     for (std::size_t i = 3; i < image.data.size(); i += 4) image.data[i] = 255;
     return image;
 }

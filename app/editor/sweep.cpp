@@ -33,16 +33,20 @@ bool holds_sweep(const fs::path& folder, const SweepSpec& spec, const SweepPlan&
     }
 }
 
+struct SweepFolder {
+    fs::path path;
+    bool made = false;  ///< it was not there
+};
+
 /// The folder whose journal this sweep goes on with, or one that is empty now.
-fs::path folder_for(const fs::path& parent, const SweepSpec& spec, const SweepPlan& plan) {
+SweepFolder folder_for(const fs::path& parent, const SweepSpec& spec, const SweepPlan& plan) {
     const auto numbered = [&](int i) { return parent / fmt::format("sweep-{}", i); };
     for (int i = 1; i <= kMostFolders; ++i)
-        if (holds_sweep(numbered(i), spec, plan)) return numbered(i);
+        if (holds_sweep(numbered(i), spec, plan)) return {numbered(i)};
     std::string problem;
     for (int i = 1; i <= kMostFolders; ++i) try {
             forget_sweep(numbered(i));
-            fs::create_directories(numbered(i));
-            return numbered(i);
+            return {numbered(i), fs::create_directories(numbered(i))};
         } catch (const std::exception& e) {
             problem = e.what();
         }
@@ -107,11 +111,9 @@ void EditorSweep::start(const Scene& scene, const std::string& scene_name, const
     RunningSweep::Of of{.sessions = CaseSessions(session_plan(scene_name, scene, measured))};
     of.spec = sweep_spec(scene_name, scene, measured, std::move(axes), wish.width, wish.height);
     of.plan = plan_sweep(of.spec.base, of.spec.axes);
-    std::set<fs::path> there;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(parent_, error)) there.insert(entry.path());
-    of.folder = folder_for(parent_, of.spec, of.plan);
-    if (!there.count(of.folder)) made_.insert(of.folder);
+    const SweepFolder folder = folder_for(parent_, of.spec, of.plan);
+    of.folder = folder.path;
+    if (folder.made) made_.insert(folder.path);
     of.timing.cost = wish.timed;
     show(of.spec, of.plan, of.folder);
     swept_cost_ = wish.timed;

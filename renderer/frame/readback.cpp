@@ -12,13 +12,6 @@
 namespace si {
 namespace {
 
-template <typename T>
-void flip_rows(std::vector<T>& data, int width, int height, int channels) {
-    const std::ptrdiff_t row = std::ptrdiff_t(width) * channels;
-    for (int y = 0; y < height / 2; ++y)
-        std::swap_ranges(data.begin() + y * row, data.begin() + (y + 1) * row, data.begin() + (height - 1 - y) * row);
-}
-
 /// Whether the drawing is still the one that the frame saw.
 bool is_there(const FrameContents::Part& part, const Resources& resources) {
     const auto drawing = resources.drawings.find(part.place);

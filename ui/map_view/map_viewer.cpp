@@ -15,6 +15,7 @@
 #include "ui/map_view/map_readout.h"
 #include "ui/scene_view/camera_outline.h"
 #include "ui/scene_view/kernel_marks.h"
+#include "ui/scene_view/picture_marks.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/setting_widgets.h"
@@ -336,10 +337,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     }
     if (fitted && fitted->clipped_casters > 0) {
         const std::string lost = fmt::format("{} object(s) reach in front of the near plane", fitted->clipped_casters);
-        const ImVec2 at(origin.x + em * 0.8f, origin.y + em * 0.6f), size_of_text = ImGui::CalcTextSize(lost.c_str());
-        list.AddRectFilled({at.x - em * 0.3f, at.y - em * 0.15f},
-                           {at.x + size_of_text.x + em * 0.3f, at.y + size_of_text.y + em * 0.15f}, theme::kVeil);
-        list.AddText(at, theme::kWarningOnPicture, lost.c_str());
+        veiled_text({origin.x + em * 0.8f, origin.y + em * 0.6f}, lost, theme::kWarningOnPicture);
     }
     list.PopClipRect();
     ImFont* font = theme::small();

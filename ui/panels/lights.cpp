@@ -14,6 +14,7 @@
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -26,10 +27,6 @@ float shown(double linear) {
 double linear(float shown) {
     const double v = std::clamp(double(shown), 0.0, 1.0);
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
-
-void tooltip(const std::string& text) {
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text.c_str());
 }
 
 /// Looks pressed while `on`.
@@ -49,8 +46,8 @@ void swatch(LightSettings& light) {
         for (int i = 0; i < 3; ++i)
             if (rgb[i] != shown(*parts[i])) *parts[i] = linear(rgb[i]);
     }
-    tooltip(fmt::format("Colour, as the screen shows it; linear {:.3g}, {:.3g}, {:.3g}", light.red, light.green,
-                        light.blue));
+    wrapped_tooltip(fmt::format("Colour, as the screen shows it; linear {:.3g}, {:.3g}, {:.3g}", light.red, light.green,
+                                light.blue));
 }
 
 void light_row(Settings& s, int i) {
@@ -66,15 +63,15 @@ void light_row(Settings& s, int i) {
     ImGui::PushStyleColor(ImGuiCol_Text, light.on ? theme::text() : theme::muted());
     if (ImGui::Selectable(fmt::format("{} {}###shown", i, type).c_str(), shown)) s.view.light = i;
     ImGui::PopStyleColor();
-    tooltip("Its settings below, its map in the map viewer, its handles in the scene");
+    wrapped_tooltip("Its settings below, its map in the map viewer, its handles in the scene");
     ImGui::TableNextColumn();
     ImGui::Checkbox("##on", &light.on);
-    tooltip("On: it shines. Off it keeps its settings, and no map is drawn for it");
+    wrapped_tooltip("On: it shines. Off it keeps its settings, and no map is drawn for it");
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(s.light_count < 2);
     if (toggle("Solo", s.light_count > 1 && is_solo(s, i))) solo_light(s, i);
     ImGui::EndDisabled();
-    tooltip("Switches all others off; again: all on");
+    wrapped_tooltip("Switches all others off; again: all on");
     ImGui::TableNextColumn();
     swatch(light);
     ImGui::TableNextColumn();
@@ -90,7 +87,7 @@ void list_buttons(Settings& s) {
         ImGui::BeginDisabled(!possible);
         const bool pressed = ImGui::Button(label);
         ImGui::EndDisabled();
-        tooltip(tip);
+        wrapped_tooltip(tip);
         ImGui::SameLine(0, spacing);
         return pressed;
     };
@@ -106,7 +103,7 @@ void list_buttons(Settings& s) {
 
 /// The faces of a cube unfolded, as they are numbered: +x -x +y -y +z -z.
 void cube_cross(Settings& s, const FrameResult& result) {
-    constexpr int kFaces = 6, kColumns = 4;
+    constexpr int kFaces = 6, kAcross = 4;
     constexpr int kColumn[kFaces] = {2, 0, 1, 1, 1, 3}, kRow[kFaces] = {1, 1, 0, 2, 1, 1};
     const FittedLight& light = result.lights[std::size_t(shown_light(s))];
     if (light.chooser.choice != ViewChoice::Face || light.views.size() != kFaces) return;
@@ -118,9 +115,9 @@ void cube_cross(Settings& s, const FrameResult& result) {
         const std::string mark = view_mark(ViewChoice::Face, std::size_t(face));
         ImGui::SetCursorPos({at.x + float(kColumn[face]) * (size.x + gap), at.y + float(kRow[face]) * (size.y + gap)});
         if (toggle(mark.c_str(), face == now, size)) s.view.face = face;
-        tooltip(fmt::format("The map viewer shows the face towards {}", mark));
+        wrapped_tooltip(fmt::format("The map viewer shows the face towards {}", mark));
     }
-    ImGui::SetCursorPos({at.x + float(kColumns) * (size.x + gap) + em * 0.3f, at.y + size.y + gap});
+    ImGui::SetCursorPos({at.x + float(kAcross) * (size.x + gap) + em * 0.3f, at.y + size.y + gap});
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("face shown");
     ImGui::SetCursorPos({at.x, at.y + 3 * (size.y + gap)});

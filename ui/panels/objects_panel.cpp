@@ -81,11 +81,6 @@ Tree tree_of(const EditorState& state, const EditorFrame& frame) {
     return tree;
 }
 
-std::string last_part(const std::string& path) {
-    const auto slash = path.find_last_of('/');
-    return slash == std::string::npos ? path : path.substr(slash + 1);
-}
-
 /// What the columns of settings are sorted by: of nodes above others the most of them.
 std::vector<double> ranks(const Tree& tree, const Scene& scene, const Settings& settings, const Param& p) {
     std::vector<double> out(tree.rows.size(), -1);

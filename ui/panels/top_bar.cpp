@@ -11,6 +11,7 @@
 #include "renderer/scenes/builtin.h"
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
+#include "ui/state/selection.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -182,8 +183,7 @@ std::string scene_label(const std::string& name) {
     for (const BuiltinScene& scene : builtin_scenes())
         if (scene.key == name) return std::string(scene.label);
     if (is_builtin_scene(name)) return name;
-    const auto slash = name.find_last_of('/');
-    return slash == std::string::npos ? name : name.substr(slash + 1);
+    return last_part(name);
 }
 
 void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& actions) {

@@ -90,13 +90,13 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
     if (visibility) line(1, fmt::format("visibility {:.3g}", *visibility));
 }
 
-void veiled_text(ImVec2 at, const std::string& text) {
+void veiled_text(ImVec2 at, const std::string& text, ImU32 colour) {
     const float em = ImGui::GetFontSize();
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({at.x - em * 0.4f, at.y - em * 0.2f}, {at.x + size.x + em * 0.4f, at.y + size.y + em * 0.2f},
                        theme::kVeil, em * 0.2f);
-    list.AddText(at, theme::kOnPicture, text.c_str());
+    list.AddText(at, colour, text.c_str());
 }
 
 void hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, glm::ivec2 pixel) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ui/state/editor_ui.h"
+#include "ui/widgets/theme.h"
 
 namespace si {
 
@@ -23,6 +24,6 @@ void hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, gl
 void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size);
 
 /// Text on a picture, readable over anything.
-void veiled_text(ImVec2 at, const std::string& text);
+void veiled_text(ImVec2 at, const std::string& text, ImU32 colour = theme::kOnPicture);
 
 }  // namespace si

@@ -31,11 +31,6 @@ void box(const PicturePainter& p, const Box& corners, ImU32 colour, bool thin) {
         }
 }
 
-std::string last_part(const std::string& path) {
-    const auto slash = path.find_last_of('/');
-    return slash == std::string::npos ? path : path.substr(slash + 1);
-}
-
 /// The probe's answer about the shown light, and the light; nothing when they do not belong together.
 std::optional<ProbeRay> shown_ray(const EditorState& state, const EditorFrame& frame, const Probe::PerLight** answer) {
     const int light = shown_light(state.settings);

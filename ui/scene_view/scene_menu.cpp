@@ -11,15 +11,12 @@
 #include "ui/scene_view/pick.h"
 #include "ui/state/selection.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
 
 constexpr const char* kMenu = "scene menu";
-
-void tooltip(const char* text) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
-}
 
 /// The setting of each of these objects.
 std::vector<SettingRef> refs_of(const Param& p, const std::set<std::string>& paths) {
@@ -34,7 +31,7 @@ void object_switch(Settings& s, const Param& p, const std::set<std::string>& pat
     const bool all = std::ranges::all_of(refs, [&](const auto& r) { return std::get<bool>(get_value(s, r)); });
     if (ImGui::MenuItem(std::string(p.label).c_str(), nullptr, all))
         for (const SettingRef& r : refs) set_value(s, r, !all);
-    tooltip(std::string(p.help).c_str());
+    wrapped_tooltip(std::string(p.help));
 }
 
 void object_choice(Settings& s, const Param& p, const std::set<std::string>& paths) {
@@ -46,7 +43,7 @@ void object_choice(Settings& s, const Param& p, const std::set<std::string>& pat
             std::ranges::all_of(refs, [&](const auto& r) { return std::get<int>(get_value(s, r)) == int(i); });
         if (ImGui::MenuItem(std::string(choices[i].label).c_str(), nullptr, all))
             for (const SettingRef& r : refs) set_value(s, r, int(i));
-        tooltip(std::string(choices[i].help).c_str());
+        wrapped_tooltip(std::string(choices[i].help));
     }
     ImGui::EndMenu();
 }
@@ -62,7 +59,7 @@ void object_items(EditorState& state, const EditorFrame& frame, const std::set<s
     }
     ImGui::Separator();
     if (ImGui::MenuItem("Let only this cast")) cast_alone(s, *frame.scene, paths);
-    tooltip("Isolates its shadow: nothing else casts");
+    wrapped_tooltip("Isolates its shadow: nothing else casts");
 }
 
 }  // namespace

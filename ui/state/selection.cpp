@@ -50,6 +50,11 @@ void set_cast(Settings& s, const std::string& path, bool cast) {
 
 }  // namespace
 
+std::string last_part(const std::string& path) {
+    const auto slash = path.find_last_of('/');
+    return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
 std::optional<Box> box_of(const Scene& scene, const std::string& path) {
     const int node = node_of(scene, path);
     if (node < 0) return {};

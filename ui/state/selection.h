@@ -14,6 +14,9 @@
 
 namespace si {
 
+/// What a node's or a file's path ends in.
+std::string last_part(const std::string& path);
+
 /// World bounds of all that the nodes with these paths place; empty when there are none.
 Bounds bounds_of(const Scene& scene, const std::set<std::string>& paths);
 /// Of one.
