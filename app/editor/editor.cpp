@@ -21,7 +21,6 @@
 #include "app/editor/headless_editor.h"
 #include "app/editor/model.h"
 #include "renderer/base/error.h"
-#include "renderer/base/held.h"
 #include "renderer/frame/read_images.h"
 #include "renderer/gl/target.h"
 #include "renderer/gl/trouble.h"
@@ -139,7 +138,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         if (model.loading_moved() || model.measuring_moved() || model.tracing_moved()) due = std::max(due, 1);
         model.keep();
         const int width = window.framebuffer_width(), height = window.framebuffer_height();
-        if (due == 0 && ++still == kStillLooks && !model.busy()) give_back_free_pages();
+        if (due == 0 && ++still == kStillLooks && !model.busy()) model.rest();
         if (due == 0 || width == 0 || height == 0) {
             if (due > 0) window.wait_events(kPollSeconds);  // minimised
             continue;

@@ -240,6 +240,10 @@ void FrameDesk::clear() {
     facts_ = {};
 }
 
+void FrameDesk::rest() {
+    if (!busy()) call([&] { loop_->rest(); });
+}
+
 void FrameDesk::save_map(const Scene& scene, const std::string& path) {
     call([&] { loop_->save_map(scene, state_.settings, path); });
     state_.log.add(LogKind::Info, "Saved " + path);

@@ -48,6 +48,8 @@ public:
     void wait() const;
     /// There is no scene.
     void clear();
+    /// Nothing is drawn for a while: gives memory back, unless a frame is under way.
+    void rest();
 
     const FrameFacts& facts() const { return facts_; }
     void save_map(const Scene& scene, const std::string& path);

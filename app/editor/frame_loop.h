@@ -40,6 +40,8 @@ public:
                      const ComparisonFacts* comparison);
     /// There is no scene.
     void clear();
+    /// Nothing is drawn for a while.
+    void rest() { renderer_.give_back_memory(); }
     FrameFacts facts() const;
 
     void save_map(const Scene& scene, const Settings& settings, const std::string& path);

@@ -56,6 +56,8 @@ public:
     /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
     bool tracing_moved() const { return frames_.tracing_moved(); }
     void finish_tracing() const { frames_.finish_tracing(); }
+    /// Nothing was asked for during a while.
+    void rest() { frames_.rest(); }
     /// Something is read, measured or traced in the background.
     bool busy() const { return loading() || measuring() || tracing(); }
     /// The picture shown stays while the wanted one is drawn.

@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "renderer/base/error.h"
+#include "renderer/base/held.h"
 #include "renderer/frame/driver.h"
 #include "renderer/frame/renderer_impl.h"
+#include "renderer/gl/pace.h"
 #include "renderer/gl/trouble.h"
 #include "renderer/passes/lookup_savings.h"
 #include "renderer/settings/biases.h"
@@ -199,6 +201,10 @@ const DriverInfo& Renderer::driver() const {
 
 std::vector<std::string> Renderer::take_gl_messages() {
     return impl_->messages.take();
+}
+void Renderer::give_back_memory() {
+    if (impl_->driver.renderer.starts_with("llvmpipe")) gl::let_go_of_done_pictures();
+    give_back_free_pages();
 }
 std::string Renderer::shader_log() const {
     return impl_->resources.programs.log();

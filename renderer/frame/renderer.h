@@ -68,6 +68,8 @@ public:
     const DriverInfo& driver() const;
     /// Errors and high-severity messages of the driver since the last call; tests demand none.
     std::vector<std::string> take_gl_messages();
+    /// Gives back memory that is nobody's and costs some milliseconds to find: call while nothing is drawn for a while.
+    void give_back_memory();
     /// The last compile error of hot-reloaded shaders; empty when all compiled.
     std::string shader_log() const;
     /// True when a shader file on disk changed since the last frame (dev builds).
