@@ -62,11 +62,15 @@ function dotsOf(rows, x, y) {
     .filter(d => Number.isFinite(d.cost) && Number.isFinite(d.error));
 }
 
+// Noise beyond this share of a value is ignorance, which speaks for no dot.
+const MOST_ALIKE = 0.03;
+
 /** Whether a is no worse on either axis beyond noise, and better on one. */
 function dominates(a, b, withNoise = true) {
   const cost = withNoise ? Math.max(a.costNoise, b.costNoise) : 0;
   const error = withNoise ? Math.max(a.errorNoise, b.errorNoise) : 0;
-  return a.cost <= b.cost + cost && a.error <= b.error + error &&
+  return a.cost <= b.cost + Math.min(cost, MOST_ALIKE * b.cost) &&
+    a.error <= b.error + Math.min(error, MOST_ALIKE * b.error) &&
     (a.cost < b.cost - cost || a.error < b.error - error);
 }
 

@@ -42,9 +42,9 @@ function summary() {
 
 function caption() {
   const axis = DATA.axes.find(a => a.key === state.colour), box = byId("frontier-caption");
-  box.replaceChildren("Lower and further left is better. Coloured: the Pareto front; grey: something is better in both. Dashed ring: " +
-    "within noise of a better one. Whiskers: noise of the time. Names: " + DATA.axes.map(a =>
-    settingLabel(a.key).toLowerCase()).join(" \u00b7 ") + ".");
+  box.replaceChildren("Lower and further left is better. Coloured: the Pareto front; grey: something is better on one " +
+    "axis and no worse on the other. Dashed ring: within noise of a better one. Whiskers: noise of the time. Names: " +
+    DATA.axes.map(a => settingLabel(a.key).toLowerCase()).join(" \u00b7 ") + ".");
   if (!axis) return;
   const key = make("div", { class: "key" });
   axis.values.forEach((value, i) => {

@@ -57,7 +57,7 @@ function drawFrontier(svg, dots, xColumn, yColumn, series, chosen) {
   noiseBand(svg, dots, scales);
   for (const d of dots) d.px = x.at(d.cost), d.py = y.at(d.error);
   svg.append(make("path", { d: stairs(dots, box), class: "stairs", id: "frontier-line" }));
-  const whisker = d => make("line", { x1: x.at(Math.max(d.cost - d.costNoise, d.cost / 10)),
+  const whisker = d => make("line", { x1: Math.max(x.at(Math.max(d.cost - d.costNoise, d.cost / 10)), box.left),
     x2: Math.min(x.at(d.cost + d.costNoise), box.right), y1: d.py, y2: d.py, class: "whisker" });
   for (const d of [...dots].sort((a, b) => a.on - b.on)) {
     if (d.costNoise > 0 && (d.on || d.row === chosen)) svg.append(whisker(d));

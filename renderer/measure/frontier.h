@@ -35,7 +35,11 @@ struct Dot {
     double cost_noise = 0, error_noise = 0;  ///< differences up to this are no differences
 };
 
-/// How `a` stands to `b`: better when it is no worse on either axis beyond noise and better on one beyond noise.
+/// As alike as what has settled may be: noise beyond this share of a value is ignorance, which speaks for no dot.
+inline constexpr double kMostAlike = 0.03;
+
+/// How `a` stands to `b`: better when it is no worse on either axis beyond noise (up to kMostAlike) and better on one
+/// beyond noise.
 bool dominates(const Dot& a, const Dot& b);
 
 /// For each dot whether nothing dominates it. Dots closer than noise do not push each other off. Dots with a value that

@@ -34,6 +34,13 @@ TEST(Frontier, NoiseRanksNothing) {
     EXPECT_EQ(frontier(dots), (std::vector<bool>{true, true, false}));
 }
 
+/// What is badly known is no reason to call anything else beaten: here the second may take from 15 to 25.
+TEST(Frontier, ADotOfUncertainCostBeatsNoCheaperOne) {
+    const std::vector<Dot> dots = {{15, 5, 0.1}, {20, 2, 5}, {20.4, 3, 0.5}};
+    EXPECT_EQ(frontier(dots), (std::vector<bool>{true, true, false}));
+    EXPECT_EQ(frontier(std::vector<Dot>{{5, 15, 0, 0.1}, {2, 20, 0, 5}}), (std::vector<bool>{true, true}));
+}
+
 TEST(Frontier, FailedCasesAreNeverOnIt) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<Dot> dots = {{nan, 0}, {1, 1}, {0, nan}};
