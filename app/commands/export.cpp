@@ -24,7 +24,8 @@ void run_export(const SessionOptions& options, const std::string& output) {
                 session.scene.suggested.emplace_back(setting_key(ref),
                                                      value_text(*ref.param, get_value(session.settings, ref)));
     }
-    remove_ground(session.scene);  // which is no part of it
+    hide_objects(session.scene, {});  // what is hidden comes back by its setting
+    remove_ground(session.scene);     // which is no part of it
     save_gltf(session.scene, output);
     print_notes(session.notes);
 }

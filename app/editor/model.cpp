@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/editor/clipboard.h"
 #include "app/editor/screenshot.h"
 #include "app/editor/wishes.h"
 #include "app/session/command_line.h"
@@ -37,6 +38,7 @@ BottomTab tab_named(const std::string& name) {
 
 EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameThread thread)
     : check_numeric_(options.check_numeric),
+      offers_pictures_(!options.headless),
       session_(options.report),
       memory_(options.state_folder),
       scenes_(state, memory_, std::move(read), options.headless),
@@ -97,7 +99,11 @@ void EditorModel::save_shot(const ShotWish& wish, const ByteImage& window, float
         const auto path = save_screenshot(cut_out(window, wish.rect, pixels), wish.of, state.scene_name, folder);
         std::error_code error;
         const auto whole = std::filesystem::absolute(path, error);
-        state.log.add(LogKind::Info, "Saved " + (error ? path : whole).string());
+        const std::string saved = "Saved " + (error ? path : whole).string();
+        const std::string problem = offers_pictures_ ? copy_png(path) : std::string();
+        state.log.add(LogKind::Info, !offers_pictures_ ? saved
+                                     : problem.empty() ? saved + ", and copied the picture"
+                                                       : fmt::format("{}; not copied: {}", saved, problem));
     });
 }
 

@@ -92,6 +92,7 @@ private:
     void follow_memory(bool wanted);
 
     const bool check_numeric_;
+    const bool offers_pictures_;  ///< screenshots to the clipboard, too
     SessionReport session_;
     std::optional<MemoryFacts> held_;
     double held_at_s_ = 0;

@@ -141,6 +141,7 @@ void SceneDesk::show_scene(Scene loaded, const Arrival& arrival) {
     }
     state_.settings.scene.index = file_scene_ = seen_index_ = arrival.file_scene;
     posed_ = state_.settings.scene;
+    hide_objects(scene_, hidden_ = hidden_paths(state_.settings));
     given_ = state_.settings;
     has_scene_ = true;
     failure_ = nullptr;
@@ -163,8 +164,9 @@ void SceneDesk::show_scene(Scene loaded, const Arrival& arrival) {
         state_.frozen.reset();
         state_.map_window = {};
     }
-    state_.log.add(LogKind::Info, fmt::format("{}: {} objects, {} triangles", state_.scene_name, scene_.objects.size(),
-                                              scene_.triangle_count()));
+    const std::string hidden = scene_.hidden.empty() ? "" : fmt::format(", {} hidden", scene_.hidden.size());
+    state_.log.add(LogKind::Info, fmt::format("{}: {} objects, {} triangles{}", state_.scene_name,
+                                              scene_.objects.size(), scene_.triangle_count(), hidden));
     for (const std::string& note : notes) state_.log.add(LogKind::Warning, note);
     for (const std::string& text : left_out) report(state_, text);
     if (!arrival.remark.empty()) state_.log.add(LogKind::Info, arrival.remark);
@@ -181,12 +183,14 @@ void SceneDesk::follow_step() {
 }
 
 bool SceneDesk::has_moved() const {
-    return has_scene_ && (state_.settings.scene.index != seen_index_ || state_.settings.scene != posed_);
+    return has_scene_ && (state_.settings.scene.index != seen_index_ || state_.settings.scene != posed_ ||
+                          hidden_paths(state_.settings) != hidden_);
 }
 
 void SceneDesk::follow_settings() {
     if (state_.settings.scene.index != seen_index_) follow_file_scene();
     if (state_.settings.scene != posed_) follow_time();
+    hide_objects(scene_, hidden_ = hidden_paths(state_.settings));
 }
 
 void SceneDesk::follow_file_scene() {

@@ -97,8 +97,9 @@ private:
     std::vector<std::string> notes_;
     Settings base_;
     SceneSettings posed_;
-    int file_scene_ = -1;  ///< scene.index of what is shown
-    int seen_index_ = -1;  ///< scene.index as last acted upon
+    std::set<std::string> hidden_;  ///< as hidden_paths() gave them
+    int file_scene_ = -1;           ///< scene.index of what is shown
+    int seen_index_ = -1;           ///< scene.index as last acted upon
     Settings given_;
     Arrival arrival_;
     SceneLoading loading_;

@@ -85,7 +85,17 @@ void apply_suggested(const Scene& scene, Settings& settings) {
     }
 }
 
+std::set<std::string> hidden_paths(const Settings& settings) {
+    std::set<std::string> hidden;
+    for (const auto& [path, own] : settings.objects)
+        if (!own.shown) hidden.insert(path);
+    return hidden;
+}
+
 std::string pose_scene(Scene& scene, const SceneSettings& settings) {
+    std::set<std::string> hidden;
+    for (const HiddenObject& h : scene.hidden) hidden.insert(scene.nodes[std::size_t(h.object.node)].path);
+    hide_objects(scene, {});  // the ground is the last of all
     std::string remark;
     const bool grounded = settings.ground == int(Ground::Auto) && !scene.file_scenes.empty();
     if (!grounded) remove_ground(scene);
@@ -105,6 +115,7 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
     }
     if (grounded) add_ground(scene);
     if (const glm::dmat4 placement = placement_of(settings); placement != scene.placement) place(scene, placement);
+    hide_objects(scene, hidden);
     return remark;
 }
 
@@ -158,6 +169,7 @@ Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::s
         pose_scene(scene, moment);
     }
     ComposedSettings composed = compose_settings(plan, scene, moment, left_out);
+    hide_objects(scene, hidden_paths(composed.settings));
     if (!remark.empty()) composed.notes.push_back(remark);
     for (const std::string& warning : scene.warnings)
         composed.notes.push_back(fmt::format("{}: {}", plan.scene_name, warning));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -68,8 +69,12 @@ void apply_suggested(const Scene& scene, Settings& settings);
 void check_objects(const Scene& scene, Settings& settings, const std::string& preset,
                    std::vector<std::string>* left_out);
 
+/// Node paths of what object.PATH.shown hides.
+std::set<std::string> hidden_paths(const Settings& settings);
+
 /// Poses a scene as scene.animation and scene.time say, and places it as scene.distance, direction and scale do. A
 /// file without a ground gets one where scene.ground lets it (renderer/scene/ground.h).
+/// What is hidden stays so.
 /// Returns a remark when there is nothing to pose, else "".
 /// @throws UsageError when there is no such animation.
 std::string pose_scene(Scene& scene, const SceneSettings& settings);

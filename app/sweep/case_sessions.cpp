@@ -31,6 +31,7 @@ CaseSessions::Prepared CaseSessions::prepare(const Values& values) {
         loaded.posed = moment;
     }
     ComposedSettings composed = compose_settings(plan, loaded.scene, moment);
+    hide_objects(loaded.scene, hidden_paths(composed.settings));
     if (!loaded.remark.empty()) composed.notes.push_back(loaded.remark);
     return {loaded.scene, std::move(composed.settings), std::move(composed.notes)};
 }

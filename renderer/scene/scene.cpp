@@ -415,12 +415,44 @@ void refresh(Scene& scene) {
         drop_degenerate(mesh, mesh.name);
     }
     scene.bounds = scene.ground_bounds = {};
-    for (Object& o : scene.objects) {
+    const auto stand = [&](Object& o) {
         o.world = scene.nodes[o.node].world * o.instance;
-        if (!finite(o.world)) continue;
+        if (!finite(o.world)) return;
         (o.ground ? scene.ground_bounds : scene.bounds).add(scene.meshes[o.mesh].bounds.transformed(o.world));
-    }
+    };
+    for (Object& o : scene.objects) stand(o);
+    for (HiddenObject& h : scene.hidden) stand(h.object);
     scene.id = next_scene_id();
+}
+
+void hide_objects(Scene& scene, const std::set<std::string>& paths) {
+    const auto wanted = [&](const Object& o) {
+        return !paths.empty() && paths.contains(scene.nodes[std::size_t(o.node)].path);
+    };
+    if (std::ranges::none_of(scene.objects, wanted) &&
+        std::ranges::all_of(scene.hidden, [&](const HiddenObject& h) { return wanted(h.object); }))
+        return;
+    for (const HiddenObject& h : scene.hidden)
+        scene.objects.insert(scene.objects.begin() + std::ptrdiff_t(h.place), h.object);
+    scene.hidden.clear();
+    std::vector<Object> shown;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& o = scene.objects[i];
+        if (wanted(o))
+            scene.hidden.push_back({i, o});
+        else
+            shown.push_back(o);
+    }
+    scene.objects = std::move(shown);
+    scene.id = next_scene_id();
+}
+
+std::vector<const Object*> all_objects(const Scene& scene) {
+    std::vector<const Object*> all;
+    all.reserve(scene.objects.size() + scene.hidden.size());
+    for (const Object& o : scene.objects) all.push_back(&o);
+    for (const HiddenObject& h : scene.hidden) all.insert(all.begin() + std::ptrdiff_t(h.place), &h.object);
+    return all;
 }
 
 void place(Scene& scene, const glm::dmat4& placement) {

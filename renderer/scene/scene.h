@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <limits>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,6 +94,12 @@ struct Object {
     bool ground = false;       ///< see add_ground(): receives, never casts, and is no part of Scene::bounds
 };
 
+/// One that is left out of Scene::objects for now.
+struct HiddenObject {
+    std::size_t place = 0;  ///< its index among all
+    Object object;
+};
+
 struct SceneCamera {
     std::string name;
     glm::dmat4 world{1.0};  ///< looks along -z
@@ -125,12 +132,13 @@ struct Scene {
     std::vector<Node> nodes;
     glm::dmat4 placement{1.0};  ///< of all nodes without a parent, cameras and lights: see place()
     std::vector<Object> objects;
+    std::vector<HiddenObject> hidden;  ///< see hide_objects(), ascending by place
     std::vector<SceneCamera> cameras;
     std::vector<SceneLight> lights;
     /// Settings that suit this scene (key, value), used where the user set nothing.
     std::vector<std::pair<std::string, std::string>> suggested;
     std::vector<std::string> warnings;  ///< what was dropped or approximated, and why
-    Bounds bounds;                      ///< world, without the ground; set by finalise()
+    Bounds bounds;                      ///< world, with what is hidden, without the ground; set by finalise()
     Bounds ground_bounds;               ///< world, of the ground put under it; empty: there is none. Likewise
     std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys
     std::size_t dropped_triangles = 0;  ///< degenerate, set by finalise()
@@ -148,6 +156,14 @@ void finalise(Scene& scene);
 /// After Node::local or vertices of deformed meshes changed: world transforms and bounds again, degenerate triangles of
 /// deformed meshes dropped, and a new id. Nothing else changes; no warnings are added.
 void refresh(Scene& scene);
+
+/// Leaves what the nodes with these paths place out of Scene::objects, and brings back all else: what is hidden is not
+/// drawn, casts and receives nothing, but keeps its share of Scene::bounds, so that views of the scene stay. A new id
+/// where that changes anything.
+void hide_objects(Scene& scene, const std::set<std::string>& paths);
+
+/// Shown and hidden, in the order of the scene's file.
+std::vector<const Object*> all_objects(const Scene& scene);
 
 /// Moves, turns and scales all of the scene from where its nodes have it, whatever placed it before: refresh(), and
 /// cameras and lights with it. What the scene suggests stays as it was.

@@ -192,6 +192,10 @@ constexpr Choice kObjectCulls[] = {
 
 constexpr auto kObject = with_scope(
     std::to_array<Param>({
+        {SI_OBJECT_FIELD(shown), .label = "Shown", .unit = "",
+         .help = "Whether this object is there: a hidden one is not drawn, casts nothing and receives nothing. The "
+                 "scene's bounds keep it, so that the view stays.",
+         .also = "visible, visibility, hide, hidden, isolate, enabled, renderable"},
         {SI_OBJECT_FIELD(cull), .label = "Cull", .unit = "", SI_CHOICES(kObjectCulls),
          .help = "Which faces of this object are left out of the shadow map; the way to keep single planes and floors "
                  "under front-face culling.",

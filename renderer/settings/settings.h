@@ -266,6 +266,7 @@ struct TruthSettings {
 
 /// What one object does differently from the scene; keyed by its node path.
 struct ObjectSettings {
+    bool shown = true;
     int cull = 0;  ///< ObjectCull
     bool cast = true;
     bool receive = true;

@@ -187,7 +187,7 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
         if (!s.cast)
             light.reason = "light.cast is off";
         else if (!shape.triangles)
-            light.reason = "the scene has no triangles";
+            light.reason = scene.hidden.empty() ? "the scene has no triangles" : "all that has triangles is hidden";
         else if (!shape.casters)
             light.reason = "no object casts";
         else if (!shape.receivers)

@@ -226,6 +226,53 @@ TEST_F(SceneMenu, ItsItemsChangeAllThatIsChosen) {
     EXPECT_TRUE(ui.state.history.undo().objects.empty());
 }
 
+TEST_F(SceneMenu, ObjectsAreHiddenIsolatedAndShownAgain) {
+    const auto hidden = [&] {
+        std::set<std::string> paths;
+        for (const auto& [path, own] : ui.state.settings.objects)
+            if (!own.shown) paths.insert(path);
+        return paths;
+    };
+    ui.click(at, 1);
+    const std::string first = ui.state.selected_object;
+    click("Hide");
+    EXPECT_EQ(hidden(), std::set<std::string>{first});
+    ui.click(at, 1);
+    click("Show all");
+    EXPECT_TRUE(ui.state.settings.objects.empty());
+    const auto key = [&](bool shift, bool alt) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.KeyShift = shift, io.KeyAlt = alt, io.KeysDown['H'] = true;
+        ui.frames(2);
+        io.KeyShift = io.KeyAlt = io.KeysDown['H'] = false;
+        ui.frames(2);
+    };
+    key(false, false);
+    EXPECT_EQ(hidden(), std::set<std::string>{first});
+    key(false, true);
+    EXPECT_TRUE(ui.state.settings.objects.empty());
+    key(true, false);
+    EXPECT_FALSE(hidden().contains(first));
+    EXPECT_EQ(hidden().size() + 1, placed_below(ui.scene, 0).size()) << "all others";
+    select_objects(ui.state, {});
+    key(false, true);
+    key(false, false);
+    EXPECT_TRUE(ui.state.settings.objects.empty());
+    EXPECT_NE(ui.state.log.lines().back().text.find("Nothing is selected"), std::string::npos);
+}
+
+TEST_F(ObjectsPanel, WhatIsHiddenStaysInTheListAndComesBackByAButton) {
+    hide(ui.state.settings, {"Stage/Plinth"});
+    hide_objects(ui.scene, {"Stage/Plinth"});
+    EXPECT_TRUE(row("Stage/Plinth"));
+    EXPECT_FALSE(bounds_of(ui.scene, "Stage/Plinth").empty()) << "F frames it";
+    const auto button = ui.find("bottom", "", "Show all");
+    ASSERT_TRUE(button);
+    ui.click(*button);
+    EXPECT_TRUE(all_shown(ui.state.settings));
+    EXPECT_FALSE(ui.find("bottom", "", "Show all"));
+}
+
 TEST_F(SceneMenu, FramesTheObject) {
     ui.click(at, 1);
     const Bounds b = bounds_of(ui.scene, ui.state.selected_object);

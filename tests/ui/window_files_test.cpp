@@ -1,4 +1,5 @@
 // The editor's window and files: opened by menu, dialog and drop, presets saved and loaded, what is kept between runs.
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -141,6 +142,21 @@ TEST_F(WindowFiles, ADroppedModelAndADroppedPresetAreOpened) {
     breathe();
     EXPECT_EQ(saved("dropped.json").value("bias.constant", 0.0), 7);
     screen("window_dropped_nonsense");
+    quit();
+}
+
+TEST_F(WindowFiles, AScreenshotIsAFileAndStandsInTheClipboard) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    keys("F12");
+    const fs::path file = folder_ / "boxes-scene-1.png", pasted = folder_ / "pasted.png";
+    ASSERT_TRUE(wait_until([&] {
+        return std::system(
+                   fmt::format("timeout 10 xclip -selection clipboard -target image/png -out > '{}' 2>/dev/null "
+                               "&& cmp -s '{}' '{}'",
+                               pasted.string(), pasted.string(), file.string())
+                       .c_str()) == 0;
+    })) << log();
+    EXPECT_GT(fs::file_size(pasted), 1000u);
     quit();
 }
 

@@ -15,9 +15,11 @@
 
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -52,10 +54,10 @@ Tree tree_of(const EditorState& state, const EditorFrame& frame) {
     const std::size_t count = scene.nodes.size();
     Tree tree{.rows = std::vector<Row>(count), .children = std::vector<std::vector<int>>(count)};
     std::vector<char> in(count, 0);
-    for (const Object& o : scene.objects) {
-        Row& row = tree.rows[std::size_t(o.node)];
+    for (const Object* o : all_objects(scene)) {
+        Row& row = tree.rows[std::size_t(o->node)];
         row.placed = true;
-        row.triangles += scene.meshes[std::size_t(o.mesh)].indices.size() / 3;
+        row.triangles += scene.meshes[std::size_t(o->mesh)].indices.size() / 3;
     }
     for (const LostCaster& l : frame.lost_casters)
         if (std::size_t(l.object) < scene.objects.size())
@@ -279,12 +281,22 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
     for (const Param& p : params())
         if (p.scope == Scope::Object) rows.push_back(&p);
     const float em = ImGui::GetFontSize();
-    search_field("objects", "Search objects", state.object_search,
-                 std::max(ImGui::GetContentRegionAvail().x - em * 18, em * 6));
     Tree tree = tree_of(state, frame);
+    const std::string count = fmt::format("{} object{}, {} with settings of their own", tree.placed,
+                                          tree.placed == 1 ? "" : "s", state.settings.objects.size());
+    const bool all = all_shown(state.settings);
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float beside = ImGui::CalcTextSize(count.c_str()).x + gap + (all ? 0 : button_width("Show all") + gap) +
+                         (frame.lost_casters.empty() ? 0 : em * 26);
+    search_field("objects", "Search objects", state.object_search,
+                 std::clamp(ImGui::GetContentRegionAvail().x - beside, em * 6, em * 24));
     ImGui::SameLine();
-    ImGui::TextDisabled("%zu object%s, %zu with settings of their own", tree.placed, tree.placed == 1 ? "" : "s",
-                        state.settings.objects.size());
+    ImGui::TextDisabled("%s", count.c_str());
+    if (!all) {
+        ImGui::SameLine();
+        if (ImGui::Button("Show all")) show_all(state.settings);
+        wrapped_tooltip("Brings back what is hidden (Alt+H)");
+    }
     lost_line(state, frame, tree);
     if (tree.placed == 0) {
         ImGui::TextDisabled(state.object_search.empty() ? "No object casts or receives."

@@ -62,7 +62,9 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& acti
         ImGui::EndMenu();
     }
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("A PNG beside the preset, under a name that no file has; the log tells which");
+        ImGui::SetTooltip(
+            "A PNG beside the preset, under a name that no file has (the log tells which), and in the clipboard to "
+            "paste");
     ImGui::Separator();
     if (ImGui::MenuItem("Quit", "Ctrl+Q")) actions.quit = true;
     ImGui::EndPopup();

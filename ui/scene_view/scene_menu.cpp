@@ -58,6 +58,10 @@ void object_items(EditorState& state, const EditorFrame& frame, const std::set<s
             object_switch(s, p, paths);
     }
     ImGui::Separator();
+    if (ImGui::MenuItem("Hide", "H")) hide(s, paths);
+    wrapped_tooltip("Not there: neither drawn nor in any shadow");
+    if (ImGui::MenuItem("Isolate", "Shift+H")) isolate(s, *frame.scene, paths);
+    wrapped_tooltip("Hides all else");
     if (ImGui::MenuItem("Let only this cast")) cast_alone(s, *frame.scene, paths);
     wrapped_tooltip("Isolates its shadow: nothing else casts");
 }
@@ -97,6 +101,7 @@ void draw_scene_menu(EditorState& state, const EditorFrame& frame) {
         select_objects(state, {});
         frame_selection(state, frame);
     }
+    if (ImGui::MenuItem("Show all", "Alt+H", false, !all_shown(state.settings))) show_all(state.settings);
     const auto silent = [](const auto& own) { return !own.second.cast; };
     if (ImGui::MenuItem("Let all cast", nullptr, false, std::ranges::any_of(state.settings.objects, silent)))
         cast_all(state.settings);

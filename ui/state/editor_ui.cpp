@@ -61,6 +61,20 @@ void share_arrows(EditorState& state) {
     }
 }
 
+/// H hides what is chosen, with Shift all else; with Alt everything is there again.
+void steer_hiding(EditorState& state, const EditorFrame& frame) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const std::set<std::string> chosen = selected_objects(state);
+    if (io.KeyAlt)
+        show_all(state.settings);
+    else if (chosen.empty() || !frame.scene)
+        state.log.add(LogKind::Info, "Nothing is selected to hide: double-click an object");
+    else if (io.KeyShift)
+        isolate(state.settings, *frame.scene, chosen);
+    else
+        hide(state.settings, chosen);
+}
+
 /// A picture of this frame, which shows what is to be seen in it.
 void take_shot(EditorState& state, EditorActions& actions, Shot of) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
@@ -107,6 +121,7 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (pressed('K')) toggle_frozen_camera(state, frame);
     if (pressed('B') && !state.flicker) state.against.view = AgainstView((int(state.against.view) + 1) % 4);
     if (pressed('P')) pin_settings(state);
+    if (pressed('H')) steer_hiding(state, frame);
     if (pressed('G')) state.loupe = LoupeMode((int(state.loupe) + 1) % 3);
     step_probe(state, frame);
     if (pressed('X')) next_artefact(state, frame);

@@ -18,8 +18,8 @@ int node_of(const Scene& scene, const std::string& path) {
 /// What a node places, in its own coordinates; mesh bounds are local.
 Bounds local_bounds(const Scene& scene, int node) {
     Bounds all;
-    for (const Object& o : scene.objects)
-        if (o.node == node) all.add(scene.meshes[std::size_t(o.mesh)].bounds.transformed(o.instance));
+    for (const Object* o : all_objects(scene))
+        if (o->node == node) all.add(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->instance));
     return all;
 }
 
@@ -36,16 +36,24 @@ std::vector<char> below(const Scene& scene, int node) {
 /// World bounds of what the marked nodes place, each in a box of its own axes.
 Bounds bounds_of_marked(const Scene& scene, const std::vector<char>& marked) {
     Bounds all;
-    for (const Object& o : scene.objects) {
-        if (!marked[std::size_t(o.node)]) continue;
-        const Bounds& local = scene.meshes[std::size_t(o.mesh)].bounds;
-        if (!local.empty() && std::isfinite(local.radius())) all.add(local.transformed(o.world));
+    for (const Object* o : all_objects(scene)) {
+        if (!marked[std::size_t(o->node)]) continue;
+        const Bounds& local = scene.meshes[std::size_t(o->mesh)].bounds;
+        if (!local.empty() && std::isfinite(local.radius())) all.add(local.transformed(o->world));
     }
     return all;
 }
 
-void set_cast(Settings& s, const std::string& path, bool cast) {
-    if (const auto ref = find_setting("object." + path + ".cast")) set_value(s, *ref, cast);
+void set_switch(Settings& s, const std::string& path, const char* key, bool on) {
+    if (const auto ref = find_setting("object." + path + "." + key)) set_value(s, *ref, on);
+}
+
+/// Of the settings as they were, since setting them changes their list.
+std::vector<std::string> paths_where(const Settings& settings, bool ObjectSettings::*off) {
+    std::vector<std::string> paths;
+    for (const auto& [path, own] : settings.objects)
+        if (!(own.*off)) paths.push_back(path);
+    return paths;
 }
 
 }  // namespace
@@ -84,7 +92,7 @@ Bounds bounds_below(const Scene& scene, const std::string& path) {
 std::vector<std::string> placed_below(const Scene& scene, int node) {
     const std::vector<char> in = below(scene, node);
     std::vector<char> placed(in.size(), 0);
-    for (const Object& o : scene.objects) placed[std::size_t(o.node)] = in[std::size_t(o.node)];
+    for (const Object* o : all_objects(scene)) placed[std::size_t(o->node)] = in[std::size_t(o->node)];
     std::vector<std::string> paths;
     for (std::size_t i = 0; i < placed.size(); ++i)
         if (placed[i]) paths.push_back(scene.nodes[i].path);
@@ -120,17 +128,35 @@ void toggle_object(EditorState& state, const std::string& path) {
 }
 
 void cast_alone(Settings& settings, const Scene& scene, const std::set<std::string>& paths) {
-    for (const Object& o : scene.objects) {
-        const std::string& path = scene.nodes[std::size_t(o.node)].path;
-        if (!o.ground) set_cast(settings, path, paths.count(path) > 0);  // the ground never casts
+    for (const Object* o : all_objects(scene)) {
+        const std::string& path = scene.nodes[std::size_t(o->node)].path;
+        if (!o->ground) set_switch(settings, path, "cast", paths.count(path) > 0);  // the ground never casts
     }
 }
 
 void cast_all(Settings& settings) {
-    std::vector<std::string> paths;
-    for (const auto& [path, own] : settings.objects)
-        if (!own.cast) paths.push_back(path);
-    for (const std::string& path : paths) set_cast(settings, path, true);
+    for (const std::string& path : paths_where(settings, &ObjectSettings::cast))
+        set_switch(settings, path, "cast", true);
+}
+
+void hide(Settings& settings, const std::set<std::string>& paths) {
+    for (const std::string& path : paths) set_switch(settings, path, "shown", false);
+}
+
+void isolate(Settings& settings, const Scene& scene, const std::set<std::string>& paths) {
+    for (const Object* o : all_objects(scene)) {
+        const std::string& path = scene.nodes[std::size_t(o->node)].path;
+        if (!o->ground || paths.count(path) > 0) set_switch(settings, path, "shown", paths.count(path) > 0);
+    }
+}
+
+void show_all(Settings& settings) {
+    for (const std::string& path : paths_where(settings, &ObjectSettings::shown))
+        set_switch(settings, path, "shown", true);
+}
+
+bool all_shown(const Settings& settings) {
+    return paths_where(settings, &ObjectSettings::shown).empty();
 }
 
 }  // namespace si

@@ -43,5 +43,12 @@ void toggle_object(EditorState& state, const std::string& path);
 void cast_alone(Settings& settings, const Scene& scene, const std::set<std::string>& paths);
 /// Lets everything cast.
 void cast_all(Settings& settings);
+/// These are no longer there (object.PATH.shown).
+void hide(Settings& settings, const std::set<std::string>& paths);
+/// Nothing else is there, but the ground put under the scene.
+void isolate(Settings& settings, const Scene& scene, const std::set<std::string>& paths);
+/// Everything is there.
+void show_all(Settings& settings);
+bool all_shown(const Settings& settings);
 
 }  // namespace si

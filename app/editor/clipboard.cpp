@@ -1,0 +1,59 @@
+#include "app/editor/clipboard.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+extern char** environ;
+
+namespace si {
+namespace {
+
+enum class Ran { Well, Badly, NotThere };
+
+/// Runs a program with a file as its input and waits until it has read it.
+Ran run(std::vector<std::string> words, const std::filesystem::path& input) {
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, 0, input.c_str(), O_RDONLY, 0);
+    for (const int out : {1, 2}) posix_spawn_file_actions_addopen(&files, out, "/dev/null", O_WRONLY, 0);
+    pid_t child = -1;
+    const int problem = posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    if (problem != 0) return problem == ENOENT ? Ran::NotThere : Ran::Badly;
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) return Ran::Badly;
+    return !WIFEXITED(status)           ? Ran::Badly
+           : WEXITSTATUS(status) == 127 ? Ran::NotThere
+           : WEXITSTATUS(status) == 0   ? Ran::Well
+                                        : Ran::Badly;
+}
+
+}  // namespace
+
+std::string copy_png(const std::filesystem::path& png) {
+    const auto set = [](const char* name) {
+        const char* value = std::getenv(name);
+        return value && *value;
+    };
+    if (!set("DISPLAY") && !set("WAYLAND_DISPLAY")) return "there is no display";
+    const std::vector<std::string> xclip{"xclip", "-selection", "clipboard", "-target", "image/png", "-in"},
+        wl_copy{"wl-copy", "--type", "image/png"};
+    Ran ran = Ran::NotThere;
+    if (set("WAYLAND_DISPLAY")) ran = run(wl_copy, png);
+    if (ran == Ran::NotThere && set("DISPLAY")) ran = run(xclip, png);
+    if (ran == Ran::NotThere)
+        return set("WAYLAND_DISPLAY") ? "install wl-clipboard to copy pictures" : "install xclip to copy pictures";
+    return ran == Ran::Well ? "" : "the display took no picture";
+}
+
+}  // namespace si
