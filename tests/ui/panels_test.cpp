@@ -318,12 +318,12 @@ TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
     ui.state.open_tab = BottomTab::Objects;
     ui.frames(5);
     const std::string path = ui.scene.nodes[std::size_t(ui.scene.objects[2].node)].path;
-    // On the line of the search field, above the table.
-    const bool kept = drag_somewhere(ui, {520, 504}, {800, 508}, {0, 0}, [&] {
-        const auto own = ui.state.settings.objects.find(path);
-        return own != ui.state.settings.objects.end() && own->second.cull == int(ObjectCull::None);
-    });
-    EXPECT_TRUE(kept);
+    const auto keep = ui.find("bottom", "", "Cast from both sides");
+    ASSERT_TRUE(keep);
+    ui.click(*keep);
+    const auto own = ui.state.settings.objects.find(path);
+    ASSERT_NE(own, ui.state.settings.objects.end());
+    EXPECT_EQ(own->second.cull, int(ObjectCull::None));
 }
 
 TEST(Panels, TheListOfObjectsEditsOneAtATime) {

@@ -163,7 +163,7 @@ void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
         state.only_lost = false;
         return;
     }
-    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, theme::warning());
     ImGui::TextUnformatted(fmt::format("{} lost to culling", frame.lost_casters.size()).c_str());
     ImGui::PopStyleColor();
@@ -286,8 +286,7 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
                                           tree.placed == 1 ? "" : "s", state.settings.objects.size());
     const bool all = all_shown(state.settings);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float beside = ImGui::CalcTextSize(count.c_str()).x + gap + (all ? 0 : button_width("Show all") + gap) +
-                         (frame.lost_casters.empty() ? 0 : em * 26);
+    const float beside = ImGui::CalcTextSize(count.c_str()).x + gap + (all ? 0 : button_width("Show all") + gap);
     search_field("objects", "Search objects", state.object_search,
                  std::clamp(ImGui::GetContentRegionAvail().x - beside, em * 6, em * 24));
     ImGui::SameLine();
