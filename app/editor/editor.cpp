@@ -126,19 +126,18 @@ std::vector<std::string> run_window(const EditorOptions& options) {
     int due = kSettleFrames;         // frames still to draw before the editor may sleep
     int still = 0;                   // looks in a row that found nothing to do
     while (!window.should_close() && !interrupt.asked()) {
-        if (due > 0) {
-            still = 0;
+        if (due > 0)
             window.poll_events();
-        } else {
+        else
             window.wait_events(model.busy() ? kLoadingPollSeconds : kPollSeconds);
-        }
         if (window.take_input()) due = kSettleFrames;
         for (const auto& path : window.take_dropped()) model.open(path), due = kSettleFrames;
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
         if (model.loading_moved() || model.measuring_moved() || model.tracing_moved()) due = std::max(due, 1);
         model.keep();
         const int width = window.framebuffer_width(), height = window.framebuffer_height();
-        if (due == 0 && ++still == kStillLooks && !model.busy()) model.rest();
+        still = due == 0 && !model.busy() ? still + 1 : 0;
+        if (still == kStillLooks) model.rest();
         if (due == 0 || width == 0 || height == 0) {
             if (due > 0) window.wait_events(kPollSeconds);  // minimised
             continue;
