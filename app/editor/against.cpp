@@ -73,9 +73,9 @@ void EditorAgainst::draw_other(const Scene& scene, const PictureState& state, co
     const bool same = other_ && other_drawn_ == settings && other_scene_ == scene.id && other_width_ == request.width &&
                       other_height_ == request.height && other_truth_ == request.truth &&
                       other_traced_ == request.traced && other_light_maps_ == request.light_maps &&
-                      (facts_->picture.texture || lacks_rays_);
+                      (facts_->picture.texture || !other_problem_.empty());
     if (same) {
-        if (lacks_rays_) facts_->problem = kLacksRays;
+        facts_->problem = other_problem_;
         return;
     }
     if (!other_) other_ = std::make_unique<Renderer>();
@@ -84,17 +84,25 @@ void EditorAgainst::draw_other(const Scene& scene, const PictureState& state, co
                         .truth = request.truth,
                         .traced = request.traced,
                         .light_maps = request.light_maps};
-    const FrameResult drawn = other_->render(scene, settings, wanted);
-    const auto lacks = [](const auto& n) { return n.key != 0 && !n.met; };
-    lacks_rays_ = std::ranges::any_of(drawn.traced, lacks) || std::ranges::any_of(drawn.light_maps, lacks);
-    facts_->picture = lacks_rays_ ? Image() : drawn.colour;
-    if (lacks_rays_) facts_->problem = kLacksRays;
-    other_drawn_ = std::move(settings);
+    other_drawn_ = settings;
     other_scene_ = scene.id;
     other_width_ = request.width, other_height_ = request.height;
     other_truth_ = request.truth;
     other_traced_ = request.traced;
     other_light_maps_ = request.light_maps;
+    facts_->picture = facts_->difference = {};  // what fails leaves none, not even the one before
+    try {
+        const FrameResult drawn = other_->render(scene, settings, wanted);
+        const auto lacks = [](const auto& n) { return n.key != 0 && !n.met; };
+        const bool rays = std::ranges::any_of(drawn.traced, lacks) || std::ranges::any_of(drawn.light_maps, lacks);
+        other_problem_ = rays ? kLacksRays : "";
+        if (!rays) facts_->picture = drawn.colour;
+    } catch (const std::exception& e) {
+        other_problem_ = e.what();  // told once: the same is not tried again
+        facts_->problem = other_problem_;
+        throw;
+    }
+    facts_->problem = other_problem_;
 }
 
 void EditorAgainst::find_difference(Renderer& renderer, const FrameResult& frame) {

@@ -39,8 +39,8 @@ private:
     int other_width_ = 0, other_height_ = 0;
     std::shared_ptr<const TruthPicture> other_truth_;
     std::vector<std::shared_ptr<const TruthPicture>> other_traced_;
-    bool lacks_rays_ = false;  ///< the other picture has a light without the shadow that rays would give it
     std::vector<std::shared_ptr<const LightMap>> other_light_maps_;
+    std::string other_problem_;  ///< why there is no other picture
 };
 
 }  // namespace si

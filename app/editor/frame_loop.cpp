@@ -104,8 +104,10 @@ bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, co
 
 bool FrameLoop::draw(const Scene& scene, const PictureState& state, const EditorActions& actions) {
     FrameRequest wanted;
-    wanted.width = std::max(1, actions.scene_width);
-    wanted.height = std::max(1, actions.scene_height);
+    // A map that fills the window belongs to the picture that is behind it.
+    const bool scene_shown = actions.scene_width >= 1;
+    wanted.width = scene_shown ? actions.scene_width : request_.width;
+    wanted.height = scene_shown ? std::max(1, actions.scene_height) : request_.height;
     wanted.outputs.colour = true;
     wanted.outputs.shadow_map = actions.want_map;
     wanted.outputs.overlay = true;
@@ -130,7 +132,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
                       wanted.truth == request_.truth && wanted.traced == request_.traced &&
                       wanted.light_maps == request_.light_maps && wanted.map_camera == request_.map_camera &&
                       drawn_settings_ == settings && drawn_scene_ == scene.id;
-    if (actions.scene_width < 1 || same) return false;
+    if (same || (!scene_shown && !actions.want_map)) return false;
     if (rehearsals_ && (shaders_changed_ || (drawn_scene_ != scene.id && !(scene.rig && scene.rig == drawn_rig_)))) {
         rehearsals_->forget(), foreseen_.clear();
         drawn_rig_ = scene.rig;

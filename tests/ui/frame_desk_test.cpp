@@ -128,5 +128,17 @@ TEST(FrameDesk, WhenAllIsForeseenTheEditorRests) {
     EXPECT_EQ(rehearsals.done(), done);
 }
 
+/// The map fills the window, and there is no picture of the scene.
+TEST(FrameDesk, AMapAloneFollowsItsSettings) {
+    const auto editor = hasty_editor();
+    EditorState& state = editor->model().state;
+    state.maximised = Panel::Map;
+    editor->settle();
+    state.settings.map.resolution = 64;
+    editor->settle();
+    ASSERT_TRUE(editor->model().facts().result);
+    EXPECT_EQ(editor->model().facts().result->map_resolution, 64);
+}
+
 }  // namespace
 }  // namespace si
