@@ -103,8 +103,8 @@ void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& in
     const glm::dvec2 part = glm::dvec2(place) / 16.0;
     shared::FrameBlock block = frame_block(f);
     const glm::dvec2 ndc = 2.0 * part / glm::dvec2(f.request.width, f.request.height);
-    for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 2; ++r) block.clip_from_relative[c][r] += float(ndc[r]) * block.clip_from_relative[c][3];
+    for (int r = 0; r < 2; ++r)  // the block holds the matrix by rows
+        block.clip_from_relative[r] += float(ndc[r]) * block.clip_from_relative[3];
     put_frame_block(f, block);
     {
         const gl::Framebuffer into = gl::make_framebuffer("one of a smooth picture", &t.one, &t.depth);

@@ -26,19 +26,39 @@ DrawnText::DrawnText() {
     letters_.emplace(place({2, 2}, {3, 3}), U'\ufffd');
 }
 
-std::u32string DrawnText::read() const {
-    std::u32string text;
+std::vector<DrawnText::Letter> DrawnText::letters() const {
+    std::vector<Letter> out;
     const ImDrawData* data = ImGui::GetDrawData();
     for (int list = 0; data && list < data->CmdListsCount; ++list) {
         const ImVector<ImDrawVert>& v = data->CmdLists[list]->VtxBuffer;
         for (int i = 0; i + 3 < v.Size;) {
             const ImVec2 lo = v[i].uv, hi = v[i + 2].uv;
             const auto found = lo.x < hi.x ? letters_.find(place(lo, hi)) : letters_.end();
-            if (found != letters_.end()) text += found->second;
+            if (found != letters_.end()) out.push_back({found->second, v[i].pos, v[i + 2].pos});
             i += found != letters_.end() ? 4 : 1;
         }
     }
+    return out;
+}
+
+std::u32string DrawnText::read() const {
+    std::u32string text;
+    for (const Letter& l : letters()) text += l.letter;
     return text;
+}
+
+std::optional<ImVec2> DrawnText::find(std::u32string_view text, int which) const {
+    const std::vector<Letter> all = letters();
+    for (std::size_t i = 0; i + text.size() <= all.size(); ++i) {
+        std::size_t same = 0;
+        while (same < text.size() && all[i + same].letter == text[same] &&
+               (same == 0 || all[i + same].lo.x >= all[i + same - 1].lo.x))
+            ++same;
+        if (same < text.size() || which-- > 0) continue;
+        const Letter &first = all[i], &last = all[i + same - 1];
+        return ImVec2((first.lo.x + last.hi.x) / 2, (first.lo.y + last.hi.y) / 2);
+    }
+    return {};
 }
 
 std::string DrawnText::fault() const {

@@ -4,7 +4,9 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -20,10 +22,18 @@ public:
     /// Of the last ImGui::Render(): all letters in the order of drawing, without spaces. Letters cut off at an edge are
     /// left out, ones that the font lacks are U+FFFD.
     std::u32string read() const;
+    /// The middle of a text on the screen, written without spaces: the `which`-th of all, from 0. Letters that follow
+    /// each other in a line count. Nothing where it is not drawn.
+    std::optional<ImVec2> find(std::u32string_view text, int which = 0) const;
     /// What is wrong with it; empty when nothing is.
     std::string fault() const;
 
 private:
+    struct Letter {
+        char32_t letter;
+        ImVec2 lo, hi;  ///< on the screen
+    };
+    std::vector<Letter> letters() const;
     static std::uint64_t place(const ImVec2& lo, const ImVec2& hi);
     std::unordered_map<std::uint64_t, char32_t> letters_;  ///< by two opposite corners of the glyph in the atlas
     std::vector<ImFontGlyph> missing_;                     ///< for each font

@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
 
 namespace si::test {

@@ -10,21 +10,6 @@
 namespace si::test {
 namespace {
 
-TEST_F(Window, ASliderIsDraggedUndoneRedoneAndSaved) {
-    ASSERT_NO_FATAL_FAILURE(start());
-    click(1040, 390);  // the search field
-    type("bias.constant");
-    drag(1170, 449, 60, 0);
-    const nlohmann::json after = saved();
-    screen("window_slider");
-    ASSERT_TRUE(after.contains("bias.constant")) << after;
-    keys("ctrl+z");
-    EXPECT_FALSE(saved().contains("bias.constant"));
-    keys("ctrl+y");
-    EXPECT_EQ(saved(), after);
-    quit();
-}
-
 TEST_F(Window, WaitingEndsWithTheProgramAndWithTheServer) {
     ASSERT_NO_FATAL_FAILURE(start());
     int looks = 0;
@@ -63,21 +48,6 @@ TEST_F(Window, ADotOfAFrontierIsClicked) {
     EXPECT_EQ(settings.value("map.resolution", 0), 64) << settings;
     keys("ctrl+z");
     EXPECT_FALSE(saved().contains("map.resolution"));
-}
-
-TEST_F(Window, TheSceneIsTurnedProbedFramedAndShownUnderAnOverlay) {
-    ASSERT_NO_FATAL_FAILURE(start());
-    drag(270, 300, 90, 30);
-    const nlohmann::json turned = saved();
-    ASSERT_TRUE(turned.contains("camera.source")) << turned;
-    click(200, 330);
-    keys("4");
-    breathe();
-    EXPECT_TRUE(saved().contains("view.overlay"));
-    screen("window_probe");
-    keys("f");
-    EXPECT_NE(saved(), turned);
-    EXPECT_TRUE(program_->running()) << log();
 }
 
 TEST_F(Window, ADoubleClickDuringASlowFrameSelects) {

@@ -63,7 +63,7 @@ void light_row(Settings& s, int i) {
     ImGui::PushStyleColor(ImGuiCol_Text, light.on ? theme::text() : theme::muted());
     if (ImGui::Selectable(fmt::format("{} {}###shown", i, type).c_str(), shown)) s.view.light = i;
     ImGui::PopStyleColor();
-    wrapped_tooltip("Its settings below, its map in the map viewer, its handles in the scene");
+    wrapped_tooltip("Its settings below, its map in the map viewer, its handles in the scene; T changes its type");
     ImGui::TableNextColumn();
     ImGui::Checkbox("##on", &light.on);
     wrapped_tooltip("On: it shines. Off it keeps its settings, and no map is drawn for it");

@@ -11,6 +11,7 @@
 #include "ui/panels/section_view.h"
 #include "ui/scene_view/kernel_marks.h"
 #include "ui/state/panels.h"
+#include "ui/state/quick_changes.h"
 #include "ui/widgets/right_aligned.h"
 #include "ui/widgets/theme.h"
 
@@ -53,24 +54,14 @@ void verdict(const std::string& text) {
 /// Draws the texels around the probed one into the scene, or takes them away.
 void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
     if (p.where != "inside" || resolution <= 0) return;
-    ViewSettings& v = s.view;
-    const double u = (p.texel.x + 0.5) / resolution, w = (p.texel.y + 0.5) / resolution;
-    const bool here =
-        v.slabs != int(Slabs::None) && v.light == p.light && v.face == p.face && v.slabs_u == u && v.slabs_v == w;
-    if (ImGui::SmallButton(here ? "Hide stored-depth quads" : "Stored-depth quads here")) {
-        if (here) {
-            v.slabs = int(Slabs::None);
-        } else {
-            if (v.slabs == int(Slabs::None)) v.slabs = int(Slabs::Both);
-            v.light = p.light, v.face = p.face;
-            v.slabs_u = u, v.slabs_v = w;
-        }
-    }
+    const TexelPlace place{p.light, p.face, (p.texel.x + 0.5) / resolution, (p.texel.y + 0.5) / resolution};
+    if (ImGui::SmallButton(quads_at(s, place) ? "Hide stored-depth quads" : "Stored-depth quads here"))
+        toggle_quads(s, place);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Draw the texels around this one into the scene, each where its stored depth lies\n"
-            "(view.slabs, %d texels across)",
-            v.slabs_texels);
+            "(view.slabs, %d texels across); Q does so for the pixel under the mouse",
+            s.view.slabs_texels);
 }
 
 /// An amount of depth in its three currencies, as one row. @param endless what an infinite one is called
@@ -228,7 +219,7 @@ void judgement(const Probe::PerLight& p, const Dossier* d, bool tracing, Setting
     if (ImGui::SmallButton(fix_label(*d->remedy, settings).c_str()))
         for (const auto& [key, value] : d->remedy->settings) set_setting(settings, key, value);
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Puts this pixel right (%s); Ctrl+Z takes it back", d->remedy->text.c_str());
+        ImGui::SetTooltip("Puts this pixel right (%s); key C; Ctrl+Z takes it back", d->remedy->text.c_str());
 }
 
 /// Blocks beside each other as far as they fit.

@@ -48,6 +48,8 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.preset_path.c_str());
     if (ImGui::MenuItem("Save the preset as…", "Ctrl+Shift+S"))
         ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
+    if (ImGui::MenuItem("Back to the saved preset", "Ctrl+R")) actions.load_preset = state.preset_path;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Reads %s again; undo gives all back", state.preset_path.c_str());
     ImGui::Separator();
     if (ImGui::MenuItem("Compare with a preset…")) state.open_tab = BottomTab::Compare;
     if (ImGui::MenuItem("Reset all to the scene's own settings")) actions.reset_all = true;

@@ -7,6 +7,7 @@
 
 #include "renderer/base/metres_text.h"
 #include "renderer/measure/tuner.h"
+#include "ui/state/quick_changes.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/cost_combo.h"
 
@@ -110,13 +111,16 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& s
     }
     ImGui::BeginDisabled(!why_not.empty());
     ImGui::BeginGroup();
-    if (ImGui::Button("Auto bias", {std::max(room - button_width("Tune...") - gap, 20.f), 0}))
-        actions.tune = TuneWish{};
+    const float others = button_width("No bias") + button_width("Tune...") + 2 * gap;
+    if (ImGui::Button("Auto bias", {std::max(room - others, 20.f), 0})) actions.tune = TuneWish{};
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Measures this picture against the ray-traced truth and sets the least constant bias, slope bias or\n"
             "normal offset under which nothing in it shadows itself: the one that makes the fewest pixels wrong.\n"
             "One step of undo; the log says what it costs.");
+    ImGui::SameLine();
+    if (ImGui::Button("No bias")) remove_bias(settings);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Sets all bias to 0, to see what needs how much (U)");
     ImGui::SameLine();
     if (ImGui::Button("Tune...")) ImGui::OpenPopup("tune limits");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Search kernel and resolution, too, within limits of error and time");

@@ -10,6 +10,7 @@
 #include "ui/scene_view/camera_steering.h"
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
+#include "ui/state/quick_changes.h"
 #include "ui/state/selection.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -108,6 +109,7 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
         if (pressed('S') && !io.KeyShift) actions.save_preset = state.preset_path;
         if (pressed('S') && io.KeyShift)
             ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
+        if (pressed('R')) actions.load_preset = state.preset_path;
         if (pressed('O')) ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
         if (pressed('C') && io.KeyShift) actions.copy_command_line = true;
         if (pressed('Q')) actions.quit = true;
@@ -125,6 +127,12 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (pressed('G')) state.loupe = LoupeMode((int(state.loupe) + 1) % 3);
     step_probe(state, frame);
     if (pressed('X')) next_artefact(state, frame);
+    if (pressed('C')) apply_fix(state, frame);
+    if (pressed('U')) remove_bias(s);
+    if (pressed('T')) next_light_type(s);
+    if (pressed('[') || pressed(']')) scale_resolution(s, pressed(']'));
+    if (pressed('Q'))
+        if (const auto place = pointed_place(state, frame)) toggle_quads(s, *place);
     for (const auto& [key, step] : {std::pair{',', -0.02f}, std::pair{'.', 0.02f}})
         if (state.against.view == AgainstView::Swipe && ImGui::IsKeyPressed(int(key)))
             state.against.at = std::clamp(state.against.at + step * (io.KeyShift ? 5 : 1), 0.0f, 1.0f);

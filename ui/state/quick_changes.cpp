@@ -1,0 +1,86 @@
+#include "ui/state/quick_changes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/inspect/dossier.h"
+#include "renderer/settings/param.h"
+#include "ui/state/panels.h"
+
+namespace si {
+namespace {
+
+/// The middle of the texel that holds it.
+double middle(double at, int texels) {
+    return (std::floor(at * texels) + 0.5) / texels;
+}
+
+std::optional<TexelPlace> hovered_place(const EditorState& state, const EditorFrame& frame) {
+    const FloatImage* c = frame.map_coordinates;
+    const auto& at = state.hovered_pixel;
+    if (!c || !at || at->x < 0 || at->y < 0 || at->x >= c->width || at->y >= c->height) return {};
+    const int n = frame.result->map_resolution;
+    const double u = c->at(at->x, at->y, 0), v = c->at(at->x, at->y, 1);
+    if (c->at(at->x, at->y, 3) <= 0 || n <= 0 || !(u >= 0 && u < 1 && v >= 0 && v < 1)) return {};
+    return TexelPlace{shown_light(state.settings), int(c->at(at->x, at->y, 2)), middle(u, n), middle(v, n)};
+}
+
+std::optional<TexelPlace> probed_place(const EditorState& state, const EditorFrame& frame) {
+    const int n = frame.result->map_resolution;
+    if (!state.probe_pixel || !frame.probe || !frame.probe->hit || n <= 0) return {};
+    for (const Probe::PerLight& p : frame.probe->lights)
+        if (p.light == shown_light(state.settings) && p.where == "inside")
+            return TexelPlace{p.light, p.face, (p.texel.x + 0.5) / n, (p.texel.y + 0.5) / n};
+    return {};
+}
+
+}  // namespace
+
+void remove_bias(Settings& settings) {
+    BiasSettings& b = settings.bias;
+    b.constant = b.slope = b.normal = b.raster_slope = b.raster_units = 0;
+}
+
+void next_light_type(Settings& settings) {
+    const int light = shown_light(settings);
+    if (light < 0) return;
+    int& type = settings.lights[std::size_t(light)].type;
+    type = (type + 1) % int(find_setting("light.type")->param->choices().size());
+}
+
+void scale_resolution(Settings& settings, bool twice) {
+    const Param& p = *find_setting("map.resolution")->param;
+    int& n = settings.map.resolution;
+    n = std::clamp(twice ? n * 2 : n / 2, int(p.min), int(p.max));
+}
+
+void apply_fix(EditorState& state, const EditorFrame& frame) {
+    for (const Dossier& d : frame.dossiers)
+        if (d.light == shown_light(state.settings) && d.remedy)
+            for (const auto& [key, value] : d.remedy->settings) set_setting(state.settings, key, value);
+}
+
+bool quads_at(const Settings& settings, const TexelPlace& place) {
+    const ViewSettings& v = settings.view;
+    return v.slabs != int(Slabs::None) && v.light == place.light && v.face == place.face && v.slabs_u == place.u &&
+           v.slabs_v == place.v;
+}
+
+void toggle_quads(Settings& settings, const TexelPlace& place) {
+    ViewSettings& v = settings.view;
+    if (quads_at(settings, place)) {
+        v.slabs = int(Slabs::None);
+        return;
+    }
+    if (v.slabs == int(Slabs::None)) v.slabs = int(Slabs::Both);
+    v.light = place.light, v.face = place.face;
+    v.slabs_u = place.u, v.slabs_v = place.v;
+}
+
+std::optional<TexelPlace> pointed_place(const EditorState& state, const EditorFrame& frame) {
+    if (!frame.result) return {};
+    const auto hovered = hovered_place(state, frame);
+    return hovered ? hovered : probed_place(state, frame);
+}
+
+}  // namespace si

@@ -1,0 +1,31 @@
+// What single keys change of the settings.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/state/editor_ui.h"
+
+namespace si {
+
+/// All bias away, as when an engine's numbers are looked for anew.
+void remove_bias(Settings& settings);
+/// The shown light becomes the next type there is; nothing without a light.
+void next_light_type(Settings& settings);
+/// Twice as many texels a side, or half as many, within what the setting takes.
+void scale_resolution(Settings& settings, bool twice);
+/// Applies the remedy that the judged light's verdict names; nothing where there is none.
+void apply_fix(EditorState& state, const EditorFrame& frame);
+
+/// A place of a light's map.
+struct TexelPlace {
+    int light = 0, face = 0;
+    double u = 0, v = 0;  ///< middle of a texel, 0..1
+};
+/// Shows the texels around the place as quads at their stored depths, or hides those that are there.
+void toggle_quads(Settings& settings, const TexelPlace& place);
+bool quads_at(const Settings& settings, const TexelPlace& place);
+/// Where the pixel under the mouse, else the probed one, is looked up in the shown light's map; nothing outside of it.
+std::optional<TexelPlace> pointed_place(const EditorState& state, const EditorFrame& frame);
+
+}  // namespace si
