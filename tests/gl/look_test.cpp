@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "app/editor/frame_loop.h"
+#include "app/report/against.h"
+#include "app/session/session.h"
 #include "renderer/frame/effects.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/sky.h"
@@ -172,6 +174,24 @@ TEST_F(LookTest, ARestingViewGetsSmoothOverMapsThatAreKept) {
     EXPECT_GT(different_pixels(one, as_drawn, 20), 20u) << "its camera is turned by part of a pixel";
     // Blue sky and plain ground are the same from all of them.
     EXPECT_LT(different_pixels(by_steps, as_drawn, 12), by_steps.data.size() / 4 / 8);
+}
+
+/// Of each shading the camera is turned by a part of a pixel, however large the scene is and wherever it lies.
+TEST_F(LookTest, SmoothPicturesAreOfTheSameSceneAtEverySize) {
+    const auto unlike = [&](const char* scale) {
+        const Session session =
+            open_session({.scene = "stage", .sets = {"map.resolution=256", std::string("scene.scale=") + scale}});
+        FrameRequest request{.width = 240, .height = 135};
+        const ByteImage plain = renderer.read_colour(renderer.render(session.scene, session.settings, request).colour);
+        FrameResult frame;
+        for (request.smoothed = 1; request.smoothed <= kSmoothedMost; ++request.smoothed)
+            frame = renderer.render(session.scene, session.settings, request);
+        return mean_difference(plain, renderer.read_colour(frame.smooth));
+    };
+    const double at_home = unlike("1");
+    EXPECT_GT(at_home, 0);
+    EXPECT_NEAR(unlike("100"), at_home, 0.1 * at_home);
+    EXPECT_NEAR(unlike("0.01"), at_home, 0.1 * at_home);
 }
 
 TEST_F(LookTest, TheEditorAddsToWhatRestsAndThenSleeps) {
