@@ -194,7 +194,7 @@ TEST_F(WindowJobs, OfShadowsLightsAndSettings) {
         const json silent = saved();
         for (const char* path : {"Boxes/Hovering", "Boxes/Tower"})
             EXPECT_EQ(silent.value("object." + std::string(path) + ".cast", true), false) << silent;
-        press(object("Boxes/Flat"), 3);
+        press(object("Boxes/Tower"), 3);  // where the last one was
         press(U"Letallcast");
         EXPECT_EQ(saved(), before);
     });

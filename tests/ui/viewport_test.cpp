@@ -102,7 +102,7 @@ TEST(Viewport, TheMouseIsHeldWhileItFliesAndLinksAreReadWhileItRests) {
     EXPECT_TRUE(actions.want_links && actions.want_overlay_values);
     for (const int button : {0, 1}) {
         v.ui.press(true, button);
-        v.ui.frame();
+        EXPECT_FALSE(v.ui.frames(2).hold_cursor) << "a click lets it be";
         v.ui.move(kPicture + glm::vec2(25, 10));
         actions = v.ui.frames(2);
         EXPECT_EQ(actions.hold_cursor, button == 1) << "orbiting ends at the screen's edges as any drag";

@@ -25,6 +25,9 @@ constexpr int kArrowsFast = 10;  ///< pixels, with Shift
 constexpr int kF12 = 301;
 constexpr int kF11 = 300;  ///< as the window feeds it (GLFW)
 
+/// The mouse is held once it has flown so far with the right button down.
+constexpr float kHoldPixels = 3;
+
 bool pressed(char key) {
     return ImGui::IsKeyPressed(int(key), false);
 }
@@ -412,7 +415,9 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     const bool gesture = ImGui::IsAnyItemActive() || state.dragging || turning_wheel;
     state.history.set_place({state.scene_name, state.guide});
     state.history.observe(state.settings, gesture || state.between_steps);
-    actions.hold_cursor = state.flight.on;
+    // Not for a click: what the window says of a cursor that is moved there and back would turn the camera.
+    actions.hold_cursor =
+        state.flight.on && (state.flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kHoldPixels));
     actions.redraw |= state.playback.playing || turning_wheel || state.flight.moving;
     actions.at_rest = !gesture && !actions.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
                       io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
