@@ -141,7 +141,7 @@ void SceneDesk::show_scene(Scene loaded, const Arrival& arrival) {
     }
     state_.settings.scene.index = file_scene_ = seen_index_ = arrival.file_scene;
     posed_ = state_.settings.scene;
-    hide_objects(scene_, hidden_ = hidden_paths(state_.settings));
+    follow_objects();
     given_ = state_.settings;
     has_scene_ = true;
     failure_ = nullptr;
@@ -184,13 +184,18 @@ void SceneDesk::follow_step() {
 
 bool SceneDesk::has_moved() const {
     return has_scene_ && (state_.settings.scene.index != seen_index_ || state_.settings.scene != posed_ ||
-                          hidden_paths(state_.settings) != hidden_);
+                          state_.settings.objects != followed_objects_);
 }
 
 void SceneDesk::follow_settings() {
     if (state_.settings.scene.index != seen_index_) follow_file_scene();
     if (state_.settings.scene != posed_) follow_time();
-    hide_objects(scene_, hidden_ = hidden_paths(state_.settings));
+    follow_objects();
+}
+
+void SceneDesk::follow_objects() {
+    followed_objects_ = state_.settings.objects;
+    hide_objects(scene_, hidden_paths(state_.settings));
 }
 
 void SceneDesk::follow_file_scene() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exception>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -85,6 +86,8 @@ private:
     Settings base_of_scene() const;
     void follow_file_scene();
     void follow_time();
+    /// Hides what is to be hidden.
+    void follow_objects();
 
     EditorState& state_;
     EditorMemory& memory_;
@@ -97,9 +100,9 @@ private:
     std::vector<std::string> notes_;
     Settings base_;
     SceneSettings posed_;
-    std::set<std::string> hidden_;  ///< as hidden_paths() gave them
-    int file_scene_ = -1;           ///< scene.index of what is shown
-    int seen_index_ = -1;           ///< scene.index as last acted upon
+    std::map<std::string, ObjectSettings> followed_objects_;
+    int file_scene_ = -1;  ///< scene.index of what is shown
+    int seen_index_ = -1;  ///< scene.index as last acted upon
     Settings given_;
     Arrival arrival_;
     SceneLoading loading_;

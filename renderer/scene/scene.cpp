@@ -432,26 +432,28 @@ void hide_objects(Scene& scene, const std::set<std::string>& paths) {
     if (std::ranges::none_of(scene.objects, wanted) &&
         std::ranges::all_of(scene.hidden, [&](const HiddenObject& h) { return wanted(h.object); }))
         return;
-    for (const HiddenObject& h : scene.hidden)
-        scene.objects.insert(scene.objects.begin() + std::ptrdiff_t(h.place), h.object);
-    scene.hidden.clear();
     std::vector<Object> shown;
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const Object& o = scene.objects[i];
-        if (wanted(o))
-            scene.hidden.push_back({i, o});
+    std::vector<HiddenObject> hidden;
+    for (std::size_t place = 0; const Object* o : all_objects(scene)) {
+        if (wanted(*o))
+            hidden.push_back({place, *o});
         else
-            shown.push_back(o);
+            shown.push_back(*o);
+        ++place;
     }
     scene.objects = std::move(shown);
+    scene.hidden = std::move(hidden);
     scene.id = next_scene_id();
 }
 
 std::vector<const Object*> all_objects(const Scene& scene) {
-    std::vector<const Object*> all;
-    all.reserve(scene.objects.size() + scene.hidden.size());
-    for (const Object& o : scene.objects) all.push_back(&o);
-    for (const HiddenObject& h : scene.hidden) all.insert(all.begin() + std::ptrdiff_t(h.place), &h.object);
+    std::vector<const Object*> all(scene.objects.size() + scene.hidden.size());
+    auto shown = scene.objects.begin();
+    auto hidden = scene.hidden.begin();
+    for (std::size_t place = 0; place < all.size(); ++place) {
+        const bool is_hidden = hidden != scene.hidden.end() && hidden->place == place;
+        all[place] = is_hidden ? &hidden++->object : &*shown++;
+    }
     return all;
 }
 

@@ -276,24 +276,9 @@ TEST(SweepCommand, InterruptedItGoesOn) {
     }
 }
 
-/// A floor, a leaf that shades it, and an animation that carries the leaf off.
-std::string falling_leaf() {
-    test::GltfFile file;
-    const auto mesh = [&](const std::vector<float>& corners) {
-        return file.mesh({{"attributes", {{"POSITION", file.floats(corners, "VEC3")}}}});
-    };
-    file.root({{"mesh", mesh({-3, 0, -3, -3, 0, 3, 3, 0, 3, -3, 0, -3, 3, 0, 3, 3, 0, -3})}});
-    const int leaf = file.root({{"mesh", mesh({-1, 1, -1, -1, 1, 1, 1, 1, 1})}});
-    file.json["animations"] = {
-        {{"samplers",
-          {{{"input", file.floats({0, 1}, "SCALAR")}, {"output", file.floats({1, -2, 0, 1, -2, 0}, "VEC3")}}}},
-         {"channels", {{{"sampler", 0}, {"target", {{"node", leaf}, {"path", "translation"}}}}}}}};
-    return file.glb();
-}
-
 TEST(SweepCommand, AFailingCaseIsARow) {
     const fs::path folder = fresh_test_folder();
-    std::ofstream(folder / "leaf.glb", std::ios::binary) << falling_leaf();
+    std::ofstream(folder / "leaf.glb", std::ios::binary) << test::falling_leaf(1, {1, -2, 0}, {1, -2, 0});
     const ProcessResult r =
         run_program({"sweep", "leaf.glb", "--vary", "view.light=0,7", "--vary", "scene.animation=-1,0", "--set",
                      "map.resolution=64", "--size", "48x32", "-o", "out", "--no-time"},

@@ -142,21 +142,6 @@ protected:
     std::unique_ptr<DrawnText> text_;
 };
 
-/// A floor, and a leaf that an animation carries off in ten seconds.
-std::string falling_leaf() {
-    GltfFile file;
-    const auto mesh = [&](const std::vector<float>& corners) {
-        return file.mesh({{"attributes", {{"POSITION", file.floats(corners, "VEC3")}}}});
-    };
-    file.root({{"mesh", mesh({-3, 0, -3, -3, 0, 3, 3, 0, 3, -3, 0, -3, 3, 0, 3, 3, 0, -3})}});
-    const int leaf = file.root({{"mesh", mesh({-1, 1, -1, -1, 1, 1, 1, 1, 1})}});
-    file.json["animations"] = {
-        {{"samplers",
-          {{{"input", file.floats({0, 10}, "SCALAR")}, {"output", file.floats({0, 0, 0, 1, 1, 0}, "VEC3")}}}},
-         {"channels", {{{"sampler", 0}, {"target", {{"node", leaf}, {"path", "translation"}}}}}}}};
-    return file.glb();
-}
-
 constexpr glm::ivec2 kBesideLabel{200, 0};  ///< from a setting's label to its slider
 
 TEST_F(WindowJobs, OfShadowsLightsAndSettings) {
@@ -280,7 +265,7 @@ TEST_F(WindowJobs, OfModelsPresetsAndKeys) {
     ASSERT_EQ(run_program({"export", "boxes", "-o", (folder_ / "mine.glb").string()}).code, 0);
     std::ofstream(folder_ / "far.json")
         << R"({"format": "shadow-inspector-preset", "version": 1, "scene": "boxes", "settings": {"bias.constant": 60, "bias.normal": 0}})";
-    std::ofstream(folder_ / "leaf.glb", std::ios::binary) << falling_leaf();
+    std::ofstream(folder_ / "leaf.glb", std::ios::binary) << falling_leaf(10, {0, 0, 0}, {1, 1, 0});
     ASSERT_NO_FATAL_FAILURE(begin());
     // The fix is known once the truth is traced: a key before has no effect.
     const auto fixed = [&](const std::string& file, const auto& is_so) {

@@ -132,6 +132,22 @@ private:
     std::string bin_;
 };
 
+/// A floor, a leaf that shades it, and an animation that carries the leaf from place to place. Bytes of a .glb.
+/// @param from, to x, y, z in metres
+inline std::string falling_leaf(float seconds, std::vector<float> from, const std::vector<float>& to) {
+    GltfFile file;
+    const auto mesh = [&](const std::vector<float>& corners) {
+        return file.mesh({{"attributes", {{"POSITION", file.floats(corners, "VEC3")}}}});
+    };
+    file.root({{"mesh", mesh({-3, 0, -3, -3, 0, 3, 3, 0, 3, -3, 0, -3, 3, 0, 3, 3, 0, -3})}});
+    const int leaf = file.root({{"mesh", mesh({-1, 1, -1, -1, 1, 1, 1, 1, 1})}});
+    from.insert(from.end(), to.begin(), to.end());
+    file.json["animations"] = {
+        {{"samplers", {{{"input", file.floats({0, seconds}, "SCALAR")}, {"output", file.floats(from, "VEC3")}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", leaf}, {"path", "translation"}}}}}}}};
+    return file.glb();
+}
+
 inline bool mentions(const std::vector<std::string>& lines, std::string_view part) {
     for (const std::string& line : lines) {
         if (line.find(part) != std::string::npos) return true;

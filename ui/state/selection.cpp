@@ -156,7 +156,7 @@ void show_all(Settings& settings) {
 }
 
 bool all_shown(const Settings& settings) {
-    return paths_where(settings, &ObjectSettings::shown).empty();
+    return std::ranges::all_of(settings.objects, [](const auto& own) { return own.second.shown; });
 }
 
 }  // namespace si
