@@ -46,12 +46,43 @@ float look_nearest(Receiver r, bool offset, float depth_bias) {
     return lit;
 }
 
-float look_unfiltered(Receiver r, bool offset, float depth_bias) {
-    map_is_unfiltered = true;
-    float lit = look(r, offset, depth_bias);
+// Looks with the chosen kernel. In paged maps they are noted first and taken in one loop: compilers for CPUs take minutes
+// over so many copies of a kernel that has loops there. Elsewhere copies are several times faster.
+#define MOST_LOOKS 10
+#define OFFSET 1.0
+#define UNFILTERED 2.0
+vec3 looks[MOST_LOOKS];  // depth bias; OFFSET and UNFILTERED added up; what beyond_answer is
+float looked[MOST_LOOKS];
+int look_count = 0;
+
+float taken(Receiver r, vec3 how) {
+    map_is_unfiltered = how.y >= UNFILTERED;
+    beyond_answer = how.z;
+    float lit = look(r, mod(how.y, 2.0) == OFFSET, how.x);
     map_is_unfiltered = false;
+    beyond_answer = -1.0;
     return lit;
 }
+
+/// Which of looked[] it is, once all are taken.
+int note_look(Receiver r, float depth_bias, float how, float beyond) {
+    looks[look_count] = vec3(depth_bias, how, beyond);
+#if !MAP_PAGED
+    looked[look_count] = taken(r, looks[look_count]);
+#endif
+    return look_count++;
+}
+
+#if MAP_PAGED
+/// Of a loop that looks: 0 is added, which compilers do not know, else they would write the loop out.
+int kept_loop(int times) { return times + int(frame_pixel().w); }
+void take_looks(Receiver r) {
+    for (int i = 0; i < kept_loop(look_count); ++i) looked[i] = taken(r, looks[i]);
+}
+#else
+#define kept_loop(times) (times)
+#define take_looks(r)
+#endif
 
 /// Depth from the receiver to a surface that lies so many metres before it along its ray; 0 for none.
 float depth_of_gap(Receiver r, float metres) {
@@ -88,46 +119,53 @@ Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
     e.gap_all = depth_of_gap(r, more.x);
     e.run_m = more.w, e.edge_m = more.z;
 
-    e.beyond_lit = e.beyond_dark = v;
+    const float as_drawn = -1.0;
+    const float bare_map = RASTER_BIAS == 1 ? UNFILTERED : 0.0;
 #if SEAM_TRIALS
-    beyond_answer = 1.0;
-    e.beyond_lit = look(r, true, e.own);
-    beyond_answer = 0.0;
-    e.beyond_dark = look(r, true, e.own);
-    beyond_answer = -1.0;
+    int beyond_lit = note_look(r, e.own, OFFSET, 1.0), beyond_dark = note_look(r, e.own, OFFSET, 0.0);
 #endif
-
-    float kept = max(e.least - e.offset, 0.0);
-    e.nearest_kept = look_nearest(r, true, max(e.least_nearest - e.offset, 0.0));
-    e.least_kept = e.least_bare = e.own_bare = e.far_bare = e.nearest_bare = e.nearest_own_bare = e.unfiltered = v;
-    e.raised = e.bent_raised = e.most_raised = v;
 #if BIAS_NORMAL_OFFSET
-    e.nearest_bare = look_nearest(r, false, e.least_nearest);
-#if RASTER_BIAS
-    e.least_bare = look_unfiltered(r, false, e.least);
-#else
-    e.least_bare = look(r, false, e.least);
-#endif
+    int least_bare = note_look(r, e.least, bare_map, as_drawn);
 #endif
 #if FOR_FALSE_LIGHT
-#if RASTER_BIAS
-    e.least_kept = look_unfiltered(r, true, kept);
-#else
-    e.least_kept = look(r, true, kept);
+    int least_kept = note_look(r, max(e.least - e.offset, 0.0), OFFSET + bare_map, as_drawn);
+#if BIAS_NORMAL_OFFSET
+    int own_bare = note_look(r, max(e.own, e.least), 0.0, as_drawn), far_bare = note_look(r, e.far, 0.0, as_drawn);
+#endif
+#endif
+#if FOR_FALSE_SHADOW
+    int raised = note_look(r, e.own + max(e.least - e.worth, 0.0), OFFSET, as_drawn);
+    int bent_raised = note_look(r, e.own + max(e.bent - e.worth, 0.0), OFFSET, as_drawn);
+    int most_raised = note_look(r, e.own + max(e.most - e.worth, 0.0), OFFSET, as_drawn);
+#endif
+#if UNFILTERED_DIFFERS
+    int unfiltered = note_look(r, e.own, OFFSET + UNFILTERED, as_drawn);
+#endif
+    take_looks(r);
+
+    e.beyond_lit = e.beyond_dark = v;
+    e.least_kept = e.least_bare = e.own_bare = e.far_bare = e.nearest_bare = e.nearest_own_bare = e.unfiltered = v;
+    e.raised = e.bent_raised = e.most_raised = v;
+    e.nearest_kept = look_nearest(r, true, max(e.least_nearest - e.offset, 0.0));
+#if SEAM_TRIALS
+    e.beyond_lit = looked[beyond_lit], e.beyond_dark = looked[beyond_dark];
 #endif
 #if BIAS_NORMAL_OFFSET
-    e.own_bare = look(r, false, max(e.own, e.least));
-    e.far_bare = look(r, false, e.far);
+    e.least_bare = looked[least_bare];
+    e.nearest_bare = look_nearest(r, false, e.least_nearest);
+#endif
+#if FOR_FALSE_LIGHT
+    e.least_kept = looked[least_kept];
+#if BIAS_NORMAL_OFFSET
+    e.own_bare = looked[own_bare], e.far_bare = looked[far_bare];
     e.nearest_own_bare = look_nearest(r, false, max(e.own, e.least_nearest));
 #endif
 #endif
 #if FOR_FALSE_SHADOW
-    e.raised = look(r, true, e.own + max(e.least - e.worth, 0.0));
-    e.bent_raised = look(r, true, e.own + max(e.bent - e.worth, 0.0));
-    e.most_raised = look(r, true, e.own + max(e.most - e.worth, 0.0));
+    e.raised = looked[raised], e.bent_raised = looked[bent_raised], e.most_raised = looked[most_raised];
 #endif
 #if UNFILTERED_DIFFERS
-    e.unfiltered = look_unfiltered(r, true, e.own);
+    e.unfiltered = looked[unfiltered];
 #endif
     return e;
 }

@@ -16,7 +16,7 @@ layout(location = 7) out vec4 out_7;
 /// The least worth of bias at which the pixel is lit, up to that of the trial for bent surfaces.
 float curing_worth(Receiver r, Evidence e) {
     float lo = e.worth, hi = max(e.bent, e.worth);
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < kept_loop(12); ++i) {
         float middle = 0.5 * (lo + hi);
         if (look(r, true, e.own + middle - e.worth) >= 0.5)
             hi = middle;
