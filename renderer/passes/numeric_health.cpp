@@ -413,7 +413,8 @@ void add_numeric_health_pass(FrameState& f) {
     pass.writes = {Result::Health};
     pass.idle_reason = "not needed: the numbers are not checked";
     if (!f.request.outputs.health) {
-        f.plan.release([&f] { f.gl.owned.drop<HealthTargets>(); });
+        // Frames without a picture are drawn beside one that is shown, which may still want what was found.
+        if (f.request.outputs.colour) f.plan.release([&f] { f.gl.owned.drop<HealthTargets>(); });
         f.plan.add(std::move(pass));
         return;
     }

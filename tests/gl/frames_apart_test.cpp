@@ -128,6 +128,46 @@ TEST_F(FramesApart, ProbesInTurnEachAnswerForTheirOwn) {
     }
 }
 
+// Where it did not, a window that shows both would draw for ever.
+TEST_F(FramesApart, AProbeLeavesTheFrameThatIsShownAsItIs) {
+    using Sets = std::vector<std::pair<std::string, std::string>>;
+    const std::vector<Sets> all = {
+        {},
+        {{"filter.kernel", "evsm4"}, {"view.map_channel", "moment-2"}},
+        {{"filter.kernel", "pcss"}, {"map.virtual", "true"}},
+        {{"light.cascades", "3"}, {"bias.raster_slope", "2"}, {"view.panes", "four"}},
+        {{"light.type", "point"}, {"light.contact", "0.2"}},
+        {{"light.source", "volumes-zfail"}, {"view.overlay", "depth-difference"}},
+        {{"light.source", "blob"}},
+        {{"light.cast", "false"}},
+        {{"view.slabs", "both"}, {"view.slabs_u", "0.5"}, {"view.slabs_v", "0.5"}, {"view.map_source", "camera"}},
+    };
+    using Ask = bool Outputs::*;
+    const std::vector<std::vector<Ask>> asks = {{},
+                                                {&Outputs::health},
+                                                {&Outputs::texels_read, &Outputs::map_coordinates},
+                                                {&Outputs::shadow_map, &Outputs::overlay},
+                                                {&Outputs::visibility, &Outputs::shadow_map, &Outputs::health,
+                                                 &Outputs::texels_read, &Outputs::map_coordinates, &Outputs::overlay}};
+    const Scene scene = load_scene("stage");
+    for (const Sets& sets : all) {
+        Settings s = settings_for(scene, {{"map.resolution", "128"}});
+        std::string what;
+        for (const auto& [key, value] : sets) set_setting(s, key, value), what += key + "=" + value + " ";
+        for (const auto& ask : asks) {
+            FrameRequest request{.width = 96, .height = 64};
+            for (const Ask a : ask) request.outputs.*a = true;
+            int drawn = 0;
+            for (bool held = false; !held && drawn < 5; ++drawn) {
+                const FrameResult shown = renderer.render(scene, s, request);
+                renderer.probe(scene, s, request, 48, 40);
+                held = renderer.holds(shown);
+            }
+            EXPECT_LE(drawn, 2) << what << "and " << ask.size() << " outputs";  // the probe needs maps as a whole
+        }
+    }
+}
+
 TEST_F(FramesApart, OneWhoseImagesAreGivenUpIsGone) {
     std::vector<Shown> frames(4, shown()[0]);
     set_setting(frames[0].settings, "filter.kernel", "vsm");
