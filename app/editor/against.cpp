@@ -54,6 +54,9 @@ void EditorAgainst::clear() {
     hide();
     other_.reset();
     other_scene_ = 0;
+    other_truth_.reset();
+    other_traced_.clear();
+    other_light_maps_.clear();
 }
 
 void EditorAgainst::hide() {

@@ -41,7 +41,10 @@ public:
     /// There is no scene.
     void clear();
     /// Nothing is drawn for a while.
-    void rest() { renderer_.give_back_memory(); }
+    void rest() {
+        truth_.rest();
+        renderer_.give_back_memory();
+    }
     FrameFacts facts() const;
 
     void save_map(const Scene& scene, const Settings& settings, const std::string& path);

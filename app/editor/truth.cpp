@@ -57,6 +57,13 @@ void EditorTruth::clear() {
     light_maps_.clear();
 }
 
+void EditorTruth::rest() {
+    if (job_.busy()) return;  // the cache is the job's
+    const bool shown =
+        std::ranges::any_of(pictures_, [&](const auto& p) { return p && p->traced.receivers == cache_.receivers(); });
+    if (!shown) cache_.clear();
+}
+
 std::shared_ptr<const TruthPicture> EditorTruth::picture(int light) const {
     return light >= 0 && std::size_t(light) < pictures_.size() ? pictures_[std::size_t(light)] : nullptr;
 }

@@ -36,6 +36,8 @@ public:
                 const FrameResult& frame, bool drawn, const Wishes& wishes);
     /// There is no frame.
     void clear();
+    /// Lets go of what it keeps for views that are no longer shown.
+    void rest();
 
     TruthFacts facts(const FrameResult& frame, int shown_light) const;
     bool busy() const { return job_.busy(); }

@@ -53,6 +53,8 @@ public:
     /// @throws Cancelled, Error; what was complete by then is kept
     TracedTruth trace(const TruthTask& task, const Workers& workers = {});
     void clear() { *this = {}; }
+    /// Of what was traced last; null: nothing.
+    const std::shared_ptr<const Receivers>& receivers() const { return receivers_; }
 
 private:
     static constexpr std::size_t kKept = 4;  ///< truths: hard and area of two lights

@@ -8,6 +8,7 @@
 
 #include "app/base/output.h"
 #include "app/editor/headless_editor.h"
+#include "renderer/base/held.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/light_map_cache.h"
 #include "renderer/reference/live_error.h"
@@ -128,6 +129,32 @@ TEST(EditorTruth, OverlayWaitsForTheTruthAndThenShowsIt) {
     EXPECT_EQ(editor.model().facts().result->colour.height, height) << "or the truth would be of another size again";
     write_png(kOut / "editor_artefacts.png", editor.picture());
     expect_calm(editor);
+}
+
+TEST(EditorTruth, OfOldViewsNothingIsHeldWhileTheEditorRests) {
+    const auto receivers = [] {
+        for (const HeldBytes& h : memory_facts().holders)
+            if (h.holder == "receivers") return h.count;
+        return std::size_t(0);
+    };
+    const std::size_t others = receivers();
+    HeadlessEditor editor(options(kNoBias));
+    EditorState& state = editor.model().state;
+    state.open_tab = BottomTab::Error;
+    state.against = {.view = AgainstView::SideBySide, .truth = false};
+    editor.settle();
+    EXPECT_GE(receivers(), others + 1);
+    // The other side is not shown any more when the truth about another view comes.
+    state.against.view = AgainstView::Off;
+    state.settings.camera.azimuth += 5;
+    editor.settle();
+    EXPECT_EQ(receivers(), others + 1);
+    state.open_tab = BottomTab::Effects;
+    state.settings.view.light = 1;
+    state.settings.light_count = 2;
+    editor.settle();
+    editor.model().rest();
+    EXPECT_EQ(receivers(), others) << "no picture needs any";
 }
 
 TEST(EditorTruth, SavesAllNumbers) {
