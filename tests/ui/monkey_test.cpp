@@ -35,6 +35,10 @@ constexpr auto kDropped = 20s;      ///< what a drop is waited for: a modal loop
 /// Bytes by which two rests may differ: a probe and its texels (up to 32 MiB of this map), what overlays keep (30), a
 /// picture held against another (15).
 constexpr std::uint64_t kLeftOver = 80u << 20;
+constexpr int kEventsARest = 2000;  ///< after so many of them the editor is looked at while it rests
+/// Bytes that stay resident at rest, whatever was before: the program and its driver (some 250 MiB), 64 programs of
+/// some 4 MiB each, what is held by name, and half as much again.
+constexpr std::uint64_t kMostResident = 1200u << 20;
 
 std::uint32_t number_from(const char* variable, std::uint32_t standard) {
     const char* text = std::getenv(variable);
@@ -135,6 +139,11 @@ protected:
         EXPECT_TRUE(report.contains("unsound") && report["unsound"].is_null()) << report["unsound"];
     }
 
+    void expect_at_rest(const Json& report) const {
+        expect_harmless(report);
+        EXPECT_LT(report["memory"]["resident"].get<std::uint64_t>(), kMostResident) << report["memory"].dump(1);
+    }
+
     static std::string memory_text(const Json& report) {
         const Json& m = report["memory"];
         const auto mib = [](const Json& bytes) { return double(bytes.get<std::uint64_t>()) / (1 << 20); };
@@ -189,12 +198,16 @@ TEST_F(WindowMonkey, DoesNoHarm) {
             ++ends;
             ASSERT_NO_FATAL_FAILURE(begin());
         }
-        if (i % 2000 == 1999) std::cout << i + 1 << " events: " << memory_text(rest()) << std::endl;
+        if ((i + 1) % kEventsARest == 0) {
+            const Json rested = rest();
+            std::cout << i + 1 << " events: " << memory_text(rested) << std::endl;
+            expect_at_rest(rested);
+        }
     }
     after = rest();
     std::cout << "after, " << ends << " ends by the menu: " << memory_text(after) << std::endl;
     ASSERT_TRUE(program_->running()) << log();
-    expect_harmless(after);
+    expect_at_rest(after);
     for (const Json& h : after["memory"]["holders"])
         if (h["holder"] == "texts of shader programs") {
             EXPECT_LE(h["count"], kMostPrograms);
