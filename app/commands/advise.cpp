@@ -8,6 +8,7 @@
 #include "app/report/measure_json.h"
 #include "app/report/number_watch.h"
 #include "app/report/report.h"
+#include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/measure/autopilot.h"
 
@@ -21,12 +22,6 @@ Json changes_json(const Changes& changes) {
     Json json = Json::object();
     for (const auto& [key, value] : changes) json[key] = value;
     return json;
-}
-
-std::string sets_text(const Changes& changes) {
-    std::string text;
-    for (const auto& [key, value] : changes) text += fmt::format("{}--set {}={}", text.empty() ? "" : " ", key, value);
-    return text;
 }
 
 Json ms_json(const CostChange& ms) {

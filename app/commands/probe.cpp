@@ -15,6 +15,7 @@
 #include "app/report/report.h"
 #include "app/report/section_svg.h"
 #include "app/report/views.h"
+#include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/reference/ray_scenes.h"
@@ -88,11 +89,7 @@ void print_amount(const char* name, const DepthAmount& a, const char* about = ""
 void print_dossier(const Probe::PerLight& p, const Dossier& d) {
     fmt::print("  verdict: {}\n", d.verdict);
     if (d.remedy) {
-        fmt::print("  remedy: {} (", d.remedy->text);
-        const char* space = "";
-        for (const auto& [key, value] : d.remedy->settings)
-            fmt::print("{}--set {}={}", std::exchange(space, " "), key, value);
-        fmt::print(")\n");
+        fmt::print("  remedy: {} ({})\n", d.remedy->text, sets_text(d.remedy->settings));
     }
     if (!p.casts) return;
     const BiasAccount& a = p.account;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/command_text.h"
 #include "renderer/measure/artefact_picture.h"
 
 namespace si {
@@ -33,13 +34,6 @@ Json cures_json(const CureTable& table) {
     return rows;
 }
 
-std::string settings_text(const Cure& cure) {
-    std::string text;
-    for (const auto& [key, value] : cure.settings)
-        text += fmt::format("{}--set {}={}", text.empty() ? "" : " ", key, value);
-    return text;
-}
-
 void print_cures(const CureTable& table, std::size_t rows) {
     if (table.rows.empty()) return;
     fmt::print("cures, each drawn and judged ({} pixels are wrong now):\n", table.wrong);
@@ -54,7 +48,7 @@ void print_cures(const CureTable& table, std::size_t rows) {
         fmt::print("  {:>8} {:>8} {:>10} {:>9}  {}{}\n      {}\n", cure.cured, cure.broken, time_text(cure.ms),
                    map_bytes_text(cure.map_bytes), cure.name,
                    cure.pixel_right ? *cure.pixel_right ? ": this pixel is right" : ": this pixel stays wrong" : "",
-                   settings_text(cure));
+                   sets_text(cure.settings));
     }
 }
 

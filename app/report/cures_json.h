@@ -11,9 +11,6 @@ namespace si {
 /// One object a row, in the table's order.
 nlohmann::ordered_json cures_json(const CureTable& table);
 
-/// "--set bias.normal=0 --set bias.constant=2.1"
-std::string settings_text(const Cure& cure);
-
 /// @param rows at most so many; what was not tried is left out
 void print_cures(const CureTable& table, std::size_t rows);
 

@@ -4,16 +4,14 @@
 
 #include <utility>
 
+#include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/measure/cures.h"
 
 namespace si {
 
 std::string sets_beyond(const Settings& base, const Settings& settings) {
-    std::string sets;
-    for (const auto& [key, value] : setting_changes(base, settings))
-        sets += fmt::format("{}--set {}={}", sets.empty() ? "" : " ", key, value);
-    return sets;
+    return sets_text(setting_changes(base, settings));
 }
 
 NumberWatch::NumberWatch(Renderer& renderer, Settings base, bool on)

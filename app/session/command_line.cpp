@@ -2,28 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-#include <string_view>
-
+#include "renderer/base/command_text.h"
 #include "renderer/settings/param.h"
 
 namespace si {
-namespace {
-
-/// Quoted for a POSIX shell where it needs to be.
-std::string shell_word(const std::string& text) {
-    const auto plain = [](unsigned char c) {
-        return std::isalnum(c) || std::string_view("-_./=+:,@%").find(char(c)) != std::string_view::npos;
-    };
-    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
-}
-
-}  // namespace
-
 Settings base_settings(const Scene& scene) {
     Settings s;
     apply_suggested(scene, s);

@@ -10,6 +10,7 @@
 #include "app/sweep/columns.h"
 #include "app/sweep/results.h"
 #include "renderer/base/base64.h"
+#include "renderer/base/command_text.h"
 #include "renderer/base/embedded.h"
 #include "renderer/base/error.h"
 #include "renderer/measure/artefact_picture.h"
@@ -62,15 +63,6 @@ Json setting_info(const Json& axes) {
         for (const Choice& c : ref->param->choices()) entry["choices"][std::string(c.key)] = c.label;
     }
     return info;
-}
-
-std::string shell_word(const std::string& text) {
-    static constexpr std::string_view kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./%@";
-    if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
 }
 
 /// How to look at a case in the editor.
