@@ -28,6 +28,7 @@ std::string allowed(const SettingRef& ref) {
         return fmt::format("{}", fmt::join(keys, " "));
     }
     if (setting_type(ref) == "bool") return "`true` `false`";
+    if (setting_type(ref) == "text") return fmt::format("a text of at most {} bytes", p.max);
     return fmt::format("{} to {}{}{}", value_text(p, p.min), value_text(p, p.max), p.unit.empty() ? "" : " ", p.unit);
 }
 

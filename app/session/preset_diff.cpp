@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 
 #include "renderer/base/printable.h"
+#include "renderer/settings/param.h"
 #include "ui/widgets/setting_widgets.h"
 
 namespace si {
 namespace {
 
-std::string heading(const SettingRef& ref) {
+std::string heading(const Settings& settings, const SettingRef& ref) {
     if (ref.param->scope == Scope::Object) return "Object " + ref.object;
     const std::string_view key = ref.param->key;
-    return ref.param->scope == Scope::Light ? fmt::format("Light {}", ref.light)
+    return ref.param->scope == Scope::Light ? light_title(settings, ref.light)
                                             : std::string(setting_group_label(key.substr(0, key.find('.'))));
 }
 
@@ -26,7 +27,7 @@ std::vector<PresetDifference> preset_differences(const Preset& a, const Preset& 
     if (a.scene != b.scene)
         list.push_back({"Scene", "scene", fmt::format("scene: {} → {}", scene_text(a.scene), scene_text(b.scene)), {}});
     for (const SettingRef& ref : differing_settings(a.settings, b.settings)) {
-        PresetDifference d{heading(ref), setting_key(ref), {}, {}};
+        PresetDifference d{heading(b.settings, ref), setting_key(ref), {}, {}};
         d.text = fmt::format("{}: {} ({})", d.key, change_text(a.settings, b.settings, ref), ref.param->label);
         const auto idle = idle_reason(a.settings, ref);
         if (!idle.empty() && !idle_reason(b.settings, ref).empty()) d.note = idle;

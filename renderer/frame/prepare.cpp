@@ -33,9 +33,9 @@ Key lights_as_placed_key(const FrameState& f) {
     key.add(f.scene.id).add(f.settings.light_count).add(f.settings.map.resolution).add(f.settings.map.reversed_z);
     key.add(f.settings.map.format).add(face_margin_texels(f.settings)).add(f.settings.map.origin);
     for (const Param& p : params())
-        if (p.scope == Scope::Light)
+        if (p.scope == Scope::Light && !is_text(p))
             for (int i = 0; i < std::min(f.settings.light_count, kMaxLights); ++i)
-                std::visit([&](auto v) { key.add(v); }, get_value(f.settings, {&p, i, {}}));
+                std::visit([&](const auto& v) { key.add(v); }, get_value(f.settings, {&p, i, {}}));
     const BiasSettings& b = f.settings.bias;
     for (int i = 0; i < f.settings.light_count; ++i)
         if (f.settings.lights[std::size_t(i)].near_far == int(NearFar::Pancaking))

@@ -41,7 +41,7 @@ void for_block_params(F&& f) {
 }
 
 int as_int(const Value& v) {
-    return std::visit([](auto x) { return int(x); }, v);
+    return int(number_of(v));
 }
 
 }  // namespace
@@ -102,14 +102,15 @@ std::vector<std::byte> settings_block_bytes(const Settings& s) {
 
 void add_shader_settings(Key& key, const Settings& s) {
     for_shader_params([&](const Param& p) {
-        if (not_owned(s, {&p, 0, {}}).empty()) std::visit([&](auto v) { key.add(v); }, get_value(s, {&p, 0, {}}));
+        if (not_owned(s, {&p, 0, {}}).empty())
+            std::visit([&](const auto& v) { key.add(v); }, get_value(s, {&p, 0, {}}));
     });
 }
 
 void add_settings(Key& key, const Settings& s, ReadBy pass) {
     for (const Param& p : params())
         if (is_read_by(p.read_by, pass) && idle_reason(s, {&p, 0, {}}).empty())
-            std::visit([&](auto v) { key.add(v); }, get_value(s, {&p, 0, {}}));
+            std::visit([&](const auto& v) { key.add(v); }, get_value(s, {&p, 0, {}}));
 }
 
 }  // namespace si

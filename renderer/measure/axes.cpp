@@ -95,6 +95,8 @@ SweepAxis parse_axis(std::string_view text) {
     if (!ref)
         throw UsageError(fmt::format("--vary {}: no such setting{}", axis.key, did_you_mean(nearest_key(axis.key))));
     axis.key = setting_key(*ref);
+    if (is_text(*ref->param))
+        throw UsageError(fmt::format("--vary {}: a text; nothing that is measured depends on it", axis.key));
     const std::string_view values = text.substr(equals + 1);
     const bool is_number = !ref->param->choices && !std::holds_alternative<bool>(default_value(*ref));
     const auto parts = split(values, ':');

@@ -78,7 +78,7 @@ std::string_view not_owned(const Settings& s, const SettingRef& ref) {
     const int first = shared ? 0 : ref.light, last = shared ? std::clamp(s.light_count, 0, kMaxLights) - 1 : ref.light;
     for (int light = first; light <= last; ++light) {
         const Value chosen = get_value(s, {o.chooser, light, ref.object});
-        if (std::ranges::find(o.rows, std::visit([](auto v) { return int(v); }, chosen)) != o.rows.end()) return {};
+        if (std::ranges::find(o.rows, int(number_of(chosen))) != o.rows.end()) return {};
     }
     return o.reason;
 }

@@ -167,6 +167,23 @@ std::string nearest_key(std::string_view key) {
     return best;
 }
 
+bool is_text(const Param& p) {
+    static Settings any;
+    ObjectSettings object;
+    return std::holds_alternative<std::string*>(p.field(any, 0, &object));
+}
+
+double number_of(const Value& v) {
+    return std::visit(
+        [](const auto& x) {
+            if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(x)>>)
+                return double(x);
+            else
+                return 0.0;
+        },
+        v);
+}
+
 Value get_value(const Settings& s, const SettingRef& ref) {
     // The rows hand out a pointer to write through; reading goes through the same pointer.
     auto& mutable_settings = const_cast<Settings&>(s);
@@ -183,9 +200,9 @@ void set_value(Settings& s, const SettingRef& ref, const Value& v) {
         if (const auto it = s.objects.find(ref.object); it != s.objects.end()) object = it->second;
     }
     std::visit(
-        [](auto* to, auto from) {
-            // A bool where a number belongs, or the reverse, converts as C++ does.
-            *to = static_cast<std::remove_reference_t<decltype(*to)>>(from);
+        [](auto* to, const auto& from) {
+            using To = std::remove_reference_t<decltype(*to)>;
+            if constexpr (std::is_convertible_v<decltype(from), To>) *to = static_cast<To>(from);
         },
         field_of(s, ref, &object), v);
     if (!is_object) return;

@@ -16,7 +16,7 @@ namespace si {
 /// What a change of the setting makes the renderer rebuild.
 enum class Cost { Uniform, Program, Target };
 
-using FieldRef = std::variant<bool*, int*, double*>;
+using FieldRef = std::variant<bool*, int*, double*, std::string*>;
 
 struct Choice {
     std::string_view key, label, help;
@@ -56,8 +56,8 @@ struct Param {
     std::string_view key;  ///< dotted; per-light rows read "light.X", per-object rows "object.X"
     FieldRef (*field)(Settings&, int light, ObjectSettings*) = nullptr;
     std::string_view label, unit;
-    double min = 0, max = 1;
-    double slider_max = 0;  ///< where its slider ends; what is typed may go on to max. 0: at max
+    double min = 0, max = 1;  ///< of a text max is the most bytes in UTF-8
+    double slider_max = 0;    ///< where its slider ends; what is typed may go on to max. 0: at max
     bool logarithmic = false;
     Cost cost = Cost::Uniform;
     std::span<const Choice> (*choices)() = nullptr;
@@ -95,13 +95,18 @@ std::string nearest_key(std::string_view key);
 /// The nearest of `names` to `name` by edit distance; empty when there are none.
 std::string nearest_name(std::string_view name, std::span<const std::string> names);
 
-using Value = std::variant<bool, int, double>;  ///< choices are int
+using Value = std::variant<bool, int, double, std::string>;  ///< choices are int
+/// A row whose values are texts for people, which nothing is drawn by.
+bool is_text(const Param& p);
+/// Of switches 0 or 1, of choices their number, of texts 0.
+double number_of(const Value& v);
 Value get_value(const Settings& s, const SettingRef& ref);
-/// Writes a value as it is, without range checks (sanitise() guards the renderer).
+/// Writes a value as it is, without range checks (sanitise() guards the renderer). Numbers convert as C++ does; a text
+/// is never a number, nor the reverse: then nothing is written.
 void set_value(Settings& s, const SettingRef& ref, const Value& v);
 Value default_value(const SettingRef& ref);
 
-/// The value as presets and --set write it: choice keys, true/false, shortest round-trip numbers.
+/// The value as presets and --set write it: choice keys, true/false, shortest round-trip numbers, texts as they are.
 std::string value_text(const Param& p, const Value& v);
 /// Parses and range-checks a value; old names of choices are read too. @throws UsageError naming the key, the value and
 /// what is allowed.
@@ -125,6 +130,8 @@ std::string_view idle_reason(const Settings& s, const SettingRef& ref);
 std::string_view shown_unit(const Settings& s, const Param& p);
 /// The value for people: a choice's label, on or off, a number with its unit.
 std::string shown_value(const Settings& s, const Param& p, const Value& v);
+/// "Light 1", and its name where it has one: "Light 1 (key)".
+std::string light_title(const Settings& s, int light);
 /// "0.1 → 0 texels": from what `a` has to what `b` has, the unit once where it is the same.
 std::string change_text(const Settings& a, const Settings& b, const SettingRef& ref);
 

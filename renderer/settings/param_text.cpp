@@ -25,6 +25,7 @@ std::string number_text(double v) {
 }
 
 std::string range_text(const Param& p) {
+    if (is_text(p)) return fmt::format("a text in UTF-8 of at most {} bytes, without control characters", p.max);
     const std::string unit = p.unit.empty() ? "" : fmt::format(" {}", p.unit);
     return fmt::format("{} to {}{}", number_text(p.min), number_text(p.max), unit);
 }
@@ -79,6 +80,17 @@ double parse_number(const SettingRef& ref, std::string_view text, bool whole) {
     return *v;
 }
 
+/// What can be shown as it is, and is not too long.
+bool is_good_text(const Param& p, const std::string& text) {
+    return text.size() <= std::size_t(p.max) && printable(text, std::string::npos) == text;
+}
+
+std::string parse_text(const SettingRef& ref, std::string_view text) {
+    if (!is_good_text(*ref.param, std::string(text)))
+        refuse(ref, text, fmt::format("is not allowed; allowed is {}", range_text(*ref.param)));
+    return std::string(text);
+}
+
 /// A pair that must not be reversed: lo < hi. `zero_is_automatic`: 0 of either stands for a value found later.
 void repair_pair(Settings& s, const std::string& lo_key, const std::string& hi_key, bool zero_is_automatic,
                  std::vector<std::string>& repairs) {
@@ -112,11 +124,13 @@ std::string value_text(const Param& p, const Value& v) {
         return *i >= 0 && std::size_t(*i) < choices.size() ? std::string(choices[std::size_t(*i)].key)
                                                            : std::to_string(*i);
     }
+    if (const std::string* text = std::get_if<std::string>(&v)) return *text;
     return number_text(std::get<double>(v));
 }
 
 Value parse_value(const SettingRef& ref, std::string_view text) {
     if (ref.param->choices) return parse_choice(ref, text);
+    if (is_text(*ref.param)) return parse_text(ref, text);
     const Value kind = default_value(ref);
     if (std::holds_alternative<bool>(kind)) return parse_bool(ref, text);
     if (std::holds_alternative<int>(kind)) return int(parse_number(ref, text, true));
@@ -151,6 +165,13 @@ std::vector<std::string> sanitise(Settings& s) {
         const Param& p = *ref.param;
         const Value v = get_value(s, ref);
         if (std::holds_alternative<bool>(v)) continue;
+        if (const std::string* text = std::get_if<std::string>(&v)) {
+            if (is_good_text(p, *text)) continue;
+            set_value(s, ref, default_value(ref));
+            repairs.push_back(fmt::format("{} was \"{}\", not {}: taken away", setting_key(ref), printable(*text, 60),
+                                          range_text(p)));
+            continue;
+        }
         const auto* i = std::get_if<int>(&v);
         const double x = i ? *i : std::get<double>(v);
         if (x >= p.min && x <= p.max) continue;

@@ -15,6 +15,7 @@ std::string with_unit(std::string number, std::string_view unit) {
 /// Without unit.
 std::string plain_value(const Param& p, const Value& v) {
     if (const bool* b = std::get_if<bool>(&v)) return *b ? "on" : "off";
+    if (const std::string* text = std::get_if<std::string>(&v)) return text->empty() ? "none" : *text;
     if (p.choices) {
         const auto list = p.choices();
         const auto i = std::size_t(std::get<int>(v));
@@ -24,10 +25,15 @@ std::string plain_value(const Param& p, const Value& v) {
 }
 
 bool is_number(const Param& p, const Value& v) {
-    return !p.choices && !std::holds_alternative<bool>(v);
+    return !p.choices && !std::holds_alternative<bool>(v) && !is_text(p);
 }
 
 }  // namespace
+
+std::string light_title(const Settings& s, int light) {
+    const bool named = light >= 0 && light < kMaxLights && !s.lights[std::size_t(light)].name.empty();
+    return fmt::format("Light {}{}", light, named ? fmt::format(" ({})", s.lights[std::size_t(light)].name) : "");
+}
 
 std::string_view shown_unit(const Settings& settings, const Param& p) {
     if (p.unit == "lights") return {};  // the label says it, and "1 lights" reads badly

@@ -157,6 +157,9 @@ constexpr auto kCount = std::to_array<Param>({
 
 constexpr auto kLight = with_scope(
     std::to_array<Param>({
+        {SI_LIGHT_FIELD(name), .label = "Name", .unit = "", .max = 60,
+         .help = "What people call the light, such as key or sun. Keys, commands and messages go by its number.",
+         .also = "rename, label"},
         {SI_LIGHT_FIELD(type), .label = "Type", .unit = "", SI_CHOICES(kTypes), .help = "The kind of light."},
         {SI_LIGHT_FIELD(on), .label = "On", .unit = "",
          .help = "Whether the light shines. Off: no map is drawn for it, and it keeps its settings.",

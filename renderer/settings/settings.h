@@ -156,6 +156,7 @@ struct FilterSettings {
 int default_fit();
 
 struct LightSettings {
+    std::string name;
     int type = 0;  ///< LightType
     bool on = true;
     double azimuth = -40, elevation = 45;

@@ -57,6 +57,8 @@ std::vector<Value> others(const SettingRef& ref, const Value& present) {
     std::vector<Value> values = {default_value(ref)};
     if (std::holds_alternative<bool>(present)) {
         values.emplace_back(!std::get<bool>(present));
+    } else if (is_text(p)) {
+        values.emplace_back("key");
     } else if (p.choices) {
         for (std::size_t i = 0; i < p.choices().size() && i < 4; ++i) values.emplace_back(int(i));
     } else if (std::holds_alternative<int>(present)) {

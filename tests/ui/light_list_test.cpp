@@ -30,7 +30,10 @@ std::vector<double> azimuths(const Settings& s) {
 TEST(LightList, CopiesStandRightAfterTheirOriginal) {
     Settings s = with_lights(3);
     s.lights[1].cast = false;
+    s.lights[1].name = "key";
     copy_light(s, 1);
+    EXPECT_EQ(s.lights[1].name, "key");
+    EXPECT_EQ(s.lights[2].name, "") << "two of one name would not be told apart";
     EXPECT_EQ(azimuths(s), (std::vector<double>{10, 20, 20, 30}));
     EXPECT_FALSE(s.lights[2].cast);
     EXPECT_EQ(s.view.light, 2);
@@ -96,6 +99,8 @@ TEST(LightList, SoloSwitchesTheOthersOffAndOnAgain) {
     EXPECT_EQ(s, all) << "there is no such light";
 }
 
+constexpr int kF2 = 291;
+
 /// The ID of a widget in a light's line, below the window's.
 auto in_line(int light, const char* label, const char* within = nullptr) {
     return [=](ImGuiID id) {
@@ -117,6 +122,12 @@ protected:
         ASSERT_TRUE(at);
         ui.click(*at);
     }
+    void key(int code) {
+        ImGui::GetIO().KeysDown[code] = true;
+        ui.frames(2);
+        ImGui::GetIO().KeysDown[code] = false;
+        ui.frames(2);
+    }
     const LightSettings& light(int i) const { return ui.state.settings.lights[std::size_t(i)]; }
     UiHarness ui{700, 600};
 };
@@ -132,6 +143,41 @@ TEST_F(LightTable, ChooseSwitchAndSolo) {
     EXPECT_TRUE(light(0).on && light(1).on && light(2).on);
     ui.state.history.undo();
     EXPECT_TRUE(ui.state.history.can_undo()) << "each click is a step";
+}
+
+TEST_F(LightTable, F2NamesTheShownLight) {
+    ui.state.settings.view.light = 1;
+    ui.frames(2);
+    key(kF2);
+    ui.type("key");
+    key(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    EXPECT_EQ(light(1).name, "key");
+    EXPECT_NE(ui.printed().find(U"1key"), std::u32string::npos) << "in the place of its type";
+    EXPECT_EQ(ui.state.history.undo().lights[1].name, "") << "one step";
+    // What is typed takes the place of the old name; Escape leaves it.
+    key(kF2);
+    ui.type("fill");
+    key(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    EXPECT_EQ(light(1).name, "key");
+    EXPECT_FALSE(ui.state.light_rename);
+    key(kF2);
+    ui.type(std::string(61, 'n'));
+    key(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    EXPECT_EQ(light(1).name, "key") << "that one is too long";
+    EXPECT_EQ(ui.state.log.lines().back().kind, LogKind::Error);
+}
+
+TEST_F(LightTable, ADoubleClickNamesALightAndAClickElsewhereTakesIt) {
+    const auto at = ui.find("rows", in_line(2, "###shown"));
+    ASSERT_TRUE(at);
+    ui.click(*at);
+    ui.click(*at);
+    ASSERT_TRUE(ui.state.light_rename);
+    ui.frames(2);
+    ui.type("rim");
+    click(in_line(0, "##on"));
+    EXPECT_EQ(light(2).name, "rim");
+    EXPECT_FALSE(ui.state.light_rename);
 }
 
 TEST_F(LightTable, ASwatchOpensAColourToChoose) {

@@ -29,6 +29,7 @@ std::vector<Value> values_of(const SettingRef& ref) {
         for (int i = 0; i < int(p.choices().size()); ++i) values.emplace_back(i);
         return values;
     }
+    if (is_text(p)) return {"", "key"};
     for (const double v : {p.min, 0.5 * (p.min + p.max), p.max})
         if (std::holds_alternative<int>(preset))
             values.emplace_back(int(v));

@@ -229,6 +229,7 @@ TEST(Comparison, ListsDifferencesForEveryKindOfSetting) {
             if (const bool* b = std::get_if<bool>(&v)) set_value(other, ref, !*b);
             if (const int* i = std::get_if<int>(&v)) set_value(other, ref, *i + 1);
             if (const double* d = std::get_if<double>(&v)) set_value(other, ref, *d + 0.5);
+            if (is_text(p)) set_value(other, ref, "key");
         }
         ui.comparison = ComparisonFacts{ui.state.compare, other, "plane", {}};
         ui.state.open_tab = BottomTab::Compare;

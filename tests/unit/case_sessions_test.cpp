@@ -107,6 +107,7 @@ std::vector<std::string> texts_of(const Param& p, const Value& like) {
 
 TEST_F(CaseSessionsTest, AnAxisDoesWhatSetDoesForEverySetting) {
     for (const Param& p : params()) {
+        if (is_text(p)) continue;  // what things are called is no axis
         std::vector<std::string> keys = {std::string(p.key)};
         if (p.scope == Scope::Light) keys.push_back("light.1." + std::string(p.key.substr(6)));
         if (p.scope == Scope::Object)

@@ -71,6 +71,8 @@ TEST(PresetDiff, FindsExactlyTheSettingsThatWereTurned) {
             set_value(b.settings, ref, !*on);
         else if (p.choices)
             set_value(b.settings, ref, std::get<int>(v) == 0 ? 1 : 0);
+        else if (is_text(p))
+            set_value(b.settings, ref, "key");
         else if (std::holds_alternative<int>(v))
             set_value(b.settings, ref, int(p.min) == std::get<int>(v) ? int(p.max) : int(p.min));
         else

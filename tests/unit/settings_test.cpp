@@ -37,6 +37,7 @@ Value other_value(const SettingRef& ref) {
     const Value v = default_value(ref);
     if (const bool* b = std::get_if<bool>(&v)) return !*b;
     if (const int* i = std::get_if<int>(&v)) return *i + 1 <= int(ref.param->max) ? *i + 1 : *i - 1;
+    if (is_text(*ref.param)) return "Küche, \"a = 'b'\"";
     const double d = std::get<double>(v);
     if (d + 0.125 <= ref.param->max) return d + 0.125;
     return d - 0.125 >= ref.param->min ? d - 0.125 : 0.5 * (d + ref.param->max);
@@ -92,7 +93,7 @@ TEST(SettingsTable, DefaultsLieInTheirRangesAndTakePartInNoRepair) {
     s.objects["A"] = {};
     for (const SettingRef& ref : all_settings(s)) {
         const Value v = default_value(ref);
-        const double x = std::visit([](auto value) { return double(value); }, v);
+        const double x = number_of(v);
         EXPECT_TRUE(x >= ref.param->min && x <= ref.param->max) << setting_key(ref);
     }
     EXPECT_TRUE(sanitise(s).empty());
@@ -171,6 +172,44 @@ TEST(SettingsText, RefusesWhatNoSettingCanBe) {
     EXPECT_TRUE(mentions(refusal("map.reversed_z", "yes"), "true"));
     EXPECT_TRUE(mentions(refusal("map.format", "d23"), "did you mean d24?"));
     EXPECT_TRUE(mentions(refusal("map.format", "2"), "none of d16, d24, d32f, colour, linear, linear16"));
+}
+
+TEST(SettingsText, NamesAreWhatCanBeShownAndIsNotTooLong) {
+    const auto ref = *find_setting("light.2.name");
+    EXPECT_TRUE(is_text(*ref.param));
+    EXPECT_FALSE(is_text(*find_setting("light.2.type")->param));
+    const std::string longest(60, 'n');
+    for (const std::string& name : {std::string(), std::string("key"), std::string("Küche 太陽 \"'=,"), longest})
+        EXPECT_EQ(std::get<std::string>(parse_value(ref, name)), name);
+    for (const std::string& name : {longest + "n", std::string("a\nb"), std::string("\x1b[2J"), std::string("\xff"),
+                                    std::string("\u202eback"), std::string(1, '\0')}) {
+        try {
+            parse_value(ref, name);
+            ADD_FAILURE() << name;
+        } catch (const UsageError& e) {
+            EXPECT_TRUE(mentions(e.what(), "light.2.name") && mentions(e.what(), "60 bytes")) << e.what();
+        }
+        Settings s;
+        s.lights[2].name = name, s.lights[1].name = "kept";
+        EXPECT_EQ(sanitise(s).size(), 1u);
+        EXPECT_EQ(s.lights[2].name, "");
+        EXPECT_EQ(s.lights[1].name, "kept");
+    }
+    Settings s;
+    set_value(s, ref, 3.0);
+    EXPECT_EQ(s, Settings()) << "a number is no name";
+    set_value(s, *find_setting("light.2.azimuth"), "3");
+    EXPECT_EQ(s, Settings()) << "and a text no number";
+}
+
+TEST(SettingsText, LightsAreCalledByTheirNames) {
+    Settings s;
+    EXPECT_EQ(light_title(s, 1), "Light 1");
+    s.lights[1].name = "key";
+    EXPECT_EQ(light_title(s, 1), "Light 1 (key)");
+    const auto ref = *find_setting("light.1.name");
+    EXPECT_EQ(shown_value(s, *ref.param, default_value(ref)), "none");
+    EXPECT_EQ(change_text(Settings(), s, ref), "none → key");
 }
 
 TEST(SettingsText, BooleansInAllSpellings) {
@@ -263,6 +302,7 @@ std::vector<Value> some_values(const SettingRef& ref) {
     const Param& p = *ref.param;
     const Value like = default_value(ref);
     if (std::holds_alternative<bool>(like)) return {false, true};
+    if (is_text(p)) return {"", "key"};
     std::vector<Value> values;
     if (p.choices) {
         for (std::size_t i = 0; i < p.choices().size(); ++i) values.emplace_back(int(i));

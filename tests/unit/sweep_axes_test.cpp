@@ -43,6 +43,7 @@ TEST(SweepAxes, MistakesAreNamed) {
     EXPECT_NE(message("map.resolution=1:1024:*1").find("does not lead"), std::string::npos);
     EXPECT_NE(message("bias.constant=0:1:1e-9").find("larger step"), std::string::npos);
     EXPECT_FALSE(message("filter.kernel=nonsense").empty());
+    EXPECT_NE(message("light.1.name=key,fill").find("nothing that is measured depends on it"), std::string::npos);
     EXPECT_FALSE(message("map.resolution=1e9").empty());
 }
 

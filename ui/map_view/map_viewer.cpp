@@ -10,6 +10,7 @@
 
 #include "renderer/inspect/probe.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/param.h"
 #include "ui/map_view/depth_plots.h"
 #include "ui/map_view/map_marks.h"
 #include "ui/map_view/map_readout.h"
@@ -132,7 +133,8 @@ std::pair<std::string, std::string> title(const Settings& s, const FrameResult& 
         format = std::string(shown.name);
         if (shown.mip > 0) format += fmt::format("   mip level {}, {}×{}", shown.mip, shown.texels.x, shown.texels.y);
     }
-    return {fmt::format("light {}{}{}   {}×{}   {}", shown_light(s), name.empty() ? "" : " ", name, n.x, n.y, format),
+    return {fmt::format("{}{}{}   {}×{}   {}", light_title(s, shown_light(s)), name.empty() ? "" : " ", name, n.x, n.y,
+                        format),
             fmt::format("texel {}   {}", texel, range)};
 }
 
@@ -233,7 +235,7 @@ std::string obstacle(const Settings& s, const EditorFrame& frame) {
         if (std::size_t(light) >= result.lights.size()) return "...";  // a light was added a moment ago
         const FittedLight& fitted = result.lights[std::size_t(light)];
         if (!fitted.casts || fitted.views.empty())
-            return fmt::format("Light {} has no shadow map: {}.", light,
+            return fmt::format("{} has no shadow map: {}.", light_title(s, light),
                                fitted.reason.empty() ? "it casts no shadow" : fitted.reason);
     }
     if (result.map_view.texture == 0 || result.map_view_size.x <= 0 || result.map_view_size.y <= 0)

@@ -61,9 +61,9 @@ void reference_combo(EditorState& state, const EditorFrame& frame) {
 }
 
 /// "Bias", "Light 2", "Root/Box": whose setting it is.
-std::string owner(const SettingRef& ref) {
+std::string owner(const Settings& settings, const SettingRef& ref) {
     if (ref.param->scope == Scope::Object) return ref.object;
-    if (ref.param->scope == Scope::Light) return fmt::format("Light {}", ref.light);
+    if (ref.param->scope == Scope::Light) return light_title(settings, ref.light);
     return std::string(setting_group_label(ref.param->key.substr(0, ref.param->key.find('.'))));
 }
 
@@ -82,7 +82,7 @@ void setting_line(EditorState& state, const Settings& reference, const SettingRe
     const Param& p = *ref.param;
     const bool idle = !idle_reason(state.settings, ref).empty() && !idle_reason(reference, ref).empty();
     const ImU32 colour = idle ? theme::faint() : theme::text();
-    cell(owner(ref), colour);
+    cell(owner(state.settings, ref), colour);
     cell(std::string(p.label), colour);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", setting_key(ref).c_str());
     cell(shown_value(state.settings, p, get_value(state.settings, ref)), idle ? theme::faint() : theme::accent());

@@ -61,7 +61,8 @@ void choose_setting(EditorState& state, AxisText& axis) {
     }
     std::string_view group;
     for (const Param& p : params()) {
-        if (p.scope == Scope::Object || p.key.starts_with("view.")) continue;  // what one looks with is not measured
+        // What one looks with, and what things are called, is not measured.
+        if (p.scope == Scope::Object || p.key.starts_with("view.") || is_text(p)) continue;
         const SettingRef ref{&p, 0, {}};
         const std::string_view prefix = p.key.substr(0, p.key.find('.'));
         if (prefix != group) ImGui::TextDisabled("%s", std::string(setting_group_label(prefix)).c_str());

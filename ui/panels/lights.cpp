@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "renderer/base/error.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/view_choice.h"
 #include "ui/state/light_list.h"
@@ -18,6 +20,8 @@
 
 namespace si {
 namespace {
+
+constexpr int kF2 = 291;  ///< as the window feeds it (GLFW)
 
 // IEC 61966-2-1: settings are linear, what a person chooses is what the screen shows.
 float shown(double linear) {
@@ -50,20 +54,56 @@ void swatch(LightSettings& light) {
                                 light.blue));
 }
 
-void light_row(Settings& s, int i) {
+void begin_rename(EditorState& state, int light) {
+    state.light_rename = LightRename{light, state.settings.lights[std::size_t(light)].name};
+}
+
+/// In the place of the light's name. Enter, or a click elsewhere, takes what was typed; Escape does not.
+void rename_field(EditorState& state) {
+    LightRename& rename = *state.light_rename;
+    if (!rename.begun) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    ImGui::InputTextWithHint("##name", "name", &rename.name, ImGuiInputTextFlags_AutoSelectAll);
+    if (ImGui::IsItemActive()) rename.begun = true;
+    if (!rename.begun || ImGui::IsItemActive()) return;
+    if (ImGui::IsItemDeactivatedAfterEdit()) {
+        try {
+            set_setting(state.settings, fmt::format("light.{}.name", rename.light), rename.name);
+        } catch (const UsageError& e) {
+            state.log.add(LogKind::Error, e.what());
+        }
+    }
+    state.light_rename.reset();
+}
+
+void light_name(EditorState& state, int i) {
+    Settings& s = state.settings;
+    const LightSettings& light = s.lights[std::size_t(i)];
+    const std::string type = shown_value(s, *find_setting("light.type")->param, light.type);
+    const std::string text = fmt::format("{} {}###shown", i, light.name.empty() ? type : light.name);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, light.on ? theme::text() : theme::muted());
+    if (ImGui::Selectable(text.c_str(), i == shown_light(s), ImGuiSelectableFlags_AllowDoubleClick)) {
+        s.view.light = i;
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) begin_rename(state, i);
+    }
+    ImGui::PopStyleColor();
+    wrapped_tooltip(
+        fmt::format("{}. Its settings below, its map in the map viewer, its handles in the scene. T changes "
+                    "its type; double-click or F2 renames it",
+                    type));
+}
+
+void light_row(EditorState& state, int i) {
+    Settings& s = state.settings;
     LightSettings& light = s.lights[std::size_t(i)];
-    const bool shown = i == shown_light(s);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(i);
-    std::string type = "?";
-    if (const auto ref = find_setting("light.type"); ref && std::size_t(light.type) < ref->param->choices().size())
-        type = ref->param->choices()[std::size_t(light.type)].label;
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, light.on ? theme::text() : theme::muted());
-    if (ImGui::Selectable(fmt::format("{} {}###shown", i, type).c_str(), shown)) s.view.light = i;
-    ImGui::PopStyleColor();
-    wrapped_tooltip("Its settings below, its map in the map viewer, its handles in the scene; T changes its type");
+    if (state.light_rename && state.light_rename->light == i)
+        rename_field(state);
+    else
+        light_name(state, i);
     ImGui::TableNextColumn();
     ImGui::Checkbox("##on", &light.on);
     wrapped_tooltip("On: it shines. Off it keeps its settings, and no map is drawn for it");
@@ -137,8 +177,11 @@ void draw_lights(EditorState& state, const FrameResult* result) {
         ImGui::TableSetupColumn("solo", ImGuiTableColumnFlags_WidthFixed, button_width("Solo"));
         ImGui::TableSetupColumn("colour", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFrameHeight());
         ImGui::TableSetupColumn("intensity", ImGuiTableColumnFlags_WidthFixed, em * 5.4f);
-        for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) light_row(s, i);
+        for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) light_row(state, i);
         ImGui::EndTable();
+        const bool elsewhere = ImGui::GetIO().WantTextInput || state.flight.on || state.handle_drag ||
+                               ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+        if (!elsewhere && ImGui::IsKeyPressed(kF2, false)) begin_rename(state, shown_light(s));
     }
     list_buttons(s);
     if (result && shown_light(s) >= 0 && std::size_t(shown_light(s)) < result->lights.size()) cube_cross(s, *result);

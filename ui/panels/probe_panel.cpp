@@ -266,7 +266,7 @@ void reasons(const Probe::PerLight& p, const Dossier* d, Settings& settings, int
 /// The verdict.
 void heading(const Probe::PerLight& p, const Dossier* d, bool tracing, Settings& settings) {
     if (p.casts) return judgement(p, d, tracing, settings);
-    verdict(p.verdict.empty() ? fmt::format("Light {} casts no shadow: lit.", p.light) : p.verdict);
+    verdict(p.verdict.empty() ? fmt::format("{} casts no shadow: lit.", light_title(settings, p.light)) : p.verdict);
 }
 
 /// Room for the drawing left of the verdict; 0: too little for both.

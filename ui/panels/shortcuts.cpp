@@ -39,6 +39,7 @@ constexpr std::pair<const char*, const char*> kShortcuts[] = {
     {"C", "apply the fix that the probed pixel's verdict names"},
     {"U", "all bias away, to look for the least anew"},
     {"T", "the shown light: directional, spot, point"},
+    {"F2", "rename the shown light, as a double-click in the list of lights does"},
     {"[ and ]", "half, twice the resolution of the map"},
     {"Q", "stored-depth quads around the texel of the pixel under the mouse, else of the probed one; again: none"},
     {", and .", "move the swipe's line; Shift: farther"},

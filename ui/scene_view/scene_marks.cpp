@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/settings/param.h"
 #include "renderer/view/fit_bounds.h"
 #include "ui/scene_view/camera_outline.h"
 #include "ui/scene_view/gnomon.h"
@@ -128,7 +129,8 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
         y += font.FontSize + p.px(10);
     };
     if (state.settings.camera.source == int(CameraSource::Light) && shown_light(state.settings) >= 0)
-        say(fmt::format("Through light {}; L goes back", shown_light(state.settings)), theme::kLight);
+        say(fmt::format("Through {}; L goes back", light_title(state.settings, shown_light(state.settings))),
+            theme::kLight);
     if (state.frozen) say("Shadow camera frozen", theme::kFrozen);
     if (state.flight.on) say(fmt::format("Flying, speed {:.2g}×", state.flight.speed), theme::kOnPicture);
     if (state.probe_pixel && frame.anchor_place == AnchorPlace::Outside)

@@ -90,6 +90,13 @@ struct PictureState {
     std::optional<FrozenCamera> frozen;
 };
 
+/// A name being typed in the list of lights.
+struct LightRename {
+    int light = 0;
+    std::string name;
+    bool begun = false;  ///< its field has the keyboard
+};
+
 struct EditorState : PictureState {
     History history;
     Log log;
@@ -104,6 +111,7 @@ struct EditorState : PictureState {
     bool between_steps = false;  ///< undo or redo waits for the scene of its step
     std::string search;
     bool only_changed = false;
+    std::optional<LightRename> light_rename;
     TunePanel tune;
     AdvicePanel advice;
     LabPanel lab;

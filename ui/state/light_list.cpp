@@ -54,6 +54,7 @@ void copy_light(Settings& s, int light) {
     const auto after = s.lights.begin() + light + 1;
     std::copy_backward(after, s.lights.begin() + s.light_count, s.lights.begin() + s.light_count + 1);
     *after = s.lights[std::size_t(light)];
+    after->name.clear();  // two of one name would not be told apart
     ++s.light_count;
     s.view.light = light + 1;
 }

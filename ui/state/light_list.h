@@ -10,7 +10,8 @@ bool can_add_light(const Settings& settings);
 /// One light more, by default settings but from another side than all others, and shows it; nothing when there are
 /// kMaxLights.
 void add_light(Settings& settings);
-/// A light like light.<i> right after it, and shows it; nothing when there is no such light or no room.
+/// A light like light.<i>, without its name, right after it, and shows it; nothing when there is no such light or no
+/// room.
 void copy_light(Settings& settings, int light);
 /// Nothing when there is no such light.
 void delete_light(Settings& settings, int light);

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <bit>
 #include <cctype>
 #include <cmath>
 
+#include "renderer/base/command_text.h"
+#include "renderer/base/error.h"
 #include "renderer/settings/splits.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/theme.h"
@@ -44,7 +47,9 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
     ImGui::TextUnformatted(
         fmt::format("{}   default {}", setting_key(ref), shown_value(settings, p, default_value(ref))).c_str());
-    if (!p.choices && !std::holds_alternative<bool>(default_value(ref)))
+    if (is_text(p))
+        ImGui::TextUnformatted("Right-click its label to reset");
+    else if (!p.choices && !std::holds_alternative<bool>(default_value(ref)))
         ImGui::TextUnformatted("Ctrl+click to type, right-click to reset");
     else
         ImGui::TextUnformatted("Right-click to reset");
@@ -74,9 +79,8 @@ bool reset_menu(Settings& settings, const SettingRef& ref) {
     if (ImGui::MenuItem(label.c_str(), nullptr, false, setting_changed(settings, ref)))
         change(settings, ref, preset), changed = true;
     if (ImGui::MenuItem("Copy as --set")) {
-        const std::string text =
-            fmt::format("--set {}={}", setting_key(ref), value_text(*ref.param, get_value(settings, ref)));
-        ImGui::SetClipboardText(text.c_str());
+        const std::pair change{setting_key(ref), value_text(*ref.param, get_value(settings, ref))};
+        ImGui::SetClipboardText(sets_text({&change, 1}).c_str());
     }
     ImGui::EndPopup();
     return changed;
@@ -148,12 +152,24 @@ bool real(const Param& p, double& value, const std::string& unit) {
     return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &p.min, &p.max, format.c_str(), flags);
 }
 
+/// Takes only what the row allows: what is typed or pasted beyond that changes nothing.
+bool text_input(const SettingRef& ref, std::string& value) {
+    std::string typed = value;
+    if (!ImGui::InputTextWithHint("##value", "none", &typed)) return false;
+    try {
+        value = std::get<std::string>(parse_value(ref, typed));
+        return true;
+    } catch (const UsageError&) {
+        return false;
+    }
+}
+
 /// Whether the setting is without effect, and moving it by itself would not change that.
 bool dead(Settings& settings, const SettingRef& ref) {
     if (without_effect(settings, ref).empty()) return false;
     const Param& p = *ref.param;
     const Value now = get_value(settings, ref);
-    if (p.choices) return true;
+    if (p.choices || is_text(p)) return true;
     set_value(settings, ref,
               now.index() == 0   ? Value(!std::get<bool>(now))
               : now.index() == 1 ? Value(int(p.max))
@@ -176,6 +192,8 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, con
         changed = ImGui::Checkbox("##value", b);
     else if (auto* i = std::get_if<int>(&value))
         changed = p.choices ? combo(p, *i) : !names.empty() ? named_combo(names, *i) : integer(p, *i, unit);
+    else if (auto* t = std::get_if<std::string>(&value))
+        changed = text_input(ref, *t);
     else
         changed = real(p, std::get<double>(value), unit);
     if (idle) ImGui::PopStyleVar();
