@@ -28,12 +28,13 @@ public:
     /// What is wrong with it; empty when nothing is.
     std::string fault() const;
 
-private:
     struct Letter {
         char32_t letter;
         ImVec2 lo, hi;  ///< on the screen
     };
     std::vector<Letter> letters() const;
+
+private:
     static std::uint64_t place(const ImVec2& lo, const ImVec2& hi);
     std::unordered_map<std::uint64_t, char32_t> letters_;  ///< by two opposite corners of the glyph in the atlas
     std::vector<ImFontGlyph> missing_;                     ///< for each font

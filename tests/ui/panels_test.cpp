@@ -151,6 +151,40 @@ TEST(Panels, NoIdIsUsedTwiceInTheSettings) {
     EXPECT_GE(closed.size(), rows);
 }
 
+/// Where the last frame drew something in this colour, whatever its opacity.
+std::vector<ImRect> drawn_in(const ImVec4& colour) {
+    constexpr ImU32 kOpacity = IM_COL32_A_MASK;
+    const ImU32 wanted = ImGui::ColorConvertFloat4ToU32(colour) & ~kOpacity;
+    std::vector<ImRect> out;
+    for (int i = 0; i < ImGui::GetDrawData()->CmdListsCount; ++i) {
+        bool before = false;
+        for (const ImDrawVert& v : ImGui::GetDrawData()->CmdLists[i]->VtxBuffer) {
+            const bool is = (v.col & ~kOpacity) == wanted;
+            if (is && !before) out.emplace_back(v.pos, v.pos);
+            if (is) out.back().Add(v.pos);
+            before = is;
+        }
+    }
+    return out;
+}
+
+TEST(Panels, AMarkOfASliderLeavesItsNumberFree) {
+    for (const double share : {0.0, 0.45, 0.5, 0.55, 1.0}) {
+        UiHarness ui(1280, 900);
+        for (const SettingRef& ref : every_setting()) {
+            const double most = ref.param->slider_max > 0 ? ref.param->slider_max : ref.param->max;
+            if (std::holds_alternative<double>(default_value(ref)) && !ref.param->key.starts_with("camera."))
+                set_value(ui.state.settings, ref, ref.param->min + share * (most - ref.param->min));
+        }
+        ui.frames(3);
+        const std::vector<ImRect> marks = drawn_in(ImGui::GetStyle().Colors[ImGuiCol_SliderGrab]);
+        EXPECT_GE(marks.size(), 5u);
+        for (const ImRect& mark : marks)
+            for (const DrawnText::Letter& l : ui.letters())
+                EXPECT_FALSE(mark.Overlaps({l.lo, l.hi})) << char(l.letter) << " at " << l.lo.x << ", " << l.lo.y;
+    }
+}
+
 TEST(Panels, WhatTheDriverLacksHasNoEffect) {
     Settings s;
     s.bias.raster_slope = 1;

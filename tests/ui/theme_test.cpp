@@ -103,9 +103,12 @@ TEST_P(ThemeContrast, WidgetsReadInAllStates) {
     for (const ImGuiCol state :
          {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive, ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered,
           ImGuiCol_FrameBgActive, ImGuiCol_Header, ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive, ImGuiCol_Tab,
-          ImGuiCol_TabHovered, ImGuiCol_TabActive, ImGuiCol_TableHeaderBg, ImGuiCol_TextSelectedBg, ImGuiCol_PopupBg,
-          ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
+          ImGuiCol_TabHovered, ImGuiCol_TabActive, ImGuiCol_TableHeaderBg, ImGuiCol_TextSelectedBg, ImGuiCol_PopupBg})
         expect(ImGui::GetStyleColorName(state), over(c[ImGuiCol_Text], panel), over(c[state], panel));
+    // WCAG 2.2, 1.4.11: what a control is known by.
+    for (const ImGuiCol mark : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
+        EXPECT_GE(contrast(over(c[mark], panel), over(c[ImGuiCol_FrameBg], panel)), 3)
+            << ImGui::GetStyleColorName(mark);
     // Pressed switches and changed values.
     expect("accent on a pressed button", over(t.accent, panel), over(c[ImGuiCol_ButtonActive], panel));
     const double faded = ImGui::GetStyle().DisabledAlpha;

@@ -81,6 +81,7 @@ public:
 
     /// What the last frame printed.
     std::u32string printed() const { return drawn_->read(); }
+    std::vector<DrawnText::Letter> letters() const { return drawn_->letters(); }
 
     EditorActions last_wish;  ///< of the last frame that asked for a search or its end
 

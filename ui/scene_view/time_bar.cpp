@@ -8,6 +8,7 @@
 #include "ui/state/playback.h"
 #include "ui/state/scene_choices.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/slider.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -76,7 +77,7 @@ void draw_time_bar(EditorState& state, const EditorFrame& frame) {
     if (!(end > 0)) ImGui::BeginDisabled();
     const double start = 0, last = std::max(end, 1e-3);
     const std::string format = fmt::format("%.2f of {:.2f} s", end);
-    if (ImGui::SliderScalar("##time", ImGuiDataType_Double, &scene.time, &start, &last, format.c_str(),
+    if (slider("##time", ImGuiDataType_Double, &scene.time, &start, &last, format.c_str(),
                             ImGuiSliderFlags_AlwaysClamp))
         state.playback.playing = false;  // the drag that goes on is the step of undo
     if (!(end > 0)) ImGui::EndDisabled();

@@ -14,6 +14,7 @@
 #include "renderer/base/error.h"
 #include "renderer/settings/splits.h"
 #include "ui/widgets/search_field.h"
+#include "ui/widgets/slider.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -124,7 +125,7 @@ bool integer(const Param& p, int& value, const std::string& unit) {
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (p.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
     const std::string format = "%d" + unit;
-    if (!ImGui::SliderInt("##value", &value, lo, hi, format.c_str(), flags)) return false;
+    if (!slider("##value", ImGuiDataType_S32, &value, &lo, &hi, format.c_str(), flags)) return false;
     // Sizes are powers of two by habit: dragging finds those, typing gives any.
     if (p.logarithmic && ImGui::IsMouseDown(ImGuiMouseButton_Left) && value > 0) {
         const unsigned below = std::bit_floor(unsigned(value));
@@ -137,7 +138,7 @@ bool real(const Param& p, double& value, const std::string& unit) {
     const std::string format = "%.4g" + unit;
     if (p.slider_max > 0) {
         const ImGuiSliderFlags flags = p.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-        if (!ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &p.min, &p.slider_max, format.c_str(), flags))
+        if (!slider("##value", ImGuiDataType_Double, &value, &p.min, &p.slider_max, format.c_str(), flags))
             return false;
         value = std::clamp(value, p.min, p.max);
         return true;
@@ -149,7 +150,7 @@ bool real(const Param& p, double& value, const std::string& unit) {
     }
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (p.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-    return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &p.min, &p.max, format.c_str(), flags);
+    return slider("##value", ImGuiDataType_Double, &value, &p.min, &p.max, format.c_str(), flags);
 }
 
 /// Takes only what the row allows: what is typed or pasted beyond that changes nothing.

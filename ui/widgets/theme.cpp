@@ -92,8 +92,8 @@ void set_colours() {
     c[ImGuiCol_ScrollbarGrabHovered] = by(0.38f, 0.66f);
     c[ImGuiCol_ScrollbarGrabActive] = by(0.46f, 0.58f);
     c[ImGuiCol_CheckMark] = by(0.88f, 0.15f);
-    c[ImGuiCol_SliderGrab] = by(0.31f, 0.76f);
-    c[ImGuiCol_SliderGrabActive] = by(0.37f, 0.70f);
+    c[ImGuiCol_SliderGrab] = by(0.56f, 0.52f);
+    c[ImGuiCol_SliderGrabActive] = by(0.80f, 0.28f);
     c[ImGuiCol_Button] = by(0.205f, 0.87f);
     c[ImGuiCol_ButtonHovered] = by(0.26f, 0.84f);
     c[ImGuiCol_ButtonActive] = by(0.32f, 0.81f);
