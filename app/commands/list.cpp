@@ -42,7 +42,7 @@ Json setting_rows() {
         json["type"] = type;
         json["unit"] = p.unit;
         json["min"] = number ? Json(p.min) : Json();
-        json["max"] = number ? Json(p.max) : Json();
+        json["max"] = number || type == "text" ? Json(p.max) : Json();  // of a text bytes
         json["default"] = setting_to_json(ref, default_value(ref));
         json["choices"] = Json::array();
         if (p.choices) {
@@ -173,6 +173,7 @@ Json hard_case_rows() {
 
 std::string range_text(const Json& setting) {
     if (setting["type"] == "bool") return "true false";
+    if (setting["type"] == "text") return fmt::format("a text of at most {:g} bytes", setting["max"].get<double>());
     if (setting["type"] == "choice") {
         std::vector<std::string> keys;
         for (const Json& c : setting["choices"]) keys.push_back(c["key"]);

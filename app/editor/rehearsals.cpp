@@ -29,10 +29,10 @@ void give_way() {
 
 }  // namespace
 
-/// What a rehearsal takes place on; made when there is first one.
+/// What a rehearsal takes place on. Each has its own: programs are the driver's to keep, but llvmpipe keeps images,
+/// too, of what a context drew last, which may be maps of a gigabyte.
 struct Rehearsals::Stage {
     HeadlessContext context;
-    /// Programs are the driver's to keep; images of the last rehearsal are not.
     void play(const Rehearsal& r) {
         Renderer renderer;
         FrameRequest request = r.request;
@@ -99,11 +99,9 @@ std::unique_ptr<Rehearsal> Rehearsals::take(const std::stop_token& end) {
 
 void Rehearsals::run(const std::stop_token& end) {
     give_way();
-    std::unique_ptr<Stage> stage;
     while (const auto next = take(end)) {
         try {
-            if (!stage) stage = std::make_unique<Stage>();
-            stage->play(*next);
+            Stage().play(*next);
         } catch (const std::exception&) {
             // The frame itself will fail alike, and say why.
         }

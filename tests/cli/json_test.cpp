@@ -96,6 +96,10 @@ TEST(Lists, SettingsSayWhatTheyTake) {
     ASSERT_EQ(format["choices"].size(), 6u);
     EXPECT_EQ(format["choices"][3]["key"], "colour");
     EXPECT_EQ((*row(list, "map.reversed_z"))["type"], "bool");
+    const Json& name = *row(list, "light.name");
+    EXPECT_EQ(name["type"], "text");
+    EXPECT_EQ(name["max"], 60);
+    EXPECT_EQ(name["default"], "");
 }
 
 TEST(Lists, PrefixNarrows) {

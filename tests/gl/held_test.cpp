@@ -5,6 +5,7 @@
 #include <map>
 #include <thread>
 
+#include "app/editor/rehearsals.h"
 #include "app/sweep/measuring_thread.h"
 #include "renderer/gl/pace.h"
 #include "renderer/gl/program_cache.h"
@@ -75,6 +76,27 @@ TEST_F(HeldTest, TheDriverKeepsNoMapOfManyLayers) {
     EXPECT_GT(heap_at_rest(1024), before + (150u << 20));
     EXPECT_LT(heap_at_rest(32), before + (16u << 20));
     EXPECT_TRUE(gl::let_go_of_done_pictures()) << "not even the largest picture takes long";
+}
+
+/// Nor where it was drawn in the background, by a context of its own.
+TEST_F(HeldTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
+    if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "what others keep for later is theirs";
+    const auto scene = std::make_shared<const Scene>(load_scene("boxes"));
+    Rehearsal next{.scene = scene, .settings = settings_for(*scene, {{"map.format", "d32f"}}), .request = {}};
+    next.settings.light_count = 7;
+    for (int i = 0; i < next.settings.light_count; ++i)
+        next.settings.lights[std::size_t(i)].type = int(LightType::Point);
+    Rehearsals rehearsals;
+    const auto heap_after = [&](int resolution) {
+        next.settings.map.resolution = resolution;
+        rehearsals.foresee(next);
+        rehearsals.wait();
+        return process_memory().heap;
+    };
+    const std::uint64_t before = heap_after(32);
+    EXPECT_LT(heap_after(1024), before + (16u << 20));
+    EXPECT_GE(of("shadow maps").most, 160u << 20) << "none was drawn";
+    EXPECT_EQ(rehearsals.done(), 2u);
 }
 #endif
 
