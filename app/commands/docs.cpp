@@ -37,8 +37,10 @@ std::string setting_section(const Param& p) {
                                                             {Cost::Program, " A change compiles shaders."},
                                                             {Cost::Target, " A change allocates the maps anew."}};
     const SettingRef ref{&p, 0, p.scope == Scope::Object ? "PATH" : ""};
-    std::string text = fmt::format("\n### {}\n\n{}. Allowed: {}. Default: `{}`.{}\n\n{}\n", setting_key(ref), p.label,
-                                   allowed(ref), value_text(p, default_value(ref)), kCosts.at(p.cost), p.help);
+    const std::string preset = value_text(p, default_value(ref));
+    std::string text =
+        fmt::format("\n### {}\n\n{}. Allowed: {}. Default: {}.{}\n\n{}\n", setting_key(ref), p.label, allowed(ref),
+                    preset.empty() ? "none" : "`" + preset + "`", kCosts.at(p.cost), p.help);
     if (!p.also.empty()) text += fmt::format("\nElsewhere: {}.\n", p.also);
     if (!p.choices) return text;
     text += "\n| choice | name | meaning |\n|---|---|---|\n";

@@ -185,6 +185,7 @@ std::string range_text(const Json& setting) {
 }
 
 std::string plain(const Json& value) {
+    if (value == "") return "none";
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 

@@ -130,6 +130,25 @@ TEST(EditorEffects, AreMadeWhileThePanelIsShownOnly) {
     EXPECT_FALSE(editor.model().fulfil(editor.frame())) << "a still editor has something to draw";
 }
 
+TEST(EditorEffects, LoupeAndComparisonAreToldOfWhileTheyAreShown) {
+    HeadlessEditor editor(editor_of("boxes"));
+    EditorState& state = editor.model().state;
+    const auto state_of = [&](std::string_view name) {
+        editor.settle();
+        const Effect* e = shown_effect(editor.model().facts(), name);
+        return e ? std::optional(e->state) : std::nullopt;
+    };
+    EXPECT_EQ(state_of("panel: loupe"), EffectState::NotCalledFor);
+    EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::NotCalledFor);
+    state.against.view = AgainstView::SideBySide;
+    EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::Simulated);
+    state.against.view = AgainstView::Off;
+    EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::NotCalledFor);
+    state.probe_pixel = glm::ivec2(300, 200);
+    EXPECT_EQ(state_of("panel: loupe"), EffectState::Simulated);
+    EXPECT_EQ(state_of("panel: cross-section"), EffectState::NotCalledFor) << "its panel is hidden";
+}
+
 TEST(EditorEffects, AForcedFrameIsDrawnAnewAndLooksTheSame) {
     HeadlessEditor editor(editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true"}));
     editor.settle();
