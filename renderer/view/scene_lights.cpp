@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/base/printable.h"
 #include "renderer/settings/settings.h"
 #include "renderer/view/light_fit.h"
 
@@ -15,6 +16,7 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kMaxDistance = 1e7;  // of light.distance
 constexpr double kMaxPlace = 1e8;     // of light.target_* and light.range
+constexpr std::size_t kNameBytes = 44;  // with the last character, which may be an escape, and "…" below light.name's 60
 
 /// Where a light stands, in the terms of light.*: centre + target + distance * direction.
 struct Stand {
@@ -81,6 +83,8 @@ void suggest_lights(Scene& scene) {
             suggest(fmt::format("light.{}.{}", i, name), fmt::format("{}", value));  // the shortest text of this double
         };
         static constexpr const char* kTypes[] = {"directional", "spot", "point"};
+        // However long it is and whatever is in it, as a name that light.name takes.
+        if (!light.name.empty()) suggest(fmt::format("light.{}.name", i), printable(light.name, kNameBytes));
         suggest(fmt::format("light.{}.type", i), kTypes[std::clamp(light.type, 0, 2)]);
         const Stand stand = stand_of(light, scene);
         number("azimuth", azimuth(stand.direction));

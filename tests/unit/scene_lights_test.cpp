@@ -97,6 +97,22 @@ TEST(SceneLights, RangesComeOutAndGoRoundThroughAFile) {
     }
 }
 
+TEST(SceneLights, KeepTheirNamesWhateverIsInThem) {
+    std::vector<SceneLight> lights(5, light_of(LightType::Point, {1, 2, 3}, {0, -1, 0}));
+    lights[1].name = "Küchenlampe";
+    lights[2].name = std::string(10'000, 'n');
+    lights[3].name = "\x1b[2J\n\xff\u202e";
+    for (int i = 0; i < 43; ++i) lights[4].name += 'n';
+    lights[4].name += "\U0001f4a1\u202e\u202e";
+    Settings s;
+    apply_suggested(lit_scene(lights), s);
+    EXPECT_EQ(s.lights[0].name, "");
+    EXPECT_EQ(s.lights[1].name, "Küchenlampe");
+    EXPECT_EQ(s.lights[2].name, std::string(44, 'n') + "…");
+    EXPECT_EQ(s.lights[3].name, "\\x1b[2J\\x0a\\xff\\u202e");
+    EXPECT_TRUE(sanitise(s).empty());
+}
+
 TEST(SceneLights, TheirNumberIsBounded) {
     const Scene scene = lit_scene(std::vector<SceneLight>(20, light_of(LightType::Point, {1, 2, 3}, {0, -1, 0})));
     Settings s;
