@@ -145,8 +145,6 @@ TEST_F(FramesApart, AProbeLeavesTheFrameThatIsShownAsItIs) {
     using Ask = bool Outputs::*;
     const std::vector<std::vector<Ask>> asks = {{},
                                                 {&Outputs::health},
-                                                {&Outputs::texels_read, &Outputs::map_coordinates},
-                                                {&Outputs::shadow_map, &Outputs::overlay},
                                                 {&Outputs::visibility, &Outputs::shadow_map, &Outputs::health,
                                                  &Outputs::texels_read, &Outputs::map_coordinates, &Outputs::overlay}};
     const Scene scene = load_scene("stage");
