@@ -33,8 +33,8 @@ constexpr int kLastTold = 40;       ///< of the events before an end
 constexpr int kMostPrograms = 150;  ///< of the editor's renderers: one keeps 64, or all that its frame uses
 constexpr auto kDropped = 20s;      ///< what a drop is waited for: a modal loop of X may take none
 /// Bytes by which two rests may differ: a probe and its texels (up to 32 MiB of this map), what overlays keep (30), a
-/// picture held against another (15).
-constexpr std::uint64_t kLeftOver = 80u << 20;
+/// picture held against another (15), the truth of the last picture that asked for it with its surfaces (80).
+constexpr std::uint64_t kLeftOver = 160u << 20;
 constexpr int kEventsARest = 2000;  ///< after so many of them the editor is looked at while it rests
 /// Bytes that stay resident at rest, whatever was before: the program and its driver (some 250 MiB), 64 programs of
 /// some 4 MiB each, what is held by name, and half as much again.
