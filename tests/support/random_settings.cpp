@@ -47,7 +47,8 @@ double greatest(const Param& p) {
 }
 
 bool is_left_alone(const Param& p) {
-    return is_text(p) || p.key == "scene.index" || p.key == "scene.animation" || p.key == "scene.time" || p.key == "camera.index";
+    return is_text(p) || p.key == "scene.index" || p.key == "scene.animation" || p.key == "scene.time" ||
+           p.key == "camera.index";
 }
 
 /// @param kind 0 to 9: one end of the range, zero, or a value by chance; some zeros spare programs work

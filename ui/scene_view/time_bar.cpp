@@ -78,7 +78,7 @@ void draw_time_bar(EditorState& state, const EditorFrame& frame) {
     const double start = 0, last = std::max(end, 1e-3);
     const std::string format = fmt::format("%.2f of {:.2f} s", end);
     if (slider("##time", ImGuiDataType_Double, &scene.time, &start, &last, format.c_str(),
-                            ImGuiSliderFlags_AlwaysClamp))
+               ImGuiSliderFlags_AlwaysClamp))
         state.playback.playing = false;  // the drag that goes on is the step of undo
     if (!(end > 0)) ImGui::EndDisabled();
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
