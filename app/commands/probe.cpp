@@ -88,9 +88,7 @@ void print_amount(const char* name, const DepthAmount& a, const char* about = ""
 
 void print_dossier(const Probe::PerLight& p, const Dossier& d) {
     fmt::print("  verdict: {}\n", d.verdict);
-    if (d.remedy) {
-        fmt::print("  remedy: {} ({})\n", d.remedy->text, sets_text(d.remedy->settings));
-    }
+    if (d.remedy) fmt::print("  remedy: {} ({})\n", d.remedy->text, sets_text(d.remedy->settings));
     if (!p.casts) return;
     const BiasAccount& a = p.account;
     fmt::print("  bias\n");

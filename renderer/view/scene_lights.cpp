@@ -16,8 +16,8 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kMaxDistance = 1e7;  // of light.distance
 constexpr double kMaxPlace = 1e8;     // of light.target_* and light.range
-constexpr std::size_t kNameBytes =
-    44;  // with the last character, which may be an escape, and "…" below light.name's 60
+// With the last character, which may be an escape, and "…" below light.name's 60.
+constexpr std::size_t kNameBytes = 44;
 
 /// Where a light stands, in the terms of light.*: centre + target + distance * direction.
 struct Stand {

@@ -179,8 +179,7 @@ void draw_lights(EditorState& state, const FrameResult* result) {
         ImGui::TableSetupColumn("intensity", ImGuiTableColumnFlags_WidthFixed, em * 5.4f);
         for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) light_row(state, i);
         ImGui::EndTable();
-        const bool elsewhere = ImGui::GetIO().WantTextInput || state.flight.on || state.handle_drag ||
-                               ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+        const bool elsewhere = keys_are_taken(state) || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
         if (!elsewhere && ImGui::IsKeyPressed(kF2, false)) begin_rename(state, shown_light(s));
     }
     list_buttons(s);

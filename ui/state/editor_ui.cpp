@@ -95,11 +95,11 @@ void take_shot(EditorState& state, EditorActions& actions, Shot of) {
 // Letters and digits are looked up by their ASCII code: the window feeds codes that equal it (GLFW's do).
 void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool elsewhere = io.WantTextInput || state.flight.on || state.handle_drag;
+    const bool elsewhere = keys_are_taken(state);
     const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
     steer_flicker(state, !elsewhere && !popup && !io.KeyCtrl);
-    if (elsewhere) return;  // letters and Escape mean something else
-    if (popup) {            // keys are for it
+    if (elsewhere) return;
+    if (popup) {  // keys are for it
         if (pressed(ImGuiKey_Escape)) state.show_shortcuts = state.show_welcome = false;
         return;
     }
@@ -360,6 +360,10 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorActions& act
 }
 
 }  // namespace
+
+bool keys_are_taken(const EditorState& state) {
+    return ImGui::GetIO().WantTextInput || state.flight.on || state.handle_drag;
+}
 
 void maximise(EditorState& state, Panel panel) {
     if (state.maximised == panel)

@@ -85,6 +85,9 @@ int shown_light(const Settings& settings);
 /// The face of the shown light, clamped.
 int shown_face(const Settings& settings, const FrameResult& result);
 
+/// Letters, function keys and Escape mean something else: a text is typed, the camera flies, a handle is dragged.
+bool keys_are_taken(const EditorState& state);
+
 /// Lets the panel fill the window, or takes its place among the others again.
 void maximise(EditorState& state, Panel panel);
 
