@@ -466,6 +466,7 @@ FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, 
 
     f.geometry_key = resources.scene->key();
     f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);
+    resources.seen_objects.arrange(f);
     f.lights_key.add(resources.fit_key).add(f.map_resolution).add(request.forced.value());
     f.lights_key.add(draws_pages(f.settings)).add(page_texels(f.settings));
     add_shader_settings(f.lights_key, f.settings);

@@ -30,8 +30,15 @@ constexpr SavingRow kRows[] = {
              "its visibility."},
     {.key = "order",
      .label = "Hidden surfaces",
-     .help = "Large meshes are drawn after the small ones that they mostly lie behind, so that less of what is hidden "
-             "is shaded. The depth test finds the same surfaces in any order, unless two lie in exactly one place."},
+     .help =
+         "What is near is drawn before what it hides, so that less of that is shaded. The depth test finds the same "
+         "surfaces in any order, unless two lie in exactly one place: objects whose boxes touch keep theirs, large "
+         "meshes after small ones, whatever the camera. Forced, all are drawn in the scene's order."},
+    {.key = "in-sight",
+     .label = "Objects beside the picture",
+     .help =
+         "Objects whose box lies outside of what the camera sees are not drawn: none of their triangles would cover "
+         "a pixel."},
     {.key = "fused",
      .label = "Visibility as a pass of its own",
      .help = "The shading pass evaluates visibility itself where nothing else reads it: the same code on the same "

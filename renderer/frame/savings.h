@@ -16,7 +16,8 @@ enum class Saving {
     Blockers,   ///< searches for what casts a penumbra, where none can open
     EarlyOut,   ///< taps, where the depths about a look-up answer it
     Facing,     ///< look-ups whose light does not reach the picture
-    Order,      ///< shading of what is hidden, by drawing large meshes last
+    Order,      ///< shading of what is hidden, by drawing what is near first and what is large last
+    InSight,    ///< objects that no pixel of the picture can show
     Fused,      ///< visibility as a pass of its own, where nothing else reads it
     BackFaces,  ///< of closed casters
     Casters,    ///< of which nothing lies in a map

@@ -306,6 +306,7 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings, bool large_
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank() < b.rank(); });
     order_.clear();
+    batch_of_.clear();
     batches_.clear();
     const Entry* previous = nullptr;
     for (const Entry& e : entries) {
@@ -329,18 +330,44 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings, bool large_
             batches_.push_back(b);
         }
         order_.push_back(e.object);
+        batch_of_.push_back(std::uint32_t(batches_.size() - 1));
         previous = &e;
     }
 }
 
-void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, int slot_index) {
-    Slot& slot = slots_[std::size_t(slot_index)];
+void SceneGpu::arrange_seen(std::span<const std::uint32_t> instances) {
     Key key = arrangement_;
+    key.add(instances.size());
+    for (const std::uint32_t i : instances) key.add(i);
+    if (key.value() == seen_arrangement_.value()) return;
+    seen_arrangement_ = key;
+    seen_order_.clear();
+    seen_batches_.clear();
+    std::uint32_t previous = 0;
+    for (const std::uint32_t i : instances) {
+        const Batch& arranged = batches_[batch_of_[i]];
+        if (!seen_batches_.empty() && previous == batch_of_[i] && !arranged.blend) {
+            ++seen_batches_.back().instances;
+        } else {
+            seen_batches_.push_back(arranged);
+            seen_batches_.back().first_instance = GLuint(seen_order_.size());
+            seen_batches_.back().instances = 1;
+        }
+        seen_order_.push_back(order_[i]);
+        previous = batch_of_[i];
+    }
+}
+
+void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, Drawn drawn) {
+    Slot& slot = slots_[std::size_t(drawn)];
+    const bool seen = drawn == Drawn::Seen;
+    const std::vector<std::uint32_t>& order = seen ? seen_order_ : order_;
+    Key key = seen ? seen_arrangement_ : arrangement_;
     key.add(origin);
     if (slot.key != key.value()) {
-        std::vector<InstanceData> data(order_.size());
-        for (std::size_t i = 0; i < order_.size(); ++i) {
-            const Object& o = scene.objects[order_[i]];
+        std::vector<InstanceData> data(order.size());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const Object& o = scene.objects[order[i]];
             const Material& material = material_of(scene, scene.meshes[std::size_t(o.mesh)]);
             glm::dmat4 m = o.world;
             m[3] -= glm::dvec4(origin, 0);  // in double: what is left is small
@@ -353,25 +380,27 @@ void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dve
             const float cutoff = material.alpha == AlphaMode::Mask    ? material.alpha_cutoff
                                  : material.alpha == AlphaMode::Blend ? 0.5f
                                                                       : -1.f;
-            data[i].surface = {receives ? 1.f : 0.f, cutoff, material.unlit ? 1.f : 0.f, float(order_[i])};
+            data[i].surface = {receives ? 1.f : 0.f, cutoff, material.unlit ? 1.f : 0.f, float(order[i])};
         }
-        slot.buffer = gl::Buffer::create(slot_index == 0 ? "instances for the camera" : "instances for the lights");
+        slot.buffer = gl::Buffer::create(seen                      ? "instances for the camera"
+                                         : drawn == Drawn::Casters ? "instances for the lights"
+                                                                   : "instances for shadow volumes");
         store(slot.buffer, "matrices of objects", data);
         slot.key = key.value();
     }
     glBindVertexArray(vao_.id());
-    glVertexArrayElementBuffer(vao_.id(), slot_index == 0 ? faced_indices_.id() : indices_.id());
+    glVertexArrayElementBuffer(vao_.id(), seen ? faced_indices_.id() : indices_.id());
     glVertexArrayVertexBuffer(vao_.id(), 3, slot.buffer.id(), 0, sizeof(InstanceData));
 }
 
-void SceneGpu::lend_transforms(GLuint vao, GLuint binding, int slot) const {
+void SceneGpu::lend_transforms(GLuint vao, GLuint binding, Drawn drawn) const {
     for (GLuint row = 0; row < 3; ++row) {
         glEnableVertexArrayAttrib(vao, 4 + row);
         glVertexArrayAttribFormat(vao, 4 + row, 4, GL_FLOAT, GL_FALSE, row * 16);
         glVertexArrayAttribBinding(vao, 4 + row, binding);
     }
     glVertexArrayBindingDivisor(vao, binding, 1);
-    glVertexArrayVertexBuffer(vao, binding, slots_[std::size_t(slot)].buffer.id(), 0, sizeof(InstanceData));
+    glVertexArrayVertexBuffer(vao, binding, slots_[std::size_t(drawn)].buffer.id(), 0, sizeof(InstanceData));
 }
 
 void SceneGpu::draw(const Batch& b) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "renderer/base/key.h"
@@ -44,19 +45,26 @@ public:
     /// @param large_last see Saving::Order; else meshes are drawn in the scene's order
     void arrange(const Scene& scene, const Settings& settings, bool large_last = true);
     const std::vector<Batch>& batches() const { return batches_; }
+    /// Has the camera draw some of the arranged instances, in another order. @param instances their numbers
+    void arrange_seen(std::span<const std::uint32_t> instances);
+    const std::vector<Batch>& seen_batches() const { return seen_batches_; }
     /// Whether vertices bring colours (define VERTEX_COLOURS); else each object has one.
     bool coloured() const { return bool(colours_); }
     /// Key of the arrangement: scene, casts, culls, receives.
     const Key& key() const { return arrangement_; }
 
-    /// Binds the vertex array with instance transforms relative to `origin`. Slot 0 is the camera's, whose triangles
-    /// bring their normals, 1 the lights'.
-    void bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, int slot);
+    /// Whose instances and transforms: the camera's are those of seen_batches(), and its triangles bring their normals;
+    /// lights and shadow volumes have all that are arranged, each from an origin of its own.
+    enum class Drawn { Seen, Casters, Volumes };
+    /// Binds the vertex array with instance transforms relative to `origin`.
+    void bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, Drawn drawn);
     void draw(const Batch& batch) const;
-    /// The number in Scene::objects of each instance, in the order of the transforms.
+    /// The number in Scene::objects of each arranged instance.
     const std::vector<std::uint32_t>& instance_objects() const { return order_; }
-    /// Has another vertex array read a slot's transforms as bind() laid them out last: rows at locations 4 to 6.
-    void lend_transforms(GLuint vao, GLuint binding, int slot) const;
+    /// Of each arranged instance the number of its batch.
+    const std::vector<std::uint32_t>& instance_batches() const { return batch_of_; }
+    /// Has another vertex array read transforms as bind() laid them out last: rows at locations 4 to 6.
+    void lend_transforms(GLuint vao, GLuint binding, Drawn drawn) const;
 
 private:
     std::uint64_t scene_id_ = 0;
@@ -79,15 +87,18 @@ private:
         std::size_t source(std::size_t own, std::size_t i) const { return i < own ? i : copies[i - own]; }
     };
     std::vector<MeshRange> ranges_;
-    std::vector<Bodies> bodies_;        // by mesh
-    std::vector<std::uint32_t> order_;  // objects in instance order
+    std::vector<Bodies> bodies_;           // by mesh
+    std::vector<std::uint32_t> order_;     // objects in instance order
+    std::vector<std::uint32_t> batch_of_;  // by instance
     std::vector<Batch> batches_;
-    Key arrangement_;
+    std::vector<std::uint32_t> seen_order_;  // objects as the camera draws them
+    std::vector<Batch> seen_batches_;
+    Key arrangement_, seen_arrangement_;
     struct Slot {
         gl::Buffer buffer;
         std::uint64_t key = 0;
     };
-    std::array<Slot, 2> slots_;
+    std::array<Slot, 3> slots_;  // by Drawn
 
     void find_bodies_of(const Scene& scene);
     void upload_geometry(const Scene& scene);

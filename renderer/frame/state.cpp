@@ -140,9 +140,9 @@ void FrameState::bind_textures(const Batch& batch) const {
 
 void FrameState::draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra,
                                   PassInfo& info) const {
-    gl.scene->bind(scene, settings, origin, 0);
+    gl.scene->bind(scene, settings, origin, SceneGpu::Drawn::Seen);
     const Batch* previous = nullptr;
-    for (const Batch& batch : gl.scene->batches()) {
+    for (const Batch& batch : gl.scene->seen_batches()) {
         if (batch.blend) continue;
         if (!previous || previous->masked != batch.masked || !previous->texture != !batch.texture ||
             !previous->normal_texture != !batch.normal_texture || previous->tangents != batch.tangents ||

@@ -16,6 +16,7 @@
 #include "renderer/frame/plan.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/frame/scene_gpu.h"
+#include "renderer/frame/seen_objects.h"
 #include "renderer/frame/value_range.h"
 #include "renderer/gl/debug.h"
 #include "renderer/gl/program_cache.h"
@@ -46,6 +47,7 @@ struct Resources {
     gl::VertexArray empty_vao;
     gl::Sampler map_nearest, map_compare, map_blended;
     std::unique_ptr<SceneGpu> scene;
+    SeenObjects seen_objects;
     Owned owned;  ///< what single passes keep
     PlacedLights placed;
     std::vector<FittedLight> as_placed;  ///< fitted without a camera

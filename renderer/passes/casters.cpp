@@ -384,7 +384,7 @@ SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& 
     else
         set_raster_bias(f, convention.reversed);
     if (view.clamps_near) glEnable(GL_DEPTH_CLAMP);
-    f.gl.scene->bind(f.scene, f.settings, view.origin, 1);
+    f.gl.scene->bind(f.scene, f.settings, view.origin, SceneGpu::Drawn::Casters);
     // Beyond the range lies what a near plane flattens, and what is moved there.
     const bool strays = !view.clamps_near && (view.unfiltered || !offsets_polygons(f.settings));
     CasterPrograms programs(f, view, strays);

@@ -19,7 +19,7 @@ constexpr glm::vec4 kBackground(0.155f, 0.165f, 0.185f, 1.f);  // sRGB; calm, da
 
 void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo& info) {
     std::vector<const Batch*> batches;
-    for (const Batch& b : f.gl.scene->batches())
+    for (const Batch& b : f.gl.scene->seen_batches())
         if (b.blend) batches.push_back(&b);
     if (batches.empty()) return;
     const glm::dvec3 forward = -f.camera.axes[2];
@@ -27,7 +27,7 @@ void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo
         return glm::dot(a->centre_ws - f.camera.eye, forward) > glm::dot(b->centre_ws - f.camera.eye, forward);
     });
     defines.push_back({"BLEND", "1"});
-    f.gl.scene->bind(f.scene, f.settings, f.origin, 0);
+    f.gl.scene->bind(f.scene, f.settings, f.origin, SceneGpu::Drawn::Seen);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
@@ -86,6 +86,20 @@ void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& in
     CameraPass pass(f, "shaded picture", GL_RGBA8, target);  // whose framebuffer is drawn into
     pass.clear(kBackground);
     shade(f, separate, info);
+}
+
+/// The objects that are not drawn.
+PartInfo beside_part(const FrameState& f) {
+    const std::size_t count = f.gl.seen_objects.left_out();
+    PartInfo part{.name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Saving::InSight};
+    if (f.request.forced.contains(Saving::InSight))
+        part.state = PassState::Ran, part.reason = "all objects are drawn, wherever they lie, which is forced";
+    else if (count == 0)
+        part.reason = "there are none: the box of each object lies in what the camera sees";
+    else
+        part.reason = fmt::format("{} object{} not drawn: no pixel can show {}", count, count == 1 ? " is" : "s are",
+                                  count == 1 ? "it" : "them");
+    return part;
 }
 
 struct SmoothTargets {
@@ -214,7 +228,10 @@ void add_shade_pass(FrameState& f) {
     pass.key = f.with_settings(f.lighting_key(), ReadBy::Shading).add(f.separate_visibility).value();
     pass.cached = &picture.key;
     const std::uint64_t key = pass.key;
-    pass.run = [&f, &picture](PassInfo& info) { draw_picture(f, picture, f.separate_visibility, info); };
+    pass.run = [&f, &picture](PassInfo& info) {
+        draw_picture(f, picture, f.separate_visibility, info);
+        info.parts.push_back(beside_part(f));
+    };
     f.plan.add(std::move(pass));
     add_smooth_pass(f, key);
 }

@@ -196,8 +196,8 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
                         GLsizeiptr(light.indices.size() * sizeof(std::uint32_t)), light.indices.data(), GL_STATIC_DRAW);
         light.uploaded = light.shape;
     }
-    f.gl.scene->bind(f.scene, f.settings, f.origin, 0);
-    f.gl.scene->lend_transforms(vao_.id(), kTransformBinding, 0);
+    f.gl.scene->bind(f.scene, f.settings, f.origin, SceneGpu::Drawn::Volumes);
+    f.gl.scene->lend_transforms(vao_.id(), kTransformBinding, SceneGpu::Drawn::Volumes);
     glVertexArrayElementBuffer(vao_.id(), light.buffer.id());
     glBindVertexArray(vao_.id());
 

@@ -43,6 +43,34 @@ protected:
     }
 };
 
+/// Plates before one another in a row along the view, each wider than the one before it, in the order `near_first`
+/// says.
+Scene row_of_plates(int count, bool near_first) {
+    Scene scene;
+    const int mesh = add_mesh(scene, "plate", make_plane(1, 1), add_material(scene, "grey", glm::vec3(0.5f)));
+    for (int i = 0; i < count; ++i) {
+        const int place = near_first ? i : count - 1 - i;
+        add_object(scene, "plate " + std::to_string(i), -1, mesh,
+                   moved(0, -place, 0) * glm::scale(glm::dmat4(1.0), glm::dvec3(2.0 + place)));
+    }
+    finalise(scene);
+    return scene;
+}
+
+const Sets kFromAbove = {
+    {"camera.source", "manual"}, {"camera.elevation", "89.9"}, {"camera.distance", "20"}, {"light.cast", "false"}};
+
+TEST_F(ShadingSavingsTest, WhatIsNearIsDrawnBeforeWhatItHides) {
+    const Scene far_first = row_of_plates(8, false);
+    const Settings s = settings_for(far_first, kFromAbove);
+    const std::uint64_t spared = written_fragments(far_first, s, {}),
+                        forced = written_fragments(far_first, s, {Saving::Order}),
+                        least = written_fragments(row_of_plates(8, true), s, {Saving::Order});
+    EXPECT_GT(least, 2000u);
+    EXPECT_EQ(spared, least) << "each pixel is shaded once";
+    EXPECT_GT(forced, 2 * spared);
+}
+
 TEST_F(ShadingSavingsTest, LargeMeshesLastShadeLessOfWhatIsHidden) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
     const Settings s = settings_for(scene, {{"light.cast", "false"}});
@@ -57,6 +85,70 @@ TEST_F(ShadingSavingsTest, OrderLeavesThePictureAlone) {
     forced.forced = {Saving::Order};
     const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
     EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u);
+}
+
+/// A plate, and a small one to its side.
+Mesh plates(double aside) {
+    Mesh mesh = make_plane(2, 2);
+    append(mesh, transformed(make_plane(0.2, 0.2), moved(aside, 0, 0)));
+    return mesh;
+}
+
+TEST_F(ShadingSavingsTest, OfPlatesInOnePlaceOneWinsFromEverySide) {
+    Scene scene;
+    const int red = add_material(scene, "red", {0.8f, 0.1f, 0.1f}),
+              green = add_material(scene, "green", {0.1f, 0.8f, 0.1f});
+    // From one side the one is the farther, from the other side the other.
+    add_object(scene, "a", -1, add_mesh(scene, "a", plates(-3), red));
+    add_object(scene, "b", -1, add_mesh(scene, "b", plates(3), green));
+    finalise(scene);
+    for (const char* azimuth : {"0", "90", "180", "270"}) {
+        const Settings s = settings_for(scene, {{"camera.source", "manual"},
+                                                {"camera.azimuth", azimuth},
+                                                {"camera.elevation", "40"},
+                                                {"camera.distance", "9"},
+                                                {"light.cast", "false"}});
+        const ByteImage seen = picture(scene, s);
+        std::size_t reds = 0, greens = 0;
+        for (std::size_t i = 0; i < seen.data.size(); i += 4) {
+            reds += seen.data[i] > 2 * seen.data[i + 1];
+            greens += seen.data[i + 1] > 2 * seen.data[i];
+        }
+        EXPECT_GT(reds, 5u) << azimuth << ": the small one";
+        EXPECT_GT(greens, 20 * reds) << azimuth << ": of the large ones the one that is drawn last";
+    }
+}
+
+TEST_F(ShadingSavingsTest, ObjectsBesideThePictureAreNotDrawn) {
+    Scene scene;
+    const int mesh = add_mesh(scene, "ball", make_sphere(0.5, 16, 8), add_material(scene, "grey", glm::vec3(0.5f)));
+    for (int x = -20; x <= 20; ++x) add_object(scene, "ball " + std::to_string(x), -1, mesh, moved(2 * x, 0, 0));
+    finalise(scene);
+    for (const char* orthographic : {"false", "true"})
+        for (const char* target : {"0", "-38", "400"}) {
+            const Settings s = settings_for(scene, {{"camera.source", "manual"},
+                                                    {"camera.orthographic", orthographic},
+                                                    {"camera.target_x", target},
+                                                    {"camera.distance", "12"},
+                                                    {"camera.height", "6"},
+                                                    {"light.cast", "false"}});
+            FrameRequest request = small();
+            request.force = true;
+            const FrameResult saved = renderer.render(scene, s, request);
+            const PassInfo shading = *saved.pass("shading (with visibility)");
+            const ByteImage seen = renderer.read_colour(saved.colour);
+            request.forced = {Saving::InSight};
+            const FrameResult forced = renderer.render(scene, s, request);
+            const std::string what = std::string(orthographic) + " " + target;
+            EXPECT_EQ(different_pixels(seen, renderer.read_colour(forced.colour)), 0u) << what;
+            ASSERT_EQ(shading.parts.size(), 1u);
+            const std::uint64_t left_out = shading.parts[0].left_out;
+            EXPECT_EQ(shading.parts[0].by, Saving::InSight);
+            EXPECT_GE(left_out, std::string(target) == "400" ? 41u : 20u) << what;
+            EXPECT_LE(left_out, std::string(target) == "400" ? 41u : 38u) << what;
+            const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
+            EXPECT_EQ(forced.pass("shading (with visibility)")->triangles, shading.triangles + left_out * ball) << what;
+        }
 }
 
 TEST_F(ShadingSavingsTest, FusedVisibilityDrawsTheSceneOnce) {
