@@ -57,8 +57,11 @@ Scene row_of_plates(int count, bool near_first) {
     return scene;
 }
 
-const Sets kFromAbove = {
-    {"camera.source", "manual"}, {"camera.elevation", "89.9"}, {"camera.distance", "20"}, {"light.cast", "false"}};
+const Sets kFromAbove = {{"camera.source", "manual"},
+                         {"camera.elevation", "89.9"},
+                         {"camera.distance", "20"},
+                         {"light.cast", "false"},
+                         {"shading.sky", "plain"}};
 
 TEST_F(ShadingSavingsTest, WhatIsNearIsDrawnBeforeWhatItHides) {
     const Scene far_first = row_of_plates(8, false);
