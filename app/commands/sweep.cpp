@@ -109,7 +109,13 @@ void run_sweep(const SweepOptions& options) {
 void run_merge(const MergeOptions& options) {
     const fs::path folder = options.folder;
     std::vector<std::pair<std::string, SweepState>> parts;
-    for (const std::string& part : options.parts) parts.emplace_back(part, read_journal(part));
+    for (const std::string& part : options.parts) {
+        std::error_code ignored;
+        if (fs::equivalent(part, folder, ignored))
+            throw UsageError(fmt::format("{}: is a part, and would be the whole, too; name another folder with -o",
+                                         folder.string()));
+        parts.emplace_back(part, read_journal(part));
+    }
     SweepState merged = merge_sweeps(parts);
     const SweepSpec spec = spec_from_json(merged.spec);
     const SweepPlan plan = plan_sweep(spec.base, spec.axes);

@@ -28,11 +28,17 @@ struct PixelFacts {
     bool receives() const { return (std::uint32_t(values[1].w) & 1) != 0; }
 };
 
+/// A pixel, and by how much what is drawn of it is shifted: see settle().
+struct BlockPlace {
+    int x = 0, y_bottom = 0;
+    glm::vec2 shift{0};  ///< pixels
+};
+
 /// The 2x2 block that holds a pixel, so that derivatives are those of the whole picture.
 template <std::size_t Count>
 class Block {
 public:
-    Block(FrameState& f, int x, int y_bottom) : f_(f), x_(x), y_(y_bottom) {
+    Block(FrameState& f, const BlockPlace& at) : f_(f), x_(at.x), y_(at.y_bottom) {
         for (gl::Target& t : targets_) t.ensure("probe", GL_RGBA32F, 2, 2);
         depth_.ensure("probe depth", GL_DEPTH_COMPONENT32F, 2, 2);
         framebuffer_ = gl::make_framebuffer("probe", targets_, depth_);
@@ -40,7 +46,8 @@ public:
         f.bind(lookup_reads(f));
         const float far_depth = float(f.camera.curve.convention.far_depth());
         glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_depth);
-        glViewport(-(x & ~1), -(y_bottom & ~1), f.request.width, f.request.height);
+        glViewportIndexedf(0, float(-(x_ & ~1)) + at.shift.x, float(-(y_ & ~1)) + at.shift.y, float(f.request.width),
+                           float(f.request.height));
         const glm::vec4 nothing(0);
         for (GLint i = 0; i < GLint(Count); ++i) glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, i, &nothing.x);
     }
@@ -60,8 +67,8 @@ private:
     gl::Framebuffer framebuffer_;
 };
 
-PixelFacts draw_pixel(FrameState& f, int x, int y_bottom, int light) {
-    const Block<4> block(f, x, y_bottom);
+PixelFacts draw_pixel(FrameState& f, const BlockPlace& at, int light) {
+    const Block<4> block(f, at);
     PassInfo info;
     f.surface_flags = true;  // the object's number is asked for
     f.draw_from_camera("passes/probe.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);
@@ -75,7 +82,7 @@ struct SeenPixel {
     Block<kSeenImages> block;
     glm::ivec2 at;  ///< in the block
 
-    SeenPixel(FrameState& f, int x, int y_bottom) : block(f, x, y_bottom), at(x & 1, y_bottom & 1) {
+    SeenPixel(FrameState& f, const BlockPlace& place) : block(f, place), at(place.x & 1, place.y_bottom & 1) {
         PassInfo info;
         f.draw_from_camera("passes/seen_surfaces.frag.glsl", {}, info);
     }
@@ -144,14 +151,30 @@ KernelFacts draw_kernel_facts(FrameState& f, const SeenPixel& seen, int light) {
     return facts;
 }
 
-CauseEvidence draw_trials(FrameState& f, int x, int y_bottom, int light) {
-    const Block<kEvidenceImages> block(f, x, y_bottom);
+CauseEvidence draw_trials(FrameState& f, const BlockPlace& at, int light) {
+    const Block<kEvidenceImages> block(f, at);
     f.bind({Result::UnfilteredMap});
     PassInfo info;
     draw_evidence(f, light, false, info);
     std::array<glm::vec4, kEvidenceImages> values;
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = block.value(i);
     return std::bit_cast<CauseEvidence>(values);
+}
+
+/// A pixel's surface as the picture shows it, for light 0; and where to draw its block so that it shows that. A
+/// triangle seen edge-on covers a pixel only by how its corners are rounded, to 1/256 pixel, and in a block they are
+/// rounded otherwise: then parts of that are tried. Where none helps, the block shows what lies behind.
+PixelFacts settle(FrameState& f, const glm::uvec2& shown, BlockPlace& at) {
+    constexpr int kTries = 64;
+    const PixelFacts unshifted = draw_pixel(f, at, 0);
+    if (unshifted.id() == shown) return unshifted;
+    for (int i = 1; i <= kTries; ++i) {
+        BlockPlace tried = at;
+        // Spread evenly (Roberts' R2 sequence).
+        tried.shift = (glm::fract(glm::vec2(0.7548777f, 0.5698403f) * float(i)) - 0.5f) / 128.f;
+        if (const PixelFacts facts = draw_pixel(f, tried, 0); facts.id() == shown) return at = tried, facts;
+    }
+    return unshifted;
 }
 
 /// @param[out] at where its top left pixel is
@@ -190,9 +213,13 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     out.map_resolution = f.map_resolution;
     out.around = part_of(ids, {x, y}, out.around_at);
     const int y_bottom = request.height - 1 - y;
+    const glm::uvec2 shown = ids.data[std::size_t(y) * std::size_t(ids.width) + std::size_t(x)];
+    if (shown.x == 0) return out;
+    BlockPlace place{x, y_bottom};
+    const PixelFacts first = settle(f, shown, place);
     std::optional<SeenPixel> seen;
     for (std::size_t i = 0; i < std::max<std::size_t>(f.gl.fitted.size(), 1); ++i) {
-        const PixelFacts facts = draw_pixel(f, x, y_bottom, int(i));
+        const PixelFacts facts = i == 0 ? first : draw_pixel(f, place, int(i));
         out.hit = facts.hit();
         if (!out.hit) return out;
         out.position_ws = glm::dvec3(facts.values[0]) + f.origin;
@@ -222,12 +249,12 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                                                                          : out.normal_ws;
         pixel.point.origin_ws = f.origin;
         if (f.gl.fitted[i].casts) {
-            if (!seen) seen.emplace(f, x, y_bottom);
+            if (!seen) seen.emplace(f, place);
             pixel.taps = draw_taps(f, *seen, int(i));
             pixel.kernel = draw_kernel_facts(f, *seen, int(i));
         }
         out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
-        out.lights.back().evidence = draw_trials(f, x, y_bottom, int(i));
+        out.lights.back().evidence = draw_trials(f, place, int(i));
         out.lights.back().causes = cause_context(f.settings, f.gl.fitted[i], f.map_resolution, f.mask_levels);
     }
     return out;

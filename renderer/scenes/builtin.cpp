@@ -7,6 +7,7 @@
 
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
+#include "renderer/base/printable.h"
 #include "renderer/scenes/hard_cases.h"
 #include "renderer/scenes/makers.h"
 #include "renderer/settings/param.h"
@@ -64,7 +65,7 @@ Scene load_scene(std::string_view name_or_path, const GltfOptions& options) {
     if (extension == ".gltf" || extension == ".glb") return load_gltf(path, options);
     throw UsageError(
         fmt::format("no scene '{}': there is no built-in one of that name, and files end in .gltf or .glb{}",
-                    name_or_path, did_you_mean(nearest_name(name_or_path, keys))));
+                    printable(name_or_path), did_you_mean(nearest_name(name_or_path, keys))));
 }
 
 }  // namespace si

@@ -12,7 +12,9 @@ flat in vec3 face_normal;
 
 Surface make_surface() {
     Surface s;
-    s.position = position_rel;
+    // Seen edge-on a triangle covers a pixel by rounding alone, and a rasteriser may find no place for it: then any,
+    // so that all that follows is a number, and the same one in every pass.
+    s.position = abs(position_rel.x) < 1e30 ? position_rel : face_normal;
     s.pixel = gl_FragCoord.xy + frame_pixel().xy;
 #ifdef SURFACE_FLAGS
     s.receives = surface.x > 0.5;
@@ -20,12 +22,12 @@ Surface make_surface() {
     s.receives = true;
 #endif
 #if BIAS_BY_DERIVATIVES
-    s.step_x = dFdx(position_rel), s.step_y = dFdy(position_rel);
+    s.step_x = dFdx(s.position), s.step_y = dFdy(s.position);
 #endif
 #if CAMERA_PARALLEL
     s.to_eye = -frame.forward.xyz;
 #else
-    s.to_eye = normalize(frame_eye().xyz - position_rel);
+    s.to_eye = normalize(frame_eye().xyz - s.position);
 #endif
     s.geometric = face_normal;
     bool turned_away = dot(normal_ws, face_normal) < 0.0;

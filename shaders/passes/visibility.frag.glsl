@@ -10,9 +10,5 @@ void main() {
 #ifdef MASKED
     if (masked_out()) discard;
 #endif
-    Surface s = make_surface();
-    // Seen edge-on a triangle covers a pixel by rounding alone, and a rasteriser may find no place for it: then lit.
-    vec3 far = abs(s.position);
-    bool somewhere = far.x + far.y + far.z < 1e30;
-    visibility_out = somewhere ? source_visibility(s, LIGHT_INDEX) : 1.0;
+    visibility_out = source_visibility(make_surface(), LIGHT_INDEX);
 }

@@ -36,6 +36,7 @@ TEST_P(Mistakes, AreOneLine) {
     EXPECT_EQ(r.out, "");
     EXPECT_TRUE(r.err.starts_with("shadow-inspector: ")) << r.err;
     EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+    EXPECT_LT(r.err.size(), 1500u) << r.err;
     EXPECT_NE(r.err.find(GetParam().mentions), std::string::npos) << r.err;
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), before) << "a file was left";
 }
@@ -105,6 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"unlike", {"render", "boxes", "-o", "a.png", "--set", "qqqq=1"}, 2, "\"qqqq\": unknown setting\n"},
         Mistake{"group", {"render", "boxes", "-o", "a.png", "--set", "filter=1"}, 2, "did you mean filter.kernel?"},
         Mistake{"scene", {"render", "boxs", "-o", "a.png"}, 2, "did you mean boxes?"},
+        Mistake{"scene_of_great_length", {"render", std::string(5000, 'a'), "-o", "a.png"}, 2, "aaaa\u2026'"},
         Mistake{"preset_name", {"render", "boxes", "-o", "a.png", "--preset", "acn"}, 2, "did you mean acne?"},
         Mistake{
             "preset_scene", {"preset", "check", "lost.json"}, 1, "lost.json: its scene: gone.glb: cannot be opened"},

@@ -316,6 +316,11 @@ TEST(SweepCommand, ShardsMergeIntoTheWholeWithParallel) {
     EXPECT_EQ(results_of(folder / "merged")["rounds"], 2);
     EXPECT_EQ(results_of(folder / "merged")["rows"][3]["error"], whole["rows"][3]["error"]);
     EXPECT_EQ(run_program(sweep_of("part-1", {"--shard", "2/3"}), folder).code, 1) << "another shard's folder";
+    // Begun anew, the whole would take a part's pictures away.
+    const ProcessResult own = run_program({"merge", "part-1", "part-2", "-o", "./part-2", "--fresh"}, folder);
+    EXPECT_EQ(own.code, 2) << own.err;
+    EXPECT_NE(own.err.find("./part-2: is a part"), std::string::npos) << own.err;
+    EXPECT_TRUE(fs::exists(folder / "part-2" / kJournalFile));
     ASSERT_EQ(run_program(sweep_of("other", {"--no-time", "--set", "bias.slope=1"}), folder).code, 0);
     EXPECT_EQ(run_program({"merge", "part-1", "other", "-o", "wrong"}, folder).code, 1);
     EXPECT_FALSE(fs::exists(folder / "wrong"));

@@ -152,5 +152,69 @@ TEST_F(SurfaceIdsTest, TruthAndShadowMapHoldTheSameTriangles) {
         }
 }
 
+/// The stage from exactly above, where pickets and walls are seen edge-on and cover pixels by rounding alone.
+Settings stage_from_above(const Scene& scene, int turn) {
+    Settings s = settings_for(scene, {{"map.resolution", "256"},
+                                      {"light.azimuth", "116"},
+                                      {"light.elevation", "25"},
+                                      {"camera.source", "manual"},
+                                      {"camera.target_x", "-0.23797406781627828"},
+                                      {"camera.target_y", "-0.16742197011035742"},
+                                      {"camera.target_z", "-2.2264730011999188"},
+                                      {"camera.azimuth", "83.80000000000001"},
+                                      {"camera.elevation", "90"},
+                                      {"camera.roll", "-164.22600139226103"},
+                                      {"camera.distance", "37.123769102030515"},
+                                      {"camera.orthographic", "true"},
+                                      {"camera.height", "14.140426469191436"}});
+    s.camera.roll += 45 * turn, s.camera.target_x += 0.01 * turn;
+    return s;
+}
+
+/// Pixels that show a triangle whose plane the camera lies in, as near as single precision has it.
+std::vector<glm::ivec2> seen_edge_on(const Scene& scene, const Settings& s, const SurfaceIds& ids, const Camera& c) {
+    const TruthGeometry geometry(scene, s);
+    std::vector<glm::ivec2> out;
+    for (int y = 0; y < ids.height; ++y)
+        for (int x = 0; x < ids.width; ++x) {
+            const glm::uvec2 id = ids.data[std::size_t(y * ids.width + x)];
+            if (id.x == 0) continue;
+            const TriangleWs t = geometry.triangle(id.x - 1, id.y);
+            const glm::dvec3 normal = glm::normalize(glm::cross(t.b - t.a, t.c - t.a));
+            if (std::abs(glm::dot(normal, c.axes[2])) < 1e-7) out.push_back({x, y});
+        }
+    return out;
+}
+
+// Where rounding alone has a triangle cover a pixel, a rasteriser may find no place for it. What follows is a number
+// all the same, and that of the fused pass the one of visibility drawn apart.
+TEST_F(SurfaceIdsTest, WhatIsSeenEdgeOnIsShadedAndProbed) {
+    const Scene scene = load_scene("stage");
+    std::size_t met = 0;
+    for (const int turn : {0, 4}) {
+        const Settings s = stage_from_above(scene, turn);
+        const SurfaceIds ids = draw(scene, s, 295, 332);
+        FrameRequest request{.width = ids.width, .height = ids.height};
+        const ByteImage fused = renderer.read_colour(renderer.render(scene, s, request).colour);
+        request.outputs.visibility = true;
+        const ByteImage apart = renderer.read_colour(renderer.render(scene, s, request).colour);
+        for (const glm::ivec2& at : seen_edge_on(scene, s, ids, frame.camera)) {
+            ++met;
+            SCOPED_TRACE(testing::Message() << "turn " << turn << ", pixel " << at.x << ", " << at.y);
+            const std::size_t i = std::size_t(at.y * ids.width + at.x);
+            int brightness = 0, off = 0;
+            for (std::size_t c = 4 * i; c < 4 * i + 3; ++c)
+                brightness += fused.data[c], off = std::max(off, std::abs(int(fused.data[c]) - int(apart.data[c])));
+            EXPECT_GT(brightness, 0) << "what is no number is drawn black";
+            EXPECT_LE(off, 1) << "fused and apart";
+            const Probe probe = renderer.probe(scene, s, request, at.x, at.y);
+            EXPECT_TRUE(probe.hit);
+            EXPECT_EQ(probe.id, ids.data[i]) << "the probe names another surface than the picture";
+            EXPECT_TRUE(std::isfinite(glm::length(probe.position_ws)));
+        }
+    }
+    EXPECT_GT(met, 0u);
+}
+
 }  // namespace
 }  // namespace si

@@ -182,8 +182,10 @@ INSTANTIATE_TEST_SUITE_P(All, HardCase36Everywhere, testing::Values(LightType::D
 // Vertices that are themselves far away are rounded as they are baked. Less the shift, the very numbers that are left
 // stand below a node that brings them back: that scene and the baked one are the same geometry.
 TEST(HardCase10Baked, VerticesFarAwayAreTheirOwnRoundedGeometry) {
-    for (const glm::dvec3& at :
-         {glm::dvec3(70.3, -13.7, 70.1), {-7071.3, 130.7, 7071.1}, {70710.3, -1300.7, -70710.1}}) {
+    for (const glm::dvec3& at : {glm::dvec3(70.3, -13.7, 70.1),
+                                 {-7071.3, 130.7, 7071.1},
+                                 {70710.3, -1300.7, -70710.1},
+                                 {707106.3, -1300.7, -707108.1}}) {
         SCOPED_TRACE(at.x);
         Scene baked = solid_scene(), placed = solid_scene();
         const glm::dvec3 whole = glm::round(at / 1024.0) * 1024.0;

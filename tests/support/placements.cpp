@@ -19,7 +19,8 @@ constexpr Distance kDistances[] = {{"home"},
                                    {"1000 km", {707106.3, -1300.7, -707108.1}},
                                    {"10000 km", {-7071067.3, 13000.7, -7071063.9}},
                                    {"1024 m", {1024, -2048, 512}, true},
-                                   {"1048576 m", {1048576, 524288, -1048576}, true}};
+                                   {"1048576 m", {1048576, 524288, -1048576}, true},
+                                   {"8388608 m", {-8388608, 4194304, 8388608}, true}};
 constexpr Scale kScales[] = {{"as it is"},          {"x 0.001", 1e-3},  {"x 0.1", 0.1},
                              {"x 1000", 1e3},       {"x 1000000", 1e6}, {"x 1/1024", 1.0 / 1024, true},
                              {"x 1024", 1024, true}};
@@ -73,6 +74,13 @@ std::vector<Placement> one_by_one() {
     for (std::size_t i = 1; i < std::size(kScales); ++i) out.push_back({.scale = i});
     for (std::size_t i = 1; i < std::size(kLights); ++i) out.push_back({.distance = 5, .light = i});
     out.push_back({.light = 8, .mirrored = true});
+    return out;
+}
+
+std::vector<Placement> exact_placements() {
+    std::vector<Placement> out;
+    for (const Placement& p : all_placements())
+        if (p.light == 0 && p.exact()) out.push_back(p);
     return out;
 }
 

@@ -51,6 +51,8 @@ struct Placement {
 
 /// Each row of each factor with the others as they are at home.
 std::vector<Placement> one_by_one();
+/// Those that round nothing, under a case's own light.
+std::vector<Placement> exact_placements();
 /// All of them.
 std::vector<Placement> all_placements();
 
