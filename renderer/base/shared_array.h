@@ -39,7 +39,6 @@ public:
     bool empty() const { return all().empty(); }
     const T* data() const { return all().data(); }
     const T& operator[](std::size_t i) const { return all()[i]; }
-    const T& at(std::size_t i) const { return all().at(i); }  ///< @throws std::out_of_range
     const T& front() const { return all().front(); }
     const T& back() const { return all().back(); }
     auto begin() const { return all().begin(); }

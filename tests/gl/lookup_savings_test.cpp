@@ -1,5 +1,6 @@
 // What look-ups in maps save: the same bytes with it forced, and fewer texels fetched, as the overlay `taps` counts
 // them.
+#include <algorithm>
 #include <numeric>
 
 #include "renderer/measure/saved.h"

@@ -360,7 +360,8 @@ TEST_F(RestingSavingsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
 TEST_F(RestingSavingsTest, AreMeasuredWhereSomethingMovesAndNowhereElse) {
     const Scene moving = animated_ball(), still = many_balls();
     const auto measured = [&](const Scene& scene, const Settings& s) {
-        const FrameResult frame = renderer.render(scene, s, asked());
+        Renderer anew;  // that has seen nothing move
+        const FrameResult frame = anew.render(scene, s, asked());
         const std::vector<Effect> effects = frame_effects(scene, s, frame);
         const auto told =
             std::ranges::find_if(effects, [](const Effect& e) { return e.saving == Saving::Resting && !e.part; });
@@ -368,7 +369,7 @@ TEST_F(RestingSavingsTest, AreMeasuredWhereSomethingMovesAndNowhereElse) {
         if (told == effects.end()) return std::pair(Effect{}, std::optional<Spread>());
         const std::vector<Saving> named = named_savings(effects);
         EXPECT_TRUE(std::ranges::count(named, Saving::Resting) == 1);
-        const SavedTimes times = measure_saved(renderer, scene, s, asked(), named, 5);
+        const SavedTimes times = measure_saved(anew, scene, s, asked(), named, 5);
         const Spread* ms = times.of(*told);
         return std::pair(*told, ms ? std::optional(*ms) : std::nullopt);
     };
