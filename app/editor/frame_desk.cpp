@@ -12,6 +12,7 @@
 
 #include "app/base/output.h"
 #include "app/editor/wishes.h"
+#include "renderer/gl/pace.h"
 #include "renderer/gl/target.h"
 
 namespace si {
@@ -156,6 +157,7 @@ private:
 FrameDesk::FrameDesk(EditorState& state, FrameThread thread, SessionReport& session)
     : state_(state), session_(session), patience_(thread.patience), hand_(std::make_unique<Hand>(std::move(thread))) {
     call([&] {
+        if (hand_->has_thread()) gl::let_others_draw();
         loop_ = std::make_unique<FrameLoop>(hand_->has_thread());
         if (hand_->has_thread()) copies_ = std::make_unique<Copies>();
     });

@@ -96,6 +96,7 @@ bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, co
     }
     std::vector<Effect> effects = frame_effects_;
     for (Effect& effect : panel_effects(state, actions)) effects.push_back(std::move(effect));
+    effects.push_back(artefact_effect(state.artefacts, artefacts_, artefacts_found_));
     effects.push_back(truth_effect(truth_.facts(result_, drawn_settings_.view.light)));
     if (effects == effects_) return false;
     effects_ = std::move(effects);
@@ -226,10 +227,11 @@ bool FrameLoop::follow_truth(const Scene& scene, const PictureState& state, cons
     }
     const EditorTruth::Wishes wishes{actions.cancel_truth, actions.save_error};
     bool changed = truth_.update(renderer_, scene, drawn_settings_, request_, result_, drawn, wishes);
+    if (drawn) artefacts_found_ = false;
     if (state.artefacts.number != artefacts_.number && result_.error && result_.truth.met && request_.truth) {
         artefacts_ = {.number = state.artefacts.number};  // where it cannot be told there are none
         artefacts_ = find_artefact_spots(renderer_, scene, drawn_settings_, request_, state.artefacts);
-        changed = true;
+        artefacts_found_ = changed = true;
     }
     if (const std::string remark = truth_.take_remark(); !remark.empty()) news_.remarks.push_back({.text = remark});
     changed |= against_.update(renderer_, scene, state, request_, result_, drawn, comparison);

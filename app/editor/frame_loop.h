@@ -95,6 +95,7 @@ private:
     EditorAgainst against_;
     std::shared_ptr<const NumericHealth> health_;  ///< of the frame drawn last; null: not asked for, or not there yet
     ArtefactSpots artefacts_;                      ///< of the last wish that was fulfilled
+    bool artefacts_found_ = false;                 ///< since the frame drawn last
     std::vector<Effect> frame_effects_;            ///< of the frame drawn last; empty: not asked for yet
     std::vector<Effect> effects_;                  ///< these, and what stands behind panels
     std::uint64_t posed_scene_ = 0;                ///< Scene::id of the frame before

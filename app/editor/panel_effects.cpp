@@ -71,6 +71,22 @@ std::vector<Effect> panel_effects(const PictureState& state, const EditorActions
     return out;
 }
 
+Effect artefact_effect(const ArtefactWish& wish, const ArtefactSpots& found, bool now) {
+    Effect effect{.name = "panel: next artefact"};
+    if (wish.number == 0) {
+        effect.reason = "Nobody has asked for the next artefact.";
+    } else if (wish.number != found.number) {
+        effect.reason = "It was asked for, and waits for the truth of the picture.";
+    } else {
+        effect.state = now ? EffectState::Simulated : EffectState::Reused;
+        effect.reason =
+            fmt::format("{} cluster{} of wrong pixels {}.", found.spots.size(), found.spots.size() == 1 ? "" : "s",
+                        now ? "were looked for, once: it was asked for"
+                            : "are known from when it was asked for: nothing is looked for meanwhile");
+    }
+    return effect;
+}
+
 Effect truth_effect(const TruthFacts& truth) {
     Effect effect{.name = "rays of the truth"};
     if (!truth.wanted)

@@ -17,7 +17,7 @@ namespace {
 constexpr int kMaxShards = 100'000;
 
 template <typename T>
-void add_array(Key& key, const std::vector<T>& values) {
+void add_array(Key& key, const SharedArray<T>& values) {
     key.add(values.size()).bytes(values.data(), values.size() * sizeof(T));
 }
 

@@ -167,6 +167,12 @@ Effect lit_everywhere(const Facts& f, const PassInfo& pass, std::string name, st
     return part_of(pass, std::move(name), forced, forced ? "forced: " + reason : reason, Saving::Uncalled);
 }
 
+/// Work that a saving spares within a pass which is done anyway.
+Effect spared_part(const Facts& f, const PassInfo& pass, std::string name, Saving saving, std::string_view why) {
+    const bool forced = f.forced.contains(saving);
+    return part_of(pass, std::move(name), forced, forced ? "forced: it is done all the same" : why, saving);
+}
+
 /// Of each light, where its visibility is looked up.
 void lookup_parts(const Facts& f, const PassInfo& pass, bool separate, Effects& out) {
     bool from_maps = false;
@@ -192,6 +198,15 @@ void lookup_parts(const Facts& f, const PassInfo& pass, bool separate, Effects& 
                                                    : told));
     }
     search_parts(f, pass, from_maps, out);
+    if (!from_maps) return;
+    out.push_back(spared_part(f, pass, "look-ups where light does not arrive", Saving::Facing,
+                              "what is turned away from a light, beyond its range or outside of its cone is dark, "
+                              "whatever its map holds"));
+    for (std::size_t i = 0; i < f.frame.lights.size(); ++i)
+        if (f.filter().searches_blockers && f.frame.lights[i].casts && f.settings.lights[i].size <= 0)
+            out.push_back(
+                spared_part(f, pass, fmt::format("search for a penumbra of light {}", i), Saving::Blockers,
+                            light_key(i, "size") + " is 0: no penumbra opens, and all places of the search are one"));
 }
 
 void contact_parts(const Facts& f, const PassInfo& pass, Effects& out) {
@@ -235,6 +250,10 @@ void look_parts(const Facts& f, const PassInfo& pass, Effects& out) {
 
 void shading_parts(const Facts& f, const PassInfo& pass, Effects& out) {
     if (!is_separate(f)) lookup_parts(f, pass, false, out);
+    if (f.scene.objects.size() > 1)
+        out.push_back(spared_part(f, pass, "shading of what is hidden", Saving::Order,
+                                  "large meshes are drawn after what stands before them: the depth test drops most of "
+                                  "what would be shaded and hidden again"));
     look_parts(f, pass, out);
 }
 
@@ -377,6 +396,13 @@ void add_pass(const Facts& f, const PassInfo& pass, Effects& out) {
     if (row && !skipped) effect.reason = sentence(row->why(f, pass)) + " ";
     const std::string unasked = row && row->unasked && skipped ? row->unasked(f) : std::string();
     effect.reason += sentence(unasked.empty() ? pass.reason : unasked);
+    const auto looked_up = [](const FittedLight& light) { return light.shadowed; };
+    if (row && row->parts == visibility_parts && (skipped || f.forced.contains(Saving::Fused)) &&
+        std::ranges::any_of(f.frame.lights, looked_up))
+        effect.saving = Saving::Fused;
+    const bool waits_for_maps = pass.reason.starts_with("the maps are drawn anew");
+    if (pass.name == "map bounds" && (!skipped || waits_for_maps || f.forced.contains(Saving::EarlyOut)))
+        effect.saving = Saving::EarlyOut;
     out.push_back(std::move(effect));
     for (const PartInfo& part : pass.parts)
         out.push_back({.name = part.name,
@@ -386,6 +412,20 @@ void add_pass(const Facts& f, const PassInfo& pass, Effects& out) {
                        .pass = pass.name,
                        .part = true});
     if (row && row->parts) row->parts(f, pass, out);
+}
+
+/// Keeping what rests apart is told of by the maps' passes once something has moved.
+void add_resting(const Facts& f, int animation, Effects& out) {
+    for (const PassInfo& pass : f.frame.passes)
+        for (const PartInfo& part : pass.parts)
+            if (part.by == Saving::Resting) return;
+    const auto has_map = [](const FittedLight& light) { return light.casts; };
+    std::string_view why = "nothing has moved since the frame before: maps are kept as they are, or drawn whole";
+    if (std::ranges::none_of(f.frame.lights, has_map))
+        why = "no light has its shadows from a map";
+    else if (!moves(f.scene, animation))
+        why = "nothing moves here: maps are kept as they are, or drawn whole";
+    out.push_back({.name = "casters at rest", .reason = sentence(why), .saving = Saving::Resting});
 }
 
 void count_casters(Facts& f) {
@@ -436,6 +476,7 @@ std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, 
     count_casters(facts);
     Effects out;
     for (const PassInfo& pass : frame.passes) add_pass(facts, pass, out);
+    add_resting(facts, settings.scene.animation, out);
     for (const EffectRow& row : kRows) {
         const auto is_it = [&](const PassInfo& pass) { return pass.name.starts_with(row.pass); };
         if (!row.absent || std::any_of(frame.passes.begin(), frame.passes.end(), is_it)) continue;

@@ -40,6 +40,7 @@ void run_passes(FrameState& f, std::vector<PassInfo>& infos, gl::PassClock* cloc
         infos[i].cpu_ms =
             clock ? std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() : 0;
         if (clock) timed.emplace_back(i, clock->end());
+        if (f.driver.software) gl::end_of_picture();
     }
     for (const auto& [pass, slot] : timed) infos[pass].gpu_ms = clock->milliseconds(slot);
 }

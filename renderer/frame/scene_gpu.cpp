@@ -138,8 +138,8 @@ void SceneGpu::upload_geometry(const Scene& scene) {
         ranges_.push_back({index, GLsizei(m.indices.size()), GLint(vertex), f.copies});
         if (n == 0 || m.indices.empty()) continue;
         attributes.resize(n), positions.resize(n);
-        std::vector<glm::vec3> seamless = m.positions;
-        for (const auto& [moved, there] : bodies_[mesh].joined) seamless[moved] = m.positions[there];
+        SharedArray<glm::vec3> seamless = m.positions;
+        for (const auto& [moved, there] : bodies_[mesh].joined) seamless.edit()[moved] = m.positions[there];
         const auto source = [&](std::size_t i) { return ranges_.back().source(m.positions.size(), i); };
         for (std::size_t i = 0; i < n; ++i) {
             const std::size_t from = source(i);
@@ -199,7 +199,7 @@ void SceneGpu::upload_normal_map_attributes(const Scene& scene, std::size_t vert
     for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
         const Mesh& m = scene.meshes[mesh];
         if (!mapped(m)) continue;
-        const std::vector<glm::vec2>& uv = m.uv_normal.empty() ? m.uv : m.uv_normal;
+        const SharedArray<glm::vec2>& uv = m.uv_normal.empty() ? m.uv : m.uv_normal;
         const MeshRange& range = ranges_[mesh];
         NormalMapAttributes* out = data.data() + range.base_vertex;
         for (std::size_t i = 0; i < m.positions.size() + range.copies.size(); ++i) {

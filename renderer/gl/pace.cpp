@@ -6,8 +6,37 @@
 
 namespace si::gl {
 
+namespace {
+
+/// Of the calling thread, in which one context is current.
+struct Turns {
+    bool lets_others = false;
+    GLsync before = nullptr;  ///< when the last picture is done
+};
+thread_local Turns turns;
+
+}  // namespace
+
+void let_others_draw(bool on) {
+    turns.lets_others = on;
+    if (turns.before) glDeleteSync(turns.before);
+    turns.before = nullptr;
+}
+
+void end_of_picture() {
+    if (!turns.lets_others) return;
+    const GLsync done = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+    if (turns.before) {
+        glClientWaitSync(turns.before, 0, GL_TIMEOUT_IGNORED);
+        glDeleteSync(turns.before);
+    }
+    turns.before = done;
+}
+
 void keep_few_under_way() {
     constexpr int kMost = 8;
+    end_of_picture();
     thread_local int under_way = 0;  // a context is current in one thread
     if (++under_way < kMost) return;
     under_way = 0;

@@ -106,8 +106,9 @@ std::optional<Mesh> Primitives::make(const tinygltf::Primitive& primitive, const
     if (primitive.indices >= 0) {
         mesh.indices = accessors_.indices(primitive.indices, Place(place, "indices"), vertex_count);
     } else {
-        mesh.indices.resize(vertex_count);
-        std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
+        std::vector<std::uint32_t> indices(vertex_count);
+        std::iota(indices.begin(), indices.end(), 0u);
+        mesh.indices = std::move(indices);
     }
     if (primitive.mode != TINYGLTF_MODE_TRIANGLES) {
         mesh.indices = as_triangle_list(mesh.indices, primitive.mode);
@@ -121,10 +122,10 @@ std::optional<Mesh> Primitives::make(const tinygltf::Primitive& primitive, const
         return std::nullopt;
     }
     // Several primitives may show parts of one big vertex array: take only the vertices in use.
-    if (mesh.indices.size() < vertex_count) pick = compact(mesh.indices, vertex_count);
+    if (mesh.indices.size() < vertex_count) pick = compact(mesh.indices.edit(), vertex_count);
     read_attributes(primitive, place, pick, mesh);
-    if (!all_within(mesh.positions, kFarthest)) {
-        context_.warn(place, all_finite(mesh.positions) ? "has positions beyond 1e18; it is not drawn"
+    if (!all_within(mesh.positions.all(), kFarthest)) {
+        context_.warn(place, all_finite(mesh.positions.all()) ? "has positions beyond 1e18; it is not drawn"
                                                         : "has positions that are not finite; it is not drawn");
         return std::nullopt;
     }

@@ -22,16 +22,17 @@ void gather(std::vector<T>& values, const std::vector<std::uint32_t>& from) {
 /// Gives each triangle vertices of its own, so that flat normals can follow it; `pick` follows.
 void unweld(Mesh& mesh, std::vector<std::uint32_t>& pick) {
     const std::vector<std::uint32_t> from = mesh.indices;
-    gather(mesh.positions, from);
-    gather(mesh.uv, from);
-    gather(mesh.uv_normal, from);
-    gather(mesh.tangents, from);
-    gather(mesh.colours, from);
+    gather(mesh.positions.edit(), from);
+    gather(mesh.uv.edit(), from);
+    gather(mesh.uv_normal.edit(), from);
+    gather(mesh.tangents.edit(), from);
+    gather(mesh.colours.edit(), from);
     if (pick.empty())
         pick = from;
     else
         gather(pick, from);
-    std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
+    std::vector<std::uint32_t>& indices = mesh.indices.edit();
+    std::iota(indices.begin(), indices.end(), 0u);
 }
 
 class Builder {
@@ -129,9 +130,9 @@ private:
         if (!made) return out;
         if (made->normals.empty()) unweld(*made, pick);
         auto source = std::make_shared<DeformSource>();
-        source->positions = made->positions;
-        source->normals = made->normals;
-        source->tangents = made->tangents;
+        source->positions = made->positions.all();
+        source->normals = made->normals.all();
+        source->tangents = made->tangents.all();
         source->indices = made->indices;
         for (std::size_t t = 0; t < primitive.targets.size(); ++t) {
             source->targets.push_back(

@@ -40,7 +40,7 @@ private:
     int add_view(const void* data, std::size_t size, int target);
     int add_accessor(Json accessor, const void* data, std::size_t size, int target);
     template <class Vec>
-    int add_vectors(const std::vector<Vec>& values, bool with_bounds = false);
+    int add_vectors(const SharedArray<Vec>& values, bool with_bounds = false);
     int add_indices(const Mesh& mesh);
     const Json& primitive(int mesh);
     int add_group(const std::vector<int>& meshes);
@@ -90,7 +90,7 @@ int Writer::add_accessor(Json accessor, const void* data, std::size_t size, int 
 }
 
 template <class Vec>
-int Writer::add_vectors(const std::vector<Vec>& values, bool with_bounds) {
+int Writer::add_vectors(const SharedArray<Vec>& values, bool with_bounds) {
     constexpr int kLength = int(Vec::length());
     Json accessor = {{"componentType", kFloat}, {"count", values.size()}, {"type", fmt::format("VEC{}", kLength)}};
     if (with_bounds) {

@@ -1,6 +1,10 @@
 #include "renderer/measure/saved.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "renderer/measure/frame_costs.h"
+#include "renderer/scene/animation.h"
 
 namespace si {
 namespace {
@@ -59,26 +63,77 @@ std::vector<SavedTime> saved_in_turns(std::span<const Saving> savings, int round
     return out;
 }
 
+KeptFrames::KeptFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Saving saving)
+    : scene_(scene), placement_(scene.placement), request_(request), time_goes_on_(saving == Saving::Resting) {
+    request_.force = false;
+    const double aspect = double(request.width) / request.height;
+    moments_ =
+        time_goes_on_ ? std::vector<Settings>{settings} : scripted_frames(scene, settings, aspect, CostCase::Camera);
+}
+
+FrameResult KeptFrames::draw(SavingSet forced) {
+    if (drawn_ % 2 == 0) move_on();
+    request_.forced = forced;
+    return (forced.empty() ? keeps_ : draws_all_)
+        .render(scene_, moments_[std::size_t(drawn_++ / 2) % moments_.size()], request_);
+}
+
+void KeptFrames::move_on() {
+    if (!time_goes_on_) return;
+    constexpr double kStep_s = 1.0 / 30;  // as an animation that is played
+    SceneSettings& at = moments_.front().scene;
+    at.time = std::fmod(at.time + kStep_s, scene_.rig->animations[std::size_t(at.animation)].duration_s);
+    pose(scene_, at.animation, at.time);
+    if (placement_ != scene_.placement) place(scene_, placement_);
+}
+
 SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
                          std::span<const Saving> savings, int rounds, const Workers& workers,
                          const std::function<void(double)>& report) {
     request.force = request.timing = true;
     TimeSamples samples;
-    const auto draw = [&](SavingSet forced, bool counts) {
+    const auto require_going_on = [&] {
         if (workers.stop.stop_requested()) throw Cancelled();
+    };
+    const auto draw = [&](SavingSet forced, bool counts) {
+        require_going_on();
         request.forced = forced;
         const FrameResult frame = renderer.render(scene, settings, request);
         if (counts && forced.empty()) samples.add(frame);
         return total_ms(frame);
     };
+    std::vector<Saving> anew, kept;
+    for (const Saving saving : savings)
+        if (saving == Saving::Resting || saving == Saving::EarlyOut)
+            kept.push_back(saving);
+        else
+            anew.push_back(saving);
+    if (!moves(scene, settings.scene.animation)) std::erase(kept, Saving::Resting);
+    const double parts = double(anew.size() + kept.size());
+    const auto report_part = [&](double from, double count, double share) {
+        if (report) report(parts > 0 ? (from + count * share) / parts : share);
+    };
     draw({}, false);  // compiles programs and touches memory
-    for (const Saving saving : savings) draw({saving}, false);
+    for (const Saving saving : anew) draw({saving}, false);
     SavedTimes saved{.rounds = rounds};
     saved.savings = saved_in_turns(
-        savings, rounds, [&](SavingSet forced) { return draw(forced, true); }, report);
-    for (int i = 0; savings.empty() && i < rounds; ++i) {
+        anew, rounds, [&](SavingSet forced) { return draw(forced, true); },
+        [&](double share) { report_part(0, double(anew.size()), share); });
+    for (int i = 0; anew.empty() && i < rounds; ++i) {
         draw({}, true);
-        if (report) report(double(i + 1) / rounds);
+        if (kept.empty()) report_part(0, 1, double(i + 1) / rounds);
+    }
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        KeptFrames frames(scene, settings, request, kept[i]);
+        const auto draw_moment = [&](SavingSet forced) {
+            require_going_on();
+            return total_ms(frames.draw(forced));
+        };
+        const Saving one[] = {kept[i]};
+        saved_in_turns(one, 4, draw_moment);  // until what is kept is there
+        saved.savings.push_back(saved_in_turns(one, rounds, draw_moment, [&](double share) {
+                                    report_part(double(anew.size() + i), 1, share);
+                                }).front());
     }
     saved.frame = summary(samples);
     return saved;
@@ -86,10 +141,8 @@ SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings&
 
 std::vector<Saving> named_savings(std::span<const Effect> effects) {
     std::vector<Saving> out;
-    // What rests is kept from the frame before, and frames that are measured keep nothing.
     for (const Effect& effect : effects)
-        if (effect.saving && *effect.saving != Saving::Resting &&
-            std::find(out.begin(), out.end(), *effect.saving) == out.end())
+        if (effect.saving && std::find(out.begin(), out.end(), *effect.saving) == out.end())
             out.push_back(*effect.saving);
     return out;
 }

@@ -44,11 +44,35 @@ std::vector<SavedTime> saved_in_turns(std::span<const Saving> savings, int round
 
 inline constexpr int kSavedRounds = 15;
 
-/// Draws in turns, after frames that warm up. @param request of the frames; forced and timed here
+/// Draws in turns, after frames that warm up: every pass anew but for Saving::Resting, for which time goes on from
+/// frame to frame and what did not change is kept. Where no animation moves anything, nothing is told of that one.
+/// @param request of the frames; forced and timed here
 /// @throws Error, Cancelled
 SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
                          std::span<const Saving> savings, int rounds = kSavedRounds, const Workers& workers = {},
                          const std::function<void(double)>& report = {});
+
+/// Frames in each of which something has moved, for savings that live by what an earlier frame left: time goes on
+/// where it is Saving::Resting, else the camera turns.
+class KeptFrames {
+public:
+    /// @param saving Resting only of a scene that moves()
+    KeptFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Saving saving);
+    /// Each moment is drawn twice, one after the other. @param forced those that force nothing are one sequence of
+    /// frames, by a renderer of its own, those that do are another
+    FrameResult draw(SavingSet forced);
+
+private:
+    Scene scene_;
+    glm::dmat4 placement_;
+    FrameRequest request_;
+    std::vector<Settings> moments_;  ///< one after the other, again and again; of time the first alone
+    bool time_goes_on_;
+    Renderer keeps_, draws_all_;
+    int drawn_ = 0;
+
+    void move_on();
+};
 
 /// The savings that these effects name, each once.
 std::vector<Saving> named_savings(std::span<const Effect> effects);

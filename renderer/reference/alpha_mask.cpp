@@ -40,7 +40,8 @@ double AlphaTexture::at(const glm::dvec2& uv) const {
 AlphaMask::AlphaMask(const Mesh& mesh, const Material& material, double cutoff,
                      std::shared_ptr<const AlphaTexture> texture)
     : indices_(mesh.indices), texture_(std::move(texture)), base_(material.base_colour.a), cutoff_(cutoff) {
-    if (texture_) uv_ = mesh.uv.empty() ? std::vector<glm::vec2>(mesh.positions.size(), glm::vec2(0)) : mesh.uv;
+    if (texture_) uv_ = mesh.uv;
+    if (texture_ && uv_.empty()) uv_.assign(mesh.positions.size(), glm::vec2(0));
     // Eight bits, as the vertex buffer holds them.
     for (const glm::vec4& c : mesh.colours)
         vertex_alpha_.push_back(std::uint8_t(std::lround(std::clamp(c.a, 0.f, 1.f) * 255.f)));

@@ -23,7 +23,7 @@ struct AlphaTexture {
     double at(const glm::dvec2& uv) const;
 };
 
-/// What of a mesh the test needs. Owns copies, so that a trace outlives the scene it was made from.
+/// What of a mesh the test needs. Shares arrays with it, so that a trace outlives the scene it was made from.
 class AlphaMask {
 public:
     /// @param cutoff alpha below it is a hole
@@ -34,8 +34,8 @@ public:
     void add_content(Key& key) const;
 
 private:
-    std::vector<std::uint32_t> indices_;
-    std::vector<glm::vec2> uv_;
+    SharedArray<std::uint32_t> indices_;
+    SharedArray<glm::vec2> uv_;
     std::vector<std::uint8_t> vertex_alpha_;       ///< empty: 1
     std::shared_ptr<const AlphaTexture> texture_;  ///< null: 1
     double base_, cutoff_;

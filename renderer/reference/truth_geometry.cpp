@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace si {
 namespace {
@@ -23,7 +22,7 @@ bool blend_casts(const Settings& settings) {
     return settings.caster.blend == int(BlendCasters::Mask);
 }
 
-/// Copies each mesh and texture once.
+/// Takes each mesh and texture once.
 class Copier {
 public:
     Copier(const Scene& scene, const Settings& settings) : scene_(scene), settings_(settings) {}
@@ -74,11 +73,6 @@ TruthGeometry::TruthGeometry(const Scene& scene, const Settings& settings)
         const bool casts = !object.ground && !transparent && settings_of(scene, settings, object).cast;
         objects.push_back({copier.mesh(object.mesh), object.world, casts, object.ground});
     }
-    std::set<const TruthMesh*> meshes;
-    std::uint64_t bytes = 0;
-    for (const TruthObject& o : objects)
-        if (meshes.insert(o.mesh.get()).second) bytes += array_bytes(o.mesh->positions) + array_bytes(o.mesh->indices);
-    held = HeldMemory("triangles that rays meet", bytes);
 }
 
 std::size_t TruthGeometry::caster_triangles() const {

@@ -1,5 +1,5 @@
-// What of a scene the ray-traced truth needs: a copy of the triangles as drawn, so that a trace may go on while the
-// scene moves or is replaced.
+// What of a scene the ray-traced truth needs: the triangles as drawn, shared with the scene until that moves or is
+// replaced, so that a trace may go on.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 namespace si {
 
 struct TruthMesh {
-    std::vector<glm::vec3> positions;  ///< as uploaded: deformed, without degenerate triangles
-    std::vector<std::uint32_t> indices;
+    SharedArray<glm::vec3> positions;  ///< the scene's own: deformed, without degenerate triangles
+    SharedArray<std::uint32_t> indices;
     std::unique_ptr<const AlphaMask> mask;  ///< null: solid
     std::size_t triangles() const { return indices.size() / 3; }
 };
@@ -46,7 +46,6 @@ struct TruthGeometry {
     std::vector<TruthObject> objects;
     Bounds bounds;
     std::uint64_t key = 0;
-    HeldMemory held;  ///< what the meshes take
 
     TruthGeometry(const Scene& scene, const Settings& settings);
     /// Of what casts, instances counted.

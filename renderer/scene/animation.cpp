@@ -124,23 +124,27 @@ glm::vec3 direction(const glm::vec3& v, const glm::vec3& otherwise) {
 }
 
 void morph(const DeformSource& source, const std::vector<float>& weights, Mesh& mesh) {
+    std::vector<glm::vec3>&positions = mesh.positions.edit(), &normals = mesh.normals.edit();
+    std::vector<glm::vec4>& tangents = mesh.tangents.edit();
     for (std::size_t t = 0; t < source.targets.size() && t < weights.size(); ++t) {
         const float w = weights[t];
         if (w == 0) continue;
         const DeformSource::Target& target = source.targets[t];
-        for (std::size_t i = 0; i < target.positions.size(); ++i) mesh.positions[i] += w * target.positions[i];
+        for (std::size_t i = 0; i < target.positions.size(); ++i) positions[i] += w * target.positions[i];
         if (!source.normals.empty()) {
-            for (std::size_t i = 0; i < target.normals.size(); ++i) mesh.normals[i] += w * target.normals[i];
+            for (std::size_t i = 0; i < target.normals.size(); ++i) normals[i] += w * target.normals[i];
         }
-        if (!mesh.tangents.empty()) {
+        if (!tangents.empty()) {
             for (std::size_t i = 0; i < target.tangents.size(); ++i)
-                mesh.tangents[i] += glm::vec4(w * target.tangents[i], 0);
+                tangents[i] += glm::vec4(w * target.tangents[i], 0);
         }
     }
 }
 
 void skin_vertices(const DeformSource& source, const std::vector<JointMatrix>& joints, Mesh& mesh) {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    std::vector<glm::vec3>&positions = mesh.positions.edit(), &normals = mesh.normals.edit();
+    std::vector<glm::vec4>& tangents = mesh.tangents.edit();
+    for (std::size_t i = 0; i < positions.size(); ++i) {
         glm::mat4 point(0.0f);
         glm::mat3 normal(0.0f);
         for (std::size_t s = 0; s < source.influence_sets; ++s) {
@@ -153,29 +157,29 @@ void skin_vertices(const DeformSource& source, const std::vector<JointMatrix>& j
                 normal += w * joint.normal;
             }
         }
-        mesh.positions[i] = glm::vec3(point * glm::vec4(mesh.positions[i], 1.0f));
-        if (!source.normals.empty()) mesh.normals[i] = normal * mesh.normals[i];
-        if (!mesh.tangents.empty())
-            mesh.tangents[i] = glm::vec4(glm::mat3(point) * glm::vec3(mesh.tangents[i]), mesh.tangents[i].w);
+        positions[i] = glm::vec3(point * glm::vec4(positions[i], 1.0f));
+        if (!source.normals.empty()) normals[i] = normal * normals[i];
+        if (!tangents.empty()) tangents[i] = glm::vec4(glm::mat3(point) * glm::vec3(tangents[i]), tangents[i].w);
     }
 }
 
 void flatten_normals(Mesh& mesh) {
-    mesh.normals.assign(mesh.positions.size(), glm::vec3(0, 1, 0));
+    std::vector<glm::vec3> normals(mesh.positions.size(), glm::vec3(0, 1, 0));
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const std::uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
         const glm::dvec3 p(mesh.positions[a]);
         const glm::vec3 n(glm::cross(glm::dvec3(mesh.positions[b]) - p, glm::dvec3(mesh.positions[c]) - p));
-        mesh.normals[a] = mesh.normals[b] = mesh.normals[c] = direction(n, {0, 1, 0});
+        normals[a] = normals[b] = normals[c] = direction(n, {0, 1, 0});
     }
+    mesh.normals = std::move(normals);
 }
 
 void deform(Scene& scene, Mesh& mesh, const std::vector<NodeRest>& now) {
     const Deformer& deformer = *mesh.deformer;
     const DeformSource& source = *deformer.source;
-    mesh.positions = source.positions;
-    mesh.normals = source.normals;
-    if (!mesh.tangents.empty()) mesh.tangents = source.tangents;
+    mesh.positions.assign(source.positions);
+    mesh.normals.assign(source.normals);
+    if (!mesh.tangents.empty()) mesh.tangents.assign(source.tangents);
     mesh.indices = source.indices;
     morph(source, now[static_cast<std::size_t>(deformer.node)].weights, mesh);
     if (deformer.skin) {
@@ -187,9 +191,9 @@ void deform(Scene& scene, Mesh& mesh, const std::vector<NodeRest>& now) {
     if (source.normals.empty()) {
         flatten_normals(mesh);
     } else {
-        for (glm::vec3& n : mesh.normals) n = direction(n, {0, 1, 0});
+        for (glm::vec3& n : mesh.normals.edit()) n = direction(n, {0, 1, 0});
     }
-    for (glm::vec4& t : mesh.tangents) t = glm::vec4(direction(glm::vec3(t), {1, 0, 0}), t.w);
+    for (glm::vec4& t : mesh.tangents.edit()) t = glm::vec4(direction(glm::vec3(t), {1, 0, 0}), t.w);
 }
 
 }  // namespace
@@ -230,6 +234,11 @@ void apply_pose(Scene& scene, int animation, double time_s) {
     };
     follow(scene.cameras, rig.camera_nodes);
     follow(scene.lights, rig.light_nodes);
+}
+
+bool moves(const Scene& scene, int animation) {
+    return scene.rig && animation >= 0 && std::size_t(animation) < scene.rig->animations.size() &&
+           scene.rig->animations[std::size_t(animation)].duration_s > 0;
 }
 
 void pose(Scene& scene, int animation, double time_s) {

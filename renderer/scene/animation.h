@@ -63,7 +63,7 @@ struct DeformSource {
     };
     std::vector<glm::vec3> positions, normals;  ///< normals empty: flat ones are made anew for each pose
     std::vector<glm::vec4> tangents;
-    std::vector<std::uint32_t> indices;
+    SharedArray<std::uint32_t> indices;
     std::vector<Target> targets;
     std::vector<Influence> influences;  ///< influence_sets a vertex, together; weights sum to 1
     std::size_t influence_sets = 0;
@@ -85,6 +85,9 @@ void pose(Scene& scene, int animation, double time_s);
 
 /// The same without bounds and id, for a loader that ends with finalise().
 void apply_pose(Scene& scene, int animation, double time_s);
+
+/// Whether time moves anything: an animation is chosen (scene.animation) and lasts.
+bool moves(const Scene& scene, int animation);
 
 /// The value of a channel at `time_s`; rotations normalised, x y z w.
 std::vector<float> sample(const AnimationChannel& channel, double time_s);

@@ -38,7 +38,7 @@ std::string mesh_label(const Mesh& mesh, std::size_t index) {
 }
 
 template <class T>
-void check_attribute(const Mesh& mesh, const std::string& label, const std::vector<T>& values, std::string_view what) {
+void check_attribute(const Mesh& mesh, const std::string& label, const SharedArray<T>& values, std::string_view what) {
     if (!values.empty() && values.size() != mesh.positions.size())
         throw Error(fmt::format("{}: {} {} for {} positions; each vertex needs one", label, values.size(), what,
                                 mesh.positions.size()));
@@ -114,7 +114,7 @@ void place_nodes(std::vector<Node>& nodes) {
 }
 
 template <class T>
-void unweld(std::vector<T>& values, const std::vector<std::uint32_t>& indices) {
+void unweld(SharedArray<T>& values, const SharedArray<std::uint32_t>& indices) {
     if (values.empty()) return;
     std::vector<T> out(indices.size());
     for (std::size_t i = 0; i < indices.size(); ++i) out[i] = values[indices[i]];
@@ -134,12 +134,14 @@ void make_flat(Mesh& mesh) {
     unweld(mesh.uv_normal, mesh.indices);
     unweld(mesh.tangents, mesh.indices);
     unweld(mesh.colours, mesh.indices);
-    std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
-    mesh.normals.resize(mesh.positions.size());
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    std::vector<std::uint32_t>& indices = mesh.indices.edit();
+    std::iota(indices.begin(), indices.end(), 0u);
+    std::vector<glm::vec3> normals(mesh.positions.size());
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
         const glm::vec3 n(glm::normalize(face_cross(mesh, i)));
-        mesh.normals[i] = mesh.normals[i + 1] = mesh.normals[i + 2] = n;
+        normals[i] = normals[i + 1] = normals[i + 2] = n;
     }
+    mesh.normals = std::move(normals);
 }
 
 /// Whether the triangle that starts at this index has an area.
@@ -211,7 +213,7 @@ struct BlockBounds {
 /// Drops triangles without area and sets the bounds to what is left. Returns how many were dropped. Indices are checked
 /// on the way, while they are in the cache. @throws Error when one is out of range
 std::size_t drop_degenerate(Mesh& mesh, std::string_view label) {
-    std::uint32_t* indices = mesh.indices.data();
+    const std::uint32_t* indices = mesh.indices.data();
     const std::size_t count = mesh.indices.size();
     std::size_t kept = 0;
     const auto check = [&](std::size_t first, std::size_t corners) {
@@ -222,7 +224,11 @@ std::size_t drop_degenerate(Mesh& mesh, std::string_view label) {
                                     mesh.positions.size()));
     };
     const auto keep = [&](std::size_t first, std::size_t corners) {
-        if (kept != first) std::copy_n(indices + first, corners, indices + kept);
+        if (kept != first) {
+            std::uint32_t* own = mesh.indices.edit().data();
+            std::copy_n(own + first, corners, own + kept);
+            indices = own;
+        }
         kept += corners;
     };
     constexpr std::size_t kCorners = 3 * TriangleBlock::kCount;
@@ -246,7 +252,7 @@ std::size_t drop_degenerate(Mesh& mesh, std::string_view label) {
             keep(i, 3);
         }
     }
-    mesh.indices.resize(kept);
+    if (kept != count) mesh.indices.resize(kept);
     mesh.bounds = around_blocks.box();
     mesh.bounds.add(around_rest);
     return (count - kept) / 3;
@@ -259,8 +265,9 @@ bool repair_normals(Mesh& mesh) {
     for (const glm::vec3& n : mesh.normals) odd += !is_unit(n);
     if (odd == 0) return true;
     std::vector<bool> lost(mesh.normals.size());
-    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-        glm::vec3& n = mesh.normals[i];
+    std::vector<glm::vec3>& normals = mesh.normals.edit();
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        glm::vec3& n = normals[i];
         if (is_unit(n)) continue;
         const double length2 = glm::dot(glm::dvec3(n), glm::dvec3(n));
         lost[i] = !(length2 > 0) || !std::isfinite(length2);
@@ -270,8 +277,8 @@ bool repair_normals(Mesh& mesh) {
 }
 
 template <class T>
-void drop_if_not_finite(std::vector<T>& values, const std::string& label, std::string_view what, Scene& scene) {
-    if (all_finite(values)) return;
+void drop_if_not_finite(SharedArray<T>& values, const std::string& label, std::string_view what, Scene& scene) {
+    if (all_finite(values.all())) return;
     values.clear();
     scene.warnings.push_back(fmt::format("{}: its {} hold values that are not finite; they are ignored", label, what));
 }
@@ -280,7 +287,7 @@ void drop_if_not_finite(std::vector<T>& values, const std::string& label, std::s
 bool finalise_mesh(Scene& scene, std::size_t index) {
     Mesh& mesh = scene.meshes[index];
     const std::string label = mesh_label(mesh, index);
-    if (!all_finite(mesh.positions)) {
+    if (!all_finite(mesh.positions.all())) {
         scene.warnings.push_back(label + ": dropped, it has positions that are not finite");
         return false;
     }
@@ -381,14 +388,11 @@ std::size_t Scene::triangle_count() const {
 
 namespace {
 
-/// Of meshes and pictures, beside which the rest is nothing.
-std::uint64_t bytes_of(const Scene& scene) {
-    std::uint64_t sum = 0;
-    for (const Texture& t : scene.textures) sum += array_bytes(t.rgba);
-    for (const Mesh& m : scene.meshes)
-        sum += array_bytes(m.positions) + array_bytes(m.normals) + array_bytes(m.uv) + array_bytes(m.uv_normal) +
-               array_bytes(m.tangents) + array_bytes(m.colours) + array_bytes(m.indices);
-    return sum + array_bytes(scene.nodes) + array_bytes(scene.objects);
+constexpr std::string_view kHolder = "scenes";
+
+void tell_arrays(Mesh& m) {
+    m.positions.tell(kHolder), m.normals.tell(kHolder), m.uv.tell(kHolder), m.uv_normal.tell(kHolder);
+    m.tangents.tell(kHolder), m.colours.tell(kHolder), m.indices.tell(kHolder);
 }
 
 }  // namespace
@@ -402,7 +406,9 @@ void finalise(Scene& scene) {
     drop_unplaced(scene.lights, "light", scene);
     for (SceneCamera& camera : scene.cameras) camera.home = camera.world;
     for (SceneLight& light : scene.lights) light.home = light.world;
-    scene.held = HeldMemory("scenes", bytes_of(scene));
+    for (Texture& texture : scene.textures) texture.rgba.tell(kHolder);
+    for (Mesh& mesh : scene.meshes) tell_arrays(mesh);
+    scene.held = HeldMemory(kHolder, array_bytes(scene.nodes) + array_bytes(scene.objects));
     scene.id = next_scene_id();
 }
 
@@ -411,8 +417,9 @@ void refresh(Scene& scene) {
         node.world = (node.parent >= 0 ? scene.nodes[node.parent].world : scene.placement) * node.local;
     for (Mesh& mesh : scene.meshes) {
         if (!mesh.deformer) continue;
-        if (!all_finite(mesh.positions)) mesh.indices.clear();
+        if (!all_finite(mesh.positions.all())) mesh.indices.clear();
         drop_degenerate(mesh, mesh.name);
+        tell_arrays(mesh);
     }
     scene.bounds = scene.ground_bounds = {};
     const auto stand = [&](Object& o) {

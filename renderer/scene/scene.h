@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "renderer/base/held.h"
+#include "renderer/base/shared_array.h"
 
 namespace si {
 
@@ -39,7 +40,7 @@ enum class TextureWrap { Repeat, Clamp, Mirror };
 struct Texture {
     std::string name;
     int width = 0, height = 0;
-    std::vector<std::uint8_t> rgba;  ///< width*height*4, row 0 is v = 0 (glTF: the top of the image)
+    SharedArray<std::uint8_t> rgba;  ///< width*height*4, row 0 is v = 0 (glTF: the top of the image)
     bool srgb = true;
     TextureWrap wrap_s = TextureWrap::Repeat, wrap_t = TextureWrap::Repeat;
     bool nearest_mag = false, nearest_min = false, mipmaps = true;
@@ -65,13 +66,13 @@ struct Rig;
 /// Triangles of one material. All attribute arrays are empty or as long as `positions`.
 struct Mesh {
     std::string name;
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;            ///< empty before finalise(): flat normals are made
-    std::vector<glm::vec2> uv;                 ///< for the base colour texture, transforms applied
-    std::vector<glm::vec2> uv_normal;          ///< for the normal texture; empty: uv
-    std::vector<glm::vec4> tangents;           ///< xyz and handedness
-    std::vector<glm::vec4> colours;            ///< linear, multiplies the base colour
-    std::vector<std::uint32_t> indices;        ///< triangle list
+    SharedArray<glm::vec3> positions;
+    SharedArray<glm::vec3> normals;            ///< empty before finalise(): flat normals are made
+    SharedArray<glm::vec2> uv;                 ///< for the base colour texture, transforms applied
+    SharedArray<glm::vec2> uv_normal;          ///< for the normal texture; empty: uv
+    SharedArray<glm::vec4> tangents;           ///< xyz and handedness
+    SharedArray<glm::vec4> colours;            ///< linear, multiplies the base colour
+    SharedArray<std::uint32_t> indices;        ///< triangle list
     int material = -1;                         ///< -1: the default material
     Bounds bounds;                             ///< local; set by finalise()
     std::shared_ptr<const Deformer> deformer;  ///< morph targets and skin; null: rigid
@@ -143,7 +144,7 @@ struct Scene {
     std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys
     std::size_t dropped_triangles = 0;  ///< degenerate, set by finalise()
     std::shared_ptr<const Rig> rig;     ///< animations; null: nothing moves
-    HeldMemory held;                    ///< what it takes; set by finalise()
+    HeldMemory held;                    ///< nodes and objects, which copies do not share; set by finalise()
 
     std::size_t triangle_count() const;  ///< over objects, instances counted, without the ground
 };

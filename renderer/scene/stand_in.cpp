@@ -26,15 +26,17 @@ Texture few_texels_of(const Texture& from) {
     to.srgb = from.srgb, to.wrap_s = from.wrap_s, to.wrap_t = from.wrap_t;
     to.nearest_mag = from.nearest_mag, to.nearest_min = from.nearest_min, to.mipmaps = from.mipmaps;
     if (from.rgba.empty()) return to;
+    std::vector<std::uint8_t> rgba;
     for (int y = 0; y < to.height; ++y) {
         const auto row = from.rgba.begin() + std::ptrdiff_t(y) * from.width * 4;
-        to.rgba.insert(to.rgba.end(), row, row + std::ptrdiff_t(to.width) * 4);
+        rgba.insert(rgba.end(), row, row + std::ptrdiff_t(to.width) * 4);
     }
+    to.rgba = std::move(rgba);
     return to;
 }
 
 template <typename T>
-void keep_some(std::vector<T>& of, const std::vector<T>& from, const std::vector<std::uint32_t>& kept) {
+void keep_some(SharedArray<T>& of, const SharedArray<T>& from, const std::vector<std::uint32_t>& kept) {
     if (from.empty()) return;
     for (const std::uint32_t i : kept) of.push_back(from[i]);
 }

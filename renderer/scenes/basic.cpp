@@ -85,7 +85,7 @@ Scene make_plane_scene() {
                 plane.colours.push_back(colour);
             }
         const auto first = std::uint32_t(4 * stripe);
-        plane.indices.insert(plane.indices.end(), {first, first + 1, first + 3, first, first + 3, first + 2});
+        plane.indices.append({first, first + 1, first + 3, first, first + 3, first + 2});
     }
     add_object(scene, "Plane", -1, add_mesh(scene, "Plane", std::move(plane), chalk));
     add_camera(scene, {0, 0, 0}, {0, 0, -1}, fov_y_deg);

@@ -56,7 +56,7 @@ Texture make_sprig_texture(int size) {
     texture.name = "Sprig";
     texture.width = texture.height = size;
     texture.wrap_s = texture.wrap_t = TextureWrap::Clamp;
-    texture.rgba.resize(std::size_t(size) * std::size_t(size) * 4);
+    std::vector<std::uint8_t> rgba(std::size_t(size) * std::size_t(size) * 4);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             glm::dvec3 sum(0);
@@ -74,10 +74,11 @@ Texture make_sprig_texture(int size) {
             }
             // Where nothing is drawn, the colour still bleeds into filtered edges: the leaves' mean, not black.
             const glm::dvec3 colour = hits ? sum / double(hits) : glm::dvec3(108, 130, 55);
-            std::uint8_t* out = &texture.rgba[(std::size_t(y) * std::size_t(size) + std::size_t(x)) * 4];
+            std::uint8_t* out = &rgba[(std::size_t(y) * std::size_t(size) + std::size_t(x)) * 4];
             for (int c = 0; c < 3; ++c) out[c] = std::uint8_t(std::min(255.0, colour[c] + 0.5));
             out[3] = std::uint8_t(hits * 255 / (kSub * kSub));
         }
+    texture.rgba = std::move(rgba);
     return texture;
 }
 
@@ -98,7 +99,7 @@ Mesh make_leaf_cluster(double radius, double card_size, int cards, std::uint32_t
             mesh.normals.emplace_back(n);
             mesh.uv.emplace_back(u, 1 - v);
         }
-        mesh.indices.insert(mesh.indices.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
+        mesh.indices.append({first, first + 1, first + 2, first, first + 2, first + 3});
     }
     return mesh;
 }

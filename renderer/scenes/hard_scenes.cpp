@@ -216,7 +216,7 @@ Scene hard_blended_sheet() {
                   .mipmaps = false};
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 4; ++x)
-            holes.rgba.insert(holes.rgba.end(), {220, 220, 220, std::uint8_t((x + y) % 2 ? 0 : 255)});
+            holes.rgba.append({220, 220, 220, std::uint8_t((x + y) % 2 ? 0 : 255)});
     scene.textures.push_back(std::move(holes));
     for (const AlphaMode alpha : {AlphaMode::Mask, AlphaMode::Blend}) {
         const bool mask = alpha == AlphaMode::Mask;
@@ -237,8 +237,8 @@ Scene hard_not_finite() {
     Scene scene = on_floor();
     add_body(scene, "Box", make_box({1.5, 1, 2}), moved(0, 0.75, 0));
     Mesh broken = make_box({1, 1, 1});
-    broken.positions[0].x = std::numeric_limits<float>::quiet_NaN();
-    broken.positions[1].y = std::numeric_limits<float>::infinity();
+    broken.positions.edit()[0].x = std::numeric_limits<float>::quiet_NaN();
+    broken.positions.edit()[1].y = std::numeric_limits<float>::infinity();
     add_body(scene, "Broken", std::move(broken), moved(2, 1, 0));
     return finished(std::move(scene));
 }

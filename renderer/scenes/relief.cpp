@@ -15,7 +15,7 @@ Texture make_cobbles() {
     texture.name = "Cobbles";
     texture.width = texture.height = kSize;
     texture.srgb = false;
-    texture.rgba.resize(std::size_t(kSize) * kSize * 4);
+    std::vector<std::uint8_t> rgba(std::size_t(kSize) * kSize * 4);
     // Height falls with the fourth power of the distance from the cobble's middle: flat there, steep at the joint.
     const auto slope = [](int i) {
         const double t = 2 * (i % kCell + 0.5) / kCell - 1;
@@ -24,10 +24,11 @@ Texture make_cobbles() {
     for (int v = 0; v < kSize; ++v)
         for (int u = 0; u < kSize; ++u) {
             const glm::dvec3 n = glm::normalize(glm::dvec3(-slope(u), slope(v), 1));
-            std::uint8_t* out = &texture.rgba[std::size_t(v * kSize + u) * 4];
+            std::uint8_t* out = &rgba[std::size_t(v * kSize + u) * 4];
             for (int c = 0; c < 3; ++c) out[c] = std::uint8_t(std::lround(255 * (n[c] * 0.5 + 0.5)));
             out[3] = 255;
         }
+    texture.rgba = std::move(rgba);
     return texture;
 }
 

@@ -20,7 +20,7 @@ std::uint32_t add_vertex(Mesh& mesh, const glm::dvec3& p, const glm::dvec3& n, c
 void add_triangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const auto &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
     if (p == q || q == r || r == p) return;
-    mesh.indices.insert(mesh.indices.end(), {a, b, c});
+    mesh.indices.append({a, b, c});
 }
 
 /// Points on a half circle of an outline, from angle `from` to `to` (radians, pi/2 is the top). The poles are exact.
@@ -159,17 +159,17 @@ Mesh transformed(Mesh mesh, const glm::dmat4& m) {
     const glm::dmat3 a(m);
     // Cofactors carry normals through non-uniform scale without a division.
     const glm::dmat3 cofactors(glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1]));
-    for (glm::vec3& p : mesh.positions) p = glm::vec3(m * glm::dvec4(p, 1));
-    for (glm::vec3& n : mesh.normals) n = glm::vec3(glm::normalize(cofactors * glm::dvec3(n)));
+    for (glm::vec3& p : mesh.positions.edit()) p = glm::vec3(m * glm::dvec4(p, 1));
+    for (glm::vec3& n : mesh.normals.edit()) n = glm::vec3(glm::normalize(cofactors * glm::dvec3(n)));
     return mesh;
 }
 
 void append(Mesh& mesh, const Mesh& more) {
     const auto base = std::uint32_t(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
-    mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
-    mesh.uv.insert(mesh.uv.end(), more.uv.begin(), more.uv.end());
-    mesh.colours.insert(mesh.colours.end(), more.colours.begin(), more.colours.end());
+    mesh.positions.append(more.positions);
+    mesh.normals.append(more.normals);
+    mesh.uv.append(more.uv);
+    mesh.colours.append(more.colours);
     for (std::uint32_t index : more.indices) mesh.indices.push_back(base + index);
 }
 

@@ -17,7 +17,7 @@ Texture make_paving() {
     Texture texture;
     texture.name = "Paving";
     texture.width = texture.height = kSize;
-    texture.rgba.resize(std::size_t(kSize) * kSize * 4);
+    std::vector<std::uint8_t> rgba(std::size_t(kSize) * kSize * 4);
     Random random(11);
     double tones[16];
     for (double& tone : tones) tone = random.in(0.955, 1.0);
@@ -26,10 +26,11 @@ Texture make_paving() {
             const int edge =
                 std::min(std::min(x % kSlab, kSlab - 1 - x % kSlab), std::min(y % kSlab, kSlab - 1 - y % kSlab));
             const double tone = tones[(y / kSlab) * 4 + x / kSlab] * (edge == 0 ? 0.80 : edge == 1 ? 0.93 : 1.0);
-            std::uint8_t* out = &texture.rgba[std::size_t(y * kSize + x) * 4];
+            std::uint8_t* out = &rgba[std::size_t(y * kSize + x) * 4];
             for (int c = 0; c < 3; ++c) out[c] = std::uint8_t(255 * tone + 0.5);
             out[3] = 255;
         }
+    texture.rgba = std::move(rgba);
     return texture;
 }
 
@@ -42,7 +43,7 @@ void add_ground(Scene& scene, int root) {
     constexpr double kRadius = 13, kSlab_m = 0.8;
     Mesh disc = make_revolution("ground", {{0, 0, 0, 1}, {kRadius, 0, 0, 1}}, 96);
     for (std::size_t i = 0; i < disc.uv.size(); ++i)
-        disc.uv[i] = glm::vec2(disc.positions[i].x, disc.positions[i].z) / float(4 * kSlab_m);
+        disc.uv.edit()[i] = glm::vec2(disc.positions[i].x, disc.positions[i].z) / float(4 * kSlab_m);
     const Mesh edge = make_revolution(
         "edge", {{kRadius, 0, 1, 0}, {kRadius, -0.35, 1, 0}, {kRadius, -0.35, 0, -1}, {0, -0.35, 0, -1}}, 96);
     add_object(scene, "Ground", root, add_mesh(scene, "Ground", disc, stone));

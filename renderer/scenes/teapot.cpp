@@ -127,8 +127,8 @@ void add_patch(Mesh& mesh, const Patch& patch, int cells) {
             const auto d = std::uint32_t(mesh.positions.size() - 1), c = d - 1, b = d - std::uint32_t(cells) - 1,
                        a = b - 1;
             const auto& p = mesh.positions;
-            if (p[a] != p[b]) mesh.indices.insert(mesh.indices.end(), {a, d, b});
-            if (p[c] != p[d]) mesh.indices.insert(mesh.indices.end(), {a, c, d});
+            if (p[a] != p[b]) mesh.indices.append({a, d, b});
+            if (p[c] != p[d]) mesh.indices.append({a, c, d});
         }
 }
 

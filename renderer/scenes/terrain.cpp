@@ -94,7 +94,7 @@ Mesh make_terrain(int cells) {
             mesh.colours.emplace_back(land_colour(x, z, y, terrain_slope(x, z)), 1.0);
             if (i == 0 || j == 0) continue;
             const auto v = std::uint32_t(mesh.positions.size() - 1), above = v - std::uint32_t(cells) - 1;
-            mesh.indices.insert(mesh.indices.end(), {above - 1, v - 1, v, above - 1, v, above});
+            mesh.indices.append({above - 1, v - 1, v, above - 1, v, above});
         }
     return mesh;
 }

@@ -43,7 +43,7 @@ Scene wavy_ground(double triangles) {
     const int cells = std::max(1, int(std::lround(std::sqrt(triangles / 2))));
     Mesh mesh = make_plane(20, 20, cells, cells);
     mesh.uv.clear();
-    for (glm::vec3& p : mesh.positions) p.y = float(0.5 * std::sin(2.1 * p.x) * std::cos(1.7 * p.z));
+    for (glm::vec3& p : mesh.positions.edit()) p.y = float(0.5 * std::sin(2.1 * p.x) * std::cos(1.7 * p.z));
     mesh.normals.clear();
     return make_scene(std::move(mesh));
 }

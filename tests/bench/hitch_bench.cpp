@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <thread>
 
@@ -126,13 +125,6 @@ void first_touch(benchmark::State& state, bool apart) {
     state.counters["hover_until_ms"] = median(hover_until);
     state.counters["click_until_ms"] = median(click_until);
     state.counters["click_again_ms"] = median(click_again);
-}
-
-/// Processor time of all threads, in milliseconds.
-double processor_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return double(now.tv_sec) * 1e3 + double(now.tv_nsec) / 1e6;
 }
 
 /// The editor's own work: a frame in which the light turned, with each tab in front, less the same picture drawn by a

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/context/headless_context.h"
+#include "renderer/base/held.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/reference/truth_task.h"
 #include "tests/support/agreed_scene.h"
@@ -23,6 +24,13 @@ double resident_bytes() {
     double all = 0, resident = 0;
     in >> all >> resident;
     return resident * double(sysconf(_SC_PAGESIZE));
+}
+
+/// Bytes by the holder's own account.
+double told(std::string_view holder) {
+    for (const HeldBytes& h : memory_facts().holders)
+        if (h.holder == holder) return double(h.bytes);
+    return 0;
 }
 
 void memory_by_holder(benchmark::State& state) {
@@ -44,15 +52,24 @@ void memory_by_holder(benchmark::State& state) {
         std::size_t meshes = 0;
         for (const Mesh& m : scene.meshes) meshes += m.indices.size() / 3;
         state.counters["scene"] = grown() / triangles;
+        {
+            const Scene copy = scene;  // as each search in the background takes
+            state.counters["scene_copy"] = grown() / triangles;
+        }
+        grown();
         renderer.render(scene, {}, request);
         glFinish();
         state.counters["driver"] = grown() / triangles;
+        state.counters["told_vertices"] = told("scene's vertices") / triangles;
         TruthCache cache;
         TruthTask task = truth_task(renderer, scene, {}, request, 0, {.nearest = false});
         state.counters["truth_copy"] = grown() / triangles;
+        state.counters["told_scenes"] = told("scenes") / triangles;
         const TracedTruth traced = cache.trace(task);
         task = {};
         state.counters["hierarchy_and_truth"] = grown() / triangles;
+        state.counters["told_hierarchies"] = told("hierarchies of rays") / triangles;
+        state.counters["told_receivers_and_truths"] = (told("receivers") + told("truths")) / triangles;
         // Another frame, light and truth of the same casters must not hold them again.
         Settings turned;
         turned.lights[0].azimuth += 30;

@@ -4,21 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <random>
 
 #include "renderer/base/error.h"
-#include "tests/bench/median.h"
+#include "tests/bench/rounds.h"
 
 namespace si {
 namespace {
-
-/// Of all threads of the process.
-double cpu_ms() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
-}
 
 struct Interval {
     double median, low, high;  ///< of 95 %
@@ -69,9 +61,9 @@ void Rotation::run(benchmark::State& state) {
     for (auto _ : state) {
         for (std::size_t i = 0; i < contenders_.size(); ++i) {
             Contender& c = contenders_[(first + i) % contenders_.size()];
-            const double before = cpu_ms();
+            const double before = processor_ms();
             c.times.push_back(c.ms());
-            c.cpu.push_back(cpu_ms() - before);
+            c.cpu.push_back(processor_ms() - before);
         }
         ++first;
         state.SetIterationTime(contenders_.front().times.back() / 1000);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <vector>
 
@@ -28,6 +29,13 @@ struct Quartiles {
         median = v[v.size() / 2], p25 = v[v.size() / 4], p75 = v[v.size() * 3 / 4];
     }
 };
+
+/// Time that all threads of the process have worked, milliseconds.
+inline double processor_ms() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+}
 
 /// Wall time of a call, milliseconds.
 template <typename Work>

@@ -1,11 +1,11 @@
 // The ray-traced truth against the quickest bare loop over prepared rays, in turn, on the same number of threads. Read
 // the ratios; the milliseconds hold for this machine and minute only. `rate_share` is that of the quickest loop there
 // is, `robust_share` that of the quickest that no ray slips through between triangles, as the truth demands;
-// `prepared_share` that of the quickest whose rays are made from receivers as it goes, as the truth's are.
+// `prepared_share` that of the quickest whose rays are made from receivers as it goes, as the truth's are. Those that
+// end with `_cpu` are of processor time.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <limits>
 #include <map>
@@ -16,18 +16,27 @@
 #include "renderer/reference/embree.h"
 #include "renderer/reference/truth_task.h"
 #include "tests/bench/median.h"
+#include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"
 
 namespace si {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// By the wall, and of all threads of the process, which others on the machine blur far less.
+struct TakenMs {
+    double wall = 0, cpu = 0;
+};
 
-double ms_of(const std::function<void()>& work) {
-    const auto start = Clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+TakenMs ms_of(const std::function<void()>& work) {
+    const double cpu = processor_ms();
+    const double wall = wall_ms(work);
+    return {wall, processor_ms() - cpu};
 }
+
+struct Taken {
+    std::vector<double> wall, cpu;
+    void push_back(TakenMs ms) { wall.push_back(ms.wall), cpu.push_back(ms.cpu); }
+};
 
 /// The view to be traced, and the same rays for a hierarchy without any of our care.
 struct Bench {
@@ -91,7 +100,7 @@ struct Bench {
     }
 
     /// Makes rays of receivers and traces them, `at_once` a call.
-    double prepared_ms(std::size_t at_once, const Workers& workers) {
+    TakenMs prepared_ms(std::size_t at_once, const Workers& workers) {
         return ms_of([&] {
             for_blocks((facing.size() + at_once - 1) / at_once, workers, [&](std::size_t b) {
                 thread_local std::vector<RTCRay> some;
@@ -104,8 +113,8 @@ struct Bench {
     }
 
     /// Traces prepared rays `at_once` a call.
-    double bare_ms(const embree::Scene& through, std::size_t at_once, RTCIntersectContextFlags flags,
-                   const Workers& workers) {
+    TakenMs bare_ms(const embree::Scene& through, std::size_t at_once, RTCIntersectContextFlags flags,
+                    const Workers& workers) {
         std::vector<RTCRay> prepared = rays;
         return ms_of([&] {
             for_blocks((prepared.size() + at_once - 1) / at_once, workers, [&](std::size_t b) {
@@ -124,14 +133,14 @@ void truth_against_bare(benchmark::State& state, test::AgreedSize size) {
     struct Way {
         std::size_t at_once;
         RTCIntersectContextFlags flags;
-        std::vector<double> ms, robust_ms;
+        Taken ms, robust_ms;
     };
     std::vector<Way> ways;
     for (const std::size_t n : {256, 1024, 4096})
         for (const auto flags : {RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, RTC_INTERSECT_CONTEXT_FLAG_COHERENT})
             ways.push_back({n, flags, {}, {}});
-    std::map<std::size_t, std::vector<double>> prepared = {{256, {}}, {1024, {}}, {4096, {}}};
-    std::vector<double> ours, place;
+    std::map<std::size_t, Taken> prepared = {{256, {}}, {1024, {}}, {4096, {}}};
+    Taken ours, place;
     for (auto _ : state) {
         for (Way& w : ways) {
             w.ms.push_back(bench->bare_ms(bench->scene, w.at_once, w.flags, workers));
@@ -145,36 +154,45 @@ void truth_against_bare(benchmark::State& state, test::AgreedSize size) {
             benchmark::DoNotOptimize(
                 place_receivers(*bench->task.geometry, bench->task.camera, bench->task.ids, workers));
         }));
-        state.SetIterationTime(ours.back() / 1000);
+        state.SetIterationTime(ours.wall.back() / 1000);
     }
-    double fastest = std::numeric_limits<double>::infinity(), fastest_robust = fastest;
-    for (const Way& w : ways) {
-        fastest = std::min(fastest, median(w.ms));
-        fastest_robust = std::min(fastest_robust, median(w.robust_ms));
+    for (const bool cpu : {false, true}) {
+        const auto of = [cpu](const Taken& t) -> const std::vector<double>& { return cpu ? t.cpu : t.wall; };
+        std::vector<const Taken*> bare, robust, made;
+        for (const Way& w : ways) bare.push_back(&w.ms), robust.push_back(&w.robust_ms);
+        for (const auto& [at_once, ms] : prepared) made.push_back(&ms);
+        const auto quickest = [&](std::vector<const Taken*> all) {
+            return *std::ranges::min_element(all, {}, [&](const Taken* t) { return median(of(*t)); });
+        };
+        const auto report = [&](const std::string& name, const Taken& t) {
+            state.counters[name + (cpu ? "_cpu_ms" : "_ms")] = median(of(t));
+        };
+        // Round by round, so that drift of the machine falls on both.
+        const auto share = [&](const std::string& name, const Taken& t) {
+            std::vector<double> shares;
+            for (std::size_t i = 0; i < of(t).size(); ++i) shares.push_back(of(t)[i] / of(ours)[i]);
+            const Quartiles q(std::move(shares));
+            const std::string label = name + (cpu ? "_share_cpu" : "_share");
+            state.counters[label] = q.median, state.counters[label + "_p25"] = q.p25;
+            state.counters[label + "_p75"] = q.p75;
+        };
+        report("ours", ours), report("place", place);
+        for (const auto& [name, all] : {std::pair("rate", bare), {"robust", robust}, {"prepared", made}})
+            report(name, *quickest(all)), share(name, *quickest(all));
     }
-    double prepared_ms = std::numeric_limits<double>::infinity();
-    for (const auto& [at_once, ms] : prepared) prepared_ms = std::min(prepared_ms, median(ms));
-    state.counters["prepared_ms"] = prepared_ms;
     state.counters["rays"] = double(bench->rays.size());
-    state.counters["bare_ms"] = fastest;
-    state.counters["ours_ms"] = median(ours);
-    state.counters["place_ms"] = median(place);
-    state.counters["robust_ms"] = fastest_robust;
-    state.counters["rate_share"] = fastest / median(ours);
-    state.counters["robust_share"] = fastest_robust / median(ours);
-    state.counters["prepared_share"] = prepared_ms / median(ours);
 }
 
 BENCHMARK_CAPTURE(truth_against_bare, 100k, test::AgreedSize::Triangles100k)
     ->Arg(1)
     ->Arg(2)
     ->UseManualTime()
-    ->Iterations(9);
+    ->Iterations(bench_rounds(9));
 BENCHMARK_CAPTURE(truth_against_bare, 1m, test::AgreedSize::Triangles1M)
     ->Arg(1)
     ->Arg(2)
     ->UseManualTime()
-    ->Iterations(9);
+    ->Iterations(bench_rounds(9));
 
 }  // namespace
 }  // namespace si

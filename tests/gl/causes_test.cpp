@@ -353,7 +353,7 @@ Scene tiles() {
     for (const double x : {-2.5, 2.5})
         for (const double z : {-2.5, 2.5}) {
             Mesh tile = make_plane(5, 5, 12, 12);
-            for (glm::vec3& p : tile.positions)
+            for (glm::vec3& p : tile.positions.edit())
                 p.y = float(0.2 * std::sin(1.3 * (p.x + x)) * std::cos(1.1 * (p.z + z)));
             add_object(scene, "tile " + std::to_string(scene.objects.size()), -1,
                        add_mesh(scene, "tile", std::move(tile), grey), moved(x, 0, z));
@@ -371,7 +371,7 @@ Scene masked_sheet(bool levels) {
     Texture mask{.name = "mask", .width = 64, .height = 64, .mipmaps = levels};
     for (int i = 0; i < 64 * 64; ++i) {
         const bool hole = i % 64 % 8 < 6 && i / 64 % 8 < 6;
-        mask.rgba.insert(mask.rgba.end(), {255, 255, 255, std::uint8_t(hole ? 0 : 255)});
+        mask.rgba.append({255, 255, 255, std::uint8_t(hole ? 0 : 255)});
     }
     scene.textures.push_back(std::move(mask));
     scene.materials.push_back({.name = "lattice", .base_colour_texture = 0, .alpha = AlphaMode::Mask});

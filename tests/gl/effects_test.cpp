@@ -190,6 +190,30 @@ TEST_F(EffectsTest, ForcedASpentEffectIsSimulated) {
     EXPECT_GT(last.pass("visibility")->draws, draws) << "it is said to be simulated, and nothing more is drawn";
 }
 
+TEST_F(EffectsTest, WhatSavingsSpareWithinAPassIsNamedWithThemAndSimulatedWhereTheyAreForced) {
+    const Scene scene = load_scene("boxes");
+    const Sets sets = {{"filter.kernel", "pcss"}, {"light.size", "0"}};
+    const std::pair<const char*, Saving> all[] = {{"visibility texture", Saving::Fused},
+                                                  {"look-ups where light does not arrive", Saving::Facing},
+                                                  {"search for a penumbra of light 0", Saving::Blockers},
+                                                  {"shading of what is hidden", Saving::Order}};
+    const std::vector<Effect> before = effects(scene, sets);
+    for (const auto& [name, saving] : all) {
+        EXPECT_EQ(state_of_effect(before, name), EffectState::NotCalledFor) << name;
+        ASSERT_TRUE(effect_named(before, name));
+        EXPECT_EQ(effect_named(before, name)->saving, saving) << name;
+        FrameRequest request = small();
+        request.forced = {saving};
+        const std::vector<Effect> forced = effects(scene, sets, request);
+        EXPECT_EQ(state_of_effect(forced, name), EffectState::Simulated) << name;
+        EXPECT_EQ(effect_named(forced, name)->saving, saving) << name << ": it could not be let go again";
+        for (const Effect& e : forced) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
+    }
+    const std::vector<Effect> sized = effects(scene, {{"filter.kernel", "pcss"}, {"light.size", "1"}});
+    EXPECT_FALSE(effect_named(sized, "search for a penumbra of light 0")) << "one opens: it is searched for";
+    EXPECT_FALSE(effect_named(effects(scene, {{"light.cast", "false"}}), "look-ups where light does not arrive"));
+}
+
 TEST_F(EffectsTest, AnEmptySceneAndFarLightsHaveEffectsToo) {
     Scene empty;
     finalise(empty);

@@ -100,6 +100,28 @@ TEST_F(HeldTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
 }
 #endif
 
+/// A thread beside a window's has one picture drawn and one waiting at most.
+TEST_F(HeldTest, WhoLetsOthersDrawWaitsForThePictureBeforeTheLast) {
+    constexpr int kSide = 8192;
+    gl::Target tiny, large;
+    tiny.ensure("a test's image", GL_R8, 1, 1), large.ensure("a test's image", GL_R8, kSide, kSide);
+    const gl::Framebuffer into_tiny = gl::make_framebuffer("a test's image", &tiny, nullptr);
+    const gl::Framebuffer into_large = gl::make_framebuffer("a test's image", &large, nullptr);
+    constexpr float kBlack[4] = {};
+    glClearNamedFramebufferfv(into_tiny.id(), GL_COLOR, 0, kBlack);
+    glFinish();
+    gl::let_others_draw();
+    glBlitNamedFramebuffer(into_tiny.id(), into_large.id(), 0, 0, 1, 1, 0, 0, kSide, kSide, GL_COLOR_BUFFER_BIT,
+                           GL_LINEAR);
+    const GLsync drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl::end_of_picture();
+    glClearNamedFramebufferfv(into_tiny.id(), GL_COLOR, 0, kBlack);
+    gl::end_of_picture();
+    EXPECT_EQ(glClientWaitSync(drawn, 0, 0), GLenum(GL_ALREADY_SIGNALED));
+    glDeleteSync(drawn);
+    gl::let_others_draw(false);
+}
+
 /// A failed allocation leaves nothing: neither the image of the size before, which would be taken for the one asked
 /// for, nor the memory of the one that failed.
 TEST_F(HeldTest, ATargetThatFoundNoMemoryIsNone) {

@@ -1,7 +1,9 @@
 // What look-ups in maps save: the same bytes with it forced, and fewer texels fetched, as the overlay `taps` counts
 // them.
+#include <algorithm>
 #include <numeric>
 
+#include "renderer/measure/saved.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
@@ -211,6 +213,28 @@ TEST_F(LookupSavingsTest, ForcedGivesTheSameBytesWhateverTheMap) {
         }
         EXPECT_EQ(bounded > 0, ways()[way].empty() || ways()[way][0].first != "map.virtual") << way << ": " << told;
     }
+}
+
+/// Bounds are of maps that are kept: they are measured while the camera moves.
+TEST_F(LookupSavingsTest, WhatBoundsSpareIsMeasuredOverMapsThatAreKept) {
+    const Scene scene = load_scene("boxes");
+    Settings s = settings_for(scene, {{"filter.kernel", "vogel"}, {"filter.taps", "64"}, {"map.resolution", "256"}});
+    const FrameRequest request{.width = 64, .height = 36};
+    KeptFrames frames(scene, s, request, Saving::EarlyOut);
+    for (int i = 0; i < 3; ++i) frames.draw({}), frames.draw({Saving::EarlyOut});
+    const FrameResult with = frames.draw({});
+    EXPECT_NE(with.pass("map bounds")->state, PassState::Skipped) << with.pass("map bounds")->reason;
+    const ByteImage picture = renderer.read_colour(with.colour);
+    const FrameResult without = frames.draw({Saving::EarlyOut});
+    EXPECT_EQ(without.pass("map bounds")->state, PassState::Skipped);
+    EXPECT_EQ(different_pixels(picture, renderer.read_colour(without.colour)), 0u) << "they are of one moment";
+    const std::vector<Effect> effects = frame_effects(scene, s, renderer.render(scene, s, request));
+    const auto bounds = std::ranges::find_if(effects, [](const Effect& e) { return e.name == "map bounds"; });
+    ASSERT_NE(bounds, effects.end());
+    EXPECT_EQ(bounds->saving, Saving::EarlyOut) << bounds->reason;
+    const SavedTimes times = measure_saved(renderer, scene, s, request, named_savings(effects), 4);
+    ASSERT_TRUE(times.of(*bounds));
+    EXPECT_EQ(times.of(*bounds)->samples, 4);
 }
 
 }  // namespace

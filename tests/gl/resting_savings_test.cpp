@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "renderer/frame/effects.h"
+#include "renderer/measure/saved.h"
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
@@ -316,6 +317,74 @@ TEST_F(RestingSavingsTest, TheEffectIsTold) {
     EXPECT_EQ(kept.state, EffectState::Reused) << kept.reason;
     EXPECT_EQ(kept.saving, Saving::Resting);
     EXPECT_NE(kept.reason.find("49 casters are left out"), std::string::npos) << kept.reason;
+}
+
+/// The ball that moves goes by an animation of a second.
+Scene animated_ball() {
+    Scene scene = many_balls();
+    auto rig = std::make_shared<Rig>();
+    for (const Node& node : scene.nodes) rig->rest.push_back({.has_trs = node.name == "Mover"});
+    const int mover = int(&node_named(scene, "Mover") - scene.nodes.data());
+    rig->animations.push_back({.name = "To and fro",
+                               .duration_s = 1,
+                               .channels = {{.node = mover,
+                                             .property = AnimatedProperty::Translation,
+                                             .times_s = {0, 0.5f, 1},
+                                             .values = {-3, 1.5f, 0, 3, 1.5f, 0, -3, 1.5f, 0}}}});
+    scene.rig = std::move(rig);
+    return scene;
+}
+
+TEST_F(RestingSavingsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
+    const Scene scene = animated_ball();
+    Settings s = small_maps(scene, kinds()[0]);
+    s.scene.time = 0.9;  // over the end
+    KeptFrames frames(scene, s, asked(), Saving::Resting);
+    for (int i = 0; i < 4; ++i) frames.draw({}), frames.draw({Saving::Resting});
+    ByteImage before;
+    for (int i = 0; i < 4; ++i) {
+        const FrameResult kept = frames.draw({});
+        EXPECT_TRUE(is_kept(kept));
+        const std::uint64_t triangles = map_pass(kept).triangles;
+        const ByteImage picture = renderer.read_colour(kept.colour);
+        const FrameResult all = frames.draw({Saving::Resting});
+        EXPECT_GT(map_pass(all).triangles, 10 * triangles);
+        EXPECT_EQ(different_pixels(picture, renderer.read_colour(all.colour)), 0u) << "they are of one moment";
+        if (i > 0) {
+            EXPECT_GT(different_pixels(picture, before), 0u) << "nothing moved";
+        }
+        before = picture;
+    }
+}
+
+TEST_F(RestingSavingsTest, AreMeasuredWhereSomethingMovesAndNowhereElse) {
+    const Scene moving = animated_ball(), still = many_balls();
+    const auto measured = [&](const Scene& scene, const Settings& s) {
+        Renderer anew;  // that has seen nothing move
+        const FrameResult frame = anew.render(scene, s, asked());
+        const std::vector<Effect> effects = frame_effects(scene, s, frame);
+        const auto told =
+            std::ranges::find_if(effects, [](const Effect& e) { return e.saving == Saving::Resting && !e.part; });
+        EXPECT_NE(told, effects.end());
+        if (told == effects.end()) return std::pair(Effect{}, std::optional<Spread>());
+        const std::vector<Saving> named = named_savings(effects);
+        EXPECT_TRUE(std::ranges::count(named, Saving::Resting) == 1);
+        const SavedTimes times = measure_saved(anew, scene, s, asked(), named, 5);
+        const Spread* ms = times.of(*told);
+        return std::pair(*told, ms ? std::optional(*ms) : std::nullopt);
+    };
+    Settings s = small_maps(moving, kinds()[0]);
+    const auto [of_moving, ms] = measured(moving, s);
+    EXPECT_NE(of_moving.reason.find("Nothing has moved since the frame before"), std::string::npos) << of_moving.reason;
+    ASSERT_TRUE(ms);
+    EXPECT_EQ(ms->samples, 5);
+    EXPECT_LE(ms->median_low, ms->median);
+    EXPECT_GE(ms->median_high, ms->median);
+    const auto [of_still, none] = measured(still, s);
+    EXPECT_NE(of_still.reason.find("Nothing moves here"), std::string::npos) << of_still.reason;
+    EXPECT_FALSE(none) << "it is never estimated";
+    s.scene.animation = -1;
+    EXPECT_FALSE(measured(moving, s).second);
 }
 
 }  // namespace

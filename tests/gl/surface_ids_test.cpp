@@ -87,12 +87,12 @@ Scene masked_quad(bool nearest, TextureWrap wrap) {
     t.wrap_s = wrap, t.wrap_t = TextureWrap::Mirror;
     Random random(5);
     for (int i = 0; i < t.width * t.height; ++i)
-        t.rgba.insert(t.rgba.end(), {90, 120, 60, std::uint8_t(random.in(0, 256))});
+        t.rgba.append({90, 120, 60, std::uint8_t(random.in(0, 256))});
     scene.textures.push_back(t);
     Mesh quad = make_quad(2, 2);
-    for (glm::vec2& uv : quad.uv) uv = uv * 3.3f - glm::vec2(1.1f);
+    for (glm::vec2& uv : quad.uv.edit()) uv = uv * 3.3f - glm::vec2(1.1f);
     quad.colours.assign(quad.positions.size(), glm::vec4(1, 1, 1, 0.8f));
-    quad.colours[0].a = 1;
+    quad.colours.edit()[0].a = 1;
     add_object(scene, "quad", -1, add_mesh(scene, "quad", quad, 0));
     finalise(scene);
     return scene;

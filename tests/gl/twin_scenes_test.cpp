@@ -26,11 +26,11 @@ Scene baked(const Scene& moved) {
         Mesh mesh = moved.meshes[std::size_t(moved.objects[i].mesh)];
         const glm::dmat4& world = moved.objects[i].world;
         const glm::dmat3 linear(world), normals = glm::transpose(glm::inverse(linear));
-        for (glm::vec3& p : mesh.positions) p = glm::vec3(world * glm::dvec4(p, 1));
-        for (glm::vec3& n : mesh.normals) n = glm::vec3(glm::normalize(normals * glm::dvec3(n)));
+        for (glm::vec3& p : mesh.positions.edit()) p = glm::vec3(world * glm::dvec4(p, 1));
+        for (glm::vec3& n : mesh.normals.edit()) n = glm::vec3(glm::normalize(normals * glm::dvec3(n)));
         if (glm::determinant(linear) < 0)  // a mirror image winds the other way round
             for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3)
-                std::swap(mesh.indices[t], mesh.indices[t + 1]);
+                std::swap(mesh.indices.edit()[t], mesh.indices.edit()[t + 1]);
         out.meshes.push_back(std::move(mesh));
         out.objects[i].mesh = int(i);
         out.objects[i].instance = glm::dmat4(1);
@@ -78,7 +78,7 @@ TEST_F(TwinScenes, ATwinIsToldApartWhenOnlyItsWindingIsTurned) {
     const Scene boxes = moved_by_nodes(load_scene("boxes"), glm::dmat4(1));
     Scene inside_out = boxes;
     for (Mesh& mesh : inside_out.meshes)
-        for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) std::swap(mesh.indices[t], mesh.indices[t + 1]);
+        for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) std::swap(mesh.indices.edit()[t], mesh.indices.edit()[t + 1]);
     finalise(inside_out);
     EXPECT_GT(differences(boxes, inside_out, "none", settings_for(boxes, {{"caster.cull", "back"}})), 500u);
 }
@@ -107,8 +107,7 @@ Scene sheet_over_floor(bool as_mask) {
     Scene scene;
     const auto quad = [](Mesh& mesh, glm::vec3 lo, glm::vec3 hi) {
         const auto base = std::uint32_t(mesh.positions.size());
-        mesh.positions.insert(mesh.positions.end(),
-                              {{lo.x, lo.y, lo.z}, {lo.x, lo.y, hi.z}, {hi.x, lo.y, hi.z}, {hi.x, lo.y, lo.z}});
+        mesh.positions.append({{lo.x, lo.y, lo.z}, {lo.x, lo.y, hi.z}, {hi.x, lo.y, hi.z}, {hi.x, lo.y, lo.z}});
         for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(base + i);
     };
     scene.meshes.resize(2);
@@ -124,7 +123,7 @@ Scene sheet_over_floor(bool as_mask) {
                         .mipmaps = false};
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 4; ++x)
-                texture.rgba.insert(texture.rgba.end(), {255, 255, 255, std::uint8_t((x + y) % 2 ? 0 : 255)});
+                texture.rgba.append({255, 255, 255, std::uint8_t((x + y) % 2 ? 0 : 255)});
         scene.textures.push_back(texture);
         scene.materials.push_back({.base_colour_texture = 0, .alpha = AlphaMode::Mask});
         sheet.material = 0;

@@ -56,9 +56,8 @@ TEST(HardCase13, Slivers) {
     for (int i = 0; i < 50; ++i) {
         const float x = -2 + 0.08f * float(i), thin = std::ldexp(1.0f, -10 - i % 20);
         const auto a = std::uint32_t(slivers.positions.size());
-        slivers.positions.insert(slivers.positions.end(),
-                                 {{x, 0.1f, -3}, {x + thin, 2, 3}, {x + 0.5f * thin, 0.1f, 3}});
-        slivers.indices.insert(slivers.indices.end(), {a, a + 1, a + 2});
+        slivers.positions.append({{x, 0.1f, -3}, {x + thin, 2, 3}, {x + 0.5f * thin, 0.1f, 3}});
+        slivers.indices.append({a, a + 1, a + 2});
     }
     add_object(scene, "slivers", -1, add_mesh(scene, "slivers", slivers, -1));
     finalise(scene);

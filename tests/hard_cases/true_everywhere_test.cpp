@@ -194,7 +194,7 @@ TEST(HardCase10Baked, VerticesFarAwayAreTheirOwnRoundedGeometry) {
                 const glm::dmat4 world = scene->nodes[std::size_t(object.node)].world;
                 Mesh& mesh = scene->meshes[std::size_t(object.mesh)];
                 mesh.normals.clear();
-                for (glm::vec3& p : mesh.positions) {
+                for (glm::vec3& p : mesh.positions.edit()) {
                     const glm::vec3 far = glm::vec3(glm::dvec3(world * glm::dvec4(p, 1)) + at);
                     p = scene == &baked ? far : glm::vec3(glm::dvec3(far) - whole);
                 }

@@ -149,6 +149,27 @@ TEST(EditorEffects, LoupeAndComparisonAreToldOfWhileTheyAreShown) {
     EXPECT_EQ(state_of("panel: cross-section"), EffectState::NotCalledFor) << "its panel is hidden";
 }
 
+TEST(EditorEffects, TheNextArtefactIsLookedForOnceAndToldOf) {
+    HeadlessEditor editor(editor_of("boxes", {"bias.constant=0", "bias.normal=0", "view.overlay=artefacts"}));
+    EditorState& state = editor.model().state;
+    const auto told = [&] {
+        editor.settle();
+        const Effect* e = shown_effect(editor.model().facts(), "panel: next artefact");
+        return e ? *e : Effect{};
+    };
+    EXPECT_EQ(told().state, EffectState::NotCalledFor);
+    state.artefacts = {Artefact::Acne, 1};
+    const Effect found = told();
+    EXPECT_EQ(found.state, EffectState::Simulated) << found.reason;
+    state.settings.shading.exposure += 0.5;
+    const Effect kept = told();
+    EXPECT_EQ(kept.state, EffectState::Reused) << kept.reason;
+    EXPECT_EQ(kept.reason.substr(0, kept.reason.find(' ')), found.reason.substr(0, found.reason.find(' ')));
+    EXPECT_GT(std::stoi(found.reason), 0) << found.reason;
+    state.artefacts.number = 2;
+    EXPECT_EQ(told().state, EffectState::Simulated);
+}
+
 TEST(EditorEffects, AForcedFrameIsDrawnAnewAndLooksTheSame) {
     HeadlessEditor editor(editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true"}));
     editor.settle();

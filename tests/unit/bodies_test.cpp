@@ -16,7 +16,7 @@ bool is_closed(const Mesh& m) {
 }
 
 Mesh turned_inside_out(Mesh m) {
-    for (std::size_t i = 0; i + 2 < m.indices.size(); i += 3) std::swap(m.indices[i], m.indices[i + 1]);
+    for (std::size_t i = 0; i + 2 < m.indices.size(); i += 3) std::swap(m.indices.edit()[i], m.indices.edit()[i + 1]);
     return m;
 }
 
@@ -62,7 +62,7 @@ TEST(Bodies, AreNotOpen) {
 TEST(Bodies, AreNotInsideOutNorThroughThemselves) {
     EXPECT_FALSE(is_closed(turned_inside_out(make_sphere(1))));
     Mesh one_wrong = make_box({1, 1, 1});
-    std::swap(one_wrong.indices[0], one_wrong.indices[1]);
+    std::swap(one_wrong.indices.edit()[0], one_wrong.indices.edit()[1]);
     EXPECT_FALSE(is_closed(one_wrong));
     Mesh hollow = make_sphere(2);
     append(hollow, turned_inside_out(make_sphere(1)));
@@ -83,7 +83,7 @@ TEST(Bodies, HaveSeamsThatRoundingLeftOpenJoined) {
     const glm::vec3 place = ball.positions[ball.indices[300]];
     const std::uint32_t moved_one = ball.indices[300];
     ball.positions.push_back(place + glm::vec3(0, 4e-7f, 0));
-    ball.indices[300] = std::uint32_t(ball.positions.size() - 1);
+    ball.indices.edit()[300] = std::uint32_t(ball.positions.size() - 1);
     if (!ball.normals.empty()) ball.normals.push_back(ball.normals[moved_one]);
     const Bodies bodies = find_bodies(ball.positions, ball.indices);
     ASSERT_TRUE(bodies.closed);

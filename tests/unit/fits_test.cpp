@@ -113,7 +113,7 @@ TEST(CastersFit, ATiltedFloorIsAFloor) {
     // Its triangles need not lie in a plane of the mesh's own axes.
     Made baked;
     Mesh floor = make_plane(20, 20);
-    for (glm::vec3& p : floor.positions) p = glm::vec3(turn * glm::dvec4(p, 1));
+    for (glm::vec3& p : floor.positions.edit()) p = glm::vec3(turn * glm::dvec4(p, 1));
     baked.add("Floor", floor, glm::dmat4(1));
     baked.add("Box", make_box({2, 1, 2}), turn * moved(3, 0.5, 0));
     finalise(baked.scene);
@@ -530,13 +530,13 @@ TEST(FlatMeshes, AreFoundByGeometry) {
     EXPECT_FALSE(plane_of(bounded(make_sphere(1))));
     // A dent of a thousandth of its size is one.
     Mesh dented = make_plane(2, 2, 8, 8);
-    dented.positions[40].y += 2e-3f;
+    dented.positions.edit()[40].y += 2e-3f;
     EXPECT_FALSE(plane_of(bounded(dented)));
     EXPECT_TRUE(is_convex(bounded(make_box({1, 2, 3}))));
     EXPECT_FALSE(is_convex(bounded(make_torus(1, 0.2))));
     Mesh inside_out = bounded(make_box({1, 2, 3}));
     for (std::size_t i = 0; i < inside_out.indices.size(); i += 3)
-        std::swap(inside_out.indices[i], inside_out.indices[i + 1]);
+        std::swap(inside_out.indices.edit()[i], inside_out.indices.edit()[i + 1]);
     EXPECT_FALSE(is_convex(inside_out));
 }
 

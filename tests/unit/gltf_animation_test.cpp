@@ -19,7 +19,7 @@ glm::dvec3 moved(const glm::dmat4& m, const glm::dvec3& p) {
 /// Where vertex `i` of the scene's first object is.
 glm::dvec3 vertex(const Scene& scene, std::size_t i) {
     const Object& o = scene.objects.at(0);
-    return moved(o.world, glm::dvec3(scene.meshes[static_cast<std::size_t>(o.mesh)].positions.at(i)));
+    return moved(o.world, glm::dvec3(scene.meshes[static_cast<std::size_t>(o.mesh)].positions.all().at(i)));
 }
 
 AnimationChannel channel(Interpolation interpolation, std::vector<float> values, std::size_t width = 1) {

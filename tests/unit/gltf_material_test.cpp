@@ -142,7 +142,7 @@ TEST(GltfMaterial, NormalTextureHasCoordinatesOfItsOwnOnlyWhenTheyDiffer) {
     file.material()["normalTexture"]["texCoord"] = 1;
     const Scene scene = file.load();
     EXPECT_EQ(scene.meshes.at(0).uv[0], glm::vec2(0, 0));
-    EXPECT_EQ(scene.meshes.at(0).uv_normal.at(0), glm::vec2(0.5f, 0.5f));
+    EXPECT_EQ(scene.meshes.at(0).uv_normal.all().at(0), glm::vec2(0.5f, 0.5f));
 }
 
 TEST(GltfMaterial, UnreadableFormatFallsBackOrIsUntextured) {

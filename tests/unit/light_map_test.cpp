@@ -188,7 +188,7 @@ TEST(LightMapKey, FollowsAllThatRaysFindAndNothingElse) {
     bool changed = false;
     for (Texture& t : stage.textures)
         for (std::size_t i = 3; !changed && i < t.rgba.size(); i += 4)
-            changed = t.rgba[i] != 0 && (t.rgba[i] = 0, true);
+            changed = t.rgba[i] != 0 && (t.rgba.edit()[i] = 0, true);
     ASSERT_TRUE(changed);
     bool masked = false;
     for (const Material& m : stage.materials) masked |= m.alpha == AlphaMode::Mask;

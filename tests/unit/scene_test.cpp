@@ -99,7 +99,7 @@ TEST(Bounds, TransformedHoldsTheEightCorners) {
 
 TEST(Finalise, MakesMissingNormalsFlatAndKeepsAttributesAligned) {
     Mesh bent = square();
-    bent.positions[3] = {0, 1, 1};
+    bent.positions.edit()[3] = {0, 1, 1};
     Scene scene = scene_of({bent});
     finalise(scene);
     const Mesh& mesh = scene.meshes[0];
@@ -116,7 +116,7 @@ TEST(Finalise, ReplacesNormalsWithoutDirection) {
     for (const glm::vec3 bad : {glm::vec3(0), glm::vec3(kNoNumber, 0, 1), glm::vec3(kEndless, 0, 0)}) {
         Mesh mesh = square();
         mesh.normals.assign(4, glm::vec3(0, 0, 1));
-        mesh.normals[2] = bad;
+        mesh.normals.edit()[2] = bad;
         Scene scene = scene_of({mesh});
         finalise(scene);
         EXPECT_EQ(wrong_normals(scene.meshes[0]), 0u);
@@ -139,7 +139,7 @@ TEST(Finalise, DropsTrianglesWithoutArea) {
     mesh.positions.push_back({2, 0, 0});
     // Two equal corners; three corners on a line.
     mesh.uv.push_back({0, 0});
-    mesh.indices.insert(mesh.indices.end(), {1, 1, 2, 0, 1, 4});
+    mesh.indices.append({1, 1, 2, 0, 1, 4});
     Scene scene = scene_of({mesh, square()});
     finalise(scene);
     EXPECT_EQ(scene.dropped_triangles, 2u);
@@ -173,7 +173,7 @@ TEST(Finalise, DropsTrianglesWithoutAreaWhereverTheyStand) {
                 const bool flat = t % every == 0;  // its corners on a line that is none of the axes
                 for (std::size_t k = 0; k < 3; ++k)
                     if (flat)
-                        mesh.positions[3 * t + k] = float(k) * glm::vec3(0.1f, 0.3f, 0.7f);
+                        mesh.positions.edit()[3 * t + k] = float(k) * glm::vec3(0.1f, 0.3f, 0.7f);
                     else
                         kept.push_back(std::uint32_t(3 * t + k));
             }
@@ -192,14 +192,14 @@ TEST(Finalise, DropsTrianglesWithoutAreaWhereverTheyStand) {
 TEST(Finalise, KeepsSliversAndTrianglesOfEverySize) {
     for (const float size : {1e-19f, 1e-8f, 1.0f, 1e8f, 1e17f}) {
         Mesh mesh = row_of_triangles(100);
-        for (glm::vec3& p : mesh.positions) p *= size;
+        for (glm::vec3& p : mesh.positions.edit()) p *= size;
         Scene scene = scene_of({mesh});
         finalise(scene);
         EXPECT_EQ(scene.dropped_triangles, 0u) << size;
         EXPECT_EQ(scene.meshes.at(0).indices.size(), 300u);
     }
     Mesh slivers = row_of_triangles(100);  // a ten-millionth as high as wide
-    for (glm::vec3& p : slivers.positions) p.y *= 0.5e-7f;
+    for (glm::vec3& p : slivers.positions.edit()) p.y *= 0.5e-7f;
     Scene scene = scene_of({slivers});
     finalise(scene);
     EXPECT_EQ(scene.dropped_triangles, 0u);
@@ -219,7 +219,7 @@ TEST(Finalise, BoundsLeaveOutVerticesWithoutTriangles) {
 
 TEST(Finalise, KeepsTinyTriangles) {
     Mesh mesh = square();
-    for (glm::vec3& p : mesh.positions) p *= 1e-20f;
+    for (glm::vec3& p : mesh.positions.edit()) p *= 1e-20f;
     Scene scene = scene_of({mesh});
     finalise(scene);
     EXPECT_EQ(scene.triangle_count(), 2u);
@@ -229,7 +229,7 @@ TEST(Finalise, KeepsTinyTriangles) {
 TEST(Finalise, DropsMeshesThatAreNotFinite) {
     Mesh bad = square();
     bad.name = "bad";
-    bad.positions[1].y = kNoNumber;
+    bad.positions.edit()[1].y = kNoNumber;
     Mesh last = square();
     last.name = "last";
     Scene scene = scene_of({square(), bad, last});
@@ -245,7 +245,7 @@ TEST(Finalise, DropsMeshesThatAreNotFinite) {
 
 TEST(Finalise, IgnoresAttributesThatAreNotFinite) {
     Mesh mesh = square();
-    mesh.uv[0].x = kEndless;
+    mesh.uv.edit()[0].x = kEndless;
     mesh.colours.assign(4, glm::vec4(1, 1, 1, kNoNumber));
     Scene scene = scene_of({mesh});
     finalise(scene);
@@ -261,11 +261,11 @@ TEST(Finalise, RefusesReferencesOutOfRange) {
         spoil(scene);
         EXPECT_THROW(finalise(scene), Error);
     };
-    refuses([](Scene& s) { s.meshes[0].indices[4] = 4; });
+    refuses([](Scene& s) { s.meshes[0].indices.edit()[4] = 4; });
     for (const std::size_t at : {0u, 150u, 299u})
-        refuses([at](Scene& s) { s.meshes[0] = row_of_triangles(100), s.meshes[0].indices[at] = 300; });
-    refuses([](Scene& s) { s.meshes[0].indices.pop_back(); });
-    refuses([](Scene& s) { s.meshes[0].uv.pop_back(); });
+        refuses([at](Scene& s) { s.meshes[0] = row_of_triangles(100), s.meshes[0].indices.edit()[at] = 300; });
+    refuses([](Scene& s) { s.meshes[0].indices.edit().pop_back(); });
+    refuses([](Scene& s) { s.meshes[0].uv.edit().pop_back(); });
     refuses([](Scene& s) { s.meshes[0].material = 0; });
     refuses([](Scene& s) { s.meshes[0].material = -2; });
     refuses([](Scene& s) { s.objects[0].mesh = 1; });

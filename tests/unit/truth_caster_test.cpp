@@ -46,7 +46,7 @@ Texture stripes(int width, int height) {
     Texture t;
     t.width = width, t.height = height, t.nearest_mag = true;
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) t.rgba.insert(t.rgba.end(), {255, 255, 255, std::uint8_t(x % 2 ? 255 : 0)});
+        for (int x = 0; x < width; ++x) t.rgba.append({255, 255, 255, std::uint8_t(x % 2 ? 255 : 0)});
     return t;
 }
 
