@@ -252,8 +252,8 @@ void shading_parts(const Facts& f, const PassInfo& pass, Effects& out) {
     if (!is_separate(f)) lookup_parts(f, pass, false, out);
     if (f.scene.objects.size() > 1)
         out.push_back(spared_part(f, pass, "shading of what is hidden", Saving::Order,
-                                  "large meshes are drawn after what stands before them: the depth test drops most of "
-                                  "what would be shaded and hidden again"));
+                                  "what is near is drawn before what it hides, large meshes after small ones that they "
+                                  "touch: the depth test drops most of what would be shaded and hidden again"));
     look_parts(f, pass, out);
 }
 
