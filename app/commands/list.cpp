@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
@@ -233,6 +234,19 @@ const std::vector<ListKind>& kinds_of_lists() {
     return kinds;
 }
 
+/// The key, or its beginning, as rows have it: they speak of all lights and all objects.
+std::string row_key(const std::string& asked) {
+    if (const auto ref = find_setting(asked)) return std::string(ref->param->key);
+    constexpr std::string_view kLight = "light.";
+    const auto dot = asked.find('.', kLight.size());
+    if (!asked.starts_with(kLight) || dot == std::string::npos) return asked;
+    int number = -1;
+    const char* const end = asked.data() + dot;
+    const auto read = std::from_chars(asked.data() + kLight.size(), end, number);
+    if (read.ptr != end || number < 0 || number >= kMaxLights) return asked;
+    return std::string(kLight) + asked.substr(dot + 1);
+}
+
 }  // namespace
 
 const std::vector<std::string>& list_kinds() {
@@ -251,10 +265,11 @@ void run_list(const ListOptions& options) {
         throw UsageError(fmt::format("list {}: it is one of {}{}", kind, fmt::join(list_kinds(), ", "),
                                      did_you_mean(nearest_name(kind, list_kinds()))));
     }
+    const std::string prefix = kind == "settings" ? row_key(options.prefix) : options.prefix;
     Json list = known->rows();
     Json chosen = Json::array();
     for (Json& r : list) {
-        if (r["key"].get<std::string>().starts_with(options.prefix)) chosen.push_back(std::move(r));
+        if (r["key"].get<std::string>().starts_with(prefix)) chosen.push_back(std::move(r));
     }
     if (chosen.empty() && !options.prefix.empty()) {
         const std::string nearest = kind == "settings" ? did_you_mean(nearest_key(options.prefix)) : "";

@@ -133,7 +133,8 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         if (window.take_input()) due = kSettleFrames;
         for (const auto& path : window.take_dropped()) model.open(path), due = kSettleFrames;
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
-        if (model.loading_moved() || model.measuring_moved() || model.tracing_moved()) due = std::max(due, 1);
+        if (model.loading_moved() || model.drawing_moved() || model.measuring_moved() || model.tracing_moved())
+            due = std::max(due, 1);
         model.keep();
         const int width = window.framebuffer_width(), height = window.framebuffer_height();
         still = due == 0 && !model.busy() ? still + 1 : 0;

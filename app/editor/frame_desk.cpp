@@ -213,8 +213,10 @@ bool FrameDesk::update(const Scene& scene, const EditorActions& actions, const C
     wished.save_error = std::exchange(missed_.save_error, {});
     const GLsync shown = copies_ ? glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0) : nullptr;
     if (shown) glFlush();
+    progress_.set({}, 0, 0);
     hand_->start([this, &scene, shown, wished = std::move(wished), state = PictureState(state_),
                   known = comparison ? std::optional(*comparison) : std::nullopt] {
+        const WatchPasses watch(progress_);
         news_ = loop_->update(scene, state, wished, known ? &*known : nullptr);
         next_facts_ = loop_->facts();
         if (copies_) stand_in(shown);
@@ -234,6 +236,18 @@ void FrameDesk::stand_in(GLsync shown) {
         news_.changed = true;
     }
     glDeleteSync(shown);
+}
+
+std::optional<DrawingFacts> FrameDesk::first_picture() const {
+    if (facts_.driver || !busy()) return {};
+    const PassProgress::State now = progress_.state();
+    return DrawingFacts{now.pass, now.of == 0 ? 0 : double(now.done) / double(now.of)};
+}
+
+bool FrameDesk::first_picture_moved() {
+    if (facts_.driver || !under_way()) return false;
+    const PassProgress::State now = progress_.state();
+    return std::exchange(seen_progress_, now) != now;
 }
 
 void FrameDesk::clear() {

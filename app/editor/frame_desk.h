@@ -14,6 +14,7 @@
 #include "app/context/thread_context.h"
 #include "app/editor/frame_loop.h"
 #include "app/editor/session_report.h"
+#include "renderer/frame/pass_progress.h"
 
 namespace si {
 
@@ -52,6 +53,10 @@ public:
     void rest();
 
     const FrameFacts& facts() const { return facts_; }
+    /// How far the first picture is; nothing where there is one, or none is being drawn.
+    std::optional<DrawingFacts> first_picture() const;
+    /// first_picture() says something else than at the last call.
+    bool first_picture_moved();
     void save_map(const Scene& scene, const std::string& path);
     /// Whether shader files were saved since the last frame.
     bool poll_shaders() { return !under_way() && loop_->poll_shaders(); }
@@ -77,6 +82,8 @@ private:
     SessionReport& session_;
     const std::chrono::milliseconds patience_;
     FrameFacts facts_;
+    PassProgress progress_;
+    PassProgress::State seen_progress_;
     // The thread's while a frame is under way.
     std::unique_ptr<FrameLoop> loop_;
     std::unique_ptr<Copies> copies_;

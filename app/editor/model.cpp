@@ -81,6 +81,7 @@ EditorFrame EditorModel::facts() const {
     const SceneLoading& loading = scenes_.loading();
     if (const std::string name = loading.wanted(); !name.empty())
         f.loading = LoadingFacts{name, loading.progress(), loading.seconds_left()};
+    if (scenes_.scene() && f.problem.empty()) f.drawing = frames_.first_picture();
     return f;
 }
 

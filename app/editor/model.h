@@ -45,6 +45,7 @@ public:
     bool loading() const { return scenes_.loading().busy(); }
     /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
     bool loading_moved() const { return scenes_.loading().moved(); }
+    bool drawing_moved() { return frames_.first_picture_moved(); }
     /// Something is being measured in the background.
     bool measuring() const { return work_.busy() || frames_.facts().readings.tracing_probe; }
     /// Whether the next fulfil() has news of it.

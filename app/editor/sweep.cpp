@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostFolders = 8;  ///< editors that sweep at once
+constexpr int kMostFolders = 8;            ///< editors that sweep at once
+constexpr std::size_t kMostFinished = 16;  ///< settings whose numbers are remembered
 
 bool holds_sweep(const fs::path& folder, const SweepSpec& spec, const SweepPlan& plan) {
     if (!has_journal(folder)) return false;
@@ -223,6 +224,9 @@ void EditorSweep::take_news() {
     present_ = std::move(news.measured);
     facts_.measuring_present = news.measuring;
     facts_.present_problem = news.measure_problem;
+    facts_.present_is_old = news.measuring && present_ && present_->time;  // times come last
+    if (!news.measuring && news.measure_problem.empty() && present_ && followed_)
+        note_finished({*followed_, *present_});
     if (opened_ && news.sweep == seen_sweep_) return;  // its sweep is not the one that is shown
     opened_ = false;
     seen_sweep_ = news.sweep;
@@ -236,6 +240,34 @@ void EditorSweep::take_news() {
     const double part = news.progress.total ? double(news.progress.done) / double(news.progress.total) : 0;
     facts_.progress = news.progress.timing ? (news.progress.round + part) / timing.rounds : part;
     facts_.current = news.sweeping ? progress_text(news.progress, timing) : "";
+}
+
+void EditorSweep::note_finished(const Finished& finished) {
+    std::erase_if(finished_, [&](const Finished& f) { return f.of.settings == finished.of.settings; });
+    if (finished_.size() == kMostFinished) finished_.erase(finished_.begin());
+    finished_.push_back(finished);
+}
+
+EditorSweep::Earlier EditorSweep::earlier(const EditorState& state) const {
+    if (!followed_) return {};
+    const MeasuringThread::Picture& now = *followed_;
+    const auto comparable_with_now = [&](const Finished& f) {
+        const Settings &a = f.of.settings, &b = now.settings;
+        return f.of.scene->id == now.scene->id && f.of.width == now.width && f.of.height == now.height &&
+               f.of.cost == now.cost && a.camera == b.camera && a.scene == b.scene && a.truth == b.truth &&
+               !differing_settings(comparable(a), comparable(b)).empty();
+    };
+    Earlier found;
+    for (const Finished& f : finished_) {
+        if (!comparable_with_now(f)) continue;
+        found.is = &f;
+        if (!state.pinned) continue;
+        Settings pinned = measured_settings(state.pinned->settings);
+        pinned.truth.area = now.settings.truth.area;
+        found.pinned = pinned == f.of.settings;
+        if (found.pinned) break;
+    }
+    return found;
 }
 
 void EditorSweep::compare_settings(const EditorState& state) {
@@ -257,6 +289,7 @@ bool EditorSweep::update(const EditorState& state) {
     if (moved()) take_news();
     const bool axes_moved = seen_cost_ != state.sweep.cost || seen_error_ != state.sweep.error;
     const bool settings_moved = compared_ != state.settings || compared_scene_ != state.scene_name;
+    fresh_ |= std::exchange(seen_pinned_, state.pinned) != state.pinned;
     fresh_ |= std::exchange(seen_timed_, state.sweep.timed) != state.sweep.timed;
     if (!fresh_ && !axes_moved && !settings_moved) return false;
     if (fresh_ || settings_moved) {
@@ -282,9 +315,21 @@ bool EditorSweep::update(const EditorState& state) {
         facts_.present.reset();
         if (present_ && followed_) facts_.present = measured_case(*present_);
     }
+    const Earlier before = earlier(state);
+    facts_.before.reset(), facts_.change.clear();
+    facts_.before_is_pinned = before.pinned;
+    if (before.is) {
+        const Settings was = comparable(before.is->of.settings), is = comparable(followed_->settings);
+        const std::vector<SettingRef> changes = differing_settings(was, is);
+        facts_.before = measured_case(before.is->numbers);
+        facts_.change = changes.size() > 1
+                            ? fmt::format("{} settings", changes.size())
+                            : std::string(changes[0].param->label) + ": " + change_text(was, is, changes[0]);
+    }
     facts_.cost = shown_cost(facts_, state.sweep.cost);
-    facts_.view = frontier_view(results_ ? results_->rows : std::vector<SweepRow>{},
-                                present_ && followed_ ? &*present_ : nullptr, facts_.cost, state.sweep.error);
+    facts_.view =
+        frontier_view(results_ ? results_->rows : std::vector<SweepRow>{}, present_ && followed_ ? &*present_ : nullptr,
+                      facts_.cost, state.sweep.error, before.is ? &before.is->numbers : nullptr);
     seen_cost_ = state.sweep.cost, seen_error_ = state.sweep.error;
     fresh_ = false;
     return true;

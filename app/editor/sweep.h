@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "app/sweep/measuring_thread.h"
 #include "ui/state/editor_ui.h"
@@ -55,7 +56,19 @@ private:
     MeasuringThread& thread();
     std::shared_ptr<const Scene> copy_of(const Scene& scene);
     void show(const SweepSpec& spec, const SweepPlan& plan, const std::filesystem::path& folder);
+    /// What was measured of settings, in whole.
+    struct Finished {
+        MeasuringThread::Picture of;
+        CaseNumbers numbers;
+    };
     void take_news();
+    void note_finished(const Finished& finished);
+    struct Earlier {
+        const Finished* is = nullptr;  ///< null: nothing of the same picture was measured before
+        bool pinned = false;
+    };
+    /// What the present numbers are compared with: the pinned settings, else those measured last.
+    Earlier earlier(const EditorState& state) const;
     void compare_settings(const EditorState& state);
     /// Removes folders that this run made and in which no case was finished; ones still in use stay for later.
     void drop_empty();
@@ -68,6 +81,7 @@ private:
     std::unique_ptr<const Shown> shown_;
     std::optional<SweepResults> results_;
     std::optional<CaseNumbers> present_;
+    std::vector<Finished> finished_;  ///< the last ones, the present one at the end
     SweepFacts facts_;
     std::uint64_t seen_ = 0;        ///< version of the thread's news
     std::uint64_t seen_sweep_ = 0;  ///< News::sweep as last seen
@@ -75,7 +89,8 @@ private:
     std::string seen_cost_, seen_error_;
     CostCase seen_timed_ = kDefaultCost;
     CostCase swept_cost_ = kDefaultCost;  ///< of which frames the shown sweep has times
-    Settings compared_;                   ///< as last held against the sweep's
+    std::optional<PinnedSettings> seen_pinned_;
+    Settings compared_;  ///< as last held against the sweep's
     std::string compared_scene_;
     bool fresh_ = true;  ///< something came since facts_ was made
     std::unique_ptr<MeasuringThread> thread_;

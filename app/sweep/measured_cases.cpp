@@ -59,7 +59,7 @@ MeasuredCase measured_case(const SweepRow& row) {
 }
 
 FrontierView frontier_view(const std::vector<SweepRow>& rows, const CaseNumbers* present, const std::string& cost,
-                           const std::string& error) {
+                           const std::string& error, const CaseNumbers* before) {
     FrontierView view;
     const Column *x = find_column(cost), *y = find_column(error);
     if (!x || !y) return view;
@@ -76,6 +76,7 @@ FrontierView frontier_view(const std::vector<SweepRow>& rows, const CaseNumbers*
     const Dot here = present ? dot_of(*present, *x, *y) : Dot{};
     if (!present || !is_dot(here)) return view;
     view.present = here;
+    if (const Dot there = before ? dot_of(*before, *x, *y) : Dot{}; before && is_dot(there)) view.before = there;
     view.advice = advise(here, dots, on);
     return view;
 }

@@ -13,9 +13,9 @@ MeasuredCase measured_case(const SweepRow& row);
 /// Of settings that are no case.
 MeasuredCase measured_case(const CaseNumbers& numbers);
 
-/// Rows that failed are left out. @param present numbers of other settings; null: none @param cost, error keys of
-/// columns
+/// Rows that failed are left out. @param present, before numbers of other settings; null: none @param cost, error keys
+/// of columns
 FrontierView frontier_view(const std::vector<SweepRow>& rows, const CaseNumbers* present, const std::string& cost,
-                           const std::string& error);
+                           const std::string& error, const CaseNumbers* before = nullptr);
 
 }  // namespace si

@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/held.h"
 #include "renderer/frame/driver.h"
+#include "renderer/frame/pass_progress.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/gl/pace.h"
 #include "renderer/gl/trouble.h"
@@ -25,8 +26,12 @@ void run_passes(FrameState& f, std::vector<PassInfo>& infos, gl::PassClock* cloc
     const std::vector<Pass>& plan = f.plan.passes();
     std::vector<std::pair<std::size_t, std::size_t>> timed;
     if (clock) clock->reset();
+    PassProgress* const progress = WatchPasses::current();
+    const auto of = std::size_t(std::ranges::count(infos, PassState::Ran, &PassInfo::state));
+    std::size_t done = 0;
     for (std::size_t i = 0; i < plan.size(); ++i) {
         if (infos[i].state != PassState::Ran) continue;
+        if (progress) progress->set(plan[i].name, done++, of);
         const gl::DebugGroup group(plan[i].name);
         if (clock) clock->begin();
         const auto start = std::chrono::steady_clock::now();

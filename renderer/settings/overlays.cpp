@@ -159,7 +159,7 @@ constexpr Overlay kOverlays[] = {
      .max = 8,
      .draw = OverlayDraw::Count},
     {.key = "least-bias",
-     .label = "Least bias needed",
+     .label = "Bias needed",
      .unit = "texels",
      .help = "The bias below which each triangle's plane shadows itself, by the kernel's reach, the plane's slope in "
              "the map and the depth format.",

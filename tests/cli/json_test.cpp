@@ -105,6 +105,15 @@ TEST(Lists, SettingsSayWhatTheyTake) {
 TEST(Lists, PrefixNarrows) {
     const Json list = json_of({"list", "settings", "bias.", "--json"});
     EXPECT_EQ(list.size(), 10u);
+    // Keys as --set takes them, too: rows speak of all lights and all objects.
+    const Json fit = json_of({"list", "settings", "light.0.fit", "--json"});
+    ASSERT_EQ(fit.size(), 1u);
+    EXPECT_EQ(fit[0]["key"], "light.fit");
+    EXPECT_EQ(json_of({"list", "settings", "light.15.", "--json"}), json_of({"list", "settings", "light.", "--json"}));
+    EXPECT_EQ(json_of({"list", "settings", "object.Root/Box.cast", "--json"})[0]["key"], "object.cast");
+    const ProcessResult beyond = run_program({"list", "settings", "light.16.fit"});
+    EXPECT_EQ(beyond.code, 2);
+    EXPECT_NE(beyond.err.find("no key starts with 'light.16.fit'"), std::string::npos) << beyond.err;
 }
 
 TEST(Help, IsEverywhereAndComesFromTheTable) {

@@ -30,11 +30,20 @@ std::vector<DrawnText::Letter> DrawnText::letters() const {
     std::vector<Letter> out;
     const ImDrawData* data = ImGui::GetDrawData();
     for (int list = 0; data && list < data->CmdListsCount; ++list) {
-        const ImVector<ImDrawVert>& v = data->CmdLists[list]->VtxBuffer;
+        const ImDrawList& drawn = *data->CmdLists[list];
+        const ImVector<ImDrawVert>& v = drawn.VtxBuffer;
+        std::vector<ImVec4> clips(std::size_t(v.Size));
+        for (const ImDrawCmd& command : drawn.CmdBuffer)
+            for (unsigned i = 0; i < command.ElemCount; ++i)
+                clips[drawn.IdxBuffer[int(command.IdxOffset + i)] + command.VtxOffset] = command.ClipRect;
         for (int i = 0; i + 3 < v.Size;) {
             const ImVec2 lo = v[i].uv, hi = v[i + 2].uv;
             const auto found = lo.x < hi.x ? letters_.find(place(lo, hi)) : letters_.end();
-            if (found != letters_.end()) out.push_back({found->second, v[i].pos, v[i + 2].pos});
+            const ImVec4& clip = clips[std::size_t(i)];
+            const ImVec2 a = v[i].pos, b = v[i + 2].pos;
+            constexpr float kOverhang = 1;  // of a letter at the beginning of a line
+            const bool whole = a.x >= clip.x - kOverhang && a.y >= clip.y && b.x <= clip.z + kOverhang && b.y <= clip.w;
+            if (found != letters_.end()) out.push_back({found->second, a, b, whole});
             i += found != letters_.end() ? 4 : 1;
         }
     }
@@ -45,6 +54,23 @@ std::u32string DrawnText::read() const {
     std::u32string text;
     for (const Letter& l : letters()) text += l.letter;
     return text;
+}
+
+bool DrawnText::shows(std::u32string_view text) const {
+    const std::vector<Letter> all = letters();
+    for (std::size_t i = 0; i + text.size() <= all.size(); ++i) {
+        std::size_t same = 0;
+        while (same < text.size() && all[i + same].letter == text[same] && all[i + same].whole) ++same;
+        if (same == text.size()) return true;
+    }
+    return false;
+}
+
+bool DrawnText::shows(const std::string& ascii) const {
+    std::u32string text;
+    for (const char c : ascii)
+        if (c != ' ') text += char32_t(static_cast<unsigned char>(c));
+    return shows(text);
 }
 
 std::optional<ImVec2> DrawnText::find(std::u32string_view text, int which) const {

@@ -31,8 +31,12 @@ public:
     struct Letter {
         char32_t letter;
         ImVec2 lo, hi;  ///< on the screen
+        bool whole;     ///< no edge of a panel, a list or a column cuts it
     };
     std::vector<Letter> letters() const;
+    /// Whether a text, written without spaces, can be read in whole somewhere; it may go on in further lines.
+    bool shows(std::u32string_view text) const;
+    bool shows(const std::string& ascii) const;
 
 private:
     static std::uint64_t place(const ImVec2& lo, const ImVec2& hi);

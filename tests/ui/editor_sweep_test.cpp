@@ -9,6 +9,7 @@
 #include "app/editor/sweep.h"
 #include "app/sweep/results.h"
 #include "tests/support/process.h"
+#include "ui/state/panels.h"
 
 namespace si {
 namespace {
@@ -76,6 +77,38 @@ TEST(EditorSweep, ThePresentSettingsAreADotThatMoves) {
     s.state().sweep.cost = "cost.map_texels";
     s.editor.settle();
     EXPECT_EQ(s.facts().view.present->cost, 2048 * 2048);
+}
+
+TEST(EditorSweep, OtherSettingsOfThePictureAreComparedWithThoseBefore) {
+    Swept s(boxes());
+    EditorState& state = s.state();
+    state.sweep.width = 64, state.sweep.height = 48;
+    state.sweep.cost = "cost.map_texels";
+    state.sweep.follow = true;
+    const auto at = [&](int resolution) {
+        state.settings.map.resolution = resolution;
+        s.editor.settle();
+        ASSERT_TRUE(s.facts().view.present) << s.facts().present_problem;
+        ASSERT_EQ(s.facts().view.present->cost, double(resolution) * resolution);
+    };
+    at(64);
+    EXPECT_FALSE(s.facts().view.before) << "nothing was measured before";
+    const Dot first = *s.facts().view.present;
+    at(128);
+    ASSERT_TRUE(s.facts().view.before && s.facts().before);
+    EXPECT_EQ(s.facts().view.before->cost, 64 * 64);
+    EXPECT_EQ(s.facts().view.before->error, first.error);
+    EXPECT_EQ(s.facts().change, "Resolution: 64 \u2192 128 texels");
+    EXPECT_FALSE(s.facts().before_is_pinned);
+    state.settings.map.resolution = 64;
+    pin_settings(state);
+    at(256);
+    EXPECT_EQ(s.facts().view.before->cost, 64 * 64) << "the pinned ones, not those measured last";
+    EXPECT_TRUE(s.facts().before_is_pinned);
+    state.settings.camera.source = int(CameraSource::Manual);
+    state.settings.camera.azimuth += 20;
+    s.editor.settle();
+    EXPECT_FALSE(s.facts().view.before) << "of another picture";
 }
 
 TEST(EditorSweep, CancelledItGoesOnWhereItWas) {

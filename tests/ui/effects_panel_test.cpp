@@ -55,6 +55,42 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     EXPECT_NE(text.find("light.7.castisoff."), std::string::npos) << "its box must stay within reach";
 }
 
+TEST(EffectsPanel, ReasonsAreReadInWholeInASmallWindow) {
+    for (const int width : {1280, 1600}) {
+        UiHarness ui(width, 2600);
+        ui.state.layout = {.bottom_height = 130};
+        ui.state.open_tab = BottomTab::Effects;
+        std::vector<Effect> effects = made_up_effects();
+        const std::string longest =
+            "Its maps are as they were, since nothing that they depend on has changed: neither casters nor the light, "
+            "nor how they are stored.";
+        effects[0].reason = longest;
+        ui.effects.effects = effects;
+        ui.frames(4);
+        EXPECT_TRUE(ui.drawn().shows(longest)) << width;
+        EXPECT_TRUE(ui.drawn().shows("look-ups of light 7")) << width;
+        EXPECT_TRUE(ui.drawn().shows("not called for")) << width;
+        EXPECT_TRUE(ui.drawn().shows("Saved ms") && ui.drawn().shows("Force") && ui.drawn().shows("Time ms")) << width;
+    }
+}
+
+TEST(EffectsPanel, TimesStayInGreyWhileTheirPassIsSparedAndFramesAreALine) {
+    UiHarness ui(1900, 1000);
+    ui.state.open_tab = BottomTab::Effects;
+    std::vector<Effect> effects = made_up_effects();
+    ui.effects.effects = effects;
+    ui.state.last_pass_ms = {{"shading", 7.75}};
+    ui.frames(4);
+    EXPECT_TRUE(ui.drawn().shows("1.50")) << "of the pass that ran";
+    EXPECT_EQ(ui.state.last_pass_ms.at("shadow map 0"), 1.5);
+    EXPECT_TRUE(ui.drawn().shows("7.75")) << "of the one that is reused, as it was";
+    ASSERT_EQ(ui.state.frame_ms.size(), 1u) << "a frame that stays counts once";
+    EXPECT_FALSE(ui.drawn().shows("last 2 frames"));
+    ui.state.frame_ms = {3};
+    ui.frames(2);
+    EXPECT_TRUE(ui.drawn().shows("last 2 frames, at most 3 ms"));
+}
+
 TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
     UiHarness ui(1900, 1000);
     ui.state.open_tab = BottomTab::Effects;

@@ -3,6 +3,8 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "app/editor/headless_editor.h"
 #include "app/editor/rehearsals.h"
 #include "renderer/gl/target.h"
@@ -36,6 +38,34 @@ Bytes shown(HeadlessEditor& editor) {
     gl::begin_reading();
     glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.size()), out.data());
     return out;
+}
+
+TEST(FrameDesk, TheFirstPictureTellsHowFarItIs) {
+    EditorOptions options;
+    options.session.scene = "boxes";
+    options.width = 800, options.height = 600;
+    options.headless = true, options.frame_patience = std::chrono::milliseconds(0);
+    HeadlessEditor editor(options);
+    EditorModel& model = editor.model();
+    std::set<std::string> passes;
+    double furthest = 0;
+    while (!model.facts().result) {
+        model.finish_loading();
+        editor.frame();
+        while (model.drawing() && !model.tracing_moved() && passes.size() < 2) {
+            if (const auto drawing = model.facts().drawing) {
+                furthest = std::max(furthest, drawing->progress);
+                if (!drawing->pass.empty()) passes.insert(drawing->pass);
+            }
+        }
+        model.finish_drawing();
+    }
+    EXPECT_GE(passes.size(), 2u);
+    EXPECT_GT(furthest, 0);
+    choose(editor, "pcf7");
+    editor.frame();
+    EXPECT_FALSE(model.facts().drawing) << "there is a picture meanwhile";
+    editor.settle();
 }
 
 TEST(FrameDesk, TheOldPictureStaysUntilTheNextIsTaken) {

@@ -97,6 +97,53 @@ TEST(FrontierPanel, AdviceNamesWhatBetterCosts) {
     EXPECT_TRUE(p.ui.sweep->view.marks[0].on && p.ui.sweep->view.marks[1].on && !p.ui.sweep->view.marks[2].on);
 }
 
+TEST(FrontierPanel, SaysWhichOfTwoIsWorthItsMoney) {
+    Panel p(1600, 900);
+    SweepFacts& facts = *p.ui.sweep;
+    EXPECT_FALSE(p.ui.drawn().shows("Before"));
+    const auto compared = [&](const Dot& before, const Dot& now) {
+        facts.before = facts.present, facts.view.before = before, facts.view.present = now;
+        facts.change = "Kernel: PCF -> Poisson disk";
+        p.ui.frames(2);
+        return [&](const char* text) { return p.ui.drawn().shows(text); };
+    };
+    const Dot dear{.cost = 8, .error = 0.02, .cost_noise = 0.1, .error_noise = 0};
+    const Dot cheap{.cost = 4, .error = 0.04, .cost_noise = 0.1, .error_noise = 0};
+    const auto shows = compared(cheap, dear);
+    EXPECT_TRUE(shows("Now 0.02 at 8 ms"));
+    EXPECT_TRUE(shows("Before 0.04 at 4 ms."));
+    EXPECT_TRUE(shows("Kernel: PCF -> Poisson disk: 50 % less error for 100 % more time"));
+    compared(dear, cheap);
+    EXPECT_TRUE(shows("100 % more error for 50 % less time"));
+    Dot alike = dear;
+    alike.cost += 0.15;
+    compared(dear, alike);
+    EXPECT_TRUE(shows("the same error for the same time"));
+    facts.before_is_pinned = true;
+    compared(cheap, dear);
+    EXPECT_TRUE(shows("A 0.04 at 4 ms."));
+    facts.measuring_present = true;
+    p.ui.frames(2);
+    EXPECT_FALSE(shows("A 0.04 at 4 ms.")) << "what is not measured is not compared";
+}
+
+TEST(FrontierPanel, AnErrorIsToldWhileItsTimeIsMeasured) {
+    Panel p(1600, 900);
+    SweepFacts& facts = *p.ui.sweep;
+    facts.view.present.reset();
+    facts.measuring_present = true;
+    p.ui.frames(2);
+    EXPECT_TRUE(p.ui.drawn().shows("Now 0.04;"));
+    facts.present.reset();
+    p.ui.frames(2);
+    EXPECT_TRUE(p.ui.drawn().shows("Measuring the present settings"));
+    p.ui.sweep = made_up_sweep();
+    p.ui.sweep->measuring_present = p.ui.sweep->present_is_old = true;
+    p.ui.frames(2);
+    EXPECT_TRUE(p.ui.drawn().shows("Before 0.04 at 4 ms")) << "what is measured is not what is shown";
+    EXPECT_FALSE(p.ui.drawn().shows("Now 0.04"));
+}
+
 TEST(FrontierPanel, AsksForASweepOfWhatIsTyped) {
     Panel p;
     p.ui.state.sweep.axes = {{"bias.slope", "0:2:0.5"}};

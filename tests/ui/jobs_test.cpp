@@ -130,6 +130,20 @@ protected:
         }
         breathe();
     }
+    /// What the panel Frontier measures of the present settings is there in the twin.
+    void measured() {
+        editor_->settle();
+        ASSERT_TRUE(editor_->model().facts().sweep->view.present) << editor_->model().facts().sweep->present_problem;
+    }
+    /// The window has letters around a place.
+    bool written_at(glm::ivec2 at) const {
+        const ByteImage image = screen("job_written");
+        int bright = 0;
+        for (int y = std::max(at.y - 6, 0); y < std::min(at.y + 6, image.height); ++y)
+            for (int x = std::max(at.x - 20, 0); x < std::min(at.x + 20, image.width); ++x)
+                bright += image.data[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * 4] > 150;
+        return bright > 20;
+    }
     /// The middle of an object in the picture.
     glm::ivec2 object(const std::string& path) {
         const Bounds b = bounds_of(*editor_->model().facts().scene, path);
@@ -213,11 +227,24 @@ TEST_F(WindowJobs, OfShadowsLightsAndSettings) {
         turn_wheel({});
     });
     job("two_filters", 3, [&] {
-        press(U"Error");
+        press(U"Frontier");
+        measured();
         turn_wheel(U"PCF");
         press(U"PCF");
         press(U"Poissondisk");
         EXPECT_EQ(saved().value("filter.kernel", ""), "poisson");
+        measured();
+        const FrontierView& view = editor_->model().facts().sweep->view;
+        ASSERT_TRUE(view.present && view.before);
+        EXPECT_GT(view.before->error, 0);
+        EXPECT_GT(view.before->cost, 0);
+        EXPECT_NE(view.present->error, view.before->error);
+        EXPECT_EQ(editor_->model().facts().sweep->change, "Kernel: PCF \u2192 Poisson disk");
+        // Both with their errors and times, and which is worth it; in the window as in its twin.
+        for (const char32_t* part : {U"Now", U"Before", U"Kernel:PCF\u2192Poissondisk:", U"error", U"time"})
+            EXPECT_TRUE(text_->find(part)) << "not said";
+        const glm::ivec2 said = place(U"Before");
+        EXPECT_TRUE(wait_until([&] { return written_at(said); })) << "the window says nothing of it";
         turn_wheel({});
     });
     job("three_lights", 6, [&] {

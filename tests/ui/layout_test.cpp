@@ -5,6 +5,7 @@
 
 #include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
+#include "ui/widgets/theme.h"
 
 namespace si::test {
 namespace {
@@ -201,6 +202,113 @@ TEST(Layout, AWindowOfItsLeastSizeNeedsNoScrolling) {
     ASSERT_TRUE(window);
     EXPECT_EQ(window->ScrollMax.x, 0);
     EXPECT_EQ(window->ScrollMax.y, 0);
+}
+
+/// A search for each is no remedy: what is turned every day is there at a glance.
+TEST(Layout, SettingsOfEveryDayNeedNoScrolling) {
+    for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {2560, 1440, 2.0f}}) {
+        Shown ui(w, h, scale);
+        for (const char* label : {"Constant bias", "Slope bias", "Normal offset", "Auto bias", "Kernel", "Resolution"})
+            EXPECT_TRUE(ui.drawn().shows(label)) << label << " at " << w << " x " << h;
+        const ImGuiWindow* map = ui.part("map");
+        ASSERT_TRUE(map);
+        EXPECT_GE(map->Size.y, 0.4f * float(h)) << "the map has to be looked at, too";
+    }
+}
+
+TEST(Layout, TheMapsPlaceIsThePersonsOnceItWasDragged) {
+    Shown ui(1280, 720);
+    const float first = ui.part("map")->Size.y;
+    ui.state.layout.map_height = 0.7f;
+    ui.frames(2);
+    EXPECT_GT(ui.part("map")->Size.y, first + 80);
+}
+
+TEST(Layout, WhatIsTurnedSeldomIsOnePressAway) {
+    Shown ui(1280, 1400);
+    const auto shows = [&](const char* label) {
+        ui.frames(2);
+        return ui.drawn().shows(label);
+    };
+    for (const char* label : {"Polygon offset factor", "Addressing", "Method"}) EXPECT_FALSE(shows(label)) << label;
+    const auto more = [&](const char* group) {
+        return ui.find("rows", [&](unsigned window) { return ImHashStr("###more", 0, ImHashStr(group, 0, window)); });
+    };
+    for (const auto& [group, label] : {std::pair{"bias", "Polygon offset factor"}, {"map", "Addressing"}}) {
+        const auto at = more(group);
+        ASSERT_TRUE(at) << group;
+        ui.click(*at);
+        ui.move({0, 0});
+        EXPECT_TRUE(shows(label));
+    }
+    ui.click(*more("bias"));
+    ui.move({0, 0});
+    EXPECT_FALSE(shows("Polygon offset factor")) << "less again";
+    ui.state.settings.bias.raster_slope = 2;
+    EXPECT_TRUE(shows("Polygon offset factor")) << "what is changed is never hidden";
+    EXPECT_FALSE(shows("Polygon offset units"));
+    ui.state.search = "addressing";
+    EXPECT_TRUE(shows("Addressing"));
+    ui.state.search.clear(), ui.state.settings.bias.raster_slope = 0;
+    ui.state.only_changed = true, ui.state.settings.map.wrap = 1;
+    EXPECT_TRUE(shows("Addressing"));
+}
+
+TEST(Layout, HelpIsReadAtAGlance) {
+    for (const auto& [w, h, scale] :
+         {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {1920, 1080, 1.0f}, {3840, 2160, 2.0f}}) {
+        Shown ui(w, h, scale);
+        ui.state.show_shortcuts = true;
+        ui.frames(4);
+        const ImGuiWindow* help = ImGui::FindWindowByName("Mouse and keyboard");
+        ASSERT_TRUE(help && help->WasActive);
+        EXPECT_EQ(help->ScrollMax.y, 0) << w;
+        EXPECT_EQ(help->ScrollMax.x, 0) << w;
+        EXPECT_GE(help->Pos.x, 0);
+        EXPECT_GE(help->Pos.y, 0);
+        EXPECT_LE(help->Pos.x + help->Size.x, float(w));
+        EXPECT_LE(help->Pos.y + help->Size.y, float(h));
+        for (const char* text : {"Middle drag, Shift+drag", "move the camera sideways",
+                                 "screenshot of scene, map, window", "Double-click a splitter", "as wide as at first"})
+            EXPECT_TRUE(ui.drawn().shows(text)) << text << " at " << w;
+    }
+}
+
+/// Where two columns have no room there is one, which scrolls.
+TEST(Layout, HelpIsWithinASmallWindow) {
+    Shown ui(640, 400);
+    ui.state.show_shortcuts = true;
+    ui.frames(4);
+    const ImGuiWindow* help = ImGui::FindWindowByName("Mouse and keyboard");
+    ASSERT_TRUE(help && help->WasActive);
+    EXPECT_LE(help->Size.x, 640);
+    EXPECT_LE(help->Size.y, 400);
+    EXPECT_EQ(help->ScrollMax.x, 0);
+    EXPECT_GT(help->ScrollMax.y, 0);
+    EXPECT_TRUE(ui.drawn().shows("move the camera sideways"));
+}
+
+TEST(Layout, TheFirstPictureSaysHowFarItIs) {
+    Shown ui(1280, 720);
+    ui.with_facts = false;
+    ui.frames(2);
+    EXPECT_TRUE(ui.drawn().shows("No picture yet"));
+    ui.drawing = DrawingFacts{"shadow map 0", 0.25};
+    ui.frames(2);
+    EXPECT_TRUE(ui.drawn().shows("for the first time: shadow map 0"));
+    EXPECT_FALSE(ui.drawn().shows("No picture yet"));
+    const auto filled = [&] {
+        float right = 0;
+        const ImDrawData& data = *ImGui::GetDrawData();
+        for (int i = 0; i < data.CmdListsCount; ++i)
+            for (const ImDrawVert& v : data.CmdLists[i]->VtxBuffer)
+                if (v.col == theme::colours().done) right = std::max(right, v.pos.x);
+        return right;
+    };
+    const float quarter = filled();
+    ui.drawing->progress = 0.75;
+    ui.frames(2);
+    EXPECT_GT(filled(), quarter + 100);
 }
 
 TEST(Layout, TheViewMenuChangesTheTheme) {

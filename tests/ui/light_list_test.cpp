@@ -202,8 +202,27 @@ TEST_F(LightTable, TheCubesCrossChoosesAFace) {
         click(face(mark));
         EXPECT_EQ(ui.state.settings.view.face, number);
     }
+    const auto at = [&](const char* mark) { return ui.find("rows", face(mark)).value_or(glm::vec2(0)); };
+    const glm::vec2 front = at("+z");
+    EXPECT_LT(at("-x").x, front.x) << "as a cube unfolds";
+    EXPECT_LT(front.x, at("+x").x);
+    EXPECT_LT(at("+x").x, at("-z").x);
+    EXPECT_LT(at("+y").y, front.y);
+    EXPECT_LT(front.y, at("-y").y);
     ui.state.settings.lights[0].type = int(LightType::Spot);
     EXPECT_FALSE(ui.find("rows", face("-x"))) << "one map has no faces";
+}
+
+TEST(LightList, ComparisonsNameALight) {
+    UiHarness ui(1280, 900);
+    ui.state.settings.light_count = 2;
+    ui.state.settings.lights[1].name = "key";
+    ComparisonFacts other{.with = ui.state.compare, .settings = ui.state.settings};
+    other.settings.lights[1].azimuth += 10;
+    ui.comparison = other;
+    ui.state.open_tab = BottomTab::Compare;
+    ui.frames(4);
+    EXPECT_TRUE(ui.drawn().shows("Light 1 (key)"));
 }
 
 TEST(LightList, EachChangeIsOneStepOfUndo) {

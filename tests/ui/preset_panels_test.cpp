@@ -282,6 +282,72 @@ TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
     EXPECT_EQ(dialog.folder, fs::weakly_canonical(fs::current_path()));
 }
 
+TEST(FileDialogs, ListsOneKindWithDatesAndGoesToFoldersOfLate) {
+    const fs::path folder = fs::weakly_canonical(fresh_test_folder());
+    fs::create_directory(folder / "elsewhere");
+    for (const char* name : {"b.json", "a.glb", "elsewhere/c.gltf"}) std::ofstream(folder / name) << "x";
+    UiHarness ui(1280, 720);
+    ui.recent_scenes = {(folder / "elsewhere/c.gltf").string()};
+    FileDialog& dialog = ui.state.file_dialog;
+    ask_for_file(dialog, FileDialog::Job::Open, folder / "x.json");
+    ui.frames(4);
+    ASSERT_EQ(dialog.entries.size(), 3u);
+    for (const FileDialog::Entry& e : dialog.entries) {
+        EXPECT_EQ(e.date.size(), std::string("2026-01-31 23:59").size()) << e.name;
+        EXPECT_TRUE(ui.drawn().shows(e.date)) << e.name;
+    }
+    const auto press = [&](const char* window, const char* label) {
+        const auto at = ui.find(window, "", label);
+        ASSERT_TRUE(at) << label;
+        ui.click(*at);
+        ui.frames(2);
+    };
+    press("Open a scene or a preset", "##kind");
+    const auto models = ui.drawn().find(U"models", 0);
+    ASSERT_TRUE(models);
+    ui.click({models->x, models->y});
+    ui.frames(2);
+    EXPECT_EQ(dialog.entries.size(), 2u) << "a folder and a model";
+    press("Open a scene or a preset", "Recent");
+    press("##Popup", (folder / "elsewhere").string().c_str());
+    EXPECT_EQ(dialog.folder, folder / "elsewhere");
+    ASSERT_EQ(dialog.entries.size(), 1u);
+    EXPECT_EQ(dialog.entries[0].name, "c.gltf");
+}
+
+TEST(FileDialogs, TabCompletesAPathAsFarAsItIsClear) {
+    const fs::path folder = fresh_test_folder();
+    fs::create_directories(folder / "models/fox");
+    for (const char* name : {"models/fox/fox.glb", "models/forest.glb", "models/fort.txt", "my.json"})
+        std::ofstream(folder / name) << "x";
+    const auto completed = [&](const char* typed, FileDialog::Kind kind = FileDialog::Kind::All) {
+        return completed_path(folder, typed, FileDialog::Job::Open, kind);
+    };
+    EXPECT_EQ(completed("mo"), "models/");
+    EXPECT_EQ(completed("m"), "m") << "models/ or my.json";
+    EXPECT_EQ(completed("m", FileDialog::Kind::Models), "models/");
+    EXPECT_EQ(completed("models/f"), "models/fo");
+    EXPECT_EQ(completed("models/for"), "models/forest.glb") << "what is not listed does not count";
+    EXPECT_EQ(completed("models/fox/"), "models/fox/fox.glb");
+    EXPECT_EQ(completed("nothing"), "nothing");
+    EXPECT_EQ(completed((folder.string() + "/my").c_str()), folder.string() + "/my.json");
+    // By the key, in the dialog.
+    UiHarness ui(1280, 720);
+    ask_for_file(ui.state.file_dialog, FileDialog::Job::Open, folder / "x.json");
+    ui.frames(3);
+    ui.type("models/for");
+    press_key(ImGuiKey_Tab);
+    ui.frame();
+    release_key(ImGuiKey_Tab);
+    ui.frames(2);
+    press_key(ImGuiKey_Enter);
+    std::optional<std::string> opened = ui.frame().open_file;
+    release_key(ImGuiKey_Enter);
+    if (!opened) opened = ui.frame().open_file;
+    ASSERT_TRUE(opened);
+    EXPECT_EQ(*opened, (fs::weakly_canonical(folder) / "models/forest.glb").string());
+}
+
 TEST(FileDialogs, ReplacingAsksFirst) {
     UiHarness ui(1280, 720);
     ui.state.replace = Replacement{"/a/b.json", "Look."};

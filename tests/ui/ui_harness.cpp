@@ -98,6 +98,7 @@ EditorActions UiHarness::frame() {
     if (state.probe_pixel) probe_.x = state.probe_pixel->x, probe_.y = state.probe_pixel->y;
     EditorFrame facts;
     facts.loading = loading;
+    facts.drawing = drawing;
     if (sweep) facts.sweep = &*sweep;
     facts.presets = presets;
     facts.hard_cases = hard_cases;

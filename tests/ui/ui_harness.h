@@ -31,6 +31,7 @@ public:
     EditorState state;
     Scene scene;
     std::optional<LoadingFacts> loading;
+    std::optional<DrawingFacts> drawing;
     std::optional<Settings> frame_settings;  ///< that the last frame was drawn under; else the present ones
     std::optional<SweepFacts> sweep;
     std::vector<PresetEntry> presets, hard_cases;
@@ -82,6 +83,7 @@ public:
     /// What the last frame printed.
     std::u32string printed() const { return drawn_->read(); }
     std::vector<DrawnText::Letter> letters() const { return drawn_->letters(); }
+    const DrawnText& drawn() const { return *drawn_; }
 
     EditorActions last_wish;  ///< of the last frame that asked for a search or its end
 

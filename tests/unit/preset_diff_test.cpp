@@ -42,6 +42,13 @@ TEST(PresetDiff, NamesBothUnitsWhereTheyDiffer) {
     EXPECT_EQ(line(a, b, "bias.unit"), "Bias | bias.unit: texels → depth (Unit)");
 }
 
+TEST(PresetDiff, NamesALightAsPeopleDo) {
+    const Preset a = preset_with({{"light.count", "2"}, {"light.1.name", "key"}});
+    Preset b = a;
+    set_setting(b.settings, "light.1.azimuth", "90");
+    EXPECT_EQ(line(a, b, "light.1.azimuth"), "Light 1 (key) | light.1.azimuth: -40° → 90° (Azimuth)");
+}
+
 TEST(PresetDiff, SpeaksOfChoicesSwitchesAnglesLightsObjectsAndScenes) {
     const Preset a = preset_with({}, "boxes");
     const Preset b = preset_with({{"caster.cull", "front"},

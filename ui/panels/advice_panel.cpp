@@ -11,15 +11,12 @@
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
 
 using Changes = std::span<const std::pair<std::string, std::string>>;
-
-void tip(const std::string& text) {
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text.c_str());
-}
 
 std::string list_of(Changes changes) {
     std::string text;
@@ -33,18 +30,18 @@ void apply_button(Settings& settings, Changes changes, bool current) {
     if (ImGui::SmallButton("Apply"))
         for (const auto& [key, value] : changes) set_setting(settings, key, value);
     ImGui::EndDisabled();
-    tip(list_of(changes) + (current ? "Ctrl+Z takes it back." : "Of other settings: run again."));
+    wrapped_tooltip(list_of(changes) + (current ? "Ctrl+Z takes it back." : "Of other settings: run again."));
 }
 
 void bound(const char* label, const char* about, bool& on, double& value, double least, const char* format) {
     ImGui::Checkbox(label, &on);
-    tip(about);
+    wrapped_tooltip(about);
     ImGui::SameLine(ImGui::GetFontSize() * 10);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5);
     ImGui::PushID(label);
     if (ImGui::InputDouble("##bound", &value, 0, 0, format)) on = true;
     ImGui::PopID();
-    tip(about);
+    wrapped_tooltip(about);
     value = std::max(value, least);
 }
 
@@ -52,7 +49,7 @@ void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorAc
     if (frame.advising) {
         if (ImGui::Button("Cancel")) actions.cancel_advice = true;
         progress_bar(frame.advising->progress, fmt::format("{:.0f} %", 100 * frame.advising->progress));
-        tip(frame.advising->about);
+        wrapped_tooltip(frame.advising->about);
         ImGui::TextWrapped("%s", frame.advising->about.c_str());
         return;
     }
@@ -60,7 +57,8 @@ void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorAc
     const bool ready = frame.scene != nullptr;
     ImGui::BeginDisabled(!ready);
     if (ImGui::Button("Run")) actions.find_advice = AdviceWish{.cost = panel.cost};
-    tip("Measures each change that the scene calls for against the ray-traced truth and the clock, in the background. "
+    wrapped_tooltip(
+        "Measures each change that the scene calls for against the ray-traced truth and the clock, in the background. "
         "Nothing is changed.");
     ImGui::EndDisabled();
     ImGui::Spacing();
@@ -75,7 +73,8 @@ void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorAc
         if (panel.bound_ms) actions.find_advice->most_ms = panel.most_ms;
     }
     ImGui::EndDisabled();
-    tip("Searches kernels, resolutions and what else the scene leaves open, up to two minutes, in the background.");
+    wrapped_tooltip(
+        "Searches kernels, resolutions and what else the scene leaves open, up to two minutes, in the background.");
 }
 
 void coloured_text(const std::string& text, ImU32 colour) {
@@ -104,14 +103,14 @@ void advice_row(Settings& settings, const TriedAdvice& t, bool current) {
     if (t.why_not.empty()) apply_button(settings, t.settings, current);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(time_text(t.ms).c_str());
-    tip(fmt::format("{:+.3g} ms a frame, ± {:.2g} ms (95 %)", t.ms.value, t.ms.noise));
+    wrapped_tooltip(fmt::format("{:+.3g} ms a frame, ± {:.2g} ms (95 %)", t.ms.value, t.ms.noise));
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(fmt::format("{:+.2g}", t.added_error()).c_str());
-    tip(fmt::format("Error {:.4g}, was {:.4g}", t.after.error, t.before.error));
+    wrapped_tooltip(fmt::format("Error {:.4g}, was {:.4g}", t.after.error, t.before.error));
     ImGui::TableNextColumn();
     const std::string text = t.why_not.empty() ? t.idea.sentence : t.idea.sentence + ": " + t.why_not;
     coloured_text(text, t.why_not.empty() && current ? theme::text() : theme::muted());
-    tip(list_of(t.settings));
+    wrapped_tooltip(list_of(t.settings));
 }
 
 bool begin_advice_table(const char* id) {

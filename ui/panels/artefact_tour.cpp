@@ -117,6 +117,7 @@ void next_artefact(EditorState& state, const EditorFrame& frame) {
     }
     tour.of = {};
     tour.waits_for = ++tour.asked;
+    state.log.add(LogKind::Info, "Looking for where the picture is wrong …");
 }
 
 bool follow_artefact_tour(EditorState& state, const EditorFrame& frame) {

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "renderer/frame/effects.h"
 #include "renderer/measure/saved.h"
 #include "ui/state/panels.h"
@@ -101,16 +103,18 @@ void tools(EditorState& state, const EditorFrame& frame, EditorActions& actions)
     ImGui::TextDisabled("saved ms are of other settings");
 }
 
-void header() {
+/// @param counts there is room for what a pass draws and what the processor does for it
+void header(bool counts) {
     const float em = ImGui::GetFontSize();
-    const auto fixed = [em](const char* name, float ems) {
-        ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, em * ems);
+    const auto fixed = [em](const char* name, float ems, bool shown = true) {
+        ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed | (shown ? 0 : ImGuiTableColumnFlags_Disabled),
+                                em * ems);
     };
     ImGui::TableSetupScrollFreeze(0, 1);
     fixed("State", 7.5f), fixed("Effect", 14);
     ImGui::TableSetupColumn("Why", ImGuiTableColumnFlags_WidthStretch);
-    fixed("Time ms", 4), fixed("CPU ms", 4), fixed("Draws", 3.2f), fixed("Triangles", 5), fixed("Saved ms", 4.5f);
-    fixed("Force", 2.8f);
+    fixed("Time ms", 4), fixed("CPU ms", 4, counts), fixed("Draws", 3.2f, counts), fixed("Triangles", 5, counts);
+    fixed("Saved ms", 4.5f), fixed("Force", 2.8f);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (int column = 0; column < kColumns; ++column) {
         ImGui::TableSetColumnIndex(column);
@@ -131,13 +135,33 @@ struct PassCost {
 
 void cost_cells(const PassCost& cost) {
     const auto cell = [](Column column, bool known, const std::string& text) {
-        ImGui::TableSetColumnIndex(int(column));
-        if (known) right_aligned(text);
+        if (ImGui::TableSetColumnIndex(int(column)) && known) right_aligned(text);
     };
     cell(Column::Ms, cost.gpu_ms > 0, fmt::format("{:.2f}", cost.gpu_ms));
+    if (cost.gpu_ms > 0)
+        wrapped_tooltip(fmt::format("CPU {:.2f} ms, {} draws, {} triangles", cost.cpu_ms, grouped(cost.draws),
+                                    grouped(cost.triangles)));
     cell(Column::CpuMs, cost.cpu_ms > 0, fmt::format("{:.2f}", cost.cpu_ms));
     cell(Column::Draws, cost.draws > 0, grouped(cost.draws));
     cell(Column::Triangles, cost.triangles > 0, grouped(cost.triangles));
+}
+
+/// Behind a time: its share of the longest, as a bar.
+void time_bar(const EditorState& state, double ms) {
+    double longest = ms;
+    for (const auto& [name, last] : state.last_pass_ms) longest = std::max(longest, last);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x * float(ms / std::max(longest, 1e-9));
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + ImGui::GetTextLineHeight()},
+                                              theme::colours().done);
+}
+
+/// What a pass took when it was timed last, in grey.
+void last_time_cell(const EditorState& state, const PassInfo& pass) {
+    const auto last = state.last_pass_ms.find(pass.name);
+    if (last == state.last_pass_ms.end() || !ImGui::TableSetColumnIndex(int(Column::Ms))) return;
+    right_aligned(fmt::format("{:.2f}", last->second), theme::muted());
+    wrapped_tooltip("When it was drawn last; this frame spares it");
 }
 
 void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effect, PassCost& sum) {
@@ -153,10 +177,18 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
     ImGui::PopStyleColor();
     if (indent > 0) ImGui::Unindent(indent);
     ImGui::TableSetColumnIndex(int(Column::Why));
-    ImGui::TextDisabled("%s", effect.reason.c_str());
-    if (!effect.reason.empty()) wrapped_tooltip(effect.reason);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(effect.reason.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
     const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : frame.result->pass(effect.pass);
+    if (pass && pass->state != PassState::Ran) last_time_cell(state, *pass);
     if (pass && pass->state == PassState::Ran) {
+        if (pass->gpu_ms > 0) {
+            state.last_pass_ms[pass->name] = pass->gpu_ms;
+            if (ImGui::TableSetColumnIndex(int(Column::Ms))) time_bar(state, pass->gpu_ms);
+        }
         cost_cells({pass->gpu_ms, pass->cpu_ms, pass->draws, pass->triangles});
         sum.gpu_ms += pass->gpu_ms, sum.cpu_ms += pass->cpu_ms;
         sum.draws += pass->draws, sum.triangles += pass->triangles;
@@ -175,6 +207,23 @@ void sum_row(const PassCost& sum) {
     ImGui::TextUnformatted("Frame");
     cost_cells(sum);
     ImGui::PopFont();
+}
+
+/// Keeps what this frame took, and draws the frames before it as a line.
+void history(EditorState& state, double ms) {
+    constexpr std::size_t kMostFrames = 120;
+    std::vector<float>& all = state.frame_ms;
+    if (ms > 0 && (all.empty() || all.back() != float(ms))) all.push_back(float(ms));
+    if (all.size() > kMostFrames) all.erase(all.begin());
+    if (all.size() < 2) return;
+    const float em = ImGui::GetFontSize(), longest = *std::ranges::max_element(all);
+    ImGui::SameLine(0, em);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+    ImGui::PlotLines("##history", all.data(), int(all.size()), 0, nullptr, 0, longest,
+                     {em * 9, ImGui::GetTextLineHeight()});
+    ImGui::PopStyleVar();
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", fmt::format("last {} frames, at most {:.3g} ms", all.size(), longest).c_str());
 }
 
 void clock_line(const EditorFrame& frame) {
@@ -202,9 +251,11 @@ void draw_effects(EditorState& state, const EditorFrame& frame, EditorActions& a
                                       ImGuiTableFlags_NoSavedSettings;
     const float footer =
         ImGui::GetTextLineHeightWithSpacing() * (frame.result->pages ? 2 : 1) + ImGui::GetFontSize() * 0.2f;
+    constexpr float kCountsRoom = 80;  // beside reasons of one or two lines, ems
+    const bool counts = ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * kCountsRoom;
+    PassCost sum;
     if (ImGui::BeginTable("effects", kColumns, flags, {0, -footer})) {
-        header();
-        PassCost sum;
+        header(counts);
         int id = 0;
         for (const Effect& effect : frame.effects) {
             ImGui::PushID(id++);
@@ -216,6 +267,7 @@ void draw_effects(EditorState& state, const EditorFrame& frame, EditorActions& a
         ImGui::EndTable();
     }
     clock_line(frame);
+    history(state, sum.gpu_ms);
 }
 
 }  // namespace si

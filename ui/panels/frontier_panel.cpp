@@ -16,15 +16,12 @@
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
 
 constexpr int kLeastSide = 16, kMostSide = 4096;
-
-void tooltip(const char* text) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
-}
 
 /// The axis as it is typed, or why it is none.
 struct Checked {
@@ -56,7 +53,7 @@ void choose_setting(EditorState& state, AxisText& axis) {
     const auto known = find_setting(axis.key);
     const std::string shown = known ? std::string(known->param->label) : axis.key.empty() ? "setting" : axis.key;
     if (!ImGui::BeginCombo("##key", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
-        if (ImGui::IsItemHovered() && !axis.key.empty()) ImGui::SetTooltip("%s", axis.key.c_str());
+        if (!axis.key.empty()) wrapped_tooltip(axis.key);
         return;
     }
     std::string_view group;
@@ -70,7 +67,7 @@ void choose_setting(EditorState& state, AxisText& axis) {
         const std::string key = setting_key(ref);
         if (ImGui::Selectable(fmt::format("{}##{}", p.label, key).c_str(), key == axis.key))
             axis = {key, first_values(state.settings, ref)};
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n%s", key.c_str(), std::string(p.help).c_str());
+        wrapped_tooltip(fmt::format("{}\n{}", key, p.help));
     }
     ImGui::EndCombo();
 }
@@ -92,11 +89,11 @@ std::size_t draw_axes(EditorState& state, std::vector<std::string>& axes) {
         if (!c.problem.empty()) ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
         ImGui::InputTextWithHint("##values", "1,2,4 or 1:4:0.5", &axis.values);
         if (!c.problem.empty()) ImGui::PopStyleColor();
-        tooltip(c.problem.empty() ? "V1,V2,... or from:to:step (step *2 doubles); * is every choice"
-                                  : c.problem.c_str());
+        wrapped_tooltip(c.problem.empty() ? "V1,V2,... or from:to:step (step *2 doubles); * is every choice"
+                                          : c.problem);
         ImGui::SameLine();
         if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0})) removed = i;
-        tooltip("Do not vary this setting");
+        wrapped_tooltip("Do not vary this setting");
         ImGui::PopID();
         product *= c.problem.empty() ? c.values : 0;
         axes.push_back(c.text);
@@ -112,7 +109,7 @@ void draw_size(SweepPanel& panel) {
     const auto side = [&](const char* id, int& value) {
         ImGui::SetNextItemWidth(em * 3.4f);
         ImGui::InputInt(id, &value, 0);
-        tooltip("Size of the picture that is measured, in pixels");
+        wrapped_tooltip("Size of the picture that is measured, in pixels");
         if (!ImGui::IsItemActive()) value = std::clamp(value, kLeastSide, kMostSide);
     };
     side("##width", panel.width);
@@ -122,18 +119,18 @@ void draw_size(SweepPanel& panel) {
     side("##height", panel.height);
     ImGui::SameLine();
     ImGui::Checkbox("area", &panel.area);
-    tooltip("Against a light that has its size (light.size), not a point or a direction");
+    wrapped_tooltip("Against a light that has its size (light.size), not a point or a direction");
     choose_cost("Times", panel.timed);
 }
 
 void draw_running(const SweepFacts& facts, EditorActions& actions) {
     if (ImGui::Button("Cancel")) actions.cancel_sweep = true;
-    tooltip("What is measured stays; sweep again to go on");
+    wrapped_tooltip("What is measured stays; sweep again to go on");
     ImGui::SameLine();
     std::string text = facts.timing ? "times" : "errors";
     if (facts.seconds_left > 0) text += fmt::format(", {} left", seconds_text(facts.seconds_left));
     progress_bar(facts.progress, text);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", facts.current.c_str());
+    if (!facts.current.empty()) wrapped_tooltip(facts.current);
 }
 
 void draw_controls(EditorState& state, const SweepFacts& facts, EditorActions& actions) {
@@ -148,27 +145,27 @@ void draw_controls(EditorState& state, const SweepFacts& facts, EditorActions& a
         if (ImGui::Button(fmt::format("Sweep {} combinations###sweep", product).c_str()))
             actions.start_sweep = SweepWish{axes, panel.width, panel.height, panel.area, panel.timed};
         ImGui::EndDisabled();
-        tooltip(
+        wrapped_tooltip(
             "Error against ray-traced truth and time of every combination, in the background. Settings without "
             "effect in a combination collapse. An interrupted sweep goes on.");
     }
     ImGui::Checkbox("Measure the present settings", &panel.follow);
-    tooltip("The diamond: measured anew when a setting, the camera or the scene changes");
+    wrapped_tooltip("The diamond: measured anew when a setting, the camera or the scene changes");
     const float buttons =
         ImGui::CalcTextSize("SaveOpen").x + 4 * ImGui::GetStyle().FramePadding.x + 2 * ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttons);
     ImGui::InputTextWithHint("##folder", "folder of a sweep", &panel.folder);
-    tooltip("Folder with results.csv, results.json, report.html and pictures");
+    wrapped_tooltip("Folder with results.csv, results.json, report.html and pictures");
     ImGui::SameLine();
     ImGui::BeginDisabled(panel.folder.empty() || facts.cases.empty());
     if (ImGui::Button("Save")) actions.save_sweep = panel.folder;
     ImGui::EndDisabled();
-    tooltip("Write the sweep that is shown into this folder");
+    wrapped_tooltip("Write the sweep that is shown into this folder");
     ImGui::SameLine();
     ImGui::BeginDisabled(panel.folder.empty());
     if (ImGui::Button("Open")) actions.open_sweep = panel.folder;
     ImGui::EndDisabled();
-    tooltip("Show the sweep in this folder, such as one of `shadow-inspector sweep`");
+    wrapped_tooltip("Show the sweep in this folder, such as one of `shadow-inspector sweep`");
 }
 
 const MeasuredColumn* column_of(const SweepFacts& facts, const std::string& key) {
@@ -188,15 +185,16 @@ std::string column_title(const MeasuredColumn& c) {
 
 void choose_column(const SweepFacts& facts, const char* id, bool error, std::string& key) {
     const MeasuredColumn* now = column_of(facts, key);
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10.4f);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() *
+                            (ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 32 ? 15 : 10.4f));
     if (!ImGui::BeginCombo(id, now ? column_title(*now).c_str() : "", ImGuiComboFlags_HeightLarge)) {
-        if (now && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", now->help.c_str());
+        if (now) wrapped_tooltip(now->help);
         return;
     }
     for (const MeasuredColumn& c : facts.columns) {
         if (c.error != error) continue;
         if (ImGui::Selectable(column_title(c).c_str(), c.key == key)) key = c.key;
-        tooltip(c.help.c_str());
+        wrapped_tooltip(c.help);
     }
     ImGui::EndCombo();
 }
@@ -204,6 +202,11 @@ void choose_column(const SweepFacts& facts, const char* id, bool error, std::str
 std::string number_text(double value, const MeasuredColumn& column) {
     const std::string number = fmt::format("{:.3g}", value);
     return is_plain(column) ? number : number + " " + column.unit;
+}
+
+double value_of(const SweepFacts& facts, const MeasuredCase& c, const MeasuredColumn& column) {
+    const auto at = std::size_t(&column - facts.columns.data());
+    return at < c.values.size() ? c.values[at] : NAN;
 }
 
 /// Undoable: the settings that the case varied, as it had them.
@@ -223,6 +226,35 @@ void case_tooltip(const SweepFacts& facts, const MeasuredCase& c) {
     ImGui::EndTooltip();
 }
 
+/// "18 % less error for 73 % more time": what the present settings are to those before.
+std::string worth_text(const Dot& before, const Dot& now, const MeasuredColumn& cost) {
+    const auto share = [](double from, double to) { return from > 0 ? to / from - 1 : 0.0; };
+    const auto percent = [](double by) { return fmt::format("{:.0f} %", 100 * std::abs(by)); };
+    const double error = share(before.error, now.error), price = share(before.cost, now.cost);
+    const bool same_error = std::abs(now.error - before.error) <= before.error_noise + now.error_noise;
+    const bool same_cost = std::abs(now.cost - before.cost) <= before.cost_noise + now.cost_noise;
+    const std::string what = cost.unit == "ms" ? "time" : "cost";
+    const std::string by_error =
+        same_error ? std::string("the same error") : percent(error) + (error < 0 ? " less error" : " more error");
+    if (same_cost) return fmt::format("{} for the same {}", by_error, what);
+    return fmt::format("{} for {} {} {}", by_error, percent(price), price < 0 ? "less" : "more", what);
+}
+
+/// What was measured before beside the present settings, and which is worth it.
+void draw_before(const SweepFacts& facts, const MeasuredColumn& cost, const MeasuredColumn& error) {
+    const FrontierView& view = facts.view;
+    if (!view.before || facts.measuring_present) return;
+    const std::string name = facts.before_is_pinned ? "A" : "Before";
+    const std::string text =
+        fmt::format("{} {} at {}.  {}: {}", name, number_text(view.before->error, error),
+                    number_text(view.before->cost, cost), facts.change, worth_text(*view.before, *view.present, cost));
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    wrapped_tooltip(
+        "Other settings of the same picture: those pinned as A (P), else those measured last. The hollow diamond.");
+}
+
 void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColumn& cost, const MeasuredColumn& error) {
     if (!facts.present_problem.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
@@ -232,17 +264,22 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
     }
     const FrontierView& view = facts.view;
     if (!view.present) {
-        if (facts.measuring_present) ImGui::TextDisabled("Measuring the present settings...");
+        if (!facts.measuring_present) return;
+        const double known = facts.present ? value_of(facts, *facts.present, error) : NAN;
+        const std::string what =
+            std::isfinite(known) ? fmt::format("Now {}; {} is being measured …", number_text(known, error), cost.label)
+                                 : std::string("Measuring the present settings …");
+        ImGui::TextDisabled("%s", what.c_str());
         return;
     }
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
-    ImGui::Text("Now %s at %s", number_text(view.present->error, error).c_str(),
+    ImGui::Text("%s %s at %s", facts.present_is_old ? "Before" : "Now", number_text(view.present->error, error).c_str(),
                 number_text(view.present->cost, cost).c_str());
     ImGui::PopStyleColor();
     if (facts.measuring_present) {
         ImGui::SameLine();
-        ImGui::TextDisabled("(measuring)");
+        ImGui::TextDisabled(facts.present_is_old ? "the shown settings are being measured …" : "(measuring its time)");
     }
     const auto offer = [&](const char* id, const std::string& text, std::size_t mark) {
         const MeasuredCase& c = facts.cases[view.marks[mark].of];
@@ -261,6 +298,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
         ImGui::SameLine();
         ImGui::TextDisabled("nothing measured beats it");
     }
+    draw_before(facts, cost, error);
 }
 
 void draw_state(const SweepFacts& facts, EditorActions& actions) {
@@ -278,11 +316,11 @@ void draw_state(const SweepFacts& facts, EditorActions& actions) {
         if (ImGui::IsItemHovered()) {
             std::string list;
             for (const std::string& s : facts.other_settings) list += (list.empty() ? "" : "\n") + s;
-            ImGui::SetTooltip("%s", list.c_str());
+            wrapped_tooltip(list);
         }
         flow(button_width("Set them back"));
         if (ImGui::Button("Set them back")) actions.take_sweep_base = true;
-        tooltip("To what all cases of the sweep share; undo gives the present ones back");
+        wrapped_tooltip("To what all cases of the sweep share; undo gives the present ones back");
     }
 }
 
@@ -311,8 +349,8 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
         const std::string text = "no " + wanted->label + (facts.running ? " yet" : "");
         flow(ImGui::CalcTextSize(text.c_str()).x);
         ImGui::TextDisabled("%s", text.c_str());
-        tooltip(facts.running ? "The plot goes over to it when all cases have a value"
-                              : "No case of this sweep has a value of it");
+        wrapped_tooltip(facts.running ? "The plot goes over to it when all cases have a value"
+                                      : "No case of this sweep has a value of it");
     }
     if (facts.total > 0) {
         const std::string count =
@@ -325,14 +363,14 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
             if (facts.software) text += "\nThe times are a CPU rasteriser's, not a GPU's";
             for (const MeasuredCase& c : facts.cases)
                 if (!c.failed.empty()) text += "\n" + c.name + ": " + c.failed;
-            ImGui::SetTooltip("%s", text.c_str());
+            wrapped_tooltip(text);
         }
         if (facts.software) {
             flow(ImGui::CalcTextSize("CPU rasteriser").x);
             ImGui::PushStyleColor(ImGuiCol_Text, theme::warning());
             ImGui::TextUnformatted("CPU rasteriser");
             ImGui::PopStyleColor();
-            tooltip(
+            wrapped_tooltip(
                 "OpenGL runs on the processor here: times say nothing of a GPU. Costs in bytes and taps hold "
                 "anywhere.");
         }

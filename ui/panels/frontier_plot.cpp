@@ -119,11 +119,19 @@ void draw_marks(const Area& a, const SweepFacts& facts, std::optional<int> chose
             if (chosen == facts.cases[m.of].number) list.AddCircle(p, r * 2.1f, theme::text(), 20, r * 0.3f);
         }
     if (!facts.view.present) return;
-    const ImVec2 p = a.at(*facts.view.present);
     const float d = r * 1.5f;
-    const ImVec2 corners[] = {{p.x, p.y - d}, {p.x + d, p.y}, {p.x, p.y + d}, {p.x - d, p.y}};
-    list.AddConvexPolyFilled(corners, 4, theme::accent());
-    list.AddPolyline(corners, 4, theme::well(), ImDrawFlags_Closed, r * 0.3f);
+    const auto diamond = [&](ImVec2 p, ImU32 inside, ImU32 edge) {
+        const ImVec2 corners[] = {{p.x, p.y - d}, {p.x + d, p.y}, {p.x, p.y + d}, {p.x - d, p.y}};
+        list.AddConvexPolyFilled(corners, 4, inside);
+        list.AddPolyline(corners, 4, edge, ImDrawFlags_Closed, r * 0.3f);
+    };
+    const ImVec2 now = a.at(*facts.view.present);
+    if (facts.view.before) {
+        const ImVec2 before = a.at(*facts.view.before);
+        list.AddLine(before, now, theme::accent(), r * 0.3f);
+        diamond(before, theme::well(), theme::accent());
+    }
+    diamond(now, theme::accent(), theme::well());
 }
 
 }  // namespace
@@ -135,7 +143,8 @@ FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, std::optional<int
     const bool hovered = ImGui::IsItemHovered(), clicked = ImGui::IsItemClicked();
     std::vector<double> costs, errors;
     for (const auto& m : facts.view.marks) costs.push_back(m.dot.cost), errors.push_back(m.dot.error);
-    if (facts.view.present) costs.push_back(facts.view.present->cost), errors.push_back(facts.view.present->error);
+    for (const auto& dot : {facts.view.present, facts.view.before})
+        if (dot) costs.push_back(dot->cost), errors.push_back(dot->error);
     Area a{.x = log_axis(costs), .y = log_axis(errors)};
     const float line = theme::small()->FontSize;
     float numbers = line;

@@ -12,7 +12,9 @@
 #include "ui/scene_view/kernel_marks.h"
 #include "ui/state/panels.h"
 #include "ui/state/quick_changes.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/right_aligned.h"
+#include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -55,7 +57,7 @@ void verdict(const std::string& text) {
 void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
     if (p.where != "inside" || resolution <= 0) return;
     const TexelPlace place{p.light, p.face, (p.texel.x + 0.5) / resolution, (p.texel.y + 0.5) / resolution};
-    if (ImGui::SmallButton(quads_at(s, place) ? "Hide stored-depth quads" : "Stored-depth quads here"))
+    if (ImGui::Button(quads_at(s, place) ? "Hide stored-depth quads" : "Stored-depth quads here"))
         toggle_quads(s, place);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
@@ -246,21 +248,23 @@ private:
 };
 
 /// All that the verdict rests on. @param cures draws what puts the pixel right
-template <typename Cures>
-void reasons(const Probe::PerLight& p, const Dossier* d, Settings& settings, int resolution, Cures&& cures) {
-    cures();
+template <typename Button, typename Table>
+void reasons(const Probe::PerLight& p, const Dossier* d, Settings& settings, int resolution, Button&& cures_button,
+             Table&& cures_table) {
+    if (cures_button()) si::flow(button_width("Hide stored-depth quads"));
     slabs_button(settings, p, resolution);
+    cures_table();
     const float em = ImGui::GetFontSize();
-    BlockFlow flow;
-    flow.block(em * 15, [&] {
+    BlockFlow blocks;
+    blocks.block(em * 15, [&] {
         draw_tap_grid(p, em * 7.5f);
         ImGui::SameLine();
         draw_tap_key();
     });
-    if (d && d->truth.state == PixelState::Counted) flow.block(em * 20, [&] { truth_column(*d); });
-    if (faces_light(p.n_dot_l)) flow.block(em * 20, [&] { bias_terms(p.account); });
-    flow.block(em * 33, [&] { depths(p); });
-    flow.block(em * 36, [&] { space(p); });
+    if (d && d->truth.state == PixelState::Counted) blocks.block(em * 20, [&] { truth_column(*d); });
+    if (faces_light(p.n_dot_l)) blocks.block(em * 20, [&] { bias_terms(p.account); });
+    blocks.block(em * 33, [&] { depths(p); });
+    blocks.block(em * 36, [&] { space(p); });
 }
 
 /// The verdict.
@@ -309,12 +313,17 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
     const auto write_out = [&](const Probe::PerLight& light) {
         const Dossier* const dossier = dossier_of(light);
         const bool wrong = dossier && dossier->cause().artefact != Artefact::None;
-        reasons(light, dossier, state.settings, frame.result ? frame.result->map_resolution : 0, [&] {
-            // Cures are those of the light whose shadows are judged.
-            if (!wrong || light.light != state.settings.view.light) return;
-            cures_button(frame.cures, actions, state.probe_pixel, frame.result && frame.scene, wrong);
-            cures_table(state.settings, frame.cures, actions, state.probe_pixel);
-        });
+        // Cures are those of the light whose shadows are judged.
+        const bool judged = wrong && light.light == state.settings.view.light;
+        reasons(
+            light, dossier, state.settings, frame.result ? frame.result->map_resolution : 0,
+            [&] {
+                if (judged) cures_button(frame.cures, actions, state.probe_pixel, frame.result && frame.scene, wrong);
+                return judged;
+            },
+            [&] {
+                if (judged) cures_table(state.settings, frame.cures, actions, state.probe_pixel);
+            });
     };
     if (probe->lights.empty()) return;
     // The light whose shadows are judged stands on top: its drawing, and beside it its verdict, both pinned.

@@ -12,9 +12,11 @@
 #include "ui/panels/lights.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -43,6 +45,14 @@ constexpr Group kGroups[] = {
     {"truth", "Truth", false},
 };
 
+// Turned seldom: while they are as at first, their groups keep them back until they are asked for or searched.
+constexpr std::string_view kRare[] = {
+    "bias.normal_source", "bias.raster_slope", "bias.raster_units", "bias.raster_clamp", "filter.method",
+    "filter.point",       "map.wrap",          "map.outside",       "map.far_guard",     "map.compare",
+    "map.blur_texels",    "map.samples",       "map.transform",     "map.origin",        "light.red",
+    "light.green",        "light.blue",        "light.snap",        "light.stretch",     "light.cascade_choice",
+};
+
 std::string_view prefix_of(std::string_view key) {
     return key.substr(0, key.find('.'));
 }
@@ -59,8 +69,14 @@ std::vector<Group> groups() {
     return list;
 }
 
-std::vector<SettingRef> rows_of(const EditorState& state, std::string_view prefix) {
-    std::vector<SettingRef> rows;
+/// Of a group what is listed, and what waits until more of it is asked for.
+struct Rows {
+    std::vector<SettingRef> shown, folded;
+};
+
+Rows rows_of(const EditorState& state, std::string_view prefix) {
+    Rows rows;
+    const bool all = !state.search.empty() || state.only_changed || state.unfolded.contains(prefix);
     const int light = std::max(0, shown_light(state.settings));
     for (const Param& p : params()) {
         if (p.scope == Scope::Object || prefix_of(p.key) != prefix) continue;
@@ -69,46 +85,78 @@ std::vector<SettingRef> rows_of(const EditorState& state, std::string_view prefi
         if (state.search.empty() && !not_owned(state.settings, ref).empty()) continue;  // found by its name alone
         if (!setting_matches(ref, state.search)) continue;
         if (state.only_changed && !setting_changed(state.settings, ref)) continue;
-        rows.push_back(std::move(ref));
+        const bool folds =
+            !all && std::ranges::find(kRare, p.key) != std::end(kRare) && !setting_changed(state.settings, ref);
+        (folds ? rows.folded : rows.shown).push_back(std::move(ref));
     }
     return rows;
 }
 
 bool begin_rows(const char* id) {
-    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) return false;
+    const ImVec2 padding = ImGui::GetStyle().CellPadding;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding.x, padding.y * 0.5f});
+    const bool begun = ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings);
+    ImGui::PopStyleVar();
+    if (!begun) return false;
     ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch, 0.44f);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.56f);
     return true;
 }
 
+/// At the right end of a group's heading: how many of its settings are changed, and a button for those that it keeps
+/// back.
+void heading_end(EditorState& state, const Group& group, const Rows& rows, bool open, ImVec2 corner, float width) {
+    const float em = ImGui::GetFontSize(), padding = ImGui::GetStyle().FramePadding.y;
+    float right = corner.x + width - em * 0.4f;
+    const bool unfolded = state.unfolded.contains(group.prefix) && state.search.empty() && !state.only_changed;
+    if (open && (unfolded || !rows.folded.empty())) {
+        const std::string label = unfolded ? "less" : fmt::format("{} more", rows.folded.size());
+        const ImVec2 after = ImGui::GetCursorPos();
+        right -= button_width(label.c_str());
+        ImGui::SetCursorScreenPos({right, corner.y + padding});
+        ImGui::PushID(std::string(group.prefix).c_str());
+        if (ImGui::SmallButton((label + "###more").c_str())) {
+            if (unfolded)
+                state.unfolded.erase(std::string(group.prefix));
+            else
+                state.unfolded.emplace(group.prefix);
+        }
+        ImGui::PopID();
+        std::string names = unfolded ? "Only what is turned often, or is changed" : "Turned seldom:";
+        for (const SettingRef& ref : rows.folded)
+            names += fmt::format("{} {}", &ref == &rows.folded.front() ? "" : ",", ref.param->label);
+        wrapped_tooltip(names);
+        ImGui::SetCursorPos(after);
+        right -= em * 0.6f;
+    }
+    const auto changed =
+        std::ranges::count_if(rows.shown, [&](const SettingRef& r) { return setting_changed(state.settings, r); });
+    if (changed == 0) return;
+    const std::string text = fmt::format("{} changed", changed);
+    ImGui::GetWindowDrawList()->AddText({right - ImGui::CalcTextSize(text.c_str()).x, corner.y + padding},
+                                        theme::muted(), text.c_str());
+}
+
 void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Group& group) {
-    const std::vector<SettingRef> rows = rows_of(state, group.prefix);
-    if (rows.empty()) return;
+    const Rows rows = rows_of(state, group.prefix);
+    if (rows.shown.empty() && rows.folded.empty()) return;
     const bool filtered = !state.search.empty() || state.only_changed;
     if (filtered)
         ImGui::SetNextItemOpen(true);
     else
         ImGui::SetNextItemOpen(group.open, ImGuiCond_FirstUseEver);
-    const auto changed = std::count_if(rows.begin(), rows.end(),
-                                       [&](const SettingRef& r) { return setting_changed(state.settings, r); });
     ImGui::PushFont(theme::strong());
     const std::string label = fmt::format("{}###{}", group.label, group.prefix);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    const bool open = ImGui::CollapsingHeader(label.c_str());
+    const bool open = ImGui::CollapsingHeader(label.c_str(), ImGuiTreeNodeFlags_AllowItemOverlap);
     ImGui::PopFont();
-    if (changed > 0) {
-        const std::string text = fmt::format("{} changed", changed);
-        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-        ImGui::GetWindowDrawList()->AddText(
-            {at.x + width - size.x - ImGui::GetFontSize() * 0.6f, at.y + ImGui::GetStyle().FramePadding.y},
-            theme::muted(), text.c_str());
-    }
+    heading_end(state, group, rows, open, at, width);
     if (!open) return;
     ImGui::PushID(std::string(group.prefix).c_str());
     bool table = false;
     if (group.prefix == "light" && (!filtered || state.settings.light_count > 1)) draw_lights(state, frame.result);
-    for (const SettingRef& ref : rows) {
+    for (const SettingRef& ref : rows.shown) {
         if (!table && !(table = begin_rows("rows"))) break;
         NamedValues names = view_choices(state.settings, frame.result, ref.param->key);
         if (names.empty()) names = scene_choices(frame.scene, ref.param->key);
@@ -143,7 +191,7 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& 
     bool any = false;
     const SceneSettings placed = state.settings.scene;
     for (const Group& group : groups()) {
-        any |= !rows_of(state, group.prefix).empty();
+        any |= !rows_of(state, group.prefix).shown.empty();
         draw_group(state, frame, actions, group);
     }
     carry_settings(state.settings, placed, state.settings.scene);

@@ -5,7 +5,9 @@
 #include <string>
 
 #include "ui/state/panels.h"
+#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -17,7 +19,8 @@ std::string cost_text(const FrameResult& result) {
         ms += pass.gpu_ms;
         if (pass.category == PassCategory::Maps) map_ms += pass.gpu_ms;
     }
-    return ms > 0 ? fmt::format("frame {:.3g} ms, maps {:.3g} ms   ", ms, map_ms) : std::string();
+    const auto text = [](double t) { return fmt::format("{:.{}f} ms", t, t < 10 ? 2 : t < 100 ? 1 : 0); };
+    return ms > 0 ? fmt::format("frame {}, maps {}   ", text(ms), text(map_ms)) : std::string();
 }
 
 std::string facts_text(const EditorState& state, const EditorFrame& frame) {
@@ -43,14 +46,11 @@ float status_bar_height() {
 void draw_status_bar(EditorState& state, const EditorFrame& frame) {
     const float em = ImGui::GetFontSize(), width = ImGui::GetWindowWidth();
     ImFont* font = theme::small();
-    const auto wide = [&](const std::string& text) {
-        return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
-    };
     const ImVec2 at = ImGui::GetWindowPos();
     const float y = at.y + 0.5f * (status_bar_height() - font->FontSize);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::string facts = frame.result ? facts_text(state, frame) : std::string();
-    const float right = width - wide(facts) - em * 0.7f;
+    const float right = width - text_width(facts, font) - em * 0.7f;
     float free = width - em * 1.4f;
     if (right > em * 12) {
         list.AddText(font, font->FontSize, {at.x + right, y}, theme::muted(), facts.c_str());
@@ -61,18 +61,12 @@ void draw_status_bar(EditorState& state, const EditorFrame& frame) {
     const ImU32 colour = last.kind == LogKind::Error     ? theme::error()
                          : last.kind == LogKind::Warning ? theme::warning()
                                                          : theme::muted();
-    std::string text = last.text.substr(0, last.text.find('\n'));
-    if (wide(text) > free) {
-        while (!text.empty() && wide(text + "…") > free) {
-            do text.pop_back();
-            while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80);
-        }
-        text += "…";
-    }
+    const std::string text = beginning_that_fits(last.text.substr(0, last.text.find('\n')), free, font);
     list.AddText(font, font->FontSize, {at.x + em * 0.7f, y}, colour, text.c_str());
     ImGui::SetCursorScreenPos(at);
-    ImGui::InvisibleButton("last message", {std::max(std::min(wide(text) + em, free), 1.0f), status_bar_height()});
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\nA click opens the log.", last.text.c_str());
+    ImGui::InvisibleButton("last message",
+                           {std::max(std::min(text_width(text, font) + em, free), 1.0f), status_bar_height()});
+    wrapped_tooltip(last.text + "\nA click opens the log.");
     if (ImGui::IsItemClicked()) state.open_tab = BottomTab::Log;
 }
 

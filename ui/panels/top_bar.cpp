@@ -13,6 +13,7 @@
 #include "ui/state/playback.h"
 #include "ui/state/selection.h"
 #include "ui/widgets/button_width.h"
+#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toolbar.h"
@@ -153,21 +154,10 @@ void steps_menu(EditorState& state) {
     ImGui::EndPopup();
 }
 
-/// The end of a text that fits, behind an ellipsis: of a path the file's name matters most.
-std::string fitting(const std::string& text, float width) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-    for (std::size_t at = 1; at < text.size(); ++at) {
-        if ((static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) continue;  // inside a character
-        const std::string end = "…" + text.substr(at);
-        if (ImGui::CalcTextSize(end.c_str()).x <= width) return end;
-    }
-    return "…";
-}
-
 /// The file that Ctrl+S writes, and whether it holds what is shown.
 void preset_name(const EditorState& state, const EditorFrame& frame, float width) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", fitting(scene_label(state.preset_path), width).c_str());
+    ImGui::TextDisabled("%s", end_that_fits(scene_label(state.preset_path), width, ImGui::GetFont()).c_str());
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s\n%s", state.preset_path.c_str(),
                           frame.unsaved ? "Ctrl+S saves the present settings there" : "It holds the present settings");

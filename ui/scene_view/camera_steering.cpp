@@ -14,7 +14,6 @@
 namespace si {
 namespace {
 
-constexpr float kClickPixels = 3;        ///< a press that moves further is a drag
 constexpr double kWheelSeconds = 0.4;    ///< turns of the wheel closer than this are one step of undo
 constexpr double kRadiiPerSecond = 0.4;  ///< a flight's speed at factor 1, in radii of the scene
 constexpr double kFast = 4;              ///< with Shift

@@ -6,6 +6,8 @@
 
 namespace si {
 
+inline constexpr float kClickPixels = 3;  ///< a press that moves further is a drag
+
 /// Call right after the picture's item, when nothing in the picture took the press. Sets state.press_moved and
 /// state.dragging.
 void steer_camera(EditorState& state, const EditorFrame& frame, const PictureView& view);

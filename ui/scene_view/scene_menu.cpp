@@ -69,7 +69,6 @@ void object_items(EditorState& state, const EditorFrame& frame, const std::set<s
 }  // namespace
 
 void open_scene_menu(EditorState& state, const EditorFrame& frame, const PictureView& view) {
-    constexpr float kClickPixels = 3;
     const ImGuiIO& io = ImGui::GetIO();
     if (!frame.scene || !ImGui::IsItemDeactivated() || !ImGui::IsMouseReleased(ImGuiMouseButton_Right)) return;
     if (state.flew || io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] > kClickPixels * kClickPixels) return;

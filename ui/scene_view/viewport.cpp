@@ -1,4 +1,5 @@
 // The scene pictures, one or several beside each other: mouse and keys over them, what is drawn onto them.
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -93,8 +94,16 @@ void select_probed(EditorState& state, const EditorFrame& frame) {
 }
 
 /// What stands where there is no picture.
-void no_picture(const EditorFrame& frame, ImVec2 origin, ImVec2 size) {
+void no_picture(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size) {
     const float em = ImGui::GetFontSize();
+    if (frame.drawing) {
+        const float wide = std::min(size.x - 2 * em, em * 34);
+        ImGui::SetCursorScreenPos({origin.x + (size.x - wide) / 2, origin.y + em * 2});
+        std::string text = fmt::format("Drawing {} for the first time", scene_label(state.scene_name));
+        text += frame.drawing->pass.empty() ? " …" : ": " + frame.drawing->pass;
+        progress_bar(frame.drawing->progress, text, wide);
+        return;
+    }
     const std::string text = frame.problem.empty() && !frame.loading ? "No picture yet" : std::string(frame.problem);
     ImGui::SetCursorScreenPos({origin.x + em, origin.y + em});
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - 2 * em);
@@ -248,7 +257,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     // After a change of view.panes the pictures are there with the next frame.
     const int pictures = against == AgainstView::Off ? panes.grid.count() : 1;
     if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != pictures) {
-        no_picture(frame, origin, size);
+        no_picture(state, frame, origin, size);
         draw_loading(frame, actions, origin.x, origin.y, size.x);
         return;
     }

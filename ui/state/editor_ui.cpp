@@ -18,15 +18,13 @@
 namespace si {
 namespace {
 
-constexpr float kPictures = 10;  ///< least height of the pictures that the tabs below leave, ems
-constexpr float kAllTabs = 40;   ///< width in which all of them have room, ems
-constexpr float kSplitter = 5;   ///< at scale 1, pixels
-constexpr int kArrowsFast = 10;  ///< pixels, with Shift
+constexpr float kPictures = 10;     ///< least height of the pictures that the tabs below leave, ems
+constexpr float kAllTabs = 40;      ///< width in which all of them have room, ems
+constexpr float kEveryday = 24.6f;  ///< height in which the settings of every day need no scrolling, ems
+constexpr float kSplitter = 5;      ///< at scale 1, pixels
+constexpr int kArrowsFast = 10;     ///< pixels, with Shift
 constexpr int kF12 = 301;
 constexpr int kF11 = 300;  ///< as the window feeds it (GLFW)
-
-/// The mouse is held once it has flown so far with the right button down.
-constexpr float kHoldPixels = 3;
 
 bool pressed(char key) {
     return ImGui::IsKeyPressed(int(key), false);
@@ -310,7 +308,9 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorActions& a
     const float em = ImGui::GetFontSize();
     ImGui::BeginGroup();
     if (layout.map_place == MapSpot::AboveSettings) {
-        const float map = std::clamp(size.y * layout.map_height, em * 8, std::max(em * 8, size.y - em * 10));
+        // Until somebody drags it, the map leaves the settings their room.
+        const float least = layout.map_height == EditorLayout{}.map_height ? kEveryday : 10;
+        const float map = std::clamp(size.y * layout.map_height, em * 8, std::max(em * 8, size.y - em * least));
         map_panel(state, frame, actions, {size.x, map});
         if (const Dragged d = splitter("map splitter", false, {size.x, bar}); d.reset)
             layout.map_height = EditorLayout{}.map_height;
@@ -405,7 +405,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     ImGui::PopStyleVar();
     draw_welcome(state, frame, actions);
     draw_shortcuts(state);
-    draw_file_dialog(state, actions);
+    draw_file_dialog(state, frame, actions);
     draw_replace_dialog(state, actions);
     ImGui::End();
 
@@ -421,7 +421,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     state.history.observe(state.settings, gesture || state.between_steps);
     // Not for a click: what the window says of a cursor that is moved there and back would turn the camera.
     actions.hold_cursor =
-        state.flight.on && (state.flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kHoldPixels));
+        state.flight.on && (state.flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kClickPixels));
     actions.redraw |= state.playback.playing || turning_wheel || state.flight.moving;
     actions.at_rest = !gesture && !actions.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
                       io.MouseDelta.x == 0 && io.MouseDelta.y == 0;

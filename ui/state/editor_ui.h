@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -62,6 +63,7 @@ enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice
 struct PinnedSettings {
     Settings settings;
     std::string scene;  ///< that they were shown with
+    bool operator==(const PinnedSettings&) const = default;
 };
 
 /// What was compared before a key showed the other side alone.
@@ -111,6 +113,7 @@ struct EditorState : PictureState {
     bool between_steps = false;  ///< undo or redo waits for the scene of its step
     std::string search;
     bool only_changed = false;
+    std::set<std::string, std::less<>> unfolded;  ///< groups of settings that show what is turned seldom, too
     std::optional<LightRename> light_rename;
     TunePanel tune;
     AdvicePanel advice;
@@ -158,6 +161,8 @@ struct EditorState : PictureState {
     std::optional<Shot> shot_next;    ///< taken in the next frame, when what asked for it is gone from the picture
     ScreenRect scene_rect, map_rect;  ///< where the pictures were drawn last
     SectionViews section_views;
+    std::map<std::string, double> last_pass_ms;  ///< of each pass when it was timed last
+    std::vector<float> frame_ms;                 ///< of the last timed frames, the present one at the end
 };
 
 /// A scene that is being read while the editor shows another.
@@ -165,6 +170,12 @@ struct LoadingFacts {
     std::string name;         ///< built-in key or path
     double progress = 0;      ///< 0..1
     double seconds_left = 0;  ///< estimated; 0: not known yet
+};
+
+/// The first picture of a scene while it is drawn.
+struct DrawingFacts {
+    std::string pass;     ///< under way
+    double progress = 0;  ///< 0..1
 };
 
 /// What the last frame found out. Pointers may be null: the editor draws without them.
@@ -180,6 +191,7 @@ struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown
     std::string_view problem;   ///< why there is no picture
     bool driver_reset = false;  ///< the driver lost what was drawn: only another start of the program draws again
     std::optional<LoadingFacts> loading;
+    std::optional<DrawingFacts> drawing;
     const SweepFacts* sweep = nullptr;
     std::optional<TruthFacts> truth;
     const LiveError* error = nullptr;  ///< of the frame shown; null: not known

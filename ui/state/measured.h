@@ -36,8 +36,8 @@ struct FrontierView {
         bool tied = false;  ///< within noise of one that is better
     };
     std::vector<Mark> marks;
-    std::optional<Dot> present;
-    Advice advice;  ///< to the present settings; indices of marks
+    std::optional<Dot> present, before;  ///< before: SweepFacts::before
+    Advice advice;                       ///< to the present settings; indices of marks
 };
 
 struct SweepFacts {
@@ -56,6 +56,10 @@ struct SweepFacts {
     std::string problem;                    ///< why the last sweep ended early
     std::optional<MeasuredCase> present;    ///< the shown settings, measured at the sweep's size
     bool measuring_present = false;
+    bool present_is_old = false;  ///< those numbers are of the settings before, while the shown ones are measured
+    std::optional<MeasuredCase> before;  ///< other settings of the same picture: pinned A, else those measured last
+    bool before_is_pinned = false;
+    std::string change;  ///< from those to the present ones: "Kernel: PCF 3×3 → Poisson disk"
     std::string present_problem;
     std::string cost;   ///< column across: the chosen one, or, while that has no values, one that has; empty: chosen
     FrontierView view;  ///< over `cost` and SweepPanel::error

@@ -55,9 +55,14 @@ void scale_resolution(Settings& settings, bool twice) {
 }
 
 void apply_fix(EditorState& state, const EditorFrame& frame) {
-    for (const Dossier& d : frame.dossiers)
-        if (d.light == shown_light(state.settings) && d.remedy)
-            for (const auto& [key, value] : d.remedy->settings) set_setting(state.settings, key, value);
+    for (const Dossier& d : frame.dossiers) {
+        if (d.light != shown_light(state.settings) || !d.remedy) continue;
+        for (const auto& [key, value] : d.remedy->settings) set_setting(state.settings, key, value);
+        return;
+    }
+    state.log.add(LogKind::Info, !state.probe_pixel    ? "No fix to apply: click a wrong pixel first, or go to one (X)"
+                                 : frame.tracing_probe ? "No fix to apply yet: the truth of the pixel is being traced"
+                                                       : "No fix to apply: the verdict of this pixel names none");
 }
 
 bool quads_at(const Settings& settings, const TexelPlace& place) {

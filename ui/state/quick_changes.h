@@ -14,7 +14,7 @@ void remove_bias(Settings& settings);
 void next_light_type(Settings& settings);
 /// Twice as many texels a side, or half as many, within what the setting takes.
 void scale_resolution(Settings& settings, bool twice);
-/// Applies the remedy that the judged light's verdict names; nothing where there is none.
+/// Applies the remedy that the judged light's verdict names; where there is none the log says why.
 void apply_fix(EditorState& state, const EditorFrame& frame);
 
 /// A place of a light's map.

@@ -7,11 +7,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cfloat>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
 #include <optional>
 #include <utility>
 
 #include "ui/state/panels.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -26,9 +30,29 @@ std::string lower(std::string text) {
     return text;
 }
 
-bool is_shown(const fs::path& file, FileDialog::Job job) {
+bool is_shown(const fs::path& file, FileDialog::Job job, FileDialog::Kind kind) {
     const std::string extension = lower(file.extension().string());
-    return extension == ".json" || (job == FileDialog::Job::Open && (extension == ".gltf" || extension == ".glb"));
+    const bool model = extension == ".gltf" || extension == ".glb", preset = extension == ".json";
+    if (job == FileDialog::Job::SavePreset) return preset;
+    return (model && kind != FileDialog::Kind::Presets) || (preset && kind != FileDialog::Kind::Models);
+}
+
+std::string date_of(const fs::directory_entry& entry) {
+    std::error_code error;
+    const auto changed = entry.last_write_time(error);
+    if (error) return {};
+    const auto at = std::chrono::file_clock::to_sys(changed);
+    const std::time_t seconds =
+        std::chrono::system_clock::to_time_t(std::chrono::time_point_cast<std::chrono::system_clock::duration>(at));
+    std::tm local{};
+    char text[32] = "";
+    if (localtime_r(&seconds, &local)) std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
+    return text;
+}
+
+fs::path home() {
+    const char* folder = std::getenv("HOME");
+    return folder ? fs::path(folder) : fs::path("/");
 }
 
 void read_folder(FileDialog& d, const fs::path& wanted) {
@@ -44,7 +68,8 @@ void read_folder(FileDialog& d, const fs::path& wanted) {
         const std::string name = it->path().filename().string();
         std::error_code unreadable;
         const bool is_folder = it->is_directory(unreadable);
-        if (!name.starts_with('.') && (is_folder || is_shown(it->path(), d.job))) entries.push_back({name, is_folder});
+        if (!name.starts_with('.') && (is_folder || is_shown(it->path(), d.job, d.kind)))
+            entries.push_back({name, is_folder, date_of(*it)});
     }
     std::sort(entries.begin(), entries.end(), [](const FileDialog::Entry& a, const FileDialog::Entry& b) {
         return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
@@ -72,6 +97,14 @@ std::optional<FileDialog::Entry> draw_entries(FileDialog& d, float height) {
                 if (!e.folder) d.name = e.name;
                 if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) entered = e;
             }
+            ImGui::SameLine();
+            const float width = ImGui::CalcTextSize(e.date.c_str()).x;
+            if (const float right = ImGui::GetContentRegionAvail().x - width; right > ImGui::GetFontSize()) {
+                ImGui::SetCursorPosX(ImGui::GetCursorPosX() + right);
+                ImGui::TextDisabled("%s", e.date.c_str());
+            } else {
+                ImGui::NewLine();
+            }
             ImGui::PopID();
         }
     if (d.entries.empty())
@@ -80,6 +113,59 @@ std::optional<FileDialog::Entry> draw_entries(FileDialog& d, float height) {
     ImGui::EndChild();
     ImGui::PopStyleColor();
     return entered;
+}
+
+/// Folders of what was opened lately, the last one first.
+std::vector<std::string> recent_folders(const EditorFrame& frame) {
+    std::vector<std::string> folders;
+    for (const auto& paths : {frame.recent_scenes, frame.recent_presets})
+        for (const std::string& path : paths) {
+            const std::string folder = fs::path(path).parent_path().string();
+            if (!folder.empty() && std::ranges::find(folders, folder) == folders.end()) folders.push_back(folder);
+        }
+    return folders;
+}
+
+/// Where to look, and for what.
+void draw_places(FileDialog& d, const EditorFrame& frame) {
+    const float em = ImGui::GetFontSize();
+    if (ImGui::Button("Up")) read_folder(d, d.folder.parent_path());
+    wrapped_tooltip("The folder above");
+    ImGui::SameLine();
+    if (ImGui::Button("Home")) read_folder(d, home());
+    ImGui::SameLine();
+    const std::vector<std::string> recent = recent_folders(frame);
+    ImGui::BeginDisabled(recent.empty());
+    if (ImGui::Button("Recent")) ImGui::OpenPopup("recent folders");
+    ImGui::EndDisabled();
+    wrapped_tooltip("Folders of scenes and presets that were opened lately");
+    if (ImGui::BeginPopup("recent folders")) {
+        for (const std::string& folder : recent)
+            if (ImGui::Selectable(folder.c_str())) read_folder(d, folder);
+        ImGui::EndPopup();
+    }
+    ImGui::SameLine();
+    const bool opening = d.job == FileDialog::Job::Open;
+    ImGui::SetNextItemWidth(opening ? -em * 7.5f : -FLT_MIN);
+    if (ImGui::InputText("##folder", &d.folder_input, ImGuiInputTextFlags_EnterReturnsTrue))
+        read_folder(d, d.folder_input);
+    if (!opening) return;
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    int kind = int(d.kind);
+    if (ImGui::Combo("##kind", &kind, "all files\0models\0presets\0")) {
+        d.kind = FileDialog::Kind(kind);
+        read_folder(d, d.folder);
+    }
+}
+
+/// Tab goes on with what is typed.
+int complete(ImGuiInputTextCallbackData* data) {
+    const FileDialog& d = *static_cast<const FileDialog*>(data->UserData);
+    const std::string completed = completed_path(d.folder, data->Buf, d.job, d.kind);
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, completed.c_str());
+    return 0;
 }
 
 void choose(EditorState& state, EditorActions& actions) {
@@ -114,7 +200,30 @@ void ask_for_file(FileDialog& d, FileDialog::Job job, const fs::path& path, cons
     d.asked = true;
 }
 
-void draw_file_dialog(EditorState& state, EditorActions& actions) {
+std::string completed_path(const fs::path& folder, const std::string& typed, FileDialog::Job job,
+                           FileDialog::Kind kind) {
+    const auto slash = typed.rfind('/');
+    const std::string lead = slash == std::string::npos ? std::string() : typed.substr(0, slash + 1);
+    const std::string begun = typed.substr(lead.size());
+    std::string common;
+    bool any = false;
+    std::error_code error;
+    fs::directory_iterator it(folder / lead, fs::directory_options::skip_permission_denied, error);
+    for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
+        std::string name = it->path().filename().string();
+        std::error_code unreadable;
+        const bool is_folder = it->is_directory(unreadable);
+        if (!name.starts_with(begun) || (begun.empty() && name.starts_with('.'))) continue;
+        if (!is_folder && !is_shown(it->path(), job, kind)) continue;
+        if (is_folder) name += '/';
+        const auto differs = std::ranges::mismatch(common, name);
+        common = any ? std::string(common.begin(), differs.in1) : name;
+        any = true;
+    }
+    return any ? lead + common : typed;
+}
+
+void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     FileDialog& d = state.file_dialog;
     const bool saving = d.job == FileDialog::Job::SavePreset;
     const char* title = saving ? kSaveTitle : kOpenTitle;
@@ -126,12 +235,7 @@ void draw_file_dialog(EditorState& state, EditorActions& actions) {
     ImGui::SetNextWindowSize({std::min(em * 44, screen.x - 2 * em), std::min(em * 32, screen.y - 2 * em)});
     bool open = true;
     if (!ImGui::BeginPopupModal(title, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
-    if (ImGui::Button("Up")) read_folder(d, d.folder.parent_path());
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The folder above");
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    if (ImGui::InputText("##folder", &d.folder_input, ImGuiInputTextFlags_EnterReturnsTrue))
-        read_folder(d, d.folder_input);
+    draw_places(d, frame);
     const float rows = ImGui::GetFrameHeightWithSpacing() * (saving ? 3 : 2) +
                        (d.problem.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing());
     const auto entered = draw_entries(d, std::max(ImGui::GetContentRegionAvail().y - rows, em * 3));
@@ -142,8 +246,10 @@ void draw_file_dialog(EditorState& state, EditorActions& actions) {
     }
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (appearing) ImGui::SetKeyboardFocusHere();
-    bool done = ImGui::InputTextWithHint("##name", saving ? "file name" : "file", &d.name,
-                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    bool done = ImGui::InputTextWithHint("##name", saving ? "file name" : "file or path; Tab completes it", &d.name,
+                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+                                             ImGuiInputTextFlags_CallbackCompletion,
+                                         complete, &d);
     if (saving) {
         ImGui::SetNextItemWidth(-FLT_MIN);
         done |= ImGui::InputTextWithHint("##about", "what to look at, a sentence (optional)", &d.about,

@@ -9,17 +9,21 @@ namespace si {
 
 struct EditorState;
 struct EditorActions;
+struct EditorFrame;
 
 struct FileDialog {
     enum class Job { Open, SavePreset };
+    enum class Kind { All, Models, Presets };
     struct Entry {
         std::string name;
         bool folder = false;
+        std::string date;  ///< of its last change, local time
     };
     bool asked = false;  ///< to be opened in the next frame
     Job job = Job::Open;
     std::filesystem::path folder;
     std::string folder_input, name, about;
+    Kind kind = Kind::All;       ///< that is listed when opening
     std::vector<Entry> entries;  ///< of `folder`, folders first
     std::string problem;         ///< why the folder cannot be read
 };
@@ -27,8 +31,11 @@ struct FileDialog {
 /// Opens the dialog in the folder of `path`, with its name when saving.
 void ask_for_file(FileDialog& dialog, FileDialog::Job job, const std::filesystem::path& path,
                   const std::string& about = {});
+/// The path as typed, from `folder`, as far on as folders and files that the dialog lists go on alike.
+std::string completed_path(const std::filesystem::path& folder, const std::string& typed, FileDialog::Job job,
+                           FileDialog::Kind kind);
 /// Draws it while it is open; the chosen file becomes a wish.
-void draw_file_dialog(EditorState& state, EditorActions& actions);
+void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 /// Asks before a file is replaced that was neither opened nor saved before.
 void draw_replace_dialog(EditorState& state, EditorActions& actions);
 

@@ -1,0 +1,104 @@
+// Single keys that change settings, over made-up frames. The real window replays them in its jobs.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "renderer/settings/param.h"
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+struct Keys : testing::Test {
+    UiHarness ui{1280, 720};
+    Keys() { ui.frames(3); }
+    void key(int code) {
+        ImGui::GetIO().KeysDown[code] = true;
+        ui.frame();
+        ImGui::GetIO().KeysDown[code] = false;
+        ui.frame();
+    }
+    Settings& settings() { return ui.state.settings; }
+};
+
+TEST_F(Keys, CAppliesTheFixOfTheShownLightsVerdictOnly) {
+    settings().light_count = 2;
+    Dossier of_other;
+    of_other.light = 1;
+    of_other.remedy = Remedy{{{"bias.slope", "7"}}, ""};
+    Dossier d;
+    d.remedy = Remedy{{{"bias.slope", "4.5"}, {"bias.normal", "1"}}, ""};
+    ui.dossiers = {of_other, d};
+    ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.frames(2);
+    const Settings before = settings();
+    key('C');
+    EXPECT_EQ(settings().bias.slope, 4.5);
+    EXPECT_EQ(settings().bias.normal, 1);
+    EXPECT_EQ(ui.state.history.undo(), before) << "one step";
+}
+
+TEST_F(Keys, CWithoutAFixChangesNothing) {
+    ui.dossiers = {Dossier{}};
+    ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.frames(2);
+    const Settings before = settings();
+    key('C');
+    EXPECT_EQ(settings(), before);
+    ASSERT_FALSE(ui.state.log.lines().empty());
+    EXPECT_NE(ui.state.log.lines().back().text.find("names none"), std::string::npos) << "but it is said";
+}
+
+TEST_F(Keys, XSaysThatItLooks) {
+    key('X');
+    ASSERT_FALSE(ui.state.log.lines().empty());
+    EXPECT_NE(ui.state.log.lines().back().text.find("Looking"), std::string::npos);
+}
+
+TEST_F(Keys, UTakesAllBiasAway) {
+    settings().bias = {.constant = 1, .slope = 2, .normal = 3, .raster_slope = 4, .raster_units = 5};
+    key('U');
+    const BiasSettings& b = settings().bias;
+    for (const double left : {b.constant, b.slope, b.normal, b.raster_slope, b.raster_units}) EXPECT_EQ(left, 0);
+}
+
+TEST_F(Keys, TGoesThroughTheTypesOfTheShownLight) {
+    settings().light_count = 2;
+    settings().view.light = 1;
+    for (const LightType next : {LightType::Spot, LightType::Point, LightType::Directional}) {
+        key('T');
+        EXPECT_EQ(settings().lights[1].type, int(next));
+    }
+    EXPECT_EQ(settings().lights[0].type, int(LightType::Directional));
+}
+
+TEST_F(Keys, BracketsHalveAndDoubleTheResolutionWithinItsRange) {
+    settings().map.resolution = 2048;
+    key('[');
+    EXPECT_EQ(settings().map.resolution, 1024);
+    key(']'), key(']');
+    EXPECT_EQ(settings().map.resolution, 4096);
+    for (int i = 0; i < 20; ++i) key(']');
+    EXPECT_EQ(settings().map.resolution, int(find_setting("map.resolution")->param->max));
+    for (int i = 0; i < 20; ++i) key('[');
+    EXPECT_EQ(settings().map.resolution, int(find_setting("map.resolution")->param->min));
+}
+
+TEST_F(Keys, QShowsTheTexelsOfTheProbedPixelAsQuadsAndHidesThemAgain) {
+    ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.frames(2);
+    key('Q');
+    const ViewSettings& v = settings().view;
+    EXPECT_EQ(v.slabs, int(Slabs::Both));
+    const int n = settings().map.resolution;
+    EXPECT_DOUBLE_EQ(v.slabs_u, 5.5 / n) << "the texel that made-up probes find";
+    EXPECT_DOUBLE_EQ(v.slabs_v, 7.5 / n);
+    key('Q');
+    EXPECT_EQ(v.slabs, int(Slabs::None));
+    ui.state.probe_pixel.reset();
+    ui.frames(2);
+    key('Q');
+    EXPECT_EQ(v.slabs, int(Slabs::None)) << "nothing is pointed at";
+}
+
+}  // namespace
+}  // namespace si::test
