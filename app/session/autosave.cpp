@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <utility>
 
 #include "renderer/base/error.h"
@@ -101,6 +102,9 @@ void Autosave::write(const std::string& scene, const Settings& settings) {
 }
 
 void Autosave::follow(const std::string& scene, const Settings& settings, double now_s) {
+    // A program that was ended may still be going as the next begins, and hold its session.
+    if (!look_again_s_) look_again_s_ = now_s + kSeconds;
+    if (!lost_ && now_s >= *look_again_s_) look_again_s_ = std::numeric_limits<double>::infinity(), find_lost();
     if (folder_.empty() || now_s < next_write_s_) return;
     if (!known_) first_.emplace(scene, settings), known_ = first_;
     if (known_->first == scene && known_->second == settings) return;

@@ -54,6 +54,7 @@ private:
     std::optional<std::pair<std::string, Settings>> known_;  ///< as at first, later as written
     std::optional<std::pair<std::string, Settings>> first_;  ///< as the editor began
     double next_write_s_ = 0;
+    std::optional<double> look_again_s_;  ///< for lost sessions; infinite: done
     std::vector<std::string> remarks_;
 };
 

@@ -141,6 +141,20 @@ TEST(Autosave, RunningEditorsAreNotOfferedToOthers) {
     EXPECT_EQ(files_in(folder, ".json"), 0u);
 }
 
+TEST(Autosave, AProgramThatIsStillEndingAsTheNextBeginsIsOfferedALittleLater) {
+    const fs::path folder = fresh_test_folder();
+    auto ending = std::make_unique<Autosave>(folder);
+    ending->follow("boxes", with_bias(0.1), 0);
+    ending->follow("boxes", with_bias(11), 1);
+    Autosave next(folder);
+    next.follow("boxes", with_bias(0.1), 0);
+    EXPECT_EQ(next.lost(), nullptr);
+    ending.reset();
+    next.follow("boxes", with_bias(0.1), 1.01 * Autosave::kSeconds);
+    ASSERT_NE(next.lost(), nullptr);
+    EXPECT_EQ(next.lost()->preset.settings.bias.constant, 11);
+}
+
 TEST(Autosave, SeveralLostSessionsComeOneAfterTheOther) {
     const fs::path folder = fresh_test_folder();
     {
