@@ -46,7 +46,9 @@ void autopilot_by_clock(benchmark::State& state, const char* name, double share,
     for (const auto& [key, value] : scene.suggested) set_setting(settings, key, value);
     settings = measured_settings(settings);
     TruthCache cache;
-    AutopilotMeter counted{rendered_meter(renderer, scene, kPilotWidth, kPilotHeight, {}, cache, {}), {}, {}};
+    const AdviceOptions options;
+    const Workers workers;
+    AutopilotMeter counted{rendered_meter(renderer, scene, kPilotWidth, kPilotHeight, options, cache, workers), {}, {}};
     counted.ms = [](const Settings&) { return 1.0; };
     counted.time = [](const Settings&, const Settings&) { return CostChange{}; };
     counted.now_s = [] { return 0.0; };
