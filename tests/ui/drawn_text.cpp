@@ -77,7 +77,7 @@ std::optional<ImVec2> DrawnText::find(std::u32string_view text, int which) const
     const std::vector<Letter> all = letters();
     for (std::size_t i = 0; i + text.size() <= all.size(); ++i) {
         std::size_t same = 0;
-        while (same < text.size() && all[i + same].letter == text[same] &&
+        while (same < text.size() && all[i + same].letter == text[same] && all[i + same].whole &&
                (same == 0 || all[i + same].lo.x >= all[i + same - 1].lo.x))
             ++same;
         if (same < text.size() || which-- > 0) continue;

@@ -23,7 +23,7 @@ public:
     /// left out, ones that the font lacks are U+FFFD.
     std::u32string read() const;
     /// The middle of a text on the screen, written without spaces: the `which`-th of all, from 0. Letters that follow
-    /// each other in a line count. Nothing where it is not drawn.
+    /// each other in a line count. Nothing where it is not drawn, or an edge cuts it.
     std::optional<ImVec2> find(std::u32string_view text, int which = 0) const;
     /// What is wrong with it; empty when nothing is.
     std::string fault() const;

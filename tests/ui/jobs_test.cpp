@@ -141,7 +141,8 @@ protected:
         int bright = 0;
         for (int y = std::max(at.y - 6, 0); y < std::min(at.y + 6, image.height); ++y)
             for (int x = std::max(at.x - 20, 0); x < std::min(at.x + 20, image.width); ++x)
-                bright += image.data[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * 4] > 150;
+                bright += image.data[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * 4] >
+                          200;  // what is muted is darker
         return bright > 20;
     }
     /// The middle of an object in the picture.

@@ -185,8 +185,7 @@ std::string column_title(const MeasuredColumn& c) {
 
 void choose_column(const SweepFacts& facts, const char* id, bool error, std::string& key) {
     const MeasuredColumn* now = column_of(facts, key);
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() *
-                            (ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 32 ? 15 : 10.4f));
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * (ImGui::GetWindowWidth() > ImGui::GetFontSize() * 36 ? 15 : 10.4f));
     if (!ImGui::BeginCombo(id, now ? column_title(*now).c_str() : "", ImGuiComboFlags_HeightLarge)) {
         if (now) wrapped_tooltip(now->help);
         return;
