@@ -208,9 +208,9 @@ constexpr HardCase kCases[] = {
      "pixels whose search finds nothing, of which 0/0 is asked", 1000, hard_two_covers,
      "map.resolution=512 light.azimuth=30 light.elevation=60 light.size=1 filter.kernel=pcss", "", ""},
     {27, "edge-on-planes", "Planes seen edge-on",
-     "A plane's slope by screen derivatives mixes it with its neighbour's where a face is a pixel wide, and divides by "
-     "a determinant that is 0 edge-on: light comes through.",
-     "The plane of the triangle itself: a quotient without an inverse, and no look-up where it is edge-on.",
+     "A plane's slope by screen derivatives divides by a determinant that is 0 edge-on, and what engines add for it, a "
+     "texel of that slope, is more than faces a pixel wide are deep: light comes through.",
+     "The plane of the triangle itself: a quotient without an inverse, nothing added, no look-up where it is edge-on.",
      "wrong pixels inside shadow or light, on stairs a pixel wide", 0.005, kPixels,
      "pixels on the steps' own edges may show either face",
      "share of pixels that the slope by screen derivatives takes out of their shadow", 0.05, hard_stairs,
