@@ -126,7 +126,7 @@ std::optional<Mesh> Primitives::make(const tinygltf::Primitive& primitive, const
     read_attributes(primitive, place, pick, mesh);
     if (!all_within(mesh.positions.all(), kFarthest)) {
         context_.warn(place, all_finite(mesh.positions.all()) ? "has positions beyond 1e18; it is not drawn"
-                                                        : "has positions that are not finite; it is not drawn");
+                                                              : "has positions that are not finite; it is not drawn");
         return std::nullopt;
     }
     return mesh;

@@ -215,8 +215,7 @@ Scene hard_blended_sheet() {
                   .nearest_min = true,
                   .mipmaps = false};
     for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 4; ++x)
-            holes.rgba.append({220, 220, 220, std::uint8_t((x + y) % 2 ? 0 : 255)});
+        for (int x = 0; x < 4; ++x) holes.rgba.append({220, 220, 220, std::uint8_t((x + y) % 2 ? 0 : 255)});
     scene.textures.push_back(std::move(holes));
     for (const AlphaMode alpha : {AlphaMode::Mask, AlphaMode::Blend}) {
         const bool mask = alpha == AlphaMode::Mask;

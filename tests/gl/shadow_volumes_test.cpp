@@ -140,7 +140,8 @@ Scene room(bool inside_out) {
     scene.materials[std::size_t(grey)].double_sided = true;
     Mesh walls = make_box({6, 3, 6});
     if (inside_out)
-        for (std::size_t i = 0; i + 2 < walls.indices.size(); i += 3) std::swap(walls.indices.edit()[i], walls.indices.edit()[i + 1]);
+        for (std::size_t i = 0; i + 2 < walls.indices.size(); i += 3)
+            std::swap(walls.indices.edit()[i], walls.indices.edit()[i + 1]);
     add_object(scene, "walls", -1, add_mesh(scene, "walls", walls, grey), moved(0, 1.5, 0));
     add_object(scene, "table", -1, add_mesh(scene, "table", make_box({1.5, 0.1, 1}), grey), moved(0.5, 0.8, -1));
     add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(1, 1), grey), moved(-1, 1.7, -0.5));

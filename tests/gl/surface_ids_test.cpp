@@ -86,8 +86,7 @@ Scene masked_quad(bool nearest, TextureWrap wrap) {
     t.nearest_mag = t.nearest_min = nearest;
     t.wrap_s = wrap, t.wrap_t = TextureWrap::Mirror;
     Random random(5);
-    for (int i = 0; i < t.width * t.height; ++i)
-        t.rgba.append({90, 120, 60, std::uint8_t(random.in(0, 256))});
+    for (int i = 0; i < t.width * t.height; ++i) t.rgba.append({90, 120, 60, std::uint8_t(random.in(0, 256))});
     scene.textures.push_back(t);
     Mesh quad = make_quad(2, 2);
     for (glm::vec2& uv : quad.uv.edit()) uv = uv * 3.3f - glm::vec2(1.1f);

@@ -78,7 +78,8 @@ TEST_F(TwinScenes, ATwinIsToldApartWhenOnlyItsWindingIsTurned) {
     const Scene boxes = moved_by_nodes(load_scene("boxes"), glm::dmat4(1));
     Scene inside_out = boxes;
     for (Mesh& mesh : inside_out.meshes)
-        for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) std::swap(mesh.indices.edit()[t], mesh.indices.edit()[t + 1]);
+        for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3)
+            std::swap(mesh.indices.edit()[t], mesh.indices.edit()[t + 1]);
     finalise(inside_out);
     EXPECT_GT(differences(boxes, inside_out, "none", settings_for(boxes, {{"caster.cull", "back"}})), 500u);
 }
@@ -122,8 +123,7 @@ Scene sheet_over_floor(bool as_mask) {
                         .nearest_min = true,
                         .mipmaps = false};
         for (int y = 0; y < 4; ++y)
-            for (int x = 0; x < 4; ++x)
-                texture.rgba.append({255, 255, 255, std::uint8_t((x + y) % 2 ? 0 : 255)});
+            for (int x = 0; x < 4; ++x) texture.rgba.append({255, 255, 255, std::uint8_t((x + y) % 2 ? 0 : 255)});
         scene.textures.push_back(texture);
         scene.materials.push_back({.base_colour_texture = 0, .alpha = AlphaMode::Mask});
         sheet.material = 0;

@@ -79,7 +79,8 @@ private:
 
 /// A mesh whose triangles look inwards.
 Mesh inside_out(Mesh mesh) {
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices.edit()[i], mesh.indices.edit()[i + 1]);
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+        std::swap(mesh.indices.edit()[i], mesh.indices.edit()[i + 1]);
     return mesh;
 }
 
