@@ -50,4 +50,21 @@ inline std::size_t different_pixels(const ByteImage& a, const ByteImage& b, int 
     return count;
 }
 
+/// The stage from exactly above, where pickets and walls are seen edge-on and cover pixels by rounding alone.
+inline Settings stage_from_above(const Scene& scene, const char* map_resolution) {
+    return settings_for(scene, {{"map.resolution", map_resolution},
+                                {"light.azimuth", "116"},
+                                {"light.elevation", "25"},
+                                {"camera.source", "manual"},
+                                {"camera.target_x", "-0.23797406781627828"},
+                                {"camera.target_y", "-0.16742197011035742"},
+                                {"camera.target_z", "-2.2264730011999188"},
+                                {"camera.azimuth", "83.80000000000001"},
+                                {"camera.elevation", "90"},
+                                {"camera.roll", "-164.22600139226103"},
+                                {"camera.distance", "37.123769102030515"},
+                                {"camera.orthographic", "true"},
+                                {"camera.height", "14.140426469191436"}});
+}
+
 }  // namespace si

@@ -233,19 +233,7 @@ TEST_F(NumericHealthTest, FindsMatricesThatSinglePrecisionCannotHold) {
 // From exactly above, walls and pickets are seen edge-on: a pixel that one covers by rounding alone has no place.
 TEST_F(NumericHealthTest, WhatIsSeenEdgeOnIsSound) {
     const Scene scene = load_scene("stage");
-    Settings s = settings_for(scene, {{"map.resolution", "1024"},
-                                      {"light.azimuth", "116"},
-                                      {"light.elevation", "25"},
-                                      {"camera.source", "manual"},
-                                      {"camera.target_x", "-0.23797406781627828"},
-                                      {"camera.target_y", "-0.16742197011035742"},
-                                      {"camera.target_z", "-2.2264730011999188"},
-                                      {"camera.azimuth", "83.80000000000001"},
-                                      {"camera.elevation", "90"},
-                                      {"camera.roll", "-164.22600139226103"},
-                                      {"camera.distance", "37.123769102030515"},
-                                      {"camera.orthographic", "true"},
-                                      {"camera.height", "14.140426469191436"}});
+    Settings s = stage_from_above(scene, "1024");
     const auto expect_sound = [&] {
         FrameRequest request{.width = 295, .height = 332};
         request.outputs.health = request.outputs.visibility = true;

@@ -151,25 +151,6 @@ TEST_F(SurfaceIdsTest, TruthAndShadowMapHoldTheSameTriangles) {
         }
 }
 
-/// The stage from exactly above, where pickets and walls are seen edge-on and cover pixels by rounding alone.
-Settings stage_from_above(const Scene& scene, int turn) {
-    Settings s = settings_for(scene, {{"map.resolution", "256"},
-                                      {"light.azimuth", "116"},
-                                      {"light.elevation", "25"},
-                                      {"camera.source", "manual"},
-                                      {"camera.target_x", "-0.23797406781627828"},
-                                      {"camera.target_y", "-0.16742197011035742"},
-                                      {"camera.target_z", "-2.2264730011999188"},
-                                      {"camera.azimuth", "83.80000000000001"},
-                                      {"camera.elevation", "90"},
-                                      {"camera.roll", "-164.22600139226103"},
-                                      {"camera.distance", "37.123769102030515"},
-                                      {"camera.orthographic", "true"},
-                                      {"camera.height", "14.140426469191436"}});
-    s.camera.roll += 45 * turn, s.camera.target_x += 0.01 * turn;
-    return s;
-}
-
 /// Pixels that show a triangle whose plane the camera lies in, as near as single precision has it.
 std::vector<glm::ivec2> seen_edge_on(const Scene& scene, const Settings& s, const SurfaceIds& ids, const Camera& c) {
     const TruthGeometry geometry(scene, s);
@@ -191,7 +172,8 @@ TEST_F(SurfaceIdsTest, WhatIsSeenEdgeOnIsShadedAndProbed) {
     const Scene scene = load_scene("stage");
     std::size_t met = 0;
     for (const int turn : {0, 4}) {
-        const Settings s = stage_from_above(scene, turn);
+        Settings s = stage_from_above(scene, "256");
+        s.camera.roll += 45 * turn, s.camera.target_x += 0.01 * turn;
         const SurfaceIds ids = draw(scene, s, 295, 332);
         FrameRequest request{.width = ids.width, .height = ids.height};
         const ByteImage fused = renderer.read_colour(renderer.render(scene, s, request).colour);
