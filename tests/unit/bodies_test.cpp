@@ -55,7 +55,7 @@ TEST(Bodies, AreNotOpen) {
     lidless.indices.resize(lidless.indices.size() - 6);
     EXPECT_FALSE(is_closed(lidless));
     Mesh torn = make_box({1, 1, 1});
-    torn.positions[torn.indices[0]] += glm::vec3(0, 1e-4f, 0);
+    torn.positions.edit()[torn.indices[0]] += glm::vec3(0, 1e-4f, 0);
     EXPECT_FALSE(is_closed(torn)) << "a vertex of one of several that stood in one place was moved";
 }
 
