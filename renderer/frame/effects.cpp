@@ -383,7 +383,9 @@ const EffectRow* effect_row(const PassInfo& pass) {
 std::string part_reason(const PartInfo& part) {
     const std::string reason = sentence(part.reason);
     if (part.left_out == 0) return reason;
-    return fmt::format("{}{}{} {} {} left out.", reason, reason.empty() ? "" : " ", part.left_out, part.unit,
+    std::string_view unit = part.unit;
+    if (part.left_out == 1 && unit.ends_with('s')) unit.remove_suffix(1);
+    return fmt::format("{}{}{} {} {} left out.", reason, reason.empty() ? "" : " ", part.left_out, unit,
                        part.left_out == 1 ? "is" : "are");
 }
 

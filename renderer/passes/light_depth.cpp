@@ -116,7 +116,7 @@ PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t c
 
 /// @param bare casters, each counted once a view
 PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
-    PartInfo part{.name = fmt::format("fragments in maps of light {}", light), .unit = "casters"};
+    PartInfo part{.name = fmt::format("fragments in maps of light {}", light), .unit = "fragment shaders"};
     part.by = Saving::Fragments, part.left_out = bare;
     part.reason = fmt::format("{} caster{} drawn without a fragment shader: no side is seen edge-on", bare,
                               bare == 1 ? " is" : "s are");

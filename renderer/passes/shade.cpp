@@ -97,8 +97,7 @@ PartInfo beside_part(const FrameState& f) {
     else if (count == 0)
         part.reason = "there are none: the box of each object lies in what the camera sees";
     else
-        part.reason = fmt::format("{} object{} not drawn: no pixel can show {}", count, count == 1 ? " is" : "s are",
-                                  count == 1 ? "it" : "them");
+        part.reason = "a box that lies outside of what the camera sees covers no pixel";
     return part;
 }
 
