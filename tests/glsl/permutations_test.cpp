@@ -80,10 +80,14 @@ public:
         source_ = epoxy_glShaderSource, arrays_ = epoxy_glDrawArrays, instanced_ = epoxy_glDrawArraysInstanced;
         elements_ = epoxy_glDrawElementsInstancedBaseVertexBaseInstance;
         read_ = epoxy_glGetTextureImage;
-        // Where nothing is drawn a probe finds nothing and stops: its block of 2x2 pixels is full of ones instead.
+        // Where nothing is drawn a probe finds nothing and stops: its block of 2x2 pixels is full of ones instead, and
+        // the picture shows the triangle that they name.
         epoxy_glGetTextureImage = [](GLuint texture, GLint level, GLenum format, GLenum type, GLsizei size, void* out) {
             if (current->probes_hit && format == GL_RGBA && type == GL_FLOAT && size == GLsizei(4 * sizeof(glm::vec4)))
                 std::fill_n(static_cast<float*>(out), 16, 1.f);
+            else if (current->probes_hit && format == GL_RG_INTEGER)
+                std::fill_n(static_cast<glm::uvec2*>(out), std::size_t(size) / sizeof(glm::uvec2),
+                            glm::uvec2(1, 1u << 16));
             else
                 current->read_(texture, level, format, type, size, out);
         };
@@ -380,6 +384,7 @@ protected:
             render_with_truth(*renderer_, scene, s, request, truths_);
             if (recorder_) recorder_->probes_hit = chosen.size() == 1;
             renderer_->probe(scene, s, request, 4, 4);
+            if (recorder_) recorder_->probes_hit = false;
         } catch (const std::exception& e) {
             ADD_FAILURE() << e.what();
         }
