@@ -30,12 +30,17 @@ Json row(std::string_view key, std::string_view label, std::string_view help) {
     return {{"key", key}, {"label", label}, {"help", help}};
 }
 
+/// As which a list names it: of light 0, of no object that there is.
+SettingRef listed(const Param& p) {
+    return {&p, 0, p.scope == Scope::Object ? "PATH" : ""};
+}
+
 Json setting_rows() {
     static constexpr const char* kScopes[] = {"scene", "light", "object"};
     static constexpr const char* kCosts[] = {"uniform", "program", "target"};
     Json list = Json::array();
     for (const Param& p : params()) {
-        const SettingRef ref{&p, 0, p.scope == Scope::Object ? "PATH" : ""};
+        const SettingRef ref = listed(p);
         Json json = row(setting_key(ref), p.label, p.help);
         const auto type = setting_type(ref);
         const bool number = type == "int" || type == "float";
@@ -236,7 +241,7 @@ const std::vector<ListKind>& kinds_of_lists() {
 
 /// The key, or its beginning, as rows have it: they speak of all lights and all objects.
 std::string row_key(const std::string& asked) {
-    if (const auto ref = find_setting(asked)) return std::string(ref->param->key);
+    if (const auto ref = find_setting(asked)) return setting_key(listed(*ref->param));
     constexpr std::string_view kLight = "light.";
     const auto dot = asked.find('.', kLight.size());
     if (!asked.starts_with(kLight) || dot == std::string::npos) return asked;

@@ -110,7 +110,7 @@ TEST(Lists, PrefixNarrows) {
     ASSERT_EQ(fit.size(), 1u);
     EXPECT_EQ(fit[0]["key"], "light.fit");
     EXPECT_EQ(json_of({"list", "settings", "light.15.", "--json"}), json_of({"list", "settings", "light.", "--json"}));
-    EXPECT_EQ(json_of({"list", "settings", "object.Root/Box.cast", "--json"})[0]["key"], "object.cast");
+    EXPECT_EQ(json_of({"list", "settings", "object.Root/Box.cast", "--json"})[0]["key"], "object.PATH.cast");
     const ProcessResult beyond = run_program({"list", "settings", "light.16.fit"});
     EXPECT_EQ(beyond.code, 2);
     EXPECT_NE(beyond.err.find("no key starts with 'light.16.fit'"), std::string::npos) << beyond.err;
