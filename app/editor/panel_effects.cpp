@@ -79,9 +79,9 @@ Effect artefact_effect(const ArtefactWish& wish, const ArtefactSpots& found, boo
         effect.reason = "It was asked for, and waits for the truth of the picture.";
     } else {
         effect.state = now ? EffectState::Simulated : EffectState::Reused;
-        effect.reason = fmt::format("Wrong pixels were looked for {}: {} cluster{}.",
-                                    now ? "once, as it was asked for" : "when it was asked for, and are not meanwhile",
-                                    found.spots.size(), found.spots.size() == 1 ? "" : "s");
+        effect.reason = fmt::format("{} cluster{} of wrong pixels: looked for {}.", found.spots.size(),
+                                    found.spots.size() == 1 ? "" : "s",
+                                    now ? "once, as it was asked for" : "when it was asked for, and not meanwhile");
     }
     return effect;
 }
