@@ -34,7 +34,7 @@ std::uint64_t truth_key(const Scene& scene, const Settings& settings, const Came
 /// Every `step`-th pixel across and down, from the top left.
 FloatImage every_nth(const FloatImage& image, int step);
 
-/// Draws which triangle each pixel shows, and copies the scene's triangles unless ray_scenes() have them already.
+/// Draws which triangle each pixel shows, and shares the scene's triangles unless ray_scenes() have them already.
 /// @param light index of light.*. @throws Error when there is no such light, or as Renderer::render() does
 TruthTask truth_task(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                      int light, const TruthOptions& options = {});
