@@ -326,19 +326,20 @@ void draw_into_pool(FrameState& f, PageTargets& t, const std::vector<PagedLayer>
         glm::ivec2 from, to;
     };
     std::vector<Copy> drawn;
+    // Flushed on either side: else zink of Mesa 22.3 at times copies a page before it is drawn, or mixes it with the one
+    // drawn there next.
     const auto copy = [&] {
+        glFlush();
         for (const Copy& c : drawn)
             glCopyImageSubData(t.block.texture.id(), GL_TEXTURE_2D, 0, c.from.x, c.from.y, 0, pool.texture.id(),
                                GL_TEXTURE_2D, 0, c.to.x, c.to.y, 0, t.page, t.page, 1);
+        glFlush();
         drawn.clear();
     };
     for (const PlacedPage* page : pages) {
         const PagedLayer& layer = layers[std::size_t(page->layer)];
         const glm::ivec2 at = layer.place_in_block(*page);
-        if (std::any_of(drawn.begin(), drawn.end(), [&](const Copy& c) { return c.from == at; })) {
-            copy();
-            glFlush();  // else zink of Mesa 22.3 at times mixes this page with the one drawn there next
-        }
+        if (std::any_of(drawn.begin(), drawn.end(), [&](const Copy& c) { return c.from == at; })) copy();
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
         glEnable(GL_SCISSOR_TEST);
         layer.draw(f, *page, framebuffer.id(), unfiltered, info);
