@@ -66,12 +66,21 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return last[b.size()];
 }
 
+/// Of ASCII; other bytes stay.
+std::string in_small_letters(std::string_view text) {
+    std::string out(text);
+    for (char& c : out)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return out;
+}
+
 std::size_t common_prefix(std::string_view a, std::string_view b) {
     return std::size_t(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
 }
 
 /// The distance to `known`, or to as many of its leading parts as `name` has: none from "filter" to "filter.kernel",
-/// nor from what is the beginning of a longer name. What is certainly beyond `most` is not looked at closer.
+/// nor from what is the beginning of a longer name. One more than to its last part, which comes after what begins alike:
+/// "kernel" is near to "filter.kernel". What is certainly beyond `most` is not looked at closer.
 std::size_t unlikeness(std::string_view name, std::string_view known, std::size_t most) {
     if (name.size() > 2 && known.starts_with(name)) return 0;
     const auto distance = [&](std::string_view other) {
@@ -81,7 +90,9 @@ std::size_t unlikeness(std::string_view name, std::string_view known, std::size_
     std::size_t parts = 0;
     for (auto dots = std::count(name.begin(), name.end(), '.'); dots >= 0 && parts != known.npos; --dots)
         parts = known.find('.', parts + (parts > 0));
-    return std::min(distance(known), parts == known.npos ? most + 1 : distance(known.substr(0, parts)));
+    const std::size_t last = name.find('.') == name.npos && name.size() > 2 ? known.rfind('.') : known.npos;
+    return std::min({distance(known), parts == known.npos ? most + 1 : distance(known.substr(0, parts)),
+                     last == known.npos ? most + 1 : distance(known.substr(last + 1)) + 1});
 }
 
 /// Calls `use` with the range of rows of each run of one scope, in table order.
@@ -128,13 +139,15 @@ std::string setting_key(const SettingRef& ref) {
     return key;
 }
 
-std::string nearest_name(std::string_view name, std::span<const std::string> names) {
+std::string nearest_name(std::string_view text, std::span<const std::string> names) {
+    const std::string name = in_small_letters(text);
     // Beyond a third of its letters nothing is like it.
     const std::size_t most = name.size() < 3 ? 1 : std::max<std::size_t>(2, name.size() / 3);
     std::pair best{most + 1, std::size_t(0)};
     const std::string* nearest = nullptr;
     for (const std::string& known : names) {
-        const std::pair far{unlikeness(name, known, most), name.size() - common_prefix(name, known)};
+        const std::string like = in_small_letters(known);
+        const std::pair far{unlikeness(name, like, most), name.size() - common_prefix(name, like)};
         if (far < best) best = far, nearest = &known;
     }
     return nearest ? *nearest : std::string();
@@ -145,7 +158,7 @@ std::string nearest_key(std::string_view key) {
     int light = 0;
     std::string object = "PATH";
     std::string plain(key);
-    if (key.starts_with(kLightPrefix)) {
+    if (in_small_letters(key).starts_with(kLightPrefix)) {
         const std::string_view rest = key.substr(kLightPrefix.size());
         const auto dot = rest.find('.');
         const auto digits = rest.substr(0, dot);

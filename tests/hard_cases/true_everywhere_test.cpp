@@ -185,7 +185,8 @@ TEST(HardCase10Baked, VerticesFarAwayAreTheirOwnRoundedGeometry) {
     for (const glm::dvec3& at : {glm::dvec3(70.3, -13.7, 70.1),
                                  {-7071.3, 130.7, 7071.1},
                                  {70710.3, -1300.7, -70710.1},
-                                 {707106.3, -1300.7, -707108.1}}) {
+                                 {707106.3, -1300.7, -707108.1},
+                                 {7071066.3, -13007.7, -7071068.1}}) {
         SCOPED_TRACE(at.x);
         Scene baked = solid_scene(), placed = solid_scene();
         const glm::dvec3 whole = glm::round(at / 1024.0) * 1024.0;

@@ -149,6 +149,10 @@ TEST(SettingsKeys, NearestKey) {
     EXPECT_EQ(nearest_key("filter"), "filter.kernel");
     EXPECT_EQ(nearest_key("fliter"), "filter.kernel");
     EXPECT_EQ(nearest_key("filter.kern"), "filter.kernel");
+    EXPECT_EQ(nearest_key("kernel"), "filter.kernel");
+    EXPECT_EQ(nearest_key("reslution"), "map.resolution");
+    EXPECT_EQ(nearest_key("FILTER.KERNEL"), "filter.kernel");
+    EXPECT_EQ(nearest_key("Light.3.Azimuth"), "light.3.azimuth");
     for (const char* unlike : {"", "x", "qqqq", "nowhere", "red.dwarf.star"})
         EXPECT_EQ(nearest_key(unlike), "") << unlike;
     EXPECT_EQ(nearest_key(std::string(1'000'000, 'b')), "") << "not compared letter by letter";
@@ -156,6 +160,7 @@ TEST(SettingsKeys, NearestKey) {
     EXPECT_EQ(nearest_name("pfc", names), "pcf");
     EXPECT_EQ(nearest_name("pois", names), "poisson");
     EXPECT_EQ(nearest_name("gauss", names), "");
+    EXPECT_EQ(nearest_name("PCF", names), "pcf");
 }
 
 TEST(SettingsText, RefusesWhatNoSettingCanBe) {

@@ -10,11 +10,15 @@ constexpr std::size_t kTried = 64;  // triangles, of which the largest gives the
 
 constexpr std::size_t kMostTests = 1 << 18;  // of vertices against triangles
 
-/// Of a mesh's coordinates, in its own space.
+/// Of a body's radius: what rounded vertices may stand out by where shadows on them matter to no texel of a map.
+constexpr double kMostRounding = 1e-4;
+
+/// Of a mesh's coordinates, in its own space. Beyond kMostRounding what is rounded has a relief of its own, with
+/// shadows.
 double tolerance_of(const Mesh& mesh) {
-    const double farthest =
-        std::max(glm::length(glm::max(glm::abs(mesh.bounds.lo), glm::abs(mesh.bounds.hi))), mesh.bounds.radius());
-    return std::max(flat_tolerance(mesh.bounds.radius()), 0x1p-22 * farthest);
+    const double radius = mesh.bounds.radius();
+    const double farthest = std::max(glm::length(glm::max(glm::abs(mesh.bounds.lo), glm::abs(mesh.bounds.hi))), radius);
+    return std::max(flat_tolerance(radius), std::min(0x1p-22 * farthest, kMostRounding * radius));
 }
 
 }  // namespace
