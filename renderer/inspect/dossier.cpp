@@ -352,7 +352,7 @@ private:
             return a.clears() >= a.least.total();
         };
         if (!enough(most)) return {};
-        double lo = 0, hi = most;
+        double lo = 0, hi = enough(0) ? 0 : most;
         for (int i = 0; i < 60 && hi - lo > 1e-4 * hi; ++i) (enough(0.5 * (lo + hi)) ? hi : lo) = 0.5 * (lo + hi);
         value = rounded_up(hi * (1 + 1e-3));
         if (value > most || !fixes(s)) return {};

@@ -177,7 +177,7 @@ glm::dmat4 Camera::clip_from_relative(const glm::dvec3& origin) const {
 }
 
 glm::dvec3 Camera::origin() const {
-    const double spacing = std::exp2(std::ceil(std::log2(16 * focus)));
+    const double spacing = std::exp2(std::ceil(std::log2(4 * focus)));
     return glm::round(eye / spacing) * spacing;
 }
 
