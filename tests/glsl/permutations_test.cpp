@@ -3,8 +3,9 @@
 // Frames are drawn without drawing: what they hand to glShaderSource is kept, the driver gets an empty shader instead,
 // and draw calls do nothing. Texts differ by defines, so frames go through
 //   - every choice of every setting (and of light, overlay, ...) with every kind of material,
-//   - every two choices that programs of any technique can meet, and every three that one of the files mentions which
-//     all techniques share, as many of them in a frame as there are,
+//   - every two choices that programs of any technique can meet (with SI_LONG, label `long`, every three that one of
+//   the
+//     files mentions which all techniques share), as many of them in a frame as there are,
 //   - each technique with all combinations of the choices that its own files mention,
 //   - the rows of the tables of techniques with each other by turns.
 // A row more costs as many frames as its own files have ways. Each text is checked once.
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <future>
@@ -390,8 +392,9 @@ protected:
         }
     }
 
-    /// Every two choices in one frame, and every three that one of the shared files mentions: each frame takes as many
-    /// of them that have not been as it can. Choices that hide the map from programs meet the others one at a time.
+    /// Every two choices in one frame, for long every three that one of the shared files mentions: each frame takes as
+    /// many of them that have not been as it can. Choices that hide the map from programs meet the others one at a
+    /// time.
     void draw_combined(const Scene& scene, const std::vector<Axis>& all, const ShaderFiles& files) {
         struct Plain {
             const Axis* axis;
@@ -427,7 +430,7 @@ protected:
         for (std::size_t i = 0; i < plain.size(); ++i)
             for (std::size_t j = i + 1; j < plain.size(); ++j)
                 leave(leave, std::array<const Plain*, 2>{&plain[i], &plain[j]}, {});
-        for (const std::string& file : files.shared()) {
+        for (const std::string& file : std::getenv("SI_LONG") ? files.shared() : std::set<std::string>()) {
             std::vector<const Plain*> mentioned;
             for (const Plain& p : plain)
                 if (mentions_any(files.text(file), p.axis->names)) mentioned.push_back(&p);
