@@ -378,6 +378,8 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     state.scene_rect = state.map_rect = {};
     state.dragging = false;
     theme::use(state.layout.light_theme);
+    use_driver(frame.driver);
+    use_scene(frame.scene);
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
     shortcuts(state, frame, actions);
     const bool waits = follow_artefact_tour(state, frame);
@@ -425,6 +427,8 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     actions.redraw |= state.playback.playing || turning_wheel || state.flight.moving;
     actions.at_rest = !gesture && !actions.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
                       io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
+    use_driver(nullptr);  // facts of this frame
+    use_scene(nullptr);
     return actions;
 }
 

@@ -12,6 +12,7 @@
 
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
+#include "renderer/scene/animation.h"
 #include "renderer/settings/splits.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/slider.h"
@@ -36,6 +37,7 @@ std::string escaped(const std::string& text) {
 }
 
 const DriverInfo* driver_in_use = nullptr;
+bool scene_has_animations = true;
 
 void tooltip(const Settings& settings, const SettingRef& ref) {
     const Param& p = *ref.param;
@@ -208,9 +210,14 @@ void use_driver(const DriverInfo* driver) {
     driver_in_use = driver;
 }
 
+void use_scene(const Scene* scene) {
+    scene_has_animations = !scene || (scene->rig && !scene->rig->animations.empty());
+}
+
 std::string_view without_effect(const Settings& settings, const SettingRef& ref) {
     if (driver_in_use && ref.param->needs == DriverFeature::PolygonOffsetClamp && !driver_in_use->polygon_offset_clamp)
         return "without effect: this driver lacks GL_EXT_polygon_offset_clamp";
+    if (ref.param->of_animation && !scene_has_animations) return "without effect: the scene has no animation";
     return idle_reason(settings, ref);
 }
 
