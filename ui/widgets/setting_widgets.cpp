@@ -29,6 +29,11 @@ std::string unit_suffix(std::string_view unit) {
     return unit.empty() ? "" : unit == "deg" ? "°" : fmt::format(" {}", unit);
 }
 
+/// One of them: "1 texel". @param unit as it stands after a number
+std::string one_of(const std::string& unit) {
+    return unit.size() > 3 && unit.ends_with('s') ? unit.substr(0, unit.size() - 1) : unit;
+}
+
 /// As part of a printf format.
 std::string escaped(const std::string& text) {
     std::string out;
@@ -126,7 +131,7 @@ bool integer(const Param& p, int& value, const std::string& unit) {
     const int lo = int(p.min), hi = int(p.max);
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (p.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-    const std::string format = "%d" + unit;
+    const std::string format = "%d" + (value == 1 ? one_of(unit) : unit);
     if (!slider("##value", ImGuiDataType_S32, &value, &lo, &hi, format.c_str(), flags)) return false;
     // Sizes are powers of two by habit: dragging finds those, typing gives any.
     if (p.logarithmic && ImGui::IsMouseDown(ImGuiMouseButton_Left) && value > 0) {
@@ -137,7 +142,7 @@ bool integer(const Param& p, int& value, const std::string& unit) {
 }
 
 bool real(const Param& p, double& value, const std::string& unit) {
-    const std::string format = "%.4g" + unit;
+    const std::string format = "%.4g" + (value == 1 ? one_of(unit) : unit);
     if (p.slider_max > 0) {
         const ImGuiSliderFlags flags = p.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
         if (!slider("##value", ImGuiDataType_Double, &value, &p.min, &p.slider_max, format.c_str(), flags))
