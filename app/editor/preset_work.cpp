@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <utility>
 
 #include "app/editor/wishes.h"
@@ -19,6 +20,12 @@ void PresetWork::start(SessionPlan plan, std::string remark) {
 }
 
 void PresetWork::open(const std::string& name_or_path) {
+    std::error_code error;
+    if (name_or_path == state_.preset_path && !desk_.is_built_in(name_or_path) &&
+        !std::filesystem::exists(name_or_path, error))
+        throw Error(fmt::format(
+            "{}: nothing is saved there yet. Save it first (Ctrl+S); from then on Ctrl+R goes back to what was saved",
+            name_or_path));
     SessionPlan plan = plan_session({.scene = {}, .preset = name_or_path, .sets = {}});
     const std::string& about = plan.preset->about;
     const std::string remark =

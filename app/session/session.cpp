@@ -100,8 +100,10 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
     const bool grounded = settings.ground == int(Ground::Auto) && !scene.file_scenes.empty();
     if (!grounded) remove_ground(scene);
     if (!scene.rig || scene.rig->animations.empty()) {
-        if (settings.animation != SceneSettings{}.animation || settings.time != SceneSettings{}.time)
-            remark = fmt::format("{} has no animation: scene.animation and scene.time have no effect", scene.name);
+        if (settings.animation != SceneSettings{}.animation || settings.time != SceneSettings{}.time ||
+            settings.fit_animation)
+            remark = fmt::format(
+                "{} has no animation: scene.animation, scene.time and scene.fit_animation have no effect", scene.name);
     } else {
         const int count = int(scene.rig->animations.size());
         if (settings.animation < -1 || settings.animation >= count) {
@@ -109,6 +111,8 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
                 fmt::format("scene.animation {}: {} has {} animation{}; choose 0 to {}, or -1 for the rest pose",
                             settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
         }
+        // What the lights of a file are placed by is known before they are placed.
+        measure_travel(scene, settings.fit_animation ? settings.animation : -1);
         // Where the ground lies does not depend on the moment that is shown.
         if (grounded && scene.ground_bounds.empty()) pose(scene, 0, 0), add_ground(scene);
         pose(scene, settings.animation, settings.time);

@@ -236,6 +236,145 @@ void apply_pose(Scene& scene, int animation, double time_s) {
     follow(scene.lights, rig.light_nodes);
 }
 
+namespace {
+
+constexpr std::size_t kTravelSteps = 256;                // over an animation, at least
+constexpr std::size_t kLeastSteps = 4, kMostSteps = 32;  // from one key to the next
+constexpr double kMostTravelWork = 5e7;                  // nodes and deformed vertices, posed
+
+/// Ascending, of all channels, each once; of too many for `most` evenly some.
+std::vector<double> key_times(const Animation& animation, std::size_t most) {
+    std::vector<double> times;
+    for (const AnimationChannel& c : animation.channels)
+        for (const float t : c.times_s)
+            if (std::isfinite(t)) times.push_back(static_cast<double>(t));
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    if (times.size() <= most) return times;
+    std::vector<double> some;
+    for (std::size_t i = 0; i < most; ++i) some.push_back(times[i * (times.size() - 1) / (most - 1)]);
+    return some;
+}
+
+/// Where objects are in each pose.
+class Travel {
+public:
+    Travel(const Scene& scene, int animation) : posed_(scene), animation_(animation) {
+        for (const Mesh& mesh : posed_.meshes) {
+            std::vector<std::uint32_t>& used = used_.emplace_back();
+            if (!mesh.deformer) continue;
+            used.assign(mesh.deformer->source->indices.begin(), mesh.deformer->source->indices.end());
+            std::sort(used.begin(), used.end());
+            used.erase(std::unique(used.begin(), used.end()), used.end());
+        }
+        objects_ = all_objects(posed_);
+    }
+
+    /// How much one pose is to be worked out.
+    double work() const {
+        double vertices = 0;
+        for (std::size_t i = 0; i < posed_.meshes.size(); ++i)
+            if (posed_.meshes[i].deformer) vertices += static_cast<double>(posed_.meshes[i].positions.size());
+        return vertices + static_cast<double>(posed_.nodes.size() + posed_.objects.size());
+    }
+
+    /// Boxes before any placement, of all_objects(); empty where a pose leaves nothing to draw.
+    std::vector<Bounds> at(double time_s) {
+        apply_pose(posed_, animation_, time_s);
+        std::vector<Bounds> deformed(posed_.meshes.size());
+        for (std::size_t i = 0; i < deformed.size(); ++i)
+            for (const std::uint32_t v : used_[i]) deformed[i].add(glm::dvec3(posed_.meshes[i].positions[v]));
+        std::vector<Bounds> out;
+        for (const Object* o : objects_) {
+            const auto mesh = static_cast<std::size_t>(o->mesh);
+            const Bounds& own = posed_.meshes[mesh].deformer ? deformed[mesh] : posed_.meshes[mesh].bounds;
+            const glm::dmat4 world = posed_.nodes[static_cast<std::size_t>(o->node)].world * o->instance;
+            Bounds box = own.transformed(world);
+            if (!std::isfinite(box.radius())) box = {};
+            out.push_back(box);
+        }
+        return out;
+    }
+
+private:
+    Scene posed_;
+    int animation_;
+    std::vector<std::vector<std::uint32_t>> used_;  // by mesh: which vertices of a deformed one its triangles have
+    std::vector<const Object*> objects_;
+};
+
+/// Adds three boxes at equal steps and twice what a parabola through a side bends beyond them.
+void add_bent(Bounds& to, const Bounds& before, const Bounds& at, const Bounds& after) {
+    if (before.empty() || at.empty() || after.empty()) return;
+    const glm::dvec3 below = glm::max(0.25 * (before.lo + after.lo - 2.0 * at.lo), glm::dvec3(0)),
+                     above = glm::max(0.25 * (2.0 * at.hi - before.hi - after.hi), glm::dvec3(0));
+    for (const Bounds* b : {&before, &at, &after}) to.add(Bounds{b->lo - below, b->hi + above});
+}
+
+bool same(const Bounds& a, const Bounds& b) {
+    return a.lo == b.lo && a.hi == b.hi;
+}
+
+/// As all_objects().
+std::vector<Object*> every_object(Scene& scene) {
+    std::vector<Object*> all(scene.objects.size() + scene.hidden.size());
+    for (HiddenObject& h : scene.hidden) all[h.place] = &h.object;
+    auto shown = scene.objects.begin();
+    for (Object*& o : all)
+        if (!o) o = &*shown++;
+    return all;
+}
+
+}  // namespace
+
+void measure_travel(Scene& scene, int animation) {
+    if (scene.travel_of == animation) return;
+    for (Object* o : every_object(scene)) o->travel = {};
+    scene.travel = {};
+    scene.travel_of = -1;
+    if (!scene.rig || animation < 0 || static_cast<std::size_t>(animation) >= scene.rig->animations.size()) return;
+    Travel travel(scene, animation);
+    const double poses = kMostTravelWork / std::max(travel.work(), 1.0);
+    const auto most = static_cast<std::size_t>(std::clamp(poses / kLeastSteps, 2.0, 1e6));
+    const std::vector<double> keys = key_times(scene.rig->animations[static_cast<std::size_t>(animation)], most);
+    if (keys.empty()) return;
+    scene.travel_of = animation;
+    const std::vector<Bounds> first = travel.at(keys[0]);
+    std::vector<Bounds> all = first;
+    std::vector<bool> moved(all.size());
+    const std::size_t wanted = kTravelSteps / std::max<std::size_t>(keys.size() - 1, 1);
+    const std::size_t steps = std::clamp(wanted, kLeastSteps, kMostSteps);
+    for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
+        std::vector<Bounds> before, at;
+        for (std::size_t step = 0; step <= steps; ++step) {
+            // A channel that steps is, at the next key, somewhere else at once: up to there it counts as it was.
+            const double share = static_cast<double>(step) / static_cast<double>(steps);
+            const double time = keys[k] + share * (keys[k + 1] - keys[k]);
+            std::vector<Bounds> now = travel.at(step < steps ? time : std::nextafter(keys[k + 1], keys[k]));
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                moved[i] = moved[i] || !same(now[i], first[i]);
+                all[i].add(now[i]);
+                if (step >= 2) add_bent(all[i], before[i], at[i], now[i]);
+            }
+            before = std::move(at), at = std::move(now);
+        }
+    }
+    const std::vector<Bounds> last = travel.at(keys.back());
+    const std::vector<Object*> objects = every_object(scene);
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        Object& o = *objects[i];
+        if (o.ground) continue;
+        all[i].add(last[i]);
+        scene.travel.add(all[i]);
+        const bool deforms = scene.meshes[static_cast<std::size_t>(o.mesh)].deformer != nullptr;
+        if (moved[i] || deforms || !same(last[i], first[i])) o.travel = all[i];
+    }
+}
+
+Bounds bounds_of_fit(const Scene& scene) {
+    return scene.travel.empty() ? scene.bounds : scene.travel.transformed(scene.placement);
+}
+
 bool moves(const Scene& scene, int animation) {
     return scene.rig && animation >= 0 && std::size_t(animation) < scene.rig->animations.size() &&
            scene.rig->animations[std::size_t(animation)].duration_s > 0;

@@ -86,6 +86,15 @@ void pose(Scene& scene, int animation, double time_s);
 /// The same without bounds and id, for a loader that ends with finalise().
 void apply_pose(Scene& scene, int animation, double time_s);
 
+/// Finds for each object that animation `animation` moves or deforms the box that holds it at all times
+/// (Object::travel), and the scene's (Scene::travel), by which fits go that shall not follow the pose. Posed at all
+/// keys and at steps between them, with room for how far it bends outwards from step to step. Once for a scene and an
+/// animation: what is known is kept. A copy is posed; this scene's pose stays. -1 forgets what was found.
+void measure_travel(Scene& scene, int animation);
+
+/// Scene::travel where it is known, else Scene::bounds; world.
+Bounds bounds_of_fit(const Scene& scene);
+
 /// Whether time moves anything: an animation is chosen (scene.animation) and lasts.
 bool moves(const Scene& scene, int animation);
 

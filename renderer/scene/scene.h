@@ -93,6 +93,7 @@ struct Object {
     glm::dmat4 instance{1.0};  ///< applied before the node's world transform
     glm::dmat4 world{1.0};     ///< set by finalise()
     bool ground = false;       ///< see add_ground(): receives, never casts, and is no part of Scene::bounds
+    Bounds travel;             ///< see measure_travel(): before Scene::placement; empty: it stands where `world` says
 };
 
 /// One that is left out of Scene::objects for now.
@@ -141,6 +142,8 @@ struct Scene {
     std::vector<std::string> warnings;  ///< what was dropped or approximated, and why
     Bounds bounds;                      ///< world, with what is hidden, without the ground; set by finalise()
     Bounds ground_bounds;               ///< world, of the ground put under it; empty: there is none. Likewise
+    Bounds travel;                      ///< `bounds` over all of an animation, before `placement`; empty: not asked for
+    int travel_of = -1;                 ///< which animation; -1: none. See measure_travel()
     std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys
     std::size_t dropped_triangles = 0;  ///< degenerate, set by finalise()
     std::shared_ptr<const Rig> rig;     ///< animations; null: nothing moves

@@ -70,8 +70,9 @@ struct Param {
     std::string_view also = {};
     Scope scope = Scope::Scene;
     DriverFeature needs = DriverFeature::None;
-    bool of_map = false;  ///< without effect where no light's shadows come from a map (light.source)
-    bool shader = false;  ///< the shaders see it, as a define (Cost::Program) or in the settings block
+    bool of_map = false;        ///< without effect where no light's shadows come from a map (light.source)
+    bool of_animation = false;  ///< without effect on scenes without animations
+    bool shader = false;        ///< the shaders see it, as a define (Cost::Program) or in the settings block
     ReadBy read_by = ReadBy::None;
 };
 

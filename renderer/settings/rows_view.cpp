@@ -142,10 +142,12 @@ constexpr auto kScene = std::to_array<Param>({
     {SI_FIELD(scene.animation), .label = "Animation", .unit = "", .min = -1, .max = 9999,
      .help =
          "Which animation of the scene's file is shown, counted from 0; -1 is the rest pose. Without effect on scenes "
-         "without animations."},
+         "without animations.",
+     .of_animation = true},
     {SI_FIELD(scene.time), .label = "Time", .unit = "s", .min = 0, .max = 1e6,
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
-     .help = "The moment of the animation that is shown. After its last key the scene stands still."},
+     .help = "The moment of the animation that is shown. After its last key the scene stands still.",
+     .of_animation = true},
     {SI_FIELD(scene.distance), .label = "Moved by", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
      .help =
          "How far the scene is moved from where its file has it, with its cameras and lights. Far from the world's "
@@ -158,6 +160,15 @@ constexpr auto kScene = std::to_array<Param>({
          "settings in metres grow with it; what --set says in metres is taken as it is."},
     {SI_FIELD(scene.ground), .label = "Ground", .unit = "", SI_CHOICES(kGrounds),
      .help = "Whether a loaded model is stood on a ground that shows its shadow."},
+    {SI_FIELD(scene.fit_animation), .label = "Fit over the animation", .unit = "",
+     SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
+     .help =
+         "Fits shadow maps to all the places that the chosen animation takes each object to: they neither swim nor "
+         "change their size while it plays, and their texels are larger. Off: they follow the pose of the moment. "
+         "A fit to what the camera sees follows the camera either way. Without effect on scenes without animations.",
+     .also = "stable fit, swimming, shimmer, whole animation, animated bounds, fixed skel bounds, bounds scale, "
+             "update when offscreen, skinned bounds",
+     .of_animation = true},
 });
 static_assert(kScene.size() == members<SceneSettings>(), "a member of SceneSettings has no row");
 

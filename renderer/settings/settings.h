@@ -71,6 +71,7 @@ struct SceneSettings {
     int direction = 0;    ///< PlacedAlong
     double scale = 1;
     int ground = 0;  ///< Ground
+    bool fit_animation = false;
     bool operator==(const SceneSettings&) const = default;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/scene/animation.h"
 #include "renderer/view/fits/convex.h"
 #include "renderer/view/fits/flat_mesh.h"
 
@@ -25,11 +26,12 @@ ObjectSettings settings_of(const Scene& scene, const Settings& settings, const O
 }
 
 void add_box(SceneShape& shape, const Box& box, bool casts, bool receives, std::size_t object,
-             const std::optional<HalfSpace>& plane) {
+             const std::optional<HalfSpace>& plane, bool travels) {
     shape.boxes.push_back(box);
     shape.box_casts.push_back(casts), shape.box_receives.push_back(receives);
     shape.box_objects.push_back(object);
     shape.box_planes.push_back(plane);
+    shape.box_travels.push_back(travels);
     shape.box_tolerance.push_back(flat_tolerance(0.5 * glm::distance(box[0], box[7])));
 }
 
@@ -55,15 +57,19 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
         s.casters = s.casters || casts;
         s.receivers = s.receivers || own.receive;
         if (scene.objects.size() > kMaxFitObjects && !o.ground) continue;
-        const Box box = mesh.bounds.corners(o.world);
+        const bool travels = !o.travel.empty();
+        const Box box = travels ? o.travel.corners(scene.placement) : mesh.bounds.corners(o.world);
         if (!finite(box)) continue;
-        auto& known = planes[std::size_t(o.mesh)];
-        if (!known) known = plane_of(mesh);
-        const std::optional<HalfSpace> plane = *known ? transformed(**known, o.world) : std::nullopt;
+        std::optional<HalfSpace> plane;
+        if (!travels) {
+            auto& known = planes[std::size_t(o.mesh)];
+            if (!known) known = plane_of(mesh);
+            if (*known) plane = transformed(**known, o.world);
+        }
         if (o.ground) s.ground = s.boxes.size();
-        add_box(s, box, casts, own.receive, std::size_t(&o - scene.objects.data()), plane);
+        add_box(s, box, casts, own.receive, std::size_t(&o - scene.objects.data()), plane, travels);
     }
-    Bounds bounds = scene.bounds;
+    Bounds bounds = bounds_of_fit(scene);
     if (bounds.empty() || !std::isfinite(bounds.radius())) {
         bounds = Bounds();
         for (const Box& box : s.boxes)
@@ -71,7 +77,7 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
     }
     if (bounds.empty()) bounds = {glm::dvec3(-1), glm::dvec3(1)};
     s.one_box = s.boxes.size() == (s.ground ? 1 : 0);
-    if (s.one_box) add_box(s, bounds.corners(), s.casters, s.receivers, 0, std::nullopt);
+    if (s.one_box) add_box(s, bounds.corners(), s.casters, s.receivers, 0, std::nullopt, false);
     s.centre = bounds.centre();
     // A single point still needs a size: what a double resolves at its distance from the origin.
     s.radius = std::max({bounds.radius(), 1e-7, glm::length(s.centre) * 0x1p-38});

@@ -26,14 +26,15 @@ struct SceneShape {
     /// Of objects whose triangles all lie in one plane, within box_tolerance.
     std::vector<std::optional<HalfSpace>> box_planes;
     std::vector<double> box_tolerance;  ///< metres
+    std::vector<bool> box_travels;      ///< of all the places that an animation takes an object to: triangles say less
     std::optional<std::size_t> ground;  ///< which box is that of the ground under a model; nothing: there is none
     bool triangles = false;             ///< the scene has any
     bool casters = false;               ///< an object with triangles casts
     bool receivers = false;             ///< an object with triangles receives shadows
 };
 
-/// Boxes of all objects; above 20000 objects the scene's box stands for them. Always finite, also for empty scenes.
-/// Meshes are read to find the flat ones.
+/// Boxes of all objects, over all of the animation where measure_travel() was called; above 20000 objects the scene's
+/// box stands for them. Always finite, also for empty scenes. Meshes are read to find the flat ones.
 SceneShape scene_shape(const Scene& scene, const Settings& settings);
 
 /// The shape as a light's maps have to hold it: of the ground under a model no more than where casters may shadow it.

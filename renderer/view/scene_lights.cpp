@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "renderer/base/printable.h"
+#include "renderer/scene/animation.h"
 #include "renderer/settings/settings.h"
 #include "renderer/view/light_fit.h"
 
@@ -33,8 +34,9 @@ double elevation(const glm::dvec3& d) {
 }
 
 Stand stand_of(const SceneLight& light, const Scene& scene) {
-    const glm::dvec3 centre = scene.bounds.centre(), position(light.world[3]);
-    const double radius = scene.bounds.radius() > 0 ? scene.bounds.radius() : 1;
+    const Bounds bounds = bounds_of_fit(scene);  // whose centre light.target_* count from
+    const glm::dvec3 centre = bounds.centre(), position(light.world[3]);
+    const double radius = bounds.radius() > 0 ? bounds.radius() : 1;
     const double away = glm::distance(position, centre);
     Stand s;
     if (light.type == int(LightType::Point)) {

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include "app/session/session.h"
+#include "renderer/base/error.h"
 #include "renderer/inspect/texel_usage.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/truth_geometry.h"
@@ -127,40 +129,63 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
     EXPECT_LT(differ, box / 100);
 }
 
-/// Of each folder of models the first file that can be read.
-std::vector<fs::path> models() {
-    std::vector<fs::path> out;
+/// A file of ../shared/models that is to be read.
+struct Model {
+    fs::path file;
+    bool may_be_refused = false;
+};
+
+std::vector<Model> models() {
+    std::vector<Model> out;
     const fs::path folder = fs::path(SI_SOURCE_DIR) / "../shared/models";
     std::ifstream list(folder / "EXPECT.tsv");
-    std::string line, last;
+    std::string line;
     while (std::getline(list, line)) {
-        const std::string file = line.substr(0, line.find('\t')), place = file.substr(0, file.find('/'));
-        // What is told as "load, or an error that is clear" asks for what is not supported.
-        if (!line.ends_with("\tload\t\t") || place == last || !fs::exists(folder / file)) continue;
-        out.push_back(folder / file), last = place;
+        const std::size_t name = line.find('\t');
+        if (name == line.npos || !line.substr(name).starts_with("\tload\t")) continue;
+        const fs::path file = folder / line.substr(0, name);
+        if (fs::exists(file)) out.push_back({file, line.substr(name).starts_with("\tload\trefuse")});
     }
     return out;
 }
 
-// Which of them stand on something of their own is the files' affair; those that bring a camera are seen as it does.
+/// What cannot be as the others are, and why.
+constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
+    {"LightsPunctualLamp.gltf", "its first light hangs low beside the stem, whose shadow runs to the ground's end"},
+    {"ToyCar.gltf", "it stands on a cloth of its own, which spreads as wide and as flat as its shadow falls"},
+};
+
+// Which of them stand on something of their own is the files' affair. So is what a camera of a file shows; the camera
+// that shows the whole scene is asked in its place.
 TEST_F(GroundTest, ModelsShowTheirShadowsAtOnce) {
-    const std::vector<fs::path> files = models();
+    const std::vector<Model> files = models();
     if (files.empty()) GTEST_SKIP() << "../shared/models is not there";
     int shown = 0;
-    for (const fs::path& file : files) {
-        SCOPED_TRACE(file);
-        const Session session = open_session({.scene = file.string(), .sets = {"map.resolution=512"}});
-        const Scene& scene = session.scene;
-        if (scene.ground_bounds.empty() || !scene.cameras.empty() || !scene.lights.empty()) continue;
-        if (scene.triangle_count() > 20'000) continue;  // for the time that it takes
-        const FirstPicture seen = first_picture(session);
+    for (const Model& model : files) {
+        SCOPED_TRACE(model.file);
+        std::optional<Session> session;
+        try {
+            session = open_session({.scene = model.file.string(), .sets = {"map.resolution=512", "camera.index=-1"}});
+        } catch (const Error& e) {
+            EXPECT_TRUE(model.may_be_refused) << e.what();
+            continue;
+        }
+        if (session->scene.ground_bounds.empty()) continue;
+        const FirstPicture seen = first_picture(*session);
+        const bool enough = double(seen.dark) >= 0.02 * double(seen.ground), whole = seen.dark_at_rim == 0;
+        const std::string name = model.file.filename().string();
+        const auto* other = std::ranges::find(kOthers, name, [](const auto& row) { return row.first; });
+        if (other != std::end(kOthers)) {
+            EXPECT_FALSE(enough && whole && seen.read >= 0.2) << "no longer, though " << other->second;
+            continue;
+        }
         EXPECT_GT(seen.ground, 5000u);
-        EXPECT_GE(double(seen.dark), 0.02 * double(seen.ground));
-        EXPECT_EQ(seen.dark_at_rim, 0u);
+        EXPECT_TRUE(enough) << seen.dark << " of " << seen.ground;
+        EXPECT_TRUE(whole) << seen.dark_at_rim << " at the picture's rim";
         EXPECT_GE(seen.read, 0.2);
         ++shown;
     }
-    EXPECT_GT(shown, 15);
+    EXPECT_GT(shown, 35);
 }
 
 TEST_F(GroundTest, ItComesAndGoesWithTheSettingAndFollowsThePlacement) {

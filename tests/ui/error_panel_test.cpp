@@ -71,6 +71,27 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
     }
 }
 
+TEST(ErrorPanel, WhatHasNoRoomEndsInAnEllipsis) {
+    for (const int width : {1280, 1920}) {
+        UiHarness ui(width, 900);
+        ui.state.open_tab = BottomTab::Error;
+        ui.state.layout.bottom_height = 17.2f;
+        ui.truth = made_up_truth();
+        ui.error = made_up_error();
+        ui.frames(4);
+        const std::u32string all = ui.drawn().read();
+        for (const auto& [begins, whole] :
+             {std::pair{U"Shadowo", U"Shadowoverlap(IoU)"}, {U"Meansigned", U"Meansignederror(+toolight)"}}) {
+            const std::size_t at = all.find(begins);
+            ASSERT_NE(at, all.npos) << width;
+            const std::u32string_view from = std::u32string_view(all).substr(at);
+            const std::size_t dots = from.find(U'…'), letters = std::u32string_view(whole).size();
+            EXPECT_EQ(from.starts_with(whole), width == 1920);
+            EXPECT_EQ(dots < letters, width == 1280) << "nothing is cut through a letter";
+        }
+    }
+}
+
 TEST(ErrorPanel, AsksForNumbersOnlyWhileTheyAreShown) {
     UiHarness ui(1280, 720);
     EXPECT_FALSE(ui.frames(3).want_error);

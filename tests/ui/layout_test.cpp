@@ -224,6 +224,18 @@ TEST(Layout, TheMapsPlaceIsThePersonsOnceItWasDragged) {
     EXPECT_GT(ui.part("map")->Size.y, first + 80);
 }
 
+TEST(Layout, WhatTheMapsSquareDoesNotFillIsTheSettings) {
+    for (const bool plots : {true, false}) {
+        UiHarness ui(1600, 2160);
+        ui.state.layout.map_plots = plots;
+        ui.state.layout.map_place = MapSpot::AboveSettings;
+        ui.frames(3);
+        const ScreenRect map = ui.state.map_rect;
+        EXPECT_GT(map.size.y, 0.95f * map.size.x) << plots;
+        EXPECT_LT(map.size.y, 1.1f * map.size.x) << plots;
+    }
+}
+
 TEST(Layout, WhatIsTurnedSeldomIsOnePressAway) {
     Shown ui(1280, 1400);
     const auto shows = [&](const char* label) {

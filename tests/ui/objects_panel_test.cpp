@@ -258,6 +258,7 @@ TEST_F(SceneMenu, ObjectsAreHiddenIsolatedAndShownAgain) {
     key(false, true);
     key(false, false);
     EXPECT_TRUE(ui.state.settings.objects.empty());
+    ASSERT_FALSE(ui.state.log.lines().empty()) << "it says why nothing is hidden";
     EXPECT_NE(ui.state.log.lines().back().text.find("Nothing is selected"), std::string::npos);
 }
 

@@ -198,6 +198,38 @@ TEST(Panels, WhatTheDriverLacksHasNoEffect) {
     use_driver(nullptr);
 }
 
+TEST(Panels, OneIsNoPlural) {
+    UiHarness ui(1280, 900);
+    const auto shows = [&](const char* text) {
+        ui.frames(3);
+        return ui.drawn().find(std::u32string(text, text + std::string_view(text).size())).has_value();
+    };
+    ui.state.search = "light.cascades";
+    EXPECT_TRUE(shows("1map"));
+    EXPECT_FALSE(shows("1maps"));
+    ui.state.settings.lights[0].cascades = 2;
+    EXPECT_TRUE(shows("2maps"));
+    ui.state.search = "bias.normal";
+    ui.state.settings.bias.normal = 1;
+    EXPECT_TRUE(shows("1texel"));
+    EXPECT_FALSE(shows("1texels"));
+    ui.state.search = "scene.time";
+    ui.state.settings.scene.time = 1;
+    EXPECT_TRUE(shows("1s")) << "a second";
+}
+
+TEST(Panels, GroupsThatAreCalledByWhatIsSearchedForComeFirst) {
+    UiHarness ui(1280, 1200);
+    const auto above = [&](const char* search, const char32_t* first, const char32_t* second) {
+        ui.state.search = search;
+        ui.frames(3);
+        const auto a = ui.drawn().find(first, 0), b = ui.drawn().find(second, 0);
+        return a && (!b || a->y < b->y);  // else it is scrolled to
+    };
+    EXPECT_TRUE(above("light", U"Azimuth", U"Slopebias"));
+    EXPECT_TRUE(above("camera", U"Scene'scamera", U"Splitlambda"));
+}
+
 TEST(Panels, DraggingASliderIsOneStepOfUndo) {
     UiHarness ui(kWidth, kHeight);
     ui.state.search = "bias.constant";

@@ -10,6 +10,7 @@
 #include "tests/unit/gltf_test_file.h"
 #include "ui/state/panels.h"
 #include "ui/state/scene_choices.h"
+#include "ui/widgets/setting_widgets.h"
 
 namespace si {
 namespace {
@@ -72,6 +73,14 @@ TEST(Playback, ThereIsNothingToPlayInAStillScene) {
     const Scene moving = moving_sun().load();
     frame.scene = &moving;
     EXPECT_GT(time_bar_height(frame), 0);
+    for (const char* key : {"scene.animation", "scene.time", "scene.fit_animation"}) {
+        const SettingRef ref = *find_setting(key);
+        use_scene(&ui.scene);
+        EXPECT_EQ(without_effect({}, ref), "without effect: the scene has no animation") << key;
+        use_scene(&moving);
+        EXPECT_EQ(without_effect({}, ref), "") << key;
+        use_scene(nullptr);
+    }
     EXPECT_TRUE(scene_choices(&ui.scene, "scene.animation").empty());
     const NamedValues names = scene_choices(&moving, "scene.animation");
     const NamedValues expected{{-1, "-1: rest pose"}, {0, "0: rise"}, {1, "1: noon"}};
@@ -95,6 +104,19 @@ TEST(Playback, SpacePlaysInRealTimeAndIsOneStepOfUndo) {
     EXPECT_FALSE(bar.ui.state.history.can_undo());
     EXPECT_EQ(bar.ui.state.history.redo().scene.time, stopped);
     EXPECT_FALSE(bar.ui.state.history.can_redo());
+}
+
+TEST(Playback, TheBarHasTheSwitchOfASteadyMap) {
+    Bar bar;
+    const auto box = bar.ui.find("/time_", "", "Steady map");
+    ASSERT_TRUE(box);
+    bar.ui.click(*box);
+    EXPECT_TRUE(bar.ui.state.settings.scene.fit_animation);
+    EXPECT_FALSE(bar.ui.state.history.undo().scene.fit_animation) << "a step like any other";
+    bar.ui.state.settings.scene.animation = -1;
+    bar.ui.frames(2);
+    bar.ui.click(*box);
+    EXPECT_TRUE(bar.ui.state.settings.scene.fit_animation) << "at rest there is nothing to choose";
 }
 
 TEST(Playback, LoopsOrStopsAtTheLastKeyAndStartsOver) {

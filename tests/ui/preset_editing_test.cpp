@@ -129,6 +129,22 @@ TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyWhenAPersonAgrees) {
     expect_no_errors();
 }
 
+TEST_F(PresetEditing, BeforeAnythingIsSavedThereIsNothingToGoBackToAndItSaysWhatToDo) {
+    open();
+    state().preset_path = path("unsaved.json");
+    state().settings.bias.constant = 3;
+    wish({.load_preset = path("unsaved.json")});
+    ASSERT_FALSE(state().log.lines().empty());
+    EXPECT_NE(state().log.lines().back().text.find("nothing is saved there yet. Save it first (Ctrl+S)"),
+              std::string::npos)
+        << state().log.lines().back().text;
+    EXPECT_EQ(state().settings.bias.constant, 3);
+    wish({.save_preset = path("unsaved.json")});
+    state().settings.bias.constant = 4;
+    wish({.load_preset = path("unsaved.json")});
+    EXPECT_EQ(state().settings.bias.constant, 3);
+}
+
 TEST_F(PresetEditing, WhatWasOpenedMayBeSavedAndKeepsItsTexts) {
     save_preset({"T", "P", "Look here.", "boxes", {}}, path("told.json"));
     open();

@@ -14,6 +14,7 @@
 #include "ui/panels/cures_table.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"
+#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/right_aligned.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -56,13 +57,17 @@ void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 6);
     for (const Metric* row : rows_of(causes, m)) {
         const bool part = !row->part_of.empty();
-        const std::string name = part ? "   " + std::string(row->part) : std::string(row->label);
+        const std::string whole = part ? "   " + std::string(row->part) : std::string(row->label);
+        std::string name;
         const auto tooltip = [&] {
-            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n%s", row->formula.data(), row->help.data());
+            const std::string title = name == whole ? "" : whole + "\n";  // where the column is too narrow for it
+            if (ImGui::IsItemHovered())
+                ImGui::SetTooltip("%s%s\n%s", title.c_str(), row->formula.data(), row->help.data());
         };
         const double value = row->value(m);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
+        name = beginning_that_fits(whole, ImGui::GetContentRegionAvail().x, ImGui::GetFont());
         ImGui::PushStyleColor(ImGuiCol_Text, part ? theme::muted() : theme::text());
         ImGui::TextUnformatted(name.c_str());
         ImGui::PopStyleColor();
@@ -79,6 +84,7 @@ bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std:
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
     const std::string label(style.label);
     const bool clicked = ImGui::Selectable(("##" + label).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns);
     if (ImGui::IsItemHovered())
@@ -87,8 +93,11 @@ bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std:
             "a second one takes both back. %.3f %% of the pixels compared",
             label.c_str(), counted == 0 ? 0.0 : 100.0 * double(pixels) / double(counted));
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({at.x, at.y + em * 0.2f}, {at.x + em * 0.7f, at.y + em * 0.9f}, theme::rgb(style.rgb));
-    list.AddText({at.x + em * 1.1f, at.y}, theme::text(), label.c_str());
+    const ImVec2 lo(at.x, at.y + em * 0.2f), hi(at.x + em * 0.7f, at.y + em * 0.9f);
+    list.AddRectFilled(lo, hi, theme::rgb(style.rgb));
+    list.AddRect(lo, hi, theme::faint());  // the white one, on white
+    const std::string shown = beginning_that_fits(label, width - em * 1.1f, ImGui::GetFont());
+    list.AddText({at.x + em * 1.1f, at.y}, theme::text(), shown.c_str());
     right_cell(fmt::format("{}", pixels), pixels == 0 ? theme::muted() : theme::text());
     const std::string share = counted == 0 ? "-" : fmt::format("{:.3f} %", 100.0 * double(pixels) / double(counted));
     if (with_share) right_cell(share, theme::muted());

@@ -14,6 +14,7 @@
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/cost_combo.h"
+#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
@@ -185,8 +186,15 @@ std::string column_title(const MeasuredColumn& c) {
 
 void choose_column(const SweepFacts& facts, const char* id, bool error, std::string& key) {
     const MeasuredColumn* now = column_of(facts, key);
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * (ImGui::GetWindowWidth() > ImGui::GetFontSize() * 36 ? 15 : 10.4f));
-    if (!ImGui::BeginCombo(id, now ? column_title(*now).c_str() : "", ImGuiComboFlags_HeightLarge)) {
+    const std::string title = now ? column_title(*now) : "";
+    const float em = ImGui::GetFontSize(), room = ImGui::GetWindowWidth();
+    const float beside = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
+    // Two stand beside each other.
+    const float least = em * (room > em * 36 ? 15 : 10.4f), most = std::max(least, 0.5f * room - em * 4);
+    const float width = std::clamp(text_width(title, ImGui::GetFont()) + beside, least, most);
+    ImGui::SetNextItemWidth(width);
+    const std::string shown = beginning_that_fits(title, width - beside, ImGui::GetFont());
+    if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge)) {
         if (now) wrapped_tooltip(now->help);
         return;
     }

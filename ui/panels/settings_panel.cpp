@@ -92,6 +92,24 @@ Rows rows_of(const EditorState& state, std::string_view prefix) {
     return rows;
 }
 
+/// What is searched for may be mentioned in many a sentence: groups that are called by it come first, then those with a
+/// setting that is.
+void nearest_first(std::vector<Group>& list, const EditorState& state) {
+    if (state.search.empty()) return;
+    const auto rank = [&](const Group& group) {
+        if (words_match(state.search, {group.label, group.prefix})) return 0;
+        const std::vector<SettingRef> rows = rows_of(state, group.prefix).shown;
+        const bool called = std::ranges::any_of(rows, [&](const SettingRef& ref) {
+            return words_match(state.search, {ref.param->label, ref.param->key});
+        });
+        return called ? 1 : 2;
+    };
+    std::vector<std::pair<int, Group>> ranked;
+    for (const Group& group : list) ranked.emplace_back(rank(group), group);
+    std::ranges::stable_sort(ranked, {}, [](const auto& r) { return r.first; });
+    std::ranges::transform(ranked, list.begin(), [](const auto& r) { return r.second; });
+}
+
 bool begin_rows(const char* id) {
     const ImVec2 padding = ImGui::GetStyle().CellPadding;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding.x, padding.y * 0.5f});
@@ -190,7 +208,9 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& 
     ImGui::BeginChild("rows", {0, 0}, false);
     bool any = false;
     const SceneSettings placed = state.settings.scene;
-    for (const Group& group : groups()) {
+    std::vector<Group> shown = groups();
+    nearest_first(shown, state);
+    for (const Group& group : shown) {
         any |= !rows_of(state, group.prefix).shown.empty();
         draw_group(state, frame, actions, group);
     }

@@ -14,6 +14,7 @@
 namespace si {
 namespace {
 
+constexpr char kSteady[] = "Steady map";
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1, 2, 4};
 
 std::string speed_text(double speed) {
@@ -67,13 +68,20 @@ void draw_time_bar(EditorState& state, const EditorFrame& frame) {
     SceneSettings& scene = state.settings.scene;
     const Animation* animation = chosen_animation(frame, scene);
     const double end = animation ? animation->duration_s : 0;
+    // In a small window the speed and the switch give way; the switch stands among the settings, too.
+    const float room = ImGui::GetContentRegionAvail().x;
+    const bool has_steady = room > em * 36, has_speed = room > em * 28;
     if (play_button(state.playback.playing, end > 0)) toggle_play(state, frame);
     ImGui::SameLine();
-    setting_widget(state.settings, *find_setting("scene.animation"), em * 10,
+    setting_widget(state.settings, *find_setting("scene.animation"), std::min(em * 10, room * 0.3f),
                    scene_choices(frame.scene, "scene.animation"));
     ImGui::SameLine();
-    const float speed = em * 5, loop = ImGui::CalcTextSize("Loop").x + ImGui::GetFrameHeight() + gap;
-    ImGui::SetNextItemWidth(std::max(em * 5, ImGui::GetContentRegionAvail().x - speed - loop - 2 * gap));
+    const auto box_width = [&](const char* label) {
+        return ImGui::CalcTextSize(label).x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + gap;
+    };
+    const float speed = em * 5;
+    const float after = box_width("Loop") + (has_speed ? speed + gap : 0) + (has_steady ? box_width(kSteady) : 0);
+    ImGui::SetNextItemWidth(std::max(em * 5, ImGui::GetContentRegionAvail().x - after));
     if (!(end > 0)) ImGui::BeginDisabled();
     const double start = 0, last = std::max(end, 1e-3);
     const std::string format = fmt::format("%.2f of {:.2f} s", end);
@@ -84,10 +92,15 @@ void draw_time_bar(EditorState& state, const EditorFrame& frame) {
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
         ImGui::SetTooltip("The moment that is shown (scene.time); Ctrl+click to type it");
     ImGui::SameLine();
-    speed_combo(state.playback, speed);
-    ImGui::SameLine();
+    if (has_speed) speed_combo(state.playback, speed), ImGui::SameLine();
     ImGui::Checkbox("Loop", &state.playback.loop);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Begin again after the last key; else stop there");
+    if (!has_steady) return;
+    ImGui::SameLine();
+    if (!(end > 0)) ImGui::BeginDisabled();
+    ImGui::Checkbox(kSteady, &scene.fit_animation);
+    if (!(end > 0)) ImGui::EndDisabled();
+    setting_menu(state.settings, *find_setting("scene.fit_animation"));
 }
 
 }  // namespace si

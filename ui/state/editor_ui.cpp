@@ -21,6 +21,8 @@ namespace {
 constexpr float kPictures = 10;     ///< least height of the pictures that the tabs below leave, ems
 constexpr float kAllTabs = 40;      ///< width in which all of them have room, ems
 constexpr float kEveryday = 24.6f;  ///< height in which the settings of every day need no scrolling, ems
+constexpr float kMapTexts = 6.2f;   ///< height of what stands above and below the map, ems
+constexpr float kMapPlots = 6.5f;   ///< of its plots
 constexpr float kSplitter = 5;      ///< at scale 1, pixels
 constexpr int kArrowsFast = 10;     ///< pixels, with Shift
 constexpr int kF12 = 301;
@@ -308,9 +310,11 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorActions& a
     const float em = ImGui::GetFontSize();
     ImGui::BeginGroup();
     if (layout.map_place == MapSpot::AboveSettings) {
-        // Until somebody drags it, the map leaves the settings their room.
-        const float least = layout.map_height == EditorLayout{}.map_height ? kEveryday : 10;
-        const float map = std::clamp(size.y * layout.map_height, em * 8, std::max(em * 8, size.y - em * least));
+        // Until somebody drags it, the map leaves the settings their room, and all that a square does not fill.
+        const bool as_given = layout.map_height == EditorLayout{}.map_height;
+        const float square = size.x + em * (layout.map_plots ? kMapTexts + kMapPlots : kMapTexts);
+        const float wanted = as_given ? std::min(size.y * layout.map_height, square) : size.y * layout.map_height;
+        const float map = std::clamp(wanted, em * 8, std::max(em * 8, size.y - em * (as_given ? kEveryday : 10)));
         map_panel(state, frame, actions, {size.x, map});
         if (const Dragged d = splitter("map splitter", false, {size.x, bar}); d.reset)
             layout.map_height = EditorLayout{}.map_height;
@@ -378,6 +382,8 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     state.scene_rect = state.map_rect = {};
     state.dragging = false;
     theme::use(state.layout.light_theme);
+    use_driver(frame.driver);
+    use_scene(frame.scene);
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
     shortcuts(state, frame, actions);
     const bool waits = follow_artefact_tour(state, frame);
@@ -425,6 +431,8 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     actions.redraw |= state.playback.playing || turning_wheel || state.flight.moving;
     actions.at_rest = !gesture && !actions.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
                       io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
+    use_driver(nullptr);  // facts of this frame
+    use_scene(nullptr);
     return actions;
 }
 

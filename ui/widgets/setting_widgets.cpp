@@ -12,6 +12,7 @@
 
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
+#include "renderer/scene/animation.h"
 #include "renderer/settings/splits.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/slider.h"
@@ -28,6 +29,11 @@ std::string unit_suffix(std::string_view unit) {
     return unit.empty() ? "" : unit == "deg" ? "°" : fmt::format(" {}", unit);
 }
 
+/// One of them: "1 texel". @param unit as it stands after a number
+std::string one_of(const std::string& unit) {
+    return unit.size() > 3 && unit.ends_with('s') ? unit.substr(0, unit.size() - 1) : unit;
+}
+
 /// As part of a printf format.
 std::string escaped(const std::string& text) {
     std::string out;
@@ -36,6 +42,7 @@ std::string escaped(const std::string& text) {
 }
 
 const DriverInfo* driver_in_use = nullptr;
+bool scene_has_animations = true;
 
 void tooltip(const Settings& settings, const SettingRef& ref) {
     const Param& p = *ref.param;
@@ -124,7 +131,7 @@ bool integer(const Param& p, int& value, const std::string& unit) {
     const int lo = int(p.min), hi = int(p.max);
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (p.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-    const std::string format = "%d" + unit;
+    const std::string format = "%d" + (value == 1 ? one_of(unit) : unit);
     if (!slider("##value", ImGuiDataType_S32, &value, &lo, &hi, format.c_str(), flags)) return false;
     // Sizes are powers of two by habit: dragging finds those, typing gives any.
     if (p.logarithmic && ImGui::IsMouseDown(ImGuiMouseButton_Left) && value > 0) {
@@ -135,7 +142,7 @@ bool integer(const Param& p, int& value, const std::string& unit) {
 }
 
 bool real(const Param& p, double& value, const std::string& unit) {
-    const std::string format = "%.4g" + unit;
+    const std::string format = "%.4g" + (value == 1 ? one_of(unit) : unit);
     if (p.slider_max > 0) {
         const ImGuiSliderFlags flags = p.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
         if (!slider("##value", ImGuiDataType_Double, &value, &p.min, &p.slider_max, format.c_str(), flags))
@@ -208,9 +215,14 @@ void use_driver(const DriverInfo* driver) {
     driver_in_use = driver;
 }
 
+void use_scene(const Scene* scene) {
+    scene_has_animations = !scene || (scene->rig && !scene->rig->animations.empty());
+}
+
 std::string_view without_effect(const Settings& settings, const SettingRef& ref) {
     if (driver_in_use && ref.param->needs == DriverFeature::PolygonOffsetClamp && !driver_in_use->polygon_offset_clamp)
         return "without effect: this driver lacks GL_EXT_polygon_offset_clamp";
+    if (ref.param->of_animation && !scene_has_animations) return "without effect: the scene has no animation";
     return idle_reason(settings, ref);
 }
 

@@ -13,8 +13,11 @@ namespace si {
 /// pointer has to last until the next call.
 void use_driver(const DriverInfo* driver);
 
-/// Why turning the setting changes nothing: for what that driver lacks, or under the other settings. Empty when it
-/// acts.
+/// Likewise the scene, of which only is kept whether it has animations; null: as if it had.
+void use_scene(const Scene* scene);
+
+/// Why turning the setting changes nothing: for what that driver or scene lacks, or under the other settings. Empty
+/// when it acts.
 std::string_view without_effect(const Settings& settings, const SettingRef& ref);
 
 /// What belongs to the widget that was drawn last and edits this setting: tooltip, and a menu on a right click. Returns

@@ -121,7 +121,7 @@ private:
 
     /// What is convex does not, unless its inner side is drawn, too.
     bool never_shades_itself(std::size_t caster) const {
-        if (in_.shape.one_box) return false;
+        if (in_.shape.one_box || in_.shape.box_travels[caster]) return false;
         const Mesh& mesh = mesh_of(caster);
         return !is_two_sided(mesh) && is_convex(mesh);
     }
@@ -210,6 +210,7 @@ private:
 
     /// Adds where across the view a caster shadows a receiver; at most `both`.
     void add_receiver(const Blocker& blocker, std::size_t receiver, const MapRegion& both) {
+        if (in_.shape.box_travels[receiver]) return add(both);  // its triangles are elsewhere at other times
         const Object& object = in_.scene.objects[in_.shape.box_objects[receiver]];
         const Mesh& mesh = mesh_of(receiver);
         triangles_ += mesh.indices.size() / 3;
