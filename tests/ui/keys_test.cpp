@@ -100,5 +100,33 @@ TEST_F(Keys, QShowsTheTexelsOfTheProbedPixelAsQuadsAndHidesThemAgain) {
     EXPECT_EQ(v.slabs, int(Slabs::None)) << "nothing is pointed at";
 }
 
+TEST_F(Keys, ALetterThatArrivesWithTheClickIntoAFieldIsTypedAndDoesNothingElse) {
+    const auto field = ui.drawn().find(U"Searchsettings");
+    ASSERT_TRUE(field);
+    ui.move({field->x, field->y});
+    ui.frames(2);
+    const Settings before = settings();
+    ui.press(true);
+    ImGui::GetIO().KeysDown['L'] = true;
+    ImGui::GetIO().AddInputCharacter('l');
+    ui.frame();
+    ui.press(false);
+    ImGui::GetIO().KeysDown['L'] = false;
+    ui.frames(2);
+    EXPECT_EQ(ui.state.search, "l");
+    EXPECT_EQ(settings(), before) << "the view went through the light";
+    // Beside any field the key acts, with a press or without.
+    ui.state.search.clear();
+    ui.click({4, 4});  // which leaves the field
+    ui.frames(2);
+    ui.press(true);
+    ImGui::GetIO().KeysDown['L'] = true;
+    ui.frame();
+    ui.press(false);
+    ImGui::GetIO().KeysDown['L'] = false;
+    ui.frames(2);
+    EXPECT_NE(settings(), before);
+}
+
 }  // namespace
 }  // namespace si::test

@@ -198,6 +198,16 @@ TEST(Panels, WhatTheDriverLacksHasNoEffect) {
     use_driver(nullptr);
 }
 
+TEST(Panels, ALightsSizeHasTheUnitOfItsKind) {
+    UiHarness ui(1280, 900);
+    ui.state.search = "light.size";
+    ui.frames(3);
+    EXPECT_TRUE(ui.drawn().find(U"0.27°"));
+    ui.state.settings.lights[0].type = int(LightType::Point);
+    ui.frames(3);
+    EXPECT_TRUE(ui.drawn().find(U"0.27m"));
+}
+
 TEST(Panels, OneIsNoPlural) {
     UiHarness ui(1280, 900);
     const auto shows = [&](const char* text) {

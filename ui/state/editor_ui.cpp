@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <utility>
@@ -366,7 +367,8 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorActions& act
 }  // namespace
 
 bool keys_are_taken(const EditorState& state) {
-    return ImGui::GetIO().WantTextInput || state.flight.on || state.handle_drag;
+    const bool typing = ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame == 1;
+    return typing || state.flight.on || state.handle_drag;
 }
 
 void maximise(EditorState& state, Panel panel) {
@@ -385,7 +387,9 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     use_driver(frame.driver);
     use_scene(frame.scene);
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
-    shortcuts(state, frame, actions);
+    // What is clicked in this very frame, as where frames are slow, may be a field that the letters are for.
+    const bool keys_wait = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (!keys_wait) shortcuts(state, frame, actions);
     const bool waits = follow_artefact_tour(state, frame);
 
     const ImGuiIO& io = ImGui::GetIO();
@@ -415,6 +419,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     draw_replace_dialog(state, actions);
     ImGui::End();
 
+    if (keys_wait) shortcuts(state, frame, actions), actions.redraw = true;
     if (state.tab != BottomTab::Objects || (state.maximised && *state.maximised != Panel::Tabs))
         state.hovered_object.clear();  // no list that says it
     actions.want_error |= shows_artefacts(state.settings) || waits;

@@ -187,13 +187,20 @@ bool dead(Settings& settings, const SettingRef& ref) {
     return still;
 }
 
+/// That of a light's size depends on the light.
+std::string_view unit_of(const Settings& settings, const SettingRef& ref) {
+    const std::string_view unit = shown_unit(settings, *ref.param);
+    if (unit != "deg or m") return unit;
+    return settings.lights[std::size_t(ref.light)].type == int(LightType::Directional) ? "deg" : "m";
+}
+
 /// The widget and its menu inside the ID scope of the row. @param idle see dead()
 bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, const NamedValues& names, bool idle) {
     const Param& p = *ref.param;
     Value value = get_value(settings, ref);
     bool changed = false;
     const bool narrow = width > 0 && width < ImGui::GetFontSize() * 7;  // no room for the unit
-    const std::string unit = narrow ? std::string() : escaped(unit_suffix(shown_unit(settings, p)));
+    const std::string unit = narrow ? std::string() : escaped(unit_suffix(unit_of(settings, ref)));
     if (idle) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * ImGui::GetStyle().DisabledAlpha);
     ImGui::SetNextItemWidth(width > 0 ? width : -FLT_MIN);
     if (auto* b = std::get_if<bool>(&value))
