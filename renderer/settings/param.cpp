@@ -79,8 +79,8 @@ std::size_t common_prefix(std::string_view a, std::string_view b) {
 }
 
 /// The distance to `known`, or to as many of its leading parts as `name` has: none from "filter" to "filter.kernel",
-/// nor from what is the beginning of a longer name. One more than to its last part, which comes after what begins alike:
-/// "kernel" is near to "filter.kernel". What is certainly beyond `most` is not looked at closer.
+/// nor from what is the beginning of a longer name. One more than to its last part, which comes after what begins
+/// alike: "kernel" is near to "filter.kernel". What is certainly beyond `most` is not looked at closer.
 std::size_t unlikeness(std::string_view name, std::string_view known, std::size_t most) {
     if (name.size() > 2 && known.starts_with(name)) return 0;
     const auto distance = [&](std::string_view other) {

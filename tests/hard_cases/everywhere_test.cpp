@@ -39,14 +39,22 @@ struct Allowance {
     double look = 0.02;  ///< of visibility: less is no difference
     bool mirrors = true;
     std::size_t inside = 0;  ///< pixels of one picture away from what is an edge at home
+    double same_cause = kSameCause;
+    double finest_place = kFinestPlace;
 };
 constexpr Allowance kAllowances[] = {
     {"no-blockers", "the places of its taps turn by pixel, and are no mirror image", 0.02, false},
     {"edge-on-planes",
-     "kernels span several steps, whose depths lie at all distances from the plane: a tap of 25 may turn", 0.1},
+     "kernels span several steps, whose depths lie at all distances from the plane: a tap of 25 may turn, and whether "
+     "the least bias leaves a whole row of them dark hangs on what positions are rounded by, which is more off the "
+     "grid",
+     0.1, true, 0, 0.98},
     {"thin-caster",
      "a wire that no texel caught at home is an edge that no pixel shows; corners snap otherwise in a mirror", 0.02,
      true, 4},
+    {"smooth-terminator",
+     "facets lie exactly along the light from -z, 45 up: which of their sides it meets is rounding's to say", 0.02,
+     true, 0, kSameCause, 3e-7},
 };
 
 Allowance allowance_of(std::string_view key) {
@@ -73,7 +81,8 @@ struct Judged {
 std::optional<Judged> judged(const HardCase& row, bool fixed, const Placement& placement, double turn = 0) {
     DrawnCase c = hard_view(row.key, fixed);
     c.settings.map.resolution = std::min(c.settings.map.resolution, kMostTexels);
-    if (!place_settings(c.settings, placement) || resolved(row, placement) > kFinestPlace) return {};
+    if (!place_settings(c.settings, placement) || resolved(row, placement) > allowance_of(row.key).finest_place)
+        return {};
     c.settings.lights[0].elevation += turn;
     if (!placement.at_home()) place_scene(c.scene, placement.matrix());
     TruthCache cache;
@@ -179,14 +188,15 @@ int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>
     return compared;
 }
 
-void expect_alike(const Differences& d) {
+void expect_alike(const HardCase& row, const Differences& d) {
     testing::Test::RecordProperty("differing", std::to_string(d.visibility) + " look and " + std::to_string(d.truth) +
                                                    " are otherwise of " + std::to_string(d.pixels) + "; " +
                                                    std::to_string(d.other_cause) + " of " + std::to_string(d.wrong) +
                                                    " wrong ones have another cause");
     EXPECT_LE(double(d.visibility), kMostDiffering * double(d.pixels)) << "pixels that look otherwise, of " << d.pixels;
     EXPECT_LE(double(d.truth), kMostDiffering * double(d.pixels)) << "pixels that are otherwise, of " << d.pixels;
-    EXPECT_GE(double(d.wrong - d.other_cause), kSameCause * double(d.wrong)) << "wrong pixels of one cause";
+    EXPECT_GE(double(d.wrong - d.other_cause), allowance_of(row.key).same_cause * double(d.wrong))
+        << "wrong pixels of one cause";
 }
 
 constexpr std::uint32_t kSeed = 20260101;
@@ -232,7 +242,7 @@ TEST_P(HardCasesEverywhere, LookAndErrAsAtHome) {
     EXPECT_GE(compare_places(row, true, one_by_one(), homes, d), 14) << "most placements must lie in settings' ranges";
     EXPECT_GE(compare_places(row, true, exact_placements(), homes, d), 6);
     EXPECT_GE(compare_places(row, true, in_pairs(row), homes, d), 4);
-    expect_alike(d);
+    expect_alike(row, d);
     expect_axes_nothing_special(row, homes);
 }
 
@@ -250,7 +260,7 @@ TEST_P(HardCasesEverywhere, LookAndErrAsAtHomeInEveryPlacement) {
     Homes homes;
     Differences d;
     compare_places(*GetParam(), true, all_placements(), homes, d);
-    expect_alike(d);
+    expect_alike(*GetParam(), d);
 }
 
 // The covering array covers.

@@ -57,8 +57,8 @@ std::string Placement::name() const {
 
 bool Placement::exact() const {
     if (mirrored || (distance > 0 && !kDistances[distance].exact) || (scale > 0 && !kScales[scale].exact)) return false;
-    // Shaders count from a grid whose spacing is up to 128 sizes of these scenes.
-    const glm::dvec3 steps = kDistances[distance].offset / (128 * kScales[scale].factor);
+    // Shaders count from a grid whose spacing is up to 32 sizes of these scenes.
+    const glm::dvec3 steps = kDistances[distance].offset / (32 * kScales[scale].factor);
     return steps == glm::round(steps);
 }
 

@@ -111,14 +111,16 @@ TEST(Camera, AutomaticFramesTheBounds) {
 TEST(Camera, OriginStaysForSmallMoves) {
     Settings s;
     s.camera.source = int(CameraSource::Manual);
-    s.camera.target_x = 1e6 + 37;
+    s.camera.target_x = 1e6 - 27;
     s.camera.distance = 10;
     const Scene scene = test::box_scene({});
     const glm::dvec3 origin = make_camera(scene, s, 1).origin();
     s.camera.azimuth += 20, s.camera.target_y += 0.5;
     EXPECT_EQ(make_camera(scene, s, 1).origin(), origin);
-    EXPECT_LE(glm::distance(origin, make_camera(scene, s, 1).eye), 256 * std::sqrt(3.0) / 2);
-    EXPECT_EQ(std::fmod(origin.x, 256), 0);  // 2^ceil(log2(160))
+    constexpr double kGrid = 64;  // 2^ceil(log2(4 * 10))
+    EXPECT_LE(glm::distance(origin, make_camera(scene, s, 1).eye), kGrid * std::sqrt(3.0) / 2);
+    EXPECT_EQ(std::fmod(origin.x, kGrid), 0);
+    EXPECT_NE(std::fmod(origin.x, 2 * kGrid), 0) << "1e6 - 27 is nearest to an odd multiple";
 }
 
 void expect_same_picture(const Camera& a, const Camera& b) {
