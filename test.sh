@@ -4,6 +4,12 @@
 # Besides, sources have to be as .clang-format wants them. Says at the end how long what took. Left out are the long
 # ones: ctest --test-dir build/release -L long
 set -euo pipefail
+case ${1:-} in
+-h | --help)
+  sed -n '2,/^set /s/^# //p' "${BASH_SOURCE[0]}"
+  exit
+  ;;
+esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$root/scripts/packages.sh"
 require_packages "${build_packages[@]}" "${test_packages[@]}"
@@ -23,13 +29,12 @@ stage() {
   times+=("$(minutes $((SECONDS - start)))  $name")
 }
 
-# tests BUILD LABELS [LAUNCHER [LEFT_OUT]]: runs the tests that have one of the labels and a name unlike LEFT_OUT, and
-# keeps how long each label took.
+# tests BUILD LABELS [LAUNCHER]: runs the tests that have one of the labels, and keeps how long each label took.
 tests() {
   local passed=0 seconds what again=()
   # The leak sanitizer itself may crash where threads end; what it finds, it finds again.
   if [ "$1" = asan ]; then again=(--repeat until-pass:2); fi
-  ${3:+"$3"} ctest --test-dir "$root/build/$1" -L "$2" -LE long ${4:+-E "$4"} --output-on-failure --no-tests=error "${again[@]}" -j "$jobs" |
+  ${3:+"$3"} ctest --test-dir "$root/build/$1" -L "$2" -LE long --output-on-failure --no-tests=error "${again[@]}" -j "$jobs" |
     tee "$log" || passed=1
   while read -r seconds what; do
     times+=("$(minutes "$seconds")      on one core: $what")
@@ -48,26 +53,28 @@ build_asan() {
 
 # What one front end and one plan decide on every driver: what compiles, what is kept, what is left out, what is told of
 # measured errors.
-decided_by_the_plan="EveryPermutationCompiles|RandomWalkTest|CachedPicturesEqualFreshOnes|BusyStates|FitsTest.What"
-decided_by_the_plan+="|gl\\.(IdleTest|WasteTest|SavingsTest|RestingSavingsTest|CuresTest|AdviceTest)\\.|LookupSavingsTest.ForcedGives"
-decided_by_the_plan+="|EveryPassIsAnEffect"
+decided_by_the_plan="*EveryPermutationCompiles*:RandomWalkTest.*:*CachedPicturesEqualFreshOnes*:*BusyStates*:FitsTest.What*"
+decided_by_the_plan+=":IdleTest.*:WasteTest.*:SavingsTest.*:RestingSavingsTest.*:CuresTest.*:AdviceTest.*"
+decided_by_the_plan+=":LookupSavingsTest.ForcedGives*:*EveryPassIsAnEffect*"
 # That, and what draws one thing hundreds of times over to compare numbers.
-drawn_over_and_over="$decided_by_the_plan|SavingsTest\\.|LeastBiasTwins\\.|AreTheSameInCxxAndOnTheGpu|PerTexelBiasesLeaveNoAcneOnPlanes"
-drawn_over_and_over+="|GatherAndShadowSamplerGiveOnePicture|LeastBiasAndSlackAreThoseOfTheTheory|AgreesWithMeasureOnEveryPixel"
-drawn_over_and_over+="|AreExactOverScenesAndLights|ProbeAgreesWithTheVisibilityPicture"
+drawn_over_and_over="$decided_by_the_plan:*SavingsTest.*:LeastBiasTwins.*:*AreTheSameInCxxAndOnTheGpu*"
+drawn_over_and_over+=":*PerTexelBiasesLeaveNoAcneOnPlanes*:*GatherAndShadowSamplerGiveOnePicture*"
+drawn_over_and_over+=":*LeastBiasAndSlackAreThoseOfTheTheory*:*AgreesWithMeasureOnEveryPixel*"
+drawn_over_and_over+=":*AreExactOverScenesAndLights*:*ProbeAgreesWithTheVisibilityPicture*"
 
 # All that draws, but for the editor and the commands, which are the same on every driver; that both draw each preset
 # alike is among the commands' tests.
 tests_on_zink() {
   local zink=$root/scripts/on_zink.sh
-  # Of what shards run: that presets look alike on both is a test of commands. Settings by chance call for programs that
-  # this driver takes long to compile: one group that shares them.
-  local -x GTEST_FILTER="-HardCaseTable.PresetsOfFaultsShowThem:GuidedPresetFiles.*" SI_RANDOM_SEEDS=25
-  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|invariant)$' "$zink" "$decided_by_the_plan"
+  # That presets look alike on both is a test of commands. Settings by chance call for programs that this driver takes
+  # long to compile: one group that shares them.
+  local -x GTEST_FILTER="-$decided_by_the_plan:HardCaseTable.PresetsOfFaultsShowThem:GuidedPresetFiles.*" SI_RANDOM_SEEDS=25
+  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|invariant)$' "$zink"
 }
 
 tests_asan() {
-  tests asan '^(unit|gl)$' '' "$drawn_over_and_over"
+  local -x GTEST_FILTER="-$drawn_over_and_over"
+  tests asan '^(unit|gl)$'
 }
 
 # By clang-format of Debian 12, whose version decides what is well formed.

@@ -229,12 +229,12 @@ void history(EditorState& state, double ms) {
 void clock_line(const EditorFrame& frame) {
     const FrameResult& result = *frame.result;
     if (result.pages) ImGui::TextDisabled("%s", page_text(*result.pages).c_str());
-    std::string clock = result.clock.empty() ? std::string() : fmt::format("Time by {}", result.clock);
-    if (frame.driver) {
-        clock += fmt::format("{}{}", clock.empty() ? "" : "   ", frame.driver->renderer);
-        if (frame.driver->software) clock += "   (CPU rasteriser: times do not predict a GPU)";
-    }
+    const std::string by = result.clock.empty() ? std::string() : fmt::format("Time by {}", result.clock);
+    const bool software = frame.driver && frame.driver->software;
+    std::string clock = software ? "CPU rasteriser: times do not predict a GPU" : by;
+    if (frame.driver) clock += fmt::format("{}{}", clock.empty() ? "" : "   ", frame.driver->renderer);
     ImGui::TextDisabled("%s", clock.c_str());
+    if (software && !by.empty()) wrapped_tooltip(by);
 }
 
 }  // namespace
