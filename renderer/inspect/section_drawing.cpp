@@ -119,10 +119,13 @@ public:
     }
 
 private:
+    /// What a low drawing has room for no longer, the last first.
+    enum class Need { Always, Bias, Rest };
     struct Label {
         glm::dvec2 at;
         std::string text;
         Ink ink;
+        Need need;
         double y = 0;
     };
     const Section& s_;
@@ -214,8 +217,8 @@ private:
         return {};
     }
     /// A line of words beside the drawing that points at a place in it.
-    void label(const glm::dvec2& m, std::string text, Ink ink) {
-        if (const auto at = seen(m)) labels_.push_back({*at, std::move(text), ink});
+    void label(const glm::dvec2& m, std::string text, Ink ink, Need need) {
+        if (const auto at = seen(m)) labels_.push_back({*at, std::move(text), ink, need});
     }
 
     /// @return where the next line's top is
@@ -347,7 +350,7 @@ private:
         }
         if (const Section::Step* own = s_.looked_up(); own && shows(*own)) {
             const glm::dvec2 side = own->to;
-            label(side, fmt::format("stored in texel {}", own->texel), Ink::Step);
+            label(side, fmt::format("stored in texel {}", own->texel), Ink::Step, Need::Rest);
         }
     }
 
@@ -360,7 +363,8 @@ private:
                    Ink::Moments, 0.2);
         line_m({x - reach, y}, {x + reach, y}, Ink::Moments, 2, true);
         label({std::min(x + reach, near_.hi.x), y},
-              spread > 0 ? fmt::format("mean depth ± {}", metric_text(spread)) : "mean depth", Ink::Moments);
+              spread > 0 ? fmt::format("mean depth ± {}", metric_text(spread)) : "mean depth", Ink::Moments,
+              Need::Bias);
     }
 
     void truth() {
@@ -381,9 +385,9 @@ private:
         const Ink ink = open ? Ink::Window : Ink::NoWindow;
         for (const double y : {s_.window_from, end})
             if (const auto at = seen({x, y})) line({{at->x - 0.45 * em_, at->y}, {at->x + 0.45 * em_, at->y}}, ink, 2);
-        label({x, s_.window_from}, fmt::format("needs {} of bias", texels_text(s_.least.texels)), ink);
+        label({x, s_.window_from}, fmt::format("needs {} of bias", texels_text(s_.least.texels)), ink, Need::Bias);
         if (std::isfinite(s_.window_to))
-            label({x, s_.window_to}, open ? "more bias loses the shadow" : "no bias is right", ink);
+            label({x, s_.window_to}, open ? "more bias loses the shadow" : "no bias is right", ink, Need::Rest);
     }
 
     void ray() {
@@ -407,7 +411,7 @@ private:
         }
         label(*s_.occluder,
               fmt::format("{} {} nearer", s_.occluder_in_map ? "occluder" : "lost caster", metric_text(s_.occluder_m)),
-              Ink::Occluder);
+              Ink::Occluder, Need::Always);
     }
 
     void comparison() {
@@ -419,7 +423,8 @@ private:
         const glm::dvec2 point = near_.px({0, 0}), moved = near_.px(s_.moved), compared = near_.px(s_.compared);
         if (glm::length(moved - point) > 0.15 * em_) {
             line({point, moved}, Ink::Offset, 2, false, true);
-            label(0.5 * s_.moved, fmt::format("normal offset {}", metric_text(s_.normal_offset_m)), Ink::Offset);
+            label(0.5 * s_.moved, fmt::format("normal offset {}", metric_text(s_.normal_offset_m)), Ink::Offset,
+                  Need::Bias);
         }
         for (const Section::Term& term : s_.terms) {
             const glm::dvec2 a = near_.px(term.from), b = near_.px(term.to);
@@ -427,15 +432,16 @@ private:
             const bool has_head = length > 2 * room + 0.3 * em_;  // which ends before the dot that it leads to
             line({a, has_head ? b - (b - a) * (room / length) : b}, Ink::Bias, 2.2, false, has_head);
             label(0.5 * (term.from + term.to), fmt::format("{} {}", term.name, texels_text(term.amount.texels)),
-                  Ink::Bias);
+                  Ink::Bias, Need::Bias);
         }
         dot(point, Ink::Text, 4.5), dot(point, Ink::Paper, 2.4);
         dot(compared, Ink::Text, 6), dot(compared, s_.lit ? Ink::Lit : Ink::Dark, 4.4);
-        label({0, 0}, fmt::format("surface, {:.0f}° from the light", s_.theta_rad * 180 / M_PI), Ink::Text);
+        label({0, 0}, fmt::format("surface, {:.0f}° from the light", s_.theta_rad * 180 / M_PI), Ink::Text,
+              Need::Always);
         label(s_.compared,
               s_.visibility > 0 && s_.visibility < 1 ? fmt::format("compared: {:.0f} % lit", 100 * s_.visibility)
                                                      : fmt::format("compared: {}", s_.lit ? "lit" : "in shadow"),
-              Ink::Text);
+              Ink::Text, Need::Always);
     }
 
     /// Under each column what its comparison says.
@@ -485,7 +491,11 @@ private:
         if (labels_.empty()) return;
         std::stable_sort(labels_.begin(), labels_.end(),
                          [](const Label& a, const Label& b) { return a.at.y < b.at.y; });
-        const double line_height = 1.3 * em_, first = top_ + 0.5 * em_, last = bottom_ - 0.3 * em_;
+        const double first = top_ + 0.5 * em_, last = bottom_ - 0.3 * em_, least_height = 1.05 * em_;
+        const auto room = std::size_t(std::max(std::floor((last - first) / least_height), 0.0)) + 1;
+        while (labels_.size() > room) labels_.erase(std::ranges::max_element(labels_, {}, &Label::need));
+        const double line_height =
+            std::min(1.3 * em_, (last - first) / double(std::max<std::size_t>(labels_.size() - 1, 1)));
         double y = first;
         for (Label& l : labels_) y = (l.y = std::max(l.at.y, y)) + line_height;
         double most = last;

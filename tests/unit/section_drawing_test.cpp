@@ -73,8 +73,10 @@ TEST(SectionDrawing, WordsKeepApartAndInside) {
     crowded.occluder = glm::dvec2(0, 0.0051), crowded.occluder_m = 0.0051;
     crowded.moved = {0.02, 0.004}, crowded.normal_offset_m = 0.0204;
     for (const Section& s : {acne(), crowded})
-        for (const bool captions : {false, true}) {
-            const SectionPage page{.width = 900, .height = captions ? 560.0 : 260.0, .captions = captions};
+        for (const double height : {560.0, 260.0, 140.0}) {
+            const bool captions = height > 500;
+            SCOPED_TRACE(height);
+            const SectionPage page{.width = 900, .height = height, .captions = captions};
             const SectionDrawing d = draw_section(s, page);
             std::vector<std::array<double, 4>> boxes;
             for (const Mark& m : d.marks) {
@@ -92,6 +94,9 @@ TEST(SectionDrawing, WordsKeepApartAndInside) {
                 boxes.push_back(box);
             }
             EXPECT_GT(boxes.size(), 6u);
+            for (const char* wanted : {"surface, 45", "compared: ", s.occluder ? "occluder" : ""})
+                EXPECT_TRUE(std::ranges::any_of(d.marks, [&](const Mark& m) { return m.text.starts_with(wanted); }))
+                    << wanted << " is not said";
         }
 }
 
