@@ -3,5 +3,6 @@
 
 int main(int argc, char** argv) {
     si::open_standard_descriptors();
+    si::survive_file_limits();
     return si::run_cli(argc, argv);
 }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 
@@ -26,6 +27,10 @@ std::string one_line(const std::string& text) {
     return printable(line, std::string::npos);
 }
 
+void print_wrote(const std::filesystem::path& file) {
+    fmt::print("wrote {}\n", printable(file.string(), std::string::npos));
+}
+
 Workers tracing_workers(int threads) {
     Workers workers{.threads = threads};
     if (!::isatty(STDERR_FILENO)) return workers;
@@ -44,6 +49,10 @@ void print_notes(const std::vector<std::string>& notes) {
 void tell(std::string_view text) noexcept {
     if (std::fwrite(text.data(), 1, text.size(), stderr) != text.size()) std::clearerr(stderr);
     std::fflush(stderr);
+}
+
+void survive_file_limits() {
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void open_standard_descriptors() {

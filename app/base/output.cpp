@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <system_error>
 
 #include "renderer/base/atomic_file.h"
@@ -137,9 +137,10 @@ std::string read_text_file(const fs::path& path) {
     errno = 0;
     std::ifstream in(path, std::ios::binary);
     if (!in) throw Error(fmt::format("{}: cannot be read: {}", path.string(), reason()));
-    std::string text{std::istreambuf_iterator<char>(in), {}};
-    if (in.bad()) throw Error(fmt::format("{}: cannot be read: {}", path.string(), reason()));
-    return text;
+    std::ostringstream text;  // whose iterators would throw where reading fails
+    if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+    if (in.bad() || text.fail()) throw Error(fmt::format("{}: cannot be read: {}", path.string(), reason()));
+    return text.str();
 }
 
 std::string lower_extension(const fs::path& path) {

@@ -385,6 +385,16 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& e, int arg
         command = next;
         path += " " + command->get_name();
     }
+    // A word that is not known is why another seems to be missing.
+    const auto rest = command->remaining();
+    const auto unknown = std::ranges::find_if(rest, [](const std::string& word) { return word.starts_with("--"); });
+    if (unknown != rest.end()) {
+        std::vector<std::string> names;
+        for (const CLI::Option* option : command->get_options())
+            for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        const std::string word = unknown->substr(0, unknown->find('='));
+        message = fmt::format("no option '{}'{}", word, did_you_mean(nearest_name(word, names)));
+    }
     return fmt::format("{} (see {} --help)", message, path);
 }
 

@@ -177,7 +177,7 @@ private:
         for (const auto& [key, value] : setting_changes(measured_settings(after), r.best.settings))
             set_setting(after, key, value);
         save_preset({"", "", r.summary, session_.scene_name, after}, o_.output);
-        if (!o_.json) fmt::print("wrote {}\n", o_.output);
+        if (!o_.json) print_wrote(o_.output);
     }
 };
 

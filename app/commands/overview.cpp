@@ -57,7 +57,7 @@ void run_overview(const OverviewOptions& options) {
         for (const char* view : {"shaded", "shadow-map", "visibility"}) {
             const std::string path = file(view == std::string("shaded") ? "scene.png" : fmt::format("{}.png", view));
             write_view(renderer, session.scene, session.settings, request, find_view(view), path);
-            fmt::print("wrote {}\n", path);
+            print_wrote(path);
         }
         // All of it once more, now that programs are compiled, for the clock.
         request.outputs = {.colour = true, .shadow_map = true, .visibility = true};
@@ -71,7 +71,7 @@ void run_overview(const OverviewOptions& options) {
     }
     // The editor has a context of its own, so this one has to be gone.
     draw_editor(options, file("editor.png"));
-    fmt::print("wrote {}\n", file("editor.png"));
+    print_wrote(file("editor.png"));
     print_passes(frame, driver);
     if (map)
         fmt::print("the picture reads {:.1f} % of the {} x {} texels of light {}'s map{}\n",

@@ -24,7 +24,8 @@ void run_preset_check(const std::string& file) {
             throw Error(fmt::format("{}: its scene: {}", file, e.what()));
         }
     }
-    fmt::print("{}: good, {} settings differ from the defaults\n", file, changed_settings(preset.settings).size());
+    fmt::print("{}: good, {} settings differ from the defaults\n", printable(file, std::string::npos),
+               changed_settings(preset.settings).size());
     print_notes(notes);
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <filesystem>
 
 #include "app/base/notes.h"
 #include "app/base/output.h"
@@ -12,9 +13,12 @@
 #include "app/report/report.h"
 #include "app/report/views.h"
 #include "app/session/presets.h"
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
+#include "renderer/base/printable.h"
 #include "renderer/inspect/lost_casters.h"
 #include "renderer/reference/truth_picture.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 
@@ -86,7 +90,14 @@ void run_render(const RenderOptions& options) {
     if (!options.report.empty()) require_writable(options.report);
     require_distinct(options.output, "-o", options.report, "--report");
     std::optional<Settings> other;
-    if (against && options.against != "truth") other = load_preset(options.against).settings;
+    if (against && options.against != "truth") {
+        static const std::vector<std::string> kWords{"truth"};
+        const std::string meant = nearest_name(options.against, kWords);
+        if (std::error_code error; !meant.empty() && !std::filesystem::exists(options.against, error))
+            throw UsageError(
+                fmt::format("--against {}: truth is wanted, or a preset{}", options.against, did_you_mean(meant)));
+        other = load_preset(options.against).settings;
+    }
     std::optional<Settings> fit_camera;
     if (!options.fit_camera.empty()) fit_camera = load_preset(options.fit_camera).settings;
     Session session = open_session(options.session);
@@ -106,7 +117,7 @@ void run_render(const RenderOptions& options) {
     double mean = 0;
     if (against) {
         mean = write_against(renderer, session, request, options, other ? &*other : nullptr, frame);
-        fmt::print("mean |A - B| {:.6f}, B: {}\n", mean, options.against);
+        fmt::print("mean |A - B| {:.6f}, B: {}\n", mean, printable(options.against, std::string::npos));
     } else {
         write_view(renderer, session.scene, session.settings, request, view, options.output, &frame, tracing_workers());
     }

@@ -38,7 +38,7 @@ void run_steps(RunningSweep& sweep, const InterruptGuard& interrupt) {
 void print_result(const SweepResults& results, const fs::path& folder) {
     fmt::print("{}", frontier_text(results));
     if (results.failed > 0) fmt::print("{} of {} cases failed; results.csv says why\n", results.failed, results.cases);
-    fmt::print("wrote {}\n", (folder / "report.html").string());
+    print_wrote(folder / "report.html");
 }
 
 std::vector<std::string> notes_on_times(const SweepState& state, const SweepTiming& timing) {

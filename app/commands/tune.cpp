@@ -158,7 +158,7 @@ void run_tune(const TuneOptions& options) {
     if (!found) numbers.require_sound();
     if (!found) throw Error(tuner->summary() + "; nothing was written");
     save_preset({"", "", tuner->summary(), session.scene_name, after}, options.output);
-    if (!options.json) fmt::print("wrote {}\n", options.output);
+    if (!options.json) print_wrote(options.output);
     print_notes(session.notes);
     numbers.require_sound();
 }

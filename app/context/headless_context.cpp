@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdlib>
 #include <string_view>
 #include <vector>
 
@@ -106,6 +107,7 @@ struct HeadlessContext::Impl {
     EGLContext context = EGL_NO_CONTEXT;
     EGLSurface surface = EGL_NO_SURFACE;  ///< only where contexts without a surface are not supported
     std::string description;
+    bool offers_older = false;  ///< there is a driver, of an OpenGL before 4.5
 
     Impl() = default;
     Impl(const Impl&) = delete;
@@ -123,6 +125,8 @@ struct HeadlessContext::Impl {
     std::string open(const Candidate& candidate);
     /// On the display and config that are set. The same.
     std::string make_context(EGLContext beside);
+    /// What the driver calls the OpenGL that it has, where that is an older one; else empty.
+    std::string older_version();
 };
 
 std::string HeadlessContext::Impl::open(const Candidate& candidate) {
@@ -163,7 +167,10 @@ std::string HeadlessContext::Impl::make_context(EGLContext beside) {
         context = eglCreateContext(display, config, beside, context_attributes.data());
         if (context != EGL_NO_CONTEXT) break;
     }
-    if (context == EGL_NO_CONTEXT) return failed("eglCreateContext(OpenGL 4.5 core)");
+    if (context == EGL_NO_CONTEXT) {
+        const std::string why = failed("eglCreateContext(OpenGL 4.5 core)"), version = older_version();
+        return version.empty() ? why : fmt::format("{}, the driver offers {}", why, version);
+    }
     if (!surfaceless) {
         const std::array<EGLint, 5> size{EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
         surface = eglCreatePbufferSurface(display, config, size.data());
@@ -171,6 +178,19 @@ std::string HeadlessContext::Impl::make_context(EGLContext beside) {
     }
     if (!eglMakeCurrent(display, surface, surface, context)) return failed("eglMakeCurrent");
     return {};
+}
+
+std::string HeadlessContext::Impl::older_version() {
+    const EGLContext any = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+    if (any == EGL_NO_CONTEXT) return {};
+    std::string version;
+    if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, any)) {
+        if (const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION))) version = text;
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+    eglDestroyContext(display, any);
+    offers_older = offers_older || !version.empty();
+    return version;
 }
 
 HeadlessContext::HeadlessContext() {
@@ -184,6 +204,7 @@ HeadlessContext::HeadlessContext() {
             "no OpenGL without a display: EGL offers neither EGL_EXT_platform_device nor "
             "EGL_MESA_platform_surfaceless; install libegl-mesa0 and libgl1-mesa-dri");
     std::string attempts;
+    bool too_old = false;
     for (const Candidate& way : ways) {
         auto attempt = std::make_unique<Impl>();
         const std::string problem = attempt->open(way);
@@ -191,12 +212,16 @@ HeadlessContext::HeadlessContext() {
             impl_ = std::move(attempt);
             return;
         }
+        too_old = too_old || attempt->offers_older;
         attempts += fmt::format("{}{}: {}", attempts.empty() ? "" : "; ", way.name, problem);
     }
-    throw Error(
-        fmt::format("no OpenGL 4.5 without a display: {}; install libgl1-mesa-dri for the software renderer, or "
-                    "join the group that may open /dev/dri (often 'render')",
-                    attempts));
+    const char* asked = std::getenv("MESA_GL_VERSION_OVERRIDE");
+    const std::string remedy =
+        !too_old ? "install libgl1-mesa-dri for the software renderer, or join the group that may open /dev/dri (often "
+                   "'render')"
+        : asked  ? fmt::format("MESA_GL_VERSION_OVERRIDE={} asks for less: unset it", asked)
+                 : "update the driver, or use Mesa's software driver with LIBGL_ALWAYS_SOFTWARE=1";
+    throw Error(fmt::format("no OpenGL 4.5 without a display: {}; {}", attempts, remedy));
 }
 
 HeadlessContext::~HeadlessContext() = default;

@@ -58,11 +58,14 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
     }
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (!window_) {
-        const std::string reason = last_glfw_error();
+        const char* text = nullptr;
+        const bool too_old = glfwGetError(&text) == GLFW_VERSION_UNAVAILABLE;
+        const std::string reason = text ? text : "no reason given";
         glfwTerminate();
-        throw Error(
-            fmt::format("no window: glfwCreateWindow (OpenGL 4.5 core) failed ({}); the driver may be too old; {}",
-                        reason, kHeadlessHint));
+        throw Error(fmt::format("no window: glfwCreateWindow (OpenGL 4.5 core) failed ({}); {}", reason,
+                                too_old ? "`shadow-inspector info` says what the driver offers; update it, or use "
+                                          "Mesa's software driver with LIBGL_ALWAYS_SOFTWARE=1"
+                                        : kHeadlessHint));
     }
     float scale_x = 1, scale_y = 1;
     glfwGetWindowContentScale(window_, &scale_x, &scale_y);

@@ -98,6 +98,7 @@ Preset parse_preset(std::string_view text, const std::string& name) {
     preset.topic = text_member(json, "topic", name);
     preset.about = text_member(json, "about", name);
     preset.scene = text_member(json, "scene", name);
+    if (json.contains("scene") && preset.scene.empty()) refuse(name, "scene: is empty; name one, or leave it out");
     std::map<std::string, std::string> written;  // canonical key -> key as written
     std::vector<SettingValue> values;
     for (const auto& [key, value] : json["settings"].items()) {

@@ -26,6 +26,12 @@ std::string scene_of_preset(const Preset& preset, const std::string& preset_path
     return fs::exists(beside, error) ? beside.string() : preset.scene;
 }
 
+/// Whether the plan's scene is that one.
+bool is_one_scene(const std::string& scene, const SessionPlan& plan) {
+    std::error_code error;
+    return scene == plan.scene_name || fs::equivalent(scene, plan.scene_name, error);
+}
+
 /// @throws UsageError when the scene lacks the chosen camera; with `left_out`, the first one is chosen instead.
 void check_camera(const Scene& scene, CameraSettings& camera, std::vector<std::string>* left_out) {
     const int count = int(scene.cameras.size());
@@ -143,9 +149,19 @@ SessionPlan plan_session(const SessionOptions& options) {
 ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, const SceneSettings& moment,
                                   std::vector<std::string>* left_out) {
     ComposedSettings out;
+    std::string of_another;
     if (plan.preset) {
         out.settings = plan.preset->settings;
-        check_objects(scene, out.settings, plan.preset_path, left_out);
+        const std::string& saved_with = plan.preset->scene;
+        const bool another =
+            !saved_with.empty() && !is_one_scene(scene_of_preset(*plan.preset, plan.preset_path), plan);
+        check_objects(scene, out.settings,
+                      another ? fmt::format("{}, saved with {}", plan.preset_path, saved_with) : plan.preset_path,
+                      left_out);
+        if (another && out.settings.camera.source == int(CameraSource::Manual))
+            of_another = fmt::format(
+                "{} was saved with the scene {}, where its camera stood: --set camera.source=automatic shows all of {}",
+                plan.preset_path, saved_with, scene.name);
     } else {
         apply_suggested(scene, out.settings);
     }
@@ -155,6 +171,7 @@ ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, c
     check_objects(scene, out.settings, {}, left_out);
     check_camera(scene, out.settings.camera, left_out);
     out.notes = sanitise(out.settings);
+    if (!of_another.empty() && out.settings.camera.source == int(CameraSource::Manual)) out.notes.push_back(of_another);
     if (moment.index >= 0 && scene.file_scenes.empty())
         out.notes.push_back(fmt::format("{} is no glTF file: scene.index has no effect", scene.name));
     return out;

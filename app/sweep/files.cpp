@@ -60,9 +60,17 @@ SweepResults write_sweep_files(const fs::path& folder, const SweepState& state, 
     return results;
 }
 
+void make_picture_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder / kPictures, error);
+    if (!fs::is_directory(folder / kPictures))
+        throw Error(fmt::format("{}: is no folder for a sweep's pictures ({}); move it away, or choose another folder",
+                                (folder / kPictures).string(), error ? error.message() : "a file"));
+}
+
 void copy_pictures(const fs::path& from, const fs::path& to) {
     std::error_code error;
-    fs::create_directories(to / kPictures, error);
+    make_picture_folder(to);
     for (const auto& entry : fs::directory_iterator(from / kPictures, error)) {
         if (!is_picture_of_case(entry.path())) continue;
         fs::copy_file(entry.path(), to / kPictures / entry.path().filename(), fs::copy_options::skip_existing, error);
@@ -102,9 +110,12 @@ void require_sweep_folder(const fs::path& folder) {
 }
 
 bool lacks_pictures(const fs::path& folder, std::size_t case_number) {
-    std::error_code error;
-    return !fs::exists(folder / picture_path(case_number), error) ||
-           !fs::exists(folder / artefacts_path(case_number), error);
+    const auto lacks = [](const fs::path& file) {
+        std::error_code error;
+        const auto bytes = fs::file_size(file, error);
+        return error || bytes == 0;
+    };
+    return lacks(folder / picture_path(case_number)) || lacks(folder / artefacts_path(case_number));
 }
 
 std::string frontier_text(const SweepResults& results) {

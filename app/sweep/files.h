@@ -16,6 +16,9 @@ enum class SweepFiles {
 SweepResults write_sweep_files(const std::filesystem::path& folder, const SweepState& state, const SweepPlan& plan,
                                SweepFiles which = SweepFiles::AndReport);
 
+/// @throws Error where what has its name is none
+void make_picture_folder(const std::filesystem::path& folder);
+
 /// Copies the pictures of another folder's cases that this one lacks. @throws Error
 void copy_pictures(const std::filesystem::path& from, const std::filesystem::path& to);
 

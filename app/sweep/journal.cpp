@@ -54,22 +54,29 @@ SweepState state_of(std::string_view text, const fs::path& file) {
     while (!text.empty()) {
         const auto end = text.find('\n');
         ++number;
+        bool begins = false;
         try {
-            state.apply(parse_json_text(text.substr(0, end), "not readable"));
-            if (number == 1 && !state.spec.is_null()) state.case_count = case_count(state);
+            const Json line = parse_json_text(text.substr(0, end), "not readable");
+            begins = line.contains("format");
+            if (!begins && state.spec.is_null()) throw Error("it stands before the line that says what is swept");
+            state.apply(line);
+            if (begins) state.case_count = case_count(state);
         } catch (const OtherMeaning& e) {
             refuse(number, e.what());
         } catch (const std::exception& e) {
-            if (number == 1) refuse(number, printable(e.what()));
-            // What it told of is measured again.
+            if (begins) refuse(number, printable(e.what()));
+            // What it told of is as if it had not been measured.
             if (++unread <= kMostBadLines)
-                state.notes.push_back(fmt::format("{}: line {} is left out, its case is measured again: {}",
-                                                  file.string(), number, printable(e.what())));
+                state.notes.push_back(
+                    fmt::format("{}: line {} is left out: {}", file.string(), number, printable(e.what())));
         }
-        if (number == 1 && state.spec.is_null())
-            throw Error(fmt::format("{}: line 1: this is no journal of a sweep", file.string()));
         text.remove_prefix(end + 1);
     }
+    if (number > 0 && state.spec.is_null())
+        throw Error(
+            fmt::format("{}: no line says what is swept: it is damaged or no journal of a sweep; choose "
+                        "another folder, or --fresh to begin anew",
+                        file.string()));
     if (unread > kMostBadLines)
         state.notes.push_back(fmt::format("{}: {} more lines are left out", file.string(), unread - kMostBadLines));
     return state;
@@ -106,12 +113,18 @@ bool has_own_journal(const fs::path& folder) {
     const fs::path file = folder / kJournalFile;
     if (!fs::is_regular_file(fs::symlink_status(file, error))) return false;
     std::ifstream in(file, std::ios::binary);
-    std::string begin(200, '\0');
+    std::string begin(1 << 16, '\0');
     in.read(begin.data(), std::streamsize(begin.size()));
     begin.resize(std::size_t(in.gcount()));
+    const std::string header = fmt::format("{{\"format\":\"{}\"", kJournalFormat);
+    constexpr std::string_view kRun = "{\"run\":{\"id\":\"";
     // Killed while its first line was written, it may be cut anywhere.
-    const std::string wanted = fmt::format("{{\"format\":\"{}\"", kJournalFormat);
-    return begin.size() < wanted.size() ? wanted.starts_with(begin) : begin.starts_with(wanted);
+    if (begin.size() < header.size() && header.starts_with(begin)) return true;
+    for (std::string_view rest = begin; !rest.empty();) {
+        if (rest.starts_with(header) || rest.starts_with(kRun)) return true;  // others may be damaged
+        rest.remove_prefix(std::min(rest.find('\n'), rest.size() - 1) + 1);
+    }
+    return false;
 }
 
 SweepState read_journal(const fs::path& folder) {

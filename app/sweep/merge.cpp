@@ -20,26 +20,6 @@ bool knows(const std::vector<Turn>& turns, const Turn& turn) {
                        [&](const Turn& t) { return t.run == turn.run && t.round == turn.round; });
 }
 
-bool good(const CaseState& c) {
-    return c.finished && c.failed.empty();
-}
-
-/// How two measurements of one case contradict each other, as a phrase; empty: they do not. Their times may differ.
-std::string contradiction(const CaseState& a, const CaseState& b) {
-    if (!good(a) || !good(b)) return {};
-    const auto first_difference = [](const Json& one, const Json& other) -> std::string {
-        const Json flat = one.flatten(), beside = other.flatten();
-        for (const auto& [path, value] : flat.items())
-            if (const auto at = beside.find(path); at == beside.end() || *at != value)
-                return fmt::format("{} {} and {}", path.substr(1), value.dump(),
-                                   at == beside.end() ? "nothing" : at->dump());
-        return {};
-    };
-    if (std::string error = first_difference(error_json(a.error.metrics), error_json(b.error.metrics)); !error.empty())
-        return error;
-    return first_difference(cost_json(a.cost), cost_json(b.cost));
-}
-
 /// The part that a case's numbers are of.
 using Origins = std::map<std::size_t, std::string>;
 

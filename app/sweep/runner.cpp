@@ -79,7 +79,7 @@ bool SweepRunner::step_facts() {
         CaseFacts facts;
         why = why_failed([&] { facts = meter_.facts(c); });
         if (why.empty()) {
-            std::filesystem::create_directories(folder_ / "pictures");
+            make_picture_folder(folder_);
             if (!facts.picture_jpg.empty()) write_file(folder_ / picture_path(number), facts.picture_jpg);
             if (!facts.artefacts_png.empty()) write_file(folder_ / artefacts_path(number), facts.artefacts_png);
             CaseState state;

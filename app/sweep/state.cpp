@@ -60,6 +60,20 @@ void require_known_meaning(const Json& error) {
                         meaning, kErrorMeaning));
 }
 
+/// Of numbers that no picture can have, which would stand before all others on a frontier.
+void require_possible(const ErrorMetrics& m) {
+    constexpr double kRounding = 1e-6, kMostPixels = 1e6;
+    for (const Metric& metric : metrics()) {
+        if (!metric.member) continue;
+        const bool share = metric.unit == kShareOfPixels || metric.unit == kOfVisibility;
+        const double v = m.*metric.member, least = metric.better == Better::NearZero ? -1 : 0;
+        const double most = share || metric.better == Better::More ? 1 : kMostPixels;
+        const bool unknown_share = std::isnan(v) && share && m.counted > 0;
+        if (unknown_share || v < least - kRounding || v > most + kRounding)
+            throw Error(fmt::format("its {} is {:.6g}, which none can be", metric.key, v));
+    }
+}
+
 RunInfo run_of(const Json& line) {
     RunInfo run;
     run.id = line.at("id").get<std::string>(), run.started = line.at("started").get<std::string>();
@@ -96,6 +110,25 @@ const RunInfo* SweepState::run(const std::string& id) const {
     return it == runs.end() ? nullptr : &*it;
 }
 
+bool good(const CaseState& c) {
+    return c.finished && c.failed.empty();
+}
+
+std::string contradiction(const CaseState& a, const CaseState& b) {
+    if (!good(a) || !good(b)) return {};
+    const auto first_difference = [](const Json& one, const Json& other) -> std::string {
+        const Json flat = one.flatten(), beside = other.flatten();
+        for (const auto& [path, value] : flat.items())
+            if (const auto at = beside.find(path); at == beside.end() || *at != value)
+                return fmt::format("{} {} and {}", path.substr(1), value.dump(),
+                                   at == beside.end() ? "nothing" : at->dump());
+        return {};
+    };
+    if (std::string error = first_difference(error_json(a.error.metrics), error_json(b.error.metrics)); !error.empty())
+        return error;
+    return first_difference(cost_json(a.cost), cost_json(b.cost));
+}
+
 void SweepState::apply(const Json& line) {
     if (line.contains("format")) {
         if (line["format"] != kJournalFormat) throw Error("this is no journal of a sweep");
@@ -119,11 +152,18 @@ void SweepState::apply(const Json& line) {
         require_known_meaning(line.at("error"));
         CaseState facts;
         facts.error = {error_from_json(line.at("error")), number_or_nan(line["error"], "noise")};
+        require_possible(facts.error.metrics);
         facts.cost = cost_from_json(line.at("cost"));
         facts.notes = line.at("notes").get<std::vector<std::string>>();
         facts.map_resolution = line.value("map_resolution", 0);
         facts.finished = true;
         CaseState& c = case_of(line, "facts");
+        if (const std::string phrase = contradiction(c, facts); !phrase.empty()) {
+            notes.push_back(fmt::format("the journal contradicts itself in case {}: {}; the first counts",
+                                        quoted(line["facts"]), phrase));
+            c.begun = 0;
+            return;
+        }
         facts.turns = std::move(c.turns);
         c = std::move(facts);
     } else if (line.contains("failed")) {

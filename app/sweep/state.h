@@ -32,6 +32,12 @@ struct CaseState {
     std::vector<Turn> turns;
 };
 
+/// Measured, and not in vain.
+bool good(const CaseState& c);
+
+/// How two measurements of one case contradict each other, as a phrase; empty: they do not. Their times may differ.
+std::string contradiction(const CaseState& a, const CaseState& b);
+
 /// A process that measured: where, when, with what.
 struct RunInfo {
     std::string id, started;  ///< UTC, ISO 8601
@@ -57,7 +63,7 @@ struct SweepState {
     std::vector<RunInfo> runs;
     std::map<std::size_t, CaseState> cases;   ///< by number in the plan
     std::size_t case_count = kMaxSweepCases;  ///< of the plan, where it is known: numbers are below
-    std::vector<std::string> notes;           ///< what is wrong with the journal and was left out
+    std::vector<std::string> notes;           ///< what is wrong with the journal and does not count
 
     /// Adds what a line of the journal says, all of it or nothing. @throws OtherMeaning (kErrorMeaning), and
     /// std::exception when it says nothing known

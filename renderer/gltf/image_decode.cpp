@@ -45,10 +45,15 @@ Image decode_image(std::span<const std::uint8_t> bytes) {
         stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &out.width, &out.height, &channels,
                               STBI_rgb_alpha),
         &std::free);
-    if (!decoded) return refused(fmt::format("not a PNG or JPEG image, or damaged ({})", stbi_failure_reason()));
-    if (out.width <= 0 || out.height <= 0 || out.width > 32768 || out.height > 32768) {
-        return refused(fmt::format("{} x {} pixels are too large, use a smaller one", out.width, out.height));
+    if (!decoded) {
+        const std::string_view why = stbi_failure_reason();
+        if (why == "too large") return refused("too large: at most 16384 x 16384 pixels are read; use a smaller one");
+        return refused(fmt::format("not a PNG or JPEG image, or damaged ({})", why));
     }
+    constexpr int kMostAcross = 32768;
+    if (out.width <= 0 || out.height <= 0 || out.width > kMostAcross || out.height > kMostAcross)
+        return refused(fmt::format("{} x {} pixels, at most {} each way are read; use a smaller one", out.width,
+                                   out.height, kMostAcross));
     const std::size_t size = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) * 4;
     out.rgba.assign(decoded.get(), decoded.get() + size);
     return out;

@@ -68,6 +68,8 @@ TEST_P(FuzzTargets, TakeOrRefuseWhateverComes) {
     ASSERT_GE(seeds.size(), 3u);
     if (GetParam().name == "preset")
         for (std::string& text : files_below(root / "assets/presets")) seeds.push_back(std::move(text));
+    if (const fs::path bad = root / "../shared/bad-gltf"; GetParam().name == "gltf" && fs::exists(bad))
+        for (std::string& text : files_below(bad)) seeds.push_back(std::move(text));
     for (const std::string& text : seeds) run_over(GetParam(), text);
     std::mt19937 random(1);
     for (int i = 0; i < 500; ++i) run_over(GetParam(), changed(seeds[random() % seeds.size()], seeds, random));

@@ -148,6 +148,78 @@ TEST(Sweep, ABadLineCostsItsCaseAlone) {
     EXPECT_LT(read_journal(f.folder).notes.size(), 10u);
 }
 
+TEST(Sweep, NumbersThatNoPictureHasAreMeasuredAgain) {
+    const FakeSweep f(fresh_test_folder());
+    FakeMeter meter;
+    f.run(meter, 10'000, {.on = false});
+    const std::string text = file_bytes(f.folder / kJournalFile);
+    const std::size_t at = text.find("{\"facts\":3"), end = text.find('\n', at);
+    ASSERT_NE(at, text.npos);
+    const auto good_line = nlohmann::ordered_json::parse(text.substr(at, end - at));
+    const auto with = [&](const nlohmann::ordered_json& line) {
+        std::ofstream(f.folder / kJournalFile, std::ios::binary) << text.substr(0, at) << line.dump() << '\n'
+                                                                 << text.substr(end + 1);
+        return read_journal(f.folder);
+    };
+    for (const nlohmann::ordered_json& value : {nlohmann::ordered_json(-5), nlohmann::ordered_json(1e308),
+                                                nlohmann::ordered_json(1.01), nlohmann::ordered_json()}) {
+        auto line = good_line;
+        line["error"]["mae"] = value;
+        line["error"]["pixels"]["counted"] = 100;
+        EXPECT_EQ(with(line).notes.size(), 1u) << value;
+        FakeMeter again;
+        f.run(again, 10'000, {.on = false});
+        EXPECT_EQ(again.measured.size(), 1u) << value;
+    }
+    auto line = good_line;
+    line["error"]["signed_mean"] = -0.5;
+    EXPECT_TRUE(with(line).notes.empty()) << "which may be negative";
+    // Of two lines of one case that say different things, the first counts.
+    std::ofstream(f.folder / kJournalFile, std::ios::binary) << text << line.dump() << '\n';
+    const SweepState state = read_journal(f.folder);
+    ASSERT_EQ(state.notes.size(), 1u);
+    EXPECT_NE(state.notes[0].find("contradicts itself in case 3: signed_mean"), std::string::npos) << state.notes[0];
+    EXPECT_EQ(state.cases.at(3).error.metrics.signed_mean, good_line["error"]["signed_mean"].get<double>());
+}
+
+TEST(Sweep, AJournalMayBeDamagedAtItsBeginning) {
+    const FakeSweep f(fresh_test_folder());
+    FakeMeter meter;
+    f.run(meter, 10'000, {.on = false});
+    const std::string text = file_bytes(f.folder / kJournalFile);
+    const auto write = [&](const std::string& changed) {
+        std::ofstream(f.folder / kJournalFile, std::ios::binary) << changed;
+    };
+    for (const char* before : {"\n", "x\n", "{\"facts\":3}\n"}) {
+        write(before + text);
+        require_sweep_folder(f.folder);
+        FakeMeter again;
+        EXPECT_EQ(f.run(again, 10'000, {.on = false}).notes.size(), 1u) << before;
+        EXPECT_TRUE(again.measured.empty()) << before;
+    }
+    // What is swept is not known any more; that a sweep wrote it is.
+    write("x" + text);
+    EXPECT_THROW(read_journal(f.folder), Error);
+    forget_sweep(f.folder);
+    EXPECT_FALSE(std::filesystem::exists(f.folder / kJournalFile));
+    write("one\ntwo\n");
+    EXPECT_THROW(forget_sweep(f.folder), Error) << "another program's file of that name";
+}
+
+TEST(Sweep, AnEmptyPictureIsNone) {
+    const FakeSweep f(fresh_test_folder());
+    std::filesystem::create_directories(f.folder / "pictures");
+    EXPECT_TRUE(lacks_pictures(f.folder, 0));
+    std::ofstream(f.folder / picture_path(0)) << "x";
+    std::ofstream(f.folder / artefacts_path(0)) << "x";
+    EXPECT_FALSE(lacks_pictures(f.folder, 0));
+    std::ofstream(f.folder / picture_path(0)).close();
+    EXPECT_TRUE(lacks_pictures(f.folder, 0));
+    std::filesystem::remove_all(f.folder / "pictures");
+    std::ofstream(f.folder / "pictures") << "a file";
+    EXPECT_THROW(make_picture_folder(f.folder), Error);
+}
+
 TEST(Sweep, AMapThatHadToBeSmallerStandsWhereItBelongs) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;

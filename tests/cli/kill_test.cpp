@@ -1,0 +1,164 @@
+// Commands that are killed while they write: what they leave is old or new, never half.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "app/sweep/journal.h"
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using Words = std::vector<std::string>;
+
+/// Of presets, which take the least time; of the others a part. SI_KILLS=200 for a thorough run.
+int kills() {
+    const char* asked = std::getenv("SI_KILLS");
+    return asked ? std::atoi(asked) : 12;
+}
+
+class Killed : public testing::Test {
+protected:
+    const fs::path folder_ = fresh_test_folder();
+    std::mt19937 random_{1};
+    int killed_ = 0;
+
+    void TearDown() override { EXPECT_GT(killed_, 0) << "each had ended before"; }
+
+    void run(const Words& words) {
+        const ProcessResult r = run_program(words, folder_);
+        EXPECT_EQ(r.code, 0) << r.err;
+    }
+    /// How long the command takes when nothing disturbs it, and programs are made.
+    Clock::duration whole(const Words& words) {
+        run(words);
+        const auto begin = Clock::now();
+        run(words);
+        return Clock::now() - begin;
+    }
+
+    /// Begins the command and kills it about the time when it writes.
+    void kill_within(const Words& words, Clock::duration whole) {
+        std::vector<char*> arguments{const_cast<char*>(SI_PROGRAM)};
+        for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+        arguments.push_back(nullptr);
+        const pid_t child = ::fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            if (::chdir(folder_.c_str()) == 0 && ::freopen("/dev/null", "w", stdout) &&
+                ::freopen("/dev/null", "w", stderr))
+                ::execv(SI_PROGRAM, arguments.data());
+            ::_exit(127);
+        }
+        std::this_thread::sleep_for(whole * std::uniform_real_distribution<>(0.3, 1.05)(random_));
+        ::kill(child, SIGKILL);
+        int status = 0;
+        ASSERT_EQ(::waitpid(child, &status, 0), child);
+        if (WIFSIGNALED(status)) ++killed_;
+    }
+
+    /// Whether all that lies beside the files is what begins like a name of theirs with a dot before.
+    void expect_alone(const std::set<std::string>& files) {
+        for (const auto& entry : fs::directory_iterator(folder_)) {
+            const std::string name = entry.path().filename().string();
+            if (files.contains(name)) continue;
+            const bool temporary =
+                std::ranges::any_of(files, [&](const std::string& file) { return name.starts_with("." + file + "."); });
+            EXPECT_TRUE(temporary) << name;
+            if (temporary) fs::remove(entry.path());
+        }
+    }
+
+    /// Lets `command(0)` and `command(1)` write `file` in turns.
+    void expect_old_or_new(const std::string& file, int count, const std::function<Words(int)>& command) {
+        Clock::duration took{};
+        std::string ones[2];
+        for (int i : {1, 0}) took = whole(command(i)), ones[i] = file_bytes(folder_ / file);
+        ASSERT_NE(ones[0], ones[1]);
+        for (int i = 0; i < count; ++i) {
+            ASSERT_NO_FATAL_FAILURE(kill_within(command((i + 1) % 2), took));
+            const std::string left = file_bytes(folder_ / file);
+            ASSERT_TRUE(left == ones[0] || left == ones[1]) << i << ": " << left.size() << " bytes";
+            expect_alone({file});
+        }
+    }
+};
+
+TEST_F(Killed, SavingAPresetLeavesAWholeOne) {
+    expect_old_or_new("a.json", kills(), [](int i) {
+        return Words{"preset", "save", "boxes", "-o", "a.json", "--set", "map.resolution=" + std::to_string(512 + i)};
+    });
+}
+
+TEST_F(Killed, DrawingAPictureLeavesAWholeOne) {
+    expect_old_or_new("a.png", (kills() + 3) / 4, [](int i) {
+        return Words{"render", "boxes",
+                     "-o",     "a.png",
+                     "--size", "64x48",
+                     "--set",  "map.resolution=" + std::to_string(64 << i),
+                     "--set",  "filter.kernel=hard"};
+    });
+}
+
+TEST_F(Killed, AReportIsWhole) {
+    const Words words{"render", "boxes",    "-o",     "a.png", "--size",
+                      "64x48",  "--report", "r.json", "--set", "map.resolution=64"};
+    const auto took = whole(words);
+    for (int i = 0; i < (kills() + 3) / 4; ++i) {
+        ASSERT_NO_FATAL_FAILURE(kill_within(words, took));
+        const auto report = nlohmann::json::parse(file_bytes(folder_ / "r.json"), nullptr, false);
+        ASSERT_FALSE(report.is_discarded()) << i;
+        EXPECT_TRUE(report.contains("passes"));
+        expect_alone({"a.png", "r.json"});
+    }
+}
+
+TEST_F(Killed, ABakedMapIsWholeOrNotThere) {
+    const auto words = [](int i) {
+        return Words{"render", "boxes",
+                     "-o",     "v.png",
+                     "--view", "visibility",
+                     "--size", "32x24",
+                     "--set",  "light.source=light-map",
+                     "--set",  "light.azimuth=" + std::to_string(20 + ::getpid() % 10'000 * 1e-3 + 1e-5 * i)};
+    };
+    const auto took = whole(words(0));
+    for (int i = 1; i <= (kills() + 3) / 4; ++i) {
+        ASSERT_NO_FATAL_FAILURE(kill_within(words(i), took));
+        const ProcessResult again = run_program(words(i), folder_);
+        EXPECT_EQ(again.code, 0);
+        EXPECT_EQ(again.err, "") << "what a kill left is not read as a map";
+    }
+}
+
+TEST_F(Killed, ASweepGoesOnToTheSameNumbers) {
+    const auto words = [](const char* folder) {
+        return Words{"sweep", "boxes", "--vary", "map.resolution=64,128", "--size", "24x16", "--no-time", "-o", folder};
+    };
+    run(words("whole"));
+    const auto begin = Clock::now();
+    run(words("as long"));
+    const auto took = Clock::now() - begin;
+    for (int i = 0; i < (kills() + 5) / 6; ++i) ASSERT_NO_FATAL_FAILURE(kill_within(words("killed"), took));
+    // A case that was not survived three times is given up, until one asks again.
+    run_program(words("killed"), folder_);
+    Words more = words("killed");
+    more.push_back("--retry");
+    run(more);
+    EXPECT_EQ(file_bytes(folder_ / "killed/results.csv"), file_bytes(folder_ / "whole/results.csv"));
+    EXPECT_TRUE(read_journal(folder_ / "killed").notes.empty());
+}
+
+}  // namespace
+}  // namespace si
