@@ -160,7 +160,7 @@ ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, c
                       left_out);
         if (another && out.settings.camera.source == int(CameraSource::Manual))
             of_another = fmt::format(
-                "{} was saved with the scene {}, where its camera stood: --set camera.source=automatic shows all of {}",
+                "{} was saved with the scene {}, where its camera stood: --set camera.source=auto shows all of {}",
                 plan.preset_path, saved_with, scene.name);
     } else {
         apply_suggested(scene, out.settings);

@@ -121,7 +121,7 @@ constexpr HardCase kCases[] = {
      "A node that mirrors turns every triangle's winding: culling takes the wrong side, and single planes lose their "
      "shadow.",
      "The front face follows the sign of the matrix's determinant.",
-     "pixels whose shadow differs from the mirrored picture of the straight scene, at one half", 5e-3, kPixels,
+     "pixels whose shadow differs from the mirrored picture of the straight scene, at one half", 5e-4, kPixels,
      "the mirrored light's map has other axes, so that edges meet its texels elsewhere",
      "share of pixels in which the two ways of culling differ", 0.02, hard_mirrored,
      "map.resolution=512 light.azimuth=-30 light.elevation=40 caster.cull=front", "", ""},
@@ -153,7 +153,7 @@ constexpr HardCase kCases[] = {
      "One texel holds one depth for the whole scene; a map beyond the driver's limit is no map at all.",
      "Sizes are clamped to what the driver says, kernels wider than the map stay in it, and errors fall as texels "
      "shrink.",
-     "wrong pixels more than at a quarter of the map's side", 0.005, kPixels,
+     "wrong pixels more than at a quarter of the map's side", 5e-4, kPixels,
      "a coarse map may be lucky where its texels fall", "share of pixels wrong at one texel", 0.02, hard_floor_and_box,
      "light.azimuth=30 light.elevation=40 filter.kernel=hard", "map.resolution=1", "map.resolution=1024"},
     {21, "thin-caster", "Thinner than a texel",
@@ -211,7 +211,7 @@ constexpr HardCase kCases[] = {
      "A plane's slope by screen derivatives divides by a determinant that is 0 edge-on, and what engines add for it, a "
      "texel of that slope, is more than faces a pixel wide are deep: light comes through.",
      "The plane of the triangle itself: a quotient without an inverse, nothing added, no look-up where it is edge-on.",
-     "wrong pixels inside shadow or light, on stairs a pixel wide", 0.005, kPixels,
+     "wrong pixels inside shadow or light, on stairs a pixel wide", 5e-4, kPixels,
      "pixels on the steps' own edges may show either face",
      "share of pixels that the slope by screen derivatives takes out of their shadow", 0.05, hard_stairs,
      "map.resolution=1024 light.azimuth=180 light.elevation=10 filter.kernel=pcf filter.size=5 bias.normal=0 "

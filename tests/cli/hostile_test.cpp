@@ -59,6 +59,47 @@ TEST(FullDisk, LeavesTheOldFileAndNothingElse) {
     EXPECT_NE(full.err.find("/dev/full: cannot be written: No space left on device"), std::string::npos) << full.err;
 }
 
+TEST(HostileWords, AnUnknownOneIsToldBeforeWhatItLeavesOut) {
+    const auto told = [](const std::vector<std::string>& words) {
+        const ProcessResult r = run_program(words);
+        EXPECT_EQ(r.code, 2);
+        return r.err;
+    };
+    EXPECT_NE(told({"render", "boxes", "--ouput", "x.png"}).find("no option '--ouput'; did you mean --output?"),
+              std::string::npos);
+    EXPECT_NE(told({"measure", "boxes", "--size=3x3", "--nope=1"}).find("no option '--nope'"), std::string::npos);
+    EXPECT_NE(told({"render", "boxes"}).find("--output is required"), std::string::npos);
+    EXPECT_NE(told({"render", "boxes", "-o", "x.png", "--against", "tuth"}).find("did you mean truth?"),
+              std::string::npos);
+}
+
+TEST(HostilePresets, OfAnotherSceneOrOfNoneAreTold) {
+    const fs::path folder = fresh_test_folder();
+    const auto write = [&](const char* scene, const char* settings) {
+        std::ofstream(folder / "p.json") << R"({"format":"shadow-inspector-preset","version":1,"scene":")" << scene
+                                         << R"(","settings":{)" << settings << "}}";
+    };
+    const auto draw = [&](const std::string& scene, const std::string& more = {}) {
+        return run_shell("\"$SI\" render " + scene + " --preset p.json -o p.png --size 16x12 " + more, folder);
+    };
+    write("", "");
+    EXPECT_EQ(run_program({"preset", "check", "p.json"}, folder).code, 1);
+    write("boxes", R"("object.Boxes/Tower.cast":false)");
+    const ProcessResult lacking = draw("figures");
+    EXPECT_EQ(lacking.code, 1);
+    EXPECT_NE(lacking.err.find("p.json, saved with boxes: object.Boxes/Tower: figures has no such node"),
+              std::string::npos)
+        << lacking.err;
+    write("boxes", R"("camera.source":"manual")");
+    EXPECT_NE(draw("figures").err.find("p.json was saved with the scene boxes"), std::string::npos);
+    EXPECT_EQ(draw("figures", "--set camera.source=auto").err, "");
+    EXPECT_EQ(draw("boxes").err, "");
+    fs::rename(folder / "p.json", folder / "p\x1b[31m.json");
+    const ProcessResult named = run_program({"preset", "check", "p\x1b[31m.json"}, folder);
+    EXPECT_EQ(named.code, 0);
+    EXPECT_EQ(named.out.find('\x1b'), std::string::npos) << named.out;
+}
+
 TEST(HostilePresets, EscapesAreShownNotObeyed) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "e.json") << R"({"format":"shadow-inspector-preset","version":1,"title":"\u001b[31mred",)"

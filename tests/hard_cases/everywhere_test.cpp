@@ -57,6 +57,10 @@ constexpr Allowance kAllowances[] = {
      true, 0, kSameCause, 3e-7},
 };
 
+/// Whose faults are bits that single precision has not: which pixels they meet hangs on how places are rounded.
+constexpr std::string_view kRoundingIsTheFault[] = {"reversed-depth", "variance-cancels", "moment-steps",
+                                                    "summed-areas"};
+
 Allowance allowance_of(std::string_view key) {
     for (const Allowance& a : kAllowances)
         if (a.key == key) return a;
@@ -160,6 +164,8 @@ private:
 int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>& placements, Homes& homes,
                    Differences& all) {
     const Allowance allowed = allowance_of(row.key);
+    const bool rounding = !fixed && std::ranges::find(kRoundingIsTheFault, row.key) != std::end(kRoundingIsTheFault);
+    const double look = rounding ? 1 : allowed.look;
     int compared = 0;
     for (const Placement& placement : placements) {
         if (placement.at_home() || (placement.mirrored && !allowed.mirrors)) continue;
@@ -172,18 +178,18 @@ int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>
             EXPECT_TRUE(home == *there) << "no number is rounded on the way: the same bytes are due, of which "
                                         << bytes_off(home, *there);
         }
-        if (placement.exact() && placement.light == 0) {
+        if (placement.exact() && placement.light == 0 && !rounding) {
             double most = 0;
             for (std::size_t i = 0; i < home.state.size(); ++i)
                 most = std::max(most, std::abs(double(home.visibility[i]) - there->visibility[i]));
             EXPECT_LE(most, kLastBits) << "an edge moved where the scene is rounded by nothing";
         }
         Differences here;
-        here.add(home, *there, allowed.look);
+        here.add(home, *there, look);
         EXPECT_LE(here.inside, allowed.inside)
             << "of " << here.visibility << " pixels that look and " << here.truth << " that are otherwise";
         EXPECT_LE(std::max(here.visibility, here.truth), std::size_t(kMostOfOne * double(here.pixels)));
-        all.add(home, *there, allowed.look);
+        all.add(home, *there, look);
     }
     return compared;
 }
@@ -244,6 +250,12 @@ TEST_P(HardCasesEverywhere, LookAndErrAsAtHome) {
     EXPECT_GE(compare_places(row, true, in_pairs(row), homes, d), 4);
     expect_alike(row, d);
     expect_axes_nothing_special(row, homes);
+    // With the fault, too: what is wrong is wrong everywhere, and for the same reason.
+    if (row.broken.empty()) return;
+    Differences faults;
+    compare_places(row, false, one_by_one(), homes, faults);
+    compare_places(row, false, exact_placements(), homes, faults);
+    expect_alike(row, faults);
 }
 
 std::vector<const HardCase*> all_rows() {

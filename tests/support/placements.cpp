@@ -32,7 +32,8 @@ constexpr LightFrom kLights[] = {{"its own light", {}, false},
                                  {"from +x", LightAngles{90, 0}, false},
                                  {"from -x", LightAngles{-90, 0}, false},
                                  {"from +x, 45 up", LightAngles{90, 45}, false},
-                                 {"from -z, 45 up", LightAngles{-180, 45}, true}};
+                                 {"from -z, 45 up", LightAngles{-180, 45}, true},
+                                 {"from below", LightAngles{0, -90}, false}};
 
 bool may_stand(const Placement& p) {
     return !p.mirrored || lights_from()[p.light].mirrors;
