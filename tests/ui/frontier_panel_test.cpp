@@ -119,6 +119,11 @@ TEST(FrontierPanel, SaysWhichOfTwoIsWorthItsMoney) {
     alike.cost += 0.15;
     compared(dear, alike);
     EXPECT_TRUE(shows("the same error for the same time"));
+    Dot noisy = cheap;
+    noisy.cost_noise = 6;
+    compared(noisy, dear);
+    for (const char* part : {"50 % less error; the", "differs by less than", "6.1 ms)"})
+        EXPECT_TRUE(shows(part)) << part;
     facts.before_is_pinned = true;
     compared(cheap, dear);
     EXPECT_TRUE(shows("A 0.04 at 4 ms."));

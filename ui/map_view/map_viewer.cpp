@@ -19,6 +19,7 @@
 #include "ui/scene_view/picture_marks.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toolbar.h"
@@ -338,13 +339,19 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         }
     }
     if (fitted && fitted->clipped_casters > 0) {
-        const std::string lost = fmt::format("{} object(s) reach in front of the near plane", fitted->clipped_casters);
+        const std::string lost =
+            fmt::format("{} in front of the near plane",
+                        fitted->clipped_casters == 1 ? "1 object reaches"
+                                                     : fmt::format("{} objects reach", fitted->clipped_casters));
         veiled_text({origin.x + em * 0.8f, origin.y + em * 0.6f}, lost, theme::kWarningOnPicture);
     }
     list.PopClipRect();
     ImFont* font = theme::small();
-    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.2f}, theme::text(), text.first.c_str());
-    list.AddText(font, font->FontSize, {origin.x, end.y + em * 0.2f + line}, theme::muted(), text.second.c_str());
+    float y = end.y + em * 0.2f;
+    for (const auto& [words, colour] : {std::pair(text.first, theme::text()), {text.second, theme::muted()}}) {
+        list.AddText(font, font->FontSize, {origin.x, y}, colour, beginning_that_fits(words, size.x, font).c_str());
+        y += line;
+    }
     if (!plots) return;
     const float top = end.y + caption, half = 0.5f * (size.x - em * 0.5f);
     ImGui::SetCursorScreenPos({origin.x, top});

@@ -243,6 +243,12 @@ std::string worth_text(const Dot& before, const Dot& now, const MeasuredColumn& 
     const std::string what = cost.unit == "ms" ? "time" : "cost";
     const std::string by_error =
         same_error ? std::string("the same error") : percent(error) + (error < 0 ? " less error" : " more error");
+    // Numbers that look unlike want a word of why they count as one.
+    constexpr double kLooksAlike = 0.05;
+    if (same_cost && std::abs(price) > kLooksAlike)
+        return fmt::format("{}; the {} differs by less than its noise (± {:.2g}{}{})", by_error, what,
+                           before.cost_noise + now.cost_noise, is_plain(cost) ? "" : " ",
+                           is_plain(cost) ? "" : cost.unit);
     if (same_cost) return fmt::format("{} for the same {}", by_error, what);
     return fmt::format("{} for {} {} {}", by_error, percent(price), price < 0 ? "less" : "more", what);
 }
