@@ -45,10 +45,20 @@ TEST(History, MovesOfTheCameraInARowAreOneStepAndStepsHaveNames) {
     EXPECT_EQ(names[2], "Constant bias 1 → 2 texels");
     EXPECT_EQ(names[3], "camera");
     EXPECT_NE(names[4].find(", 1 more"), std::string::npos) << names[4];
+    Settings more = s;
+    more.light_count = 3, more.lights[2].elevation = 20;
+    h.observe(more, false);
+    set_setting(more, "light.2.elevation", "30");
+    h.observe(more, false);
+    set_setting(more, "object.Boxes/Tower.cast", "false");
+    h.observe(more, false);
+    EXPECT_EQ(h.names()[6], "Light 2: Elevation 20° → 30°");
+    EXPECT_EQ(h.names()[7], "Tower: Casts on → off");
+    h.go(4);
     EXPECT_EQ(h.at(), 4u);
     EXPECT_EQ(h.go(1).camera.azimuth, with_bias(1).camera.azimuth + 50);
     EXPECT_EQ(h.undo(), with_bias(1));
-    EXPECT_EQ(h.go(99), s);
+    EXPECT_EQ(h.go(99), more);
 }
 
 TEST(History, ANoteWithoutAChangeBelongsToTheStepThatStands) {

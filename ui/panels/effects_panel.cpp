@@ -23,19 +23,26 @@ std::string grouped(std::uint64_t n) {
     return text;
 }
 
+/// What there is room for beside reasons of a line or three.
+enum class Room {
+    Narrow,  ///< states are shapes alone
+    Usual,
+    Wide,  ///< for what a pass draws and what the processor does for it
+};
+
+Room room_of(float ems) {
+    return ems > 80 ? Room::Wide : ems > 50 ? Room::Usual : Room::Narrow;
+}
+
 /// By shape and word, so that nobody has to tell colours apart.
-void state_cell(EffectState state) {
-    switch (state) {
-        case EffectState::Simulated:
-            ImGui::TextUnformatted("\u25cf simulated");
-            break;
-        case EffectState::Reused:
-            ImGui::TextUnformatted("\u25c6 reused");
-            break;
-        case EffectState::NotCalledFor:
-            ImGui::TextDisabled("\u25cb not called for");
-            break;
-    }
+void state_cell(EffectState state, Room room) {
+    static constexpr const char* kShapes[] = {"\u25cf", "\u25c6", "\u25cb"};
+    const std::string shape = kShapes[std::size_t(state)], word(state_name(state));
+    const std::string text = room == Room::Narrow ? shape : fmt::format("{} {}", shape, word);
+    ImGui::PushStyleColor(ImGuiCol_Text, state == EffectState::NotCalledFor ? theme::muted() : theme::text());
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    if (room == Room::Narrow) wrapped_tooltip(word);
 }
 
 void saved_cell(const Spread* ms, bool current) {
@@ -103,15 +110,15 @@ void tools(EditorState& state, const EditorFrame& frame, EditorActions& actions)
     ImGui::TextDisabled("saved ms are of other settings");
 }
 
-/// @param counts there is room for what a pass draws and what the processor does for it
-void header(bool counts) {
+void header(Room room) {
+    const bool counts = room == Room::Wide, narrow = room == Room::Narrow;
     const float em = ImGui::GetFontSize();
     const auto fixed = [em](const char* name, float ems, bool shown = true) {
         ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed | (shown ? 0 : ImGuiTableColumnFlags_Disabled),
                                 em * ems);
     };
     ImGui::TableSetupScrollFreeze(0, 1);
-    fixed("State", 7.5f), fixed("Effect", 14);
+    fixed(narrow ? "" : "State", narrow ? 1.2f : 7.5f), fixed("Effect", narrow ? 13 : 14);
     ImGui::TableSetupColumn("Why", ImGuiTableColumnFlags_WidthStretch);
     fixed("Time ms", 4), fixed("CPU ms", 4, counts), fixed("Draws", 3.2f, counts), fixed("Triangles", 5, counts);
     fixed("Saved ms", 4.5f), fixed("Force", 2.8f);
@@ -164,10 +171,10 @@ void last_time_cell(const EditorState& state, const PassInfo& pass) {
     wrapped_tooltip("When it was drawn last; this frame spares it");
 }
 
-void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effect, PassCost& sum) {
+void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effect, Room room, PassCost& sum) {
     ImGui::TableNextRow();
     ImGui::TableSetColumnIndex(int(Column::State));
-    state_cell(effect.state);
+    state_cell(effect.state, room);
     ImGui::TableSetColumnIndex(int(Column::Effect));
     const bool called_for = effect.state != EffectState::NotCalledFor;
     const float indent = effect.part ? ImGui::GetFontSize() * 0.8f : 0;
@@ -222,8 +229,11 @@ void history(EditorState& state, double ms) {
     ImGui::PlotLines("##history", all.data(), int(all.size()), 0, nullptr, 0, longest,
                      {em * 9, ImGui::GetTextLineHeight()});
     ImGui::PopStyleVar();
+    const std::string text = fmt::format("last {} frames, at most {:.3g} ms", all.size(), longest);
+    wrapped_tooltip(text);
     ImGui::SameLine();
-    ImGui::TextDisabled("%s", fmt::format("last {} frames, at most {:.3g} ms", all.size(), longest).c_str());
+    if (ImGui::CalcTextSize(text.c_str()).x <= ImGui::GetContentRegionAvail().x)
+        ImGui::TextDisabled("%s", text.c_str());
 }
 
 void clock_line(const EditorFrame& frame) {
@@ -251,16 +261,15 @@ void draw_effects(EditorState& state, const EditorFrame& frame, EditorActions& a
                                       ImGuiTableFlags_NoSavedSettings;
     const float footer =
         ImGui::GetTextLineHeightWithSpacing() * (frame.result->pages ? 2 : 1) + ImGui::GetFontSize() * 0.2f;
-    constexpr float kCountsRoom = 80;  // beside reasons of one or two lines, ems
-    const bool counts = ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * kCountsRoom;
+    const Room room = room_of(ImGui::GetContentRegionAvail().x / ImGui::GetFontSize());
     PassCost sum;
     if (ImGui::BeginTable("effects", kColumns, flags, {0, -footer})) {
-        header(counts);
+        header(room);
         int id = 0;
         for (const Effect& effect : frame.effects) {
             ImGui::PushID(id++);
             if (!state.effects.hide_uncalled || effect.state != EffectState::NotCalledFor || effect.saving)
-                effect_row(state, frame, effect, sum);
+                effect_row(state, frame, effect, room, sum);
             ImGui::PopID();
         }
         sum_row(sum);

@@ -73,6 +73,17 @@ const Settings& History::go(std::size_t step) {
     return move_to(std::min(step, steps_.size() - 1));
 }
 
+namespace {
+
+/// Which of several a change is of: "Tower: ", "Light 2: ".
+std::string whose(const Settings& settings, const SettingRef& ref) {
+    if (!ref.object.empty()) return ref.object.substr(ref.object.rfind('/') + 1) + ": ";
+    if (ref.param->scope == Scope::Light && settings.light_count > 1) return light_title(settings, ref.light) + ": ";
+    return {};
+}
+
+}  // namespace
+
 std::vector<std::string> History::names() const {
     std::vector<std::string> out{"the beginning"};
     for (std::size_t i = 1; i < steps_.size(); ++i) {
@@ -85,9 +96,10 @@ std::vector<std::string> History::names() const {
             out.emplace_back("camera");
         } else {
             const std::vector<SettingRef> changed = differing_settings(before.settings, after.settings);
-            std::string name = changed.empty() ? std::string("nothing")
-                                               : fmt::format("{} {}", changed[0].param->label,
-                                                             change_text(before.settings, after.settings, changed[0]));
+            std::string name = changed.empty()
+                                   ? std::string("nothing")
+                                   : fmt::format("{}{} {}", whose(after.settings, changed[0]), changed[0].param->label,
+                                                 change_text(before.settings, after.settings, changed[0]));
             if (changed.size() > 1) name += fmt::format(", {} more", changed.size() - 1);
             out.push_back(std::move(name));
         }
