@@ -417,7 +417,11 @@ void refresh(Scene& scene) {
         node.world = (node.parent >= 0 ? scene.nodes[node.parent].world : scene.placement) * node.local;
     for (Mesh& mesh : scene.meshes) {
         if (!mesh.deformer) continue;
-        if (!all_finite(mesh.positions.all())) mesh.indices.clear();
+        // As at load, and written so that NaN fails: an animation may throw vertices anywhere.
+        const bool near_enough = std::ranges::all_of(mesh.positions.all(), [](const glm::vec3& p) {
+            return glm::all(glm::lessThan(glm::abs(p), glm::vec3(float(kFarthest_m))));
+        });
+        if (!near_enough) mesh.indices.clear();
         drop_degenerate(mesh, mesh.name);
         tell_arrays(mesh);
     }
