@@ -124,7 +124,10 @@ struct Differences {
         pixels += home.state.size();
         for (std::size_t i = 0; i < home.state.size(); ++i) {
             const bool seen = std::abs(home.visibility[i] - there.visibility[i]) > look;
-            const bool known = std::abs(home.truth[i] - there.truth[i]) > 0.02f || home.state[i] != there.state[i];
+            // Beside a cone, where no truth counts, a ray may run within a plane and meet it or not.
+            const bool counts = home.state[i] != PixelState::OutsideCone;
+            const bool known =
+                (counts && std::abs(home.truth[i] - there.truth[i]) > 0.02f) || home.state[i] != there.state[i];
             visibility += seen, truth += known;
             inside += (seen || known) && !near_edge(home, i);
             if (home.cause[i] == Artefact::None || there.cause[i] == Artefact::None) continue;
