@@ -417,11 +417,14 @@ void refresh(Scene& scene) {
         node.world = (node.parent >= 0 ? scene.nodes[node.parent].world : scene.placement) * node.local;
     for (Mesh& mesh : scene.meshes) {
         if (!mesh.deformer) continue;
-        // As at load, and written so that NaN fails: an animation may throw vertices anywhere.
-        const bool near_enough = std::ranges::all_of(mesh.positions.all(), [](const glm::vec3& p) {
-            return glm::all(glm::lessThan(glm::abs(p), glm::vec3(float(kFarthest_m))));
-        });
-        if (!near_enough) mesh.indices.clear();
+        // As at load: an animation may throw vertices anywhere.
+        const auto too_far = [](const glm::vec3& p) {  // NaN is
+            return !glm::all(glm::lessThan(glm::abs(p), glm::vec3(float(kFarthest_m))));
+        };
+        if (std::ranges::any_of(mesh.positions.all(), too_far)) {
+            mesh.indices.clear();
+            std::ranges::replace_if(mesh.positions.edit(), too_far, glm::vec3(0));
+        }
         drop_degenerate(mesh, mesh.name);
         tell_arrays(mesh);
     }
