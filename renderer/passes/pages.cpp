@@ -326,8 +326,8 @@ void draw_into_pool(FrameState& f, PageTargets& t, const std::vector<PagedLayer>
         glm::ivec2 from, to;
     };
     std::vector<Copy> drawn;
-    // Flushed on either side: else zink of Mesa 22.3 at times copies a page before it is drawn, or mixes it with the one
-    // drawn there next.
+    // Flushed on either side: else zink of Mesa 22.3 at times copies a page before it is drawn, or mixes it with the
+    // one drawn there next.
     const auto copy = [&] {
         glFlush();
         for (const Copy& c : drawn)
