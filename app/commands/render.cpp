@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <filesystem>
 
 #include "app/base/notes.h"
 #include "app/base/output.h"
@@ -91,12 +90,15 @@ void run_render(const RenderOptions& options) {
     require_distinct(options.output, "-o", options.report, "--report");
     std::optional<Settings> other;
     if (against && options.against != "truth") {
-        static const std::vector<std::string> kWords{"truth"};
-        const std::string meant = nearest_name(options.against, kWords);
-        if (std::error_code error; !meant.empty() && !std::filesystem::exists(options.against, error))
+        try {
+            other = load_preset(options.against).settings;
+        } catch (const UsageError&) {
+            static const std::vector<std::string> kWords{"truth"};
+            const std::string meant = nearest_name(options.against, kWords);
+            if (meant.empty()) throw;
             throw UsageError(
                 fmt::format("--against {}: truth is wanted, or a preset{}", options.against, did_you_mean(meant)));
-        other = load_preset(options.against).settings;
+        }
     }
     std::optional<Settings> fit_camera;
     if (!options.fit_camera.empty()) fit_camera = load_preset(options.fit_camera).settings;

@@ -63,9 +63,10 @@ SweepResults write_sweep_files(const fs::path& folder, const SweepState& state, 
 void make_picture_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder / kPictures, error);
-    if (!fs::is_directory(folder / kPictures))
+    const std::string why = error ? error.message() : "a file";
+    if (!fs::is_directory(folder / kPictures, error))
         throw Error(fmt::format("{}: is no folder for a sweep's pictures ({}); move it away, or choose another folder",
-                                (folder / kPictures).string(), error ? error.message() : "a file"));
+                                (folder / kPictures).string(), why));
 }
 
 void copy_pictures(const fs::path& from, const fs::path& to) {
