@@ -47,7 +47,7 @@ constexpr std::string_view kHardCasesIntro =
     "within a plane meet it otherwise in at most 4 of 6,912 pixels. Everywhere else at most 0.05 % of a\ncase's pixels "
     "differ (0.15 % of one picture's), all at edges, and 99 % of the wrong ones have the same cause; 98 % in case 27, "
     "where a row of\ntexels hangs on what positions are rounded by. With the faults it is the same, but that those of "
-    "cases 4, 22, 24 and 25 are rounding itself\nand meet other pixels elsewhere. Nothing is asked where a double "
+    "cases 4, 22, 24, 25 and 27 are rounding itself\nand meet other pixels elsewhere. Nothing is asked where a double "
     "resolves less than a millionth of the radius. Each placement is drawn\nby itself, and pairs of placements "
     "together; all of them with all others, some 800 a case, under the label `long`.\n";
 

@@ -59,7 +59,7 @@ constexpr Allowance kAllowances[] = {
 
 /// Whose faults are bits that single precision has not: which pixels they meet hangs on how places are rounded.
 constexpr std::string_view kRoundingIsTheFault[] = {"reversed-depth", "variance-cancels", "moment-steps",
-                                                    "summed-areas"};
+                                                    "summed-areas", "edge-on-planes"};
 
 Allowance allowance_of(std::string_view key) {
     for (const Allowance& a : kAllowances)
