@@ -143,11 +143,4 @@ std::string read_text_file(const fs::path& path) {
     return text.str();
 }
 
-std::string lower_extension(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    return extension;
-}
-
 }  // namespace si

@@ -36,7 +36,4 @@ void write_pfm(const std::filesystem::path& path, const FloatImage& image);
 /// A whole text file of at most 16 MiB. @throws Error
 std::string read_text_file(const std::filesystem::path& path);
 
-/// The file's extension in lower case, with its dot.
-std::string lower_extension(const std::filesystem::path& path);
-
 }  // namespace si

@@ -10,6 +10,7 @@
 #include "app/report/report.h"
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
+#include "renderer/base/small_letters.h"
 #include "renderer/measure/autopilot.h"
 
 namespace si {

@@ -12,6 +12,7 @@
 #include "app/context/headless_context.h"
 #include "app/report/health_report.h"
 #include "renderer/base/error.h"
+#include "renderer/base/small_letters.h"
 #include "renderer/frame/renderer.h"
 
 namespace si {

@@ -17,6 +17,7 @@
 #include "app/report/views.h"
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
+#include "renderer/base/small_letters.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/reference/ray_scenes.h"
 #include "renderer/reference/truth_picture.h"

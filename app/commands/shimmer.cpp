@@ -8,6 +8,7 @@
 #include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
 #include "app/report/report.h"
+#include "renderer/base/small_letters.h"
 
 namespace si {
 namespace {

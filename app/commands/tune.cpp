@@ -15,6 +15,7 @@
 #include "app/sweep/progress_line.h"
 #include "app/sweep/tuning.h"
 #include "renderer/base/error.h"
+#include "renderer/base/small_letters.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 

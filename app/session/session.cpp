@@ -149,19 +149,14 @@ SessionPlan plan_session(const SessionOptions& options) {
 ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, const SceneSettings& moment,
                                   std::vector<std::string>* left_out) {
     ComposedSettings out;
-    std::string of_another;
+    bool another = false;  // the preset was saved with one
     if (plan.preset) {
         out.settings = plan.preset->settings;
         const std::string& saved_with = plan.preset->scene;
-        const bool another =
-            !saved_with.empty() && !is_one_scene(scene_of_preset(*plan.preset, plan.preset_path), plan);
+        another = !saved_with.empty() && !is_one_scene(scene_of_preset(*plan.preset, plan.preset_path), plan);
         check_objects(scene, out.settings,
                       another ? fmt::format("{}, saved with {}", plan.preset_path, saved_with) : plan.preset_path,
                       left_out);
-        if (another && out.settings.camera.source == int(CameraSource::Manual))
-            of_another = fmt::format(
-                "{} was saved with the scene {}, where its camera stood: --set camera.source=auto shows all of {}",
-                plan.preset_path, saved_with, scene.name);
     } else {
         apply_suggested(scene, out.settings);
     }
@@ -171,7 +166,11 @@ ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, c
     check_objects(scene, out.settings, {}, left_out);
     check_camera(scene, out.settings.camera, left_out);
     out.notes = sanitise(out.settings);
-    if (!of_another.empty() && out.settings.camera.source == int(CameraSource::Manual)) out.notes.push_back(of_another);
+    const auto by_hand = [](const Settings& settings) { return settings.camera.source == int(CameraSource::Manual); };
+    if (another && by_hand(plan.preset->settings) && by_hand(out.settings))
+        out.notes.push_back(fmt::format(
+            "{} was saved with the scene {}, where its camera stood: --set camera.source=auto shows all of {}",
+            plan.preset_path, plan.preset->scene, scene.name));
     if (moment.index >= 0 && scene.file_scenes.empty())
         out.notes.push_back(fmt::format("{} is no glTF file: scene.index has no effect", scene.name));
     return out;

@@ -82,7 +82,7 @@ RankedRounds rounds_like(const SweepState& state, const RunInfo& like) {
     std::map<std::pair<std::string, int>, std::set<std::size_t>> drawn;
     std::size_t live = 0;
     for (const auto& [number, c] : state.cases) {
-        if (!c.finished || !c.failed.empty()) continue;
+        if (!good(c)) continue;
         ++live;
         for (const Turn& turn : c.turns) drawn[{turn.run, turn.round}].insert(number);
     }

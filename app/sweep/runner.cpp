@@ -71,7 +71,7 @@ bool SweepRunner::step_facts() {
     const auto& known = journal_.state().cases;
     const auto it = known.find(number);
     std::string why;
-    const bool again = it != known.end() && it->second.finished && it->second.failed.empty();
+    const bool again = it != known.end() && good(it->second);
     if (it != known.end() && it->second.begun >= kMostBegins) {
         why = "the program ended each time that it measured this case";
     } else {
@@ -103,7 +103,7 @@ void SweepRunner::begin_round() {
     const RankedRounds rounds = rounds_like(state, here);
     bool all_settled = true;
     for (const auto& [number, c] : state.cases) {
-        if (!c.finished || !c.failed.empty()) continue;
+        if (!good(c)) continue;
         order_.push_back(number);
         const TimeSamples samples = ranked_samples(c, rounds);
         all_settled = all_settled && int(samples.total_ms.size()) >= timing_.least_frames && summary(samples).settled;

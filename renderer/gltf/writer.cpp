@@ -16,6 +16,7 @@
 #include "renderer/base/atomic_file.h"
 #include "renderer/base/base64.h"
 #include "renderer/base/error.h"
+#include "renderer/base/small_letters.h"
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/view/scene_lights.h"
@@ -350,8 +351,7 @@ std::string words(std::initializer_list<std::uint64_t> values) {
 }  // namespace
 
 void save_gltf(const Scene& scene, const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = char(c >= 'A' && c <= 'Z' ? c + 32 : c);
+    const std::string extension = lower_extension(path);
     if (extension != ".gltf" && extension != ".glb")
         throw Error(fmt::format("cannot write {}: scenes are written as .gltf or .glb", path.string()));
 

@@ -418,12 +418,9 @@ void refresh(Scene& scene) {
     for (Mesh& mesh : scene.meshes) {
         if (!mesh.deformer) continue;
         // As at load: an animation may throw vertices anywhere.
-        const auto too_far = [](const glm::vec3& p) {  // NaN is
-            return !glm::all(glm::lessThan(glm::abs(p), glm::vec3(float(kFarthest_m))));
-        };
-        if (std::ranges::any_of(mesh.positions.all(), too_far)) {
+        if (!all_within(mesh.positions.all(), float(kFarthest_m))) {
             mesh.indices.clear();
-            std::ranges::replace_if(mesh.positions.edit(), too_far, glm::vec3(0));
+            std::ranges::fill(mesh.positions.edit(), glm::vec3(0));
         }
         drop_degenerate(mesh, mesh.name);
         tell_arrays(mesh);

@@ -8,6 +8,7 @@
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
+#include "renderer/base/small_letters.h"
 #include "renderer/scenes/hard_cases.h"
 #include "renderer/scenes/makers.h"
 #include "renderer/settings/param.h"
@@ -32,13 +33,6 @@ constexpr BuiltinScene kScenes[] = {
     {"relief", "Relief", "Flat surfaces whose cobbles are a normal map only: bias along normals the map does not know",
      make_relief_scene},
 };
-
-std::string lower_extension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return char(c >= 'A' && c <= 'Z' ? c + 32 : c); });
-    return extension;
-}
 
 }  // namespace
 

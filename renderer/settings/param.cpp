@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "renderer/base/small_letters.h"
 #include "renderer/settings/aliases.h"
 #include "renderer/settings/owners.h"
 #include "renderer/settings/sources.h"
@@ -64,14 +65,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
         before = last, last = row;
     }
     return last[b.size()];
-}
-
-/// Of ASCII; other bytes stay.
-std::string in_small_letters(std::string_view text) {
-    std::string out(text);
-    for (char& c : out)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return out;
 }
 
 std::size_t common_prefix(std::string_view a, std::string_view b) {

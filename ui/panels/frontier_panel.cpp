@@ -246,9 +246,8 @@ std::string worth_text(const Dot& before, const Dot& now, const MeasuredColumn& 
     // Numbers that look unlike want a word of why they count as one.
     constexpr double kLooksAlike = 0.05;
     if (same_cost && std::abs(price) > kLooksAlike)
-        return fmt::format("{}; the {} differs by less than its noise (± {:.2g}{}{})", by_error, what,
-                           before.cost_noise + now.cost_noise, is_plain(cost) ? "" : " ",
-                           is_plain(cost) ? "" : cost.unit);
+        return fmt::format("{}; the {} differs by less than its noise (± {})", by_error, what,
+                           number_text(before.cost_noise + now.cost_noise, cost));
     if (same_cost) return fmt::format("{} for the same {}", by_error, what);
     return fmt::format("{} for {} {} {}", by_error, percent(price), price < 0 ? "less" : "more", what);
 }

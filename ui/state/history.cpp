@@ -7,6 +7,16 @@
 #include "renderer/settings/param.h"
 
 namespace si {
+namespace {
+
+/// Which of several a change is of: "Tower: ", "Light 2: ".
+std::string whose(const Settings& settings, const SettingRef& ref) {
+    if (!ref.object.empty()) return ref.object.substr(ref.object.rfind('/') + 1) + ": ";
+    if (ref.param->scope == Scope::Light && settings.light_count > 1) return light_title(settings, ref.light) + ": ";
+    return {};
+}
+
+}  // namespace
 
 void History::reset(const Settings& settings) {
     steps_.assign(1, {settings, present_});
@@ -72,17 +82,6 @@ const Settings& History::redo() {
 const Settings& History::go(std::size_t step) {
     return move_to(std::min(step, steps_.size() - 1));
 }
-
-namespace {
-
-/// Which of several a change is of: "Tower: ", "Light 2: ".
-std::string whose(const Settings& settings, const SettingRef& ref) {
-    if (!ref.object.empty()) return ref.object.substr(ref.object.rfind('/') + 1) + ": ";
-    if (ref.param->scope == Scope::Light && settings.light_count > 1) return light_title(settings, ref.light) + ": ";
-    return {};
-}
-
-}  // namespace
 
 std::vector<std::string> History::names() const {
     std::vector<std::string> out{"the beginning"};

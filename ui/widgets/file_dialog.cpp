@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "renderer/base/small_letters.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
@@ -25,13 +26,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostEntries = 5000;
 constexpr const char *kOpenTitle = "Open a scene or a preset", *kSaveTitle = "Save the preset as";
 
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
-}
-
 bool is_shown(const fs::path& file, FileDialog::Job job, FileDialog::Kind kind) {
-    const std::string extension = lower(file.extension().string());
+    const std::string extension = lower_extension(file);
     const bool model = extension == ".gltf" || extension == ".glb", preset = extension == ".json";
     if (job == FileDialog::Job::SavePreset) return preset;
     return (model && kind != FileDialog::Kind::Presets) || (preset && kind != FileDialog::Kind::Models);
@@ -72,7 +68,7 @@ void read_folder(FileDialog& d, const fs::path& wanted) {
             entries.push_back({name, is_folder, date_of(*it)});
     }
     std::sort(entries.begin(), entries.end(), [](const FileDialog::Entry& a, const FileDialog::Entry& b) {
-        return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
+        return a.folder != b.folder ? a.folder : in_small_letters(a.name) < in_small_letters(b.name);
     });
     d.folder = folder;
     d.folder_input = folder.string();
@@ -180,7 +176,7 @@ void choose(EditorState& state, EditorActions& actions) {
     if (d.job == FileDialog::Job::Open) {
         actions.open_file = path.string();
     } else {
-        if (lower(path.extension().string()) != ".json") path += ".json";
+        if (lower_extension(path) != ".json") path += ".json";
         actions.save_preset = path.string();
         actions.save_about = d.about;
     }
