@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "app/sweep/journal.h"
+#include "tests/support/number_from.h"
 #include "tests/support/process.h"
 
 namespace si {
@@ -24,8 +25,7 @@ using Words = std::vector<std::string>;
 
 /// Of presets, which take the least time; of the others a part. SI_KILLS=200 for a thorough run.
 int kills() {
-    const char* asked = std::getenv("SI_KILLS");
-    return asked ? std::atoi(asked) : 12;
+    return int(test::number_from("SI_KILLS", 12));
 }
 
 class Killed : public testing::Test {

@@ -271,7 +271,7 @@ INSTANTIATE_TEST_SUITE_P(Each, HardCasesEverywhere, testing::ValuesIn(all_rows()
 
 // Label `long`: SI_LONG=1, or ctest -L long.
 TEST_P(HardCasesEverywhere, LookAndErrAsAtHomeInEveryPlacement) {
-    if (!std::getenv("SI_LONG")) GTEST_SKIP() << "some 700 pictures a case: SI_LONG=1";
+    if (!std::getenv("SI_LONG")) GTEST_SKIP() << "some 800 pictures a case: SI_LONG=1";
     Homes homes;
     Differences d;
     compare_places(*GetParam(), true, all_placements(), homes, d);

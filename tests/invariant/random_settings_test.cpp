@@ -18,6 +18,7 @@
 #include "renderer/reference/error_task.h"
 #include "renderer/settings/param.h"
 #include "tests/support/named_driver.h"
+#include "tests/support/number_from.h"
 
 namespace si::test {
 namespace {
@@ -28,11 +29,6 @@ constexpr unsigned kSeedsARenderer = 150;  ///< that keep each other's programs 
 constexpr int kPixels = 64;                ///< of the picture along a side
 constexpr int kRounding = 1;               ///< steps of 255 that two programs may round a colour apart by
 constexpr int kMostTold = 3;               ///< failures of a part that are made small
-
-unsigned number_of(const char* variable, unsigned usual) {
-    const char* text = std::getenv(variable);
-    return text && *text ? unsigned(std::strtoul(text, nullptr, 10)) : usual;
-}
 
 /// What is wrong with a case; empty: nothing.
 struct Verdict {
@@ -173,15 +169,16 @@ TEST_F(RandomSettings, WhatTheyFoundStaysMended) {
 class RandomSeeds : public RandomSettings, public testing::WithParamInterface<unsigned> {};
 
 TEST_P(RandomSeeds, GiveNumbersAndNothingBrighterInShadow) {
-    const unsigned first = number_of("SI_RANDOM_FIRST", 0), seeds = number_of("SI_RANDOM_SEEDS", kUsualSeeds);
+    const unsigned first = number_from("SI_RANDOM_FIRST", 0), seeds = number_from("SI_RANDOM_SEEDS", kUsualSeeds);
     // By whole groups that share programs; of each a part only where nobody says how many, so that there are more.
     const unsigned each = std::getenv("SI_RANDOM_SEEDS") ? kSeedsAProgram : kUsualSeedsAProgram;
     const unsigned groups = (seeds + each - 1) / each;
     int failures = 0;
-    for (unsigned i = groups * GetParam() / kParts * each; i < groups * (GetParam() + 1) / kParts * each; ++i) {
-        if (i >= seeds) break;
+    const unsigned from = groups * GetParam() / kParts * each;
+    const unsigned to = std::min(groups * (GetParam() + 1) / kParts * each, seeds);
+    for (unsigned i = from; i < to; ++i) {
         const unsigned seed = first + i / each * kSeedsAProgram + i % each;
-        if (seed % kSeedsARenderer == 0) renderer.reset(), renderer = std::make_unique<Renderer>();
+        if (i > from && seed % kSeedsARenderer == 0) renderer.reset(), renderer = std::make_unique<Renderer>();
         const RandomCase of = random_case(seed);
         const Verdict verdict = judge(of);
         if (verdict.good()) continue;

@@ -15,6 +15,7 @@
 
 #include "app/session/presets.h"
 #include "tests/support/confined.h"
+#include "tests/support/number_from.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/xdnd.h"
 
@@ -39,11 +40,6 @@ constexpr int kEventsARest = 2000;  ///< after so many of them the editor is loo
 /// Bytes that stay resident at rest, whatever was before: the program and its driver (some 250 MiB), 64 programs of
 /// some 4 MiB each, what is held by name, and half as much again.
 constexpr std::uint64_t kMostResident = 1200u << 20;
-
-std::uint32_t number_from(const char* variable, std::uint32_t standard) {
-    const char* text = std::getenv(variable);
-    return text ? std::uint32_t(std::strtoul(text, nullptr, 10)) : standard;
-}
 
 class WindowMonkey : public Window {
 protected:
