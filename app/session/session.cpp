@@ -119,8 +119,12 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
         }
         // What the lights of a file are placed by is known before they are placed.
         measure_travel(scene, settings.fit_animation ? settings.animation : -1);
-        // Where the ground lies does not depend on the moment that is shown.
-        if (grounded && scene.ground_bounds.empty()) pose(scene, 0, 0), add_ground(scene);
+        // Where the ground lies and what the camera frames do not depend on the moment that is shown.
+        if (scene.framed.empty() || (grounded && scene.ground_bounds.empty() && !scene.has_floor)) {
+            pose(scene, 0, 0);
+            scene.framed = scene.standing;
+            if (grounded) add_ground(scene);
+        }
         pose(scene, settings.animation, settings.time);
     }
     if (grounded) add_ground(scene);

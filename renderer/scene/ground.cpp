@@ -102,8 +102,10 @@ bool has_level_surface(const Scene& scene) {
 }
 
 void add_ground(Scene& scene) {
-    if (!scene.ground_bounds.empty() || scene.bounds.empty() || !std::isfinite(scene.bounds.radius())) return;
-    if (!(scene.bounds.radius() > 0) || has_level_surface(scene)) return;
+    if (scene.has_floor || !scene.ground_bounds.empty()) return;
+    if (!(scene.bounds.radius() > 0) || !std::isfinite(scene.bounds.radius())) return;
+    scene.has_floor = has_level_surface(scene);
+    if (scene.has_floor) return;
     const glm::dvec3 size = scene.bounds.hi - scene.bounds.lo, centre = scene.bounds.centre();
     const double radius = kShadowLengths * (0.5 * std::hypot(size.x, size.z) + size.y);
     Mesh disc = make_disc(radius);

@@ -10,7 +10,8 @@ bool has_level_surface(const Scene& scene);
 
 /// Puts a disc under the scene as it stands, wide enough for shadows of lights from half way up: an object that
 /// receives, never casts and is no part of Scene::bounds, the last of its kind in each of the scene's lists. Nothing
-/// happens where there is one, where there is a level surface, or where there is nothing to stand on it.
+/// happens where there is one, where there is a level surface (Scene::has_floor, found out once), or where there is
+/// nothing to stand on it.
 void add_ground(Scene& scene);
 
 /// Takes it away again.

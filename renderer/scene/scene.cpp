@@ -326,6 +326,27 @@ void finalise_meshes(Scene& scene) {
     for (Object& o : scene.objects) o.mesh = moved[o.mesh];
 }
 
+/// Flat, at the scene's bottom and nearly as wide as all of it.
+bool is_floor(const Bounds& object, const Bounds& scene) {
+    constexpr double kThickness = 0.02, kBottom = 0.15, kWidth = 0.8;  // of the scene's height, height and width
+    const glm::dvec3 size = scene.hi - scene.lo, own = object.hi - object.lo;
+    return own.y <= kThickness * size.y && object.hi.y <= scene.lo.y + kBottom * size.y && own.x >= kWidth * size.x &&
+           own.z >= kWidth * size.z;
+}
+
+/// Sets Scene::standing, once Scene::bounds is known.
+void find_standing(Scene& scene) {
+    scene.standing = {};
+    const auto add = [&](const Object& o) {
+        if (o.ground || !finite(o.world)) return;
+        const Bounds own = scene.meshes[std::size_t(o.mesh)].bounds.transformed(o.world);
+        if (!is_floor(own, scene.bounds)) scene.standing.add(own);
+    };
+    for (const Object& o : scene.objects) add(o);
+    for (const HiddenObject& h : scene.hidden) add(h.object);
+    if (scene.standing.empty()) scene.standing = scene.bounds;
+}
+
 void place_objects(Scene& scene) {
     std::size_t dropped = 0;
     std::string first;
@@ -409,6 +430,7 @@ void finalise(Scene& scene) {
     for (Texture& texture : scene.textures) texture.rgba.tell(kHolder);
     for (Mesh& mesh : scene.meshes) tell_arrays(mesh);
     scene.held = HeldMemory(kHolder, array_bytes(scene.nodes) + array_bytes(scene.objects));
+    find_standing(scene);
     scene.id = next_scene_id();
 }
 
@@ -433,6 +455,7 @@ void refresh(Scene& scene) {
     };
     for (Object& o : scene.objects) stand(o);
     for (HiddenObject& h : scene.hidden) stand(h.object);
+    find_standing(scene);
     scene.id = next_scene_id();
 }
 

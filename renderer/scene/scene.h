@@ -142,9 +142,12 @@ struct Scene {
     std::vector<std::string> warnings;  ///< what was dropped or approximated, and why
     Bounds bounds;                      ///< world, with what is hidden, without the ground; set by finalise()
     Bounds ground_bounds;               ///< world, of the ground put under it; empty: there is none. Likewise
-    Bounds travel;                      ///< `bounds` over all of an animation, before `placement`; empty: not asked for
-    int travel_of = -1;                 ///< which animation; -1: none. See measure_travel()
-    std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys
+    Bounds standing;  ///< `bounds` without the file's own floor, or all of it where nothing else is there. Likewise
+    bool has_floor = false;  ///< the file brings what shadows fall on, so that it needs no ground: see add_ground()
+    Bounds framed;         ///< `standing` as an animated scene is first posed, before `placement`; empty: nothing moves
+    Bounds travel;         ///< `bounds` over all of an animation, before `placement`; empty: not asked for
+    int travel_of = -1;    ///< which animation; -1: none. See measure_travel()
+    std::uint64_t id = 0;  ///< unique per finalise() in this process; part of cache keys
     std::size_t dropped_triangles = 0;  ///< degenerate, set by finalise()
     std::shared_ptr<const Rig> rig;     ///< animations; null: nothing moves
     HeldMemory held;                    ///< nodes and objects, which copies do not share; set by finalise()

@@ -111,15 +111,45 @@ glm::dvec3 suggested_light(const Scene& scene) {
     return direction_from_angles(s.lights[0].azimuth, s.lights[0].elevation);
 }
 
-/// The corners of the bounds, and their shadows on the ground as the scene is first shown.
-std::vector<glm::dvec3> points_with_shadow(const Scene& scene, const Bounds& bounds) {
-    const Box box = bounds.corners();
+/// Whether the picture is framed for the shadow of what stands there, as of files that are shown on a ground.
+bool frames_shadow(const Scene& scene, const Settings& settings) {
+    const double size = scene.standing.radius();
+    return settings.scene.ground == int(Ground::Auto) && !scene.file_scenes.empty() && std::isfinite(size) &&
+           size > std::max(1e-7, 1e-9 * glm::length(scene.standing.centre()));
+}
+
+Bounds standing_as_framed(const Scene& scene) {
+    return scene.framed.empty() ? scene.standing : scene.framed.transformed(scene.placement);
+}
+
+/// Where the camera stands that frames_shadow(): higher over what is flat, whose shadows are hidden from beside it, and
+/// across what is long.
+glm::dmat3 axes_for_shadow(const Bounds& standing) {
+    const CameraSettings standard;
+    constexpr double kHighest_deg = 50, kUpright = 0.35;  // from this height over the diagonal on as usual
+    const glm::dvec3 size = standing.hi - standing.lo;
+    const double upright = std::min(size.y / (kUpright * std::max(std::hypot(size.x, size.z), 1e-300)), 1.0);
+    const double elevation = kHighest_deg + (standard.elevation - kHighest_deg) * upright;
+    const double azimuth = std::clamp(standard.azimuth / 45 * std::atan2(size.z, size.x) / kDegree, 15.0, 75.0);
+    return orbit_axes(azimuth, elevation, 0);
+}
+
+/// What a file's first picture is to hold: the corners of what stands on the ground, or on a floor of the file's own,
+/// and their shadows on it as the scene is first shown.
+std::vector<glm::dvec3> points_with_shadow(const Scene& scene) {
+    const Bounds standing = standing_as_framed(scene);
+    const bool own_floor = scene.ground_bounds.empty();
+    const Box box = standing.corners();
     std::vector<glm::dvec3> points(box.begin(), box.end());
     const glm::dvec3 to_light = suggested_light(scene);
-    const double level = scene.ground_bounds.hi.y, longest = kLongestShadow * 2 * bounds.radius();
+    if (to_light.y <= 0) return points;
+    const double level = own_floor ? standing.lo.y : scene.ground_bounds.hi.y;
+    const double longest = kLongestShadow * 2 * standing.radius();
     for (const glm::dvec3& p : box) {
         const glm::dvec3 cast = to_light * ((level - p.y) / to_light.y);
-        if (to_light.y > 0 && glm::length(cast) <= longest) points.push_back(p + cast);
+        if (glm::length(cast) > longest) continue;
+        // A shadow is not seen beyond the floor.
+        points.push_back(own_floor ? glm::clamp(p + cast, scene.bounds.lo, scene.bounds.hi) : p + cast);
     }
     return points;
 }
@@ -240,10 +270,11 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
         c.axes = orbit_axes(standard.azimuth, standard.elevation, 0);
         c.orthographic = false;
         c.fov_y_rad = clamped_fov_rad(standard.fov);
-        if (scene.ground_bounds.empty()) {
-            frame_bounds(c, bounds);
+        if (frames_shadow(scene, settings)) {
+            c.axes = axes_for_shadow(standing_as_framed(scene));
+            frame_points(c, points_with_shadow(scene));
         } else {
-            frame_points(c, points_with_shadow(scene, bounds));
+            frame_bounds(c, bounds);
         }
     }
     c.curve.perspective = !c.orthographic;

@@ -35,11 +35,25 @@ Scene box_alone() {
     return scene;
 }
 
-/// What a first picture shows of the shadow on the ground.
+/// What a first picture shows of the shadow on the ground, or on the floor that a file brings.
 struct FirstPicture {
     std::size_t ground = 0, dark = 0, dark_at_rim = 0;
+    bool own_floor = false;
     double read = 0;  ///< share of the map's texels
 };
+
+/// For each object whether shadows are to be seen on it: the ground, or a sheet at the bottom that carries the rest.
+std::vector<bool> floors_of(const Scene& scene) {
+    std::vector<bool> floors;
+    const glm::dvec3 size = scene.bounds.hi - scene.bounds.lo;
+    for (const Object& o : scene.objects) {
+        const Bounds own = scene.meshes[std::size_t(o.mesh)].bounds.transformed(o.world);
+        const bool flat = own.hi.y - own.lo.y < 0.01 * size.y && own.hi.y < scene.bounds.lo.y + 0.1 * size.y;
+        floors.push_back(o.ground ||
+                         (flat && own.hi.x - own.lo.x > 0.9 * size.x && own.hi.z - own.lo.z > 0.9 * size.z));
+    }
+    return floors;
+}
 
 class GroundTest : public FrameTest {
 protected:
@@ -57,15 +71,19 @@ protected:
         request.outputs = {.error = true};
         const FrameResult judged = render_with_truth(renderer, session.scene, session.settings, request, cache);
         const Truth& truth = *request.truth->traced.truth;
+        const std::vector<bool> floors = floors_of(session.scene);
+        out.own_floor = session.scene.ground_bounds.empty() && std::ranges::count(floors, true) > 0;
         for (int y = 0; y < ids.height; ++y)
             for (int x = 0; x < ids.width; ++x) {
                 const std::size_t i = std::size_t(y) * std::size_t(ids.width) + std::size_t(x);
-                if (ids.data[i].x == 0 || !session.scene.objects[ids.data[i].x - 1].ground) continue;
+                if (ids.data[i].x == 0 || !floors[ids.data[i].x - 1]) continue;
                 const bool dark = truth.visibility.data[i] < 0.5f;
                 ++out.ground, out.dark += dark;
                 out.dark_at_rim += dark && (x == 0 || y == 0 || x == ids.width - 1 || y == ids.height - 1);
             }
-        EXPECT_EQ(out.ground, judged.error ? judged.error->metrics.ground_pixels : 0);
+        if (!out.own_floor) {
+            EXPECT_EQ(out.ground, judged.error ? judged.error->metrics.ground_pixels : 0);
+        }
         return out;
     }
 };
@@ -151,12 +169,16 @@ std::vector<Model> models() {
 
 /// What cannot be as the others are, and why.
 constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
+    {"01_alpha_mask.gltf", "most of its one sheet is cut out, so that nothing looks up what the map holds there"},
+    {"MorphStressTest.glb", "it is five times as long as wide, and the map is square"},
+    {"chainlink_fence.glb", "its wires are thinner than a hundredth of the fence's height"},
+    {"huge_extent.glb", "it lies about a million metres apart"},
+    {"lights.gltf", "its posts are slender: 1.9 %"},
     {"LightsPunctualLamp.gltf", "its first light hangs low beside the stem, whose shadow runs to the ground's end"},
     {"ToyCar.gltf", "it stands on a cloth of its own, which spreads as wide and as flat as its shadow falls"},
 };
 
-// Which of them stand on something of their own is the files' affair. So is what a camera of a file shows; the camera
-// that shows the whole scene is asked in its place.
+// What a camera of a file shows is the file's affair; the camera that frames the scene is asked in its place.
 TEST_F(GroundTest, ModelsShowTheirShadowsAtOnce) {
     const std::vector<Model> files = models();
     if (files.empty()) GTEST_SKIP() << "../shared/models is not there";
@@ -170,22 +192,22 @@ TEST_F(GroundTest, ModelsShowTheirShadowsAtOnce) {
             EXPECT_TRUE(model.may_be_refused) << e.what();
             continue;
         }
-        if (session->scene.ground_bounds.empty()) continue;
         const FirstPicture seen = first_picture(*session);
-        const bool enough = double(seen.dark) >= 0.02 * double(seen.ground), whole = seen.dark_at_rim == 0;
+        const bool shows = session->scene.objects.back().ground || seen.own_floor;
+        const bool enough = !shows || double(seen.dark) >= 0.02 * double(seen.ground), whole = seen.dark_at_rim == 0;
         const std::string name = model.file.filename().string();
         const auto* other = std::ranges::find(kOthers, name, [](const auto& row) { return row.first; });
         if (other != std::end(kOthers)) {
             EXPECT_FALSE(enough && whole && seen.read >= 0.2) << "no longer, though " << other->second;
             continue;
         }
-        EXPECT_GT(seen.ground, 5000u);
+        EXPECT_TRUE(!shows || seen.ground > 5000u) << seen.ground;
         EXPECT_TRUE(enough) << seen.dark << " of " << seen.ground;
         EXPECT_TRUE(whole) << seen.dark_at_rim << " at the picture's rim";
         EXPECT_GE(seen.read, 0.2);
         ++shown;
     }
-    EXPECT_GT(shown, 35);
+    EXPECT_GT(shown, 50);
 }
 
 TEST_F(GroundTest, ItComesAndGoesWithTheSettingAndFollowsThePlacement) {

@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 #include <random>
 
+#include "renderer/base/angles.h"
 #include "tests/support/box_scene.h"
 
 namespace si {
@@ -106,6 +108,61 @@ TEST(Camera, AutomaticFramesTheBounds) {
             }
             EXPECT_GT(widest, 0.8) << "the bounds should nearly fill the picture";
         }
+}
+
+/// A box 1 x 2 x 1 m on a floor of 40 x 40 m, as if from a file.
+Scene box_on_wide_floor() {
+    Scene scene = test::box_scene({{{-0.5, 0, -0.5}, {0.5, 2, 0.5}}, {{-20, -0.01, -20}, {20, 0, 20}}});
+    scene.file_scenes = {""};
+    refresh(scene);
+    return scene;
+}
+
+/// How far out of the picture's middle a point is seen, 1 at its rim.
+double out_of_middle(const Camera& c, const glm::dvec3& p) {
+    const glm::dvec4 q = c.clip_from_relative(c.eye) * glm::dvec4(p - c.eye, 1);
+    return q.w > 0 ? std::max(std::abs(q.x / q.w), std::abs(q.y / q.w)) : INFINITY;
+}
+
+TEST(Camera, AutomaticFramesWhatStandsOnAFilesFloorWithItsShadow) {
+    const Scene scene = box_on_wide_floor();
+    const Settings s;
+    const glm::dvec3 to_light = direction_from_angles(s.lights[0].azimuth, s.lights[0].elevation);
+    for (const double aspect : {0.5, 1.0, 1.78, 3.0}) {
+        SCOPED_TRACE(aspect);
+        const Camera c = make_camera(scene, s, aspect);
+        double farthest = 0;
+        for (int i = 0; i < 8; ++i) {
+            const glm::dvec3 corner(i & 1 ? 0.5 : -0.5, i & 2 ? 2 : 0, i & 4 ? 0.5 : -0.5);
+            for (const glm::dvec3& p : {corner, corner - to_light * (corner.y / to_light.y)})
+                farthest = std::max(farthest, out_of_middle(c, p));
+        }
+        EXPECT_NEAR(farthest, 0.85, 0.01);
+        EXPECT_GT(out_of_middle(c, {20, 0, 20}), 1) << "the floor goes on beyond the picture";
+        Settings bare = s;
+        bare.scene.ground = int(Ground::Off);
+        EXPECT_LE(out_of_middle(make_camera(scene, bare, aspect), {20, 0, 20}), 1) << "all of the scene";
+    }
+    Scene built_in = scene;
+    built_in.file_scenes.clear();
+    EXPECT_LE(out_of_middle(make_camera(built_in, s, 1), {20, 0, 20}), 1) << "what no file brings is shown whole";
+}
+
+TEST(Camera, AutomaticLooksDownOnWhatIsFlatAndAcrossWhatIsLong) {
+    const auto back = [](const glm::dvec3& size) {
+        Scene scene = test::box_scene({{glm::dvec3(0), size}});
+        scene.file_scenes = {""};
+        refresh(scene);
+        return make_camera(scene, Settings(), 1.5).axes[2];
+    };
+    const CameraSettings standard;
+    const glm::dvec3 cube = back({1, 1, 1}), flat = back({10, 0.1, 10}), along_x = back({50, 1, 1}),
+                     along_z = back({1, 1, 50});
+    EXPECT_NEAR(cube.y, std::sin(standard.elevation * std::numbers::pi / 180), 1e-9);
+    EXPECT_NEAR(std::atan2(cube.x, cube.z), standard.azimuth * std::numbers::pi / 180, 1e-9);
+    EXPECT_GT(flat.y, std::sin(45 * std::numbers::pi / 180));
+    EXPECT_LT(std::abs(along_x.x), 0.3 * along_x.z) << "from beside it";
+    EXPECT_LT(std::abs(along_z.z), 0.5 * along_z.x);
 }
 
 TEST(Camera, OriginStaysForSmallMoves) {

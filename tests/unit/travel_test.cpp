@@ -10,6 +10,7 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/camera.h"
 #include "renderer/view/fit_bounds.h"
 #include "renderer/view/light_fit.h"
 #include "tests/unit/gltf_test_file.h"
@@ -237,6 +238,29 @@ TEST(Travel, NothingChangesWhereNothingMoves) {
     EXPECT_TRUE(idle_reason(s, *find_setting("scene.fit_animation")).empty());
     s.scene.animation = -1;
     EXPECT_NE(idle_reason(s, *find_setting("scene.fit_animation")).find("rest pose"), std::string_view::npos);
+}
+
+// A picture that moves with what it shows cannot be compared with itself.
+TEST(Travel, TheAutomaticCameraStaysWhereAFilesAnimationBegan) {
+    Scene scene = swinging_box(Interpolation::Linear);
+    scene.file_scenes = {""};
+    std::vector<Camera> cameras;
+    for (const double time : {0.0, 0.3, 0.4, 1.0}) {
+        Settings s;
+        s.scene.animation = 0, s.scene.time = time;
+        pose_scene(scene, s.scene);
+        cameras.push_back(make_camera(scene, s, 1.5));
+        EXPECT_EQ(cameras.back().eye, cameras[0].eye) << time;
+        EXPECT_EQ(cameras.back().axes, cameras[0].axes) << time;
+    }
+    Settings away;
+    away.scene.animation = 0, away.scene.time = 1, away.scene.distance = 1000, away.scene.scale = 2;
+    pose_scene(scene, away.scene);
+    const Camera c = make_camera(scene, away, 1.5);
+    EXPECT_NEAR(c.focus, 2 * cameras[0].focus, 1e-6) << "but goes with where the scene is placed";
+    away.scene.distance = 0, away.scene.scale = 1, away.scene.ground = int(Ground::Off);
+    pose_scene(scene, away.scene);
+    EXPECT_NE(make_camera(scene, away, 1.5).eye, cameras[0].eye) << "without a ground all of what is there is shown";
 }
 
 }  // namespace
