@@ -1,13 +1,15 @@
 # Sourced by run.sh and test.sh: makes sure that Debian packages are installed.
 
-# What compiles the program, the driver that draws where there is no GPU, and what offers its pictures to others.
+# What compiles the program, the driver that draws where there is no GPU, what asks the desktop for files, and what
+# offers it pictures.
 build_packages=(g++ cmake ninja-build pkg-config
   libgl-dev libopengl-dev libegl-dev libepoxy-dev libglfw3-dev libx11-dev libglm-dev libimgui-dev
   libtinygltf-dev libstb-dev libembree-dev nlohmann-json3-dev libcli11-dev libfmt-dev
+  libsdbus-c++-dev libsystemd-dev
   fonts-inter libgl1 libegl1 libegl-mesa0 libgl1-mesa-dri xclip)
 # What the tests need besides: test and benchmark libraries, a display without a screen, a hand for its mouse, a second
 # driver (zink over lavapipe), the reference compiler of GLSL, the formatter.
-test_packages=(libgtest-dev googletest libbenchmark-dev xvfb xauth xdotool
+test_packages=(libgtest-dev googletest libbenchmark-dev xvfb xauth xdotool dbus
   mesa-vulkan-drivers glslang-tools chromium parallel shellcheck clang-format)
 
 say() { printf '%s\n' "$*" >&2; }

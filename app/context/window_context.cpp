@@ -2,6 +2,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,6 +34,14 @@ bool WindowContext::display_available() {
         return value && *value;
     };
     return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
+std::string WindowContext::portal_name() const {
+    // Looked up, as a GLFW made for Wayland alone lacks it.
+    using IdOf = unsigned long (*)(GLFWwindow*);
+    const auto id_of = reinterpret_cast<IdOf>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
+    const unsigned long id = id_of ? id_of(window_) : 0;
+    return id ? fmt::format("x11:{:x}", id) : std::string();
 }
 
 WindowContext::WindowContext(const std::string& title, int width, int height, bool maximised) {

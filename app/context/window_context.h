@@ -58,6 +58,9 @@ public:
     /// Files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_dropped();
 
+    /// How other programs name the window to the desktop's portals: "x11:" and its id; empty elsewhere.
+    std::string portal_name() const;
+
     /// Whether a window can be opened as far as the environment tells (DISPLAY or WAYLAND_DISPLAY).
     static bool display_available();
 

@@ -18,6 +18,7 @@
 #include "app/base/output.h"
 #include "app/context/imgui_session.h"
 #include "app/context/window_context.h"
+#include "app/editor/file_portal.h"
 #include "app/editor/headless_editor.h"
 #include "app/editor/model.h"
 #include "renderer/base/error.h"
@@ -112,6 +113,22 @@ void require_sound_session(EditorModel& model) {
     if (const std::string& what = model.session().unsound(); !what.empty()) throw Error("--check-numeric: " + what);
 }
 
+/// What a person chose in the desktop's dialog. Returns whether there was an answer.
+bool take_file(FilePortal& portal, EditorModel& model) {
+    const auto answer = portal.take_answer();
+    if (!answer) return false;
+    if (answer->kind == FilePortal::Answer::Kind::NoDialog) {
+        model.asks_desktop = false;
+        model.state.file_dialog.asked = true;  // the editor's own
+    } else if (answer->kind == FilePortal::Answer::Kind::Chosen) {
+        if (answer->job == FileDialog::Job::Open)
+            model.open(answer->file);
+        else
+            model.save_as(answer->file);
+    }
+    return true;
+}
+
 std::vector<std::string> run_window(const EditorOptions& options) {
     const WorkspaceData kept = Workspace(options.state_folder).data();
     const bool as_kept = !options.size_given && kept.window_width > 0;
@@ -121,6 +138,8 @@ std::vector<std::string> run_window(const EditorOptions& options) {
     const WindowInput input(window);
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     EditorModel model(options, {}, {.context = window.sharing(), .wake = WindowContext::wake});
+    FilePortal portal(WindowContext::wake);
+    model.asks_desktop = true;
     std::string titled;
     const InterruptGuard interrupt;  // a batch system's end is an end like any other
     int due = kSettleFrames;         // frames still to draw before the editor may sleep
@@ -132,6 +151,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
             window.wait_events(model.busy() ? kLoadingPollSeconds : kPollSeconds);
         if (window.take_input()) due = kSettleFrames;
         for (const auto& path : window.take_dropped()) model.open(path), due = kSettleFrames;
+        if (take_file(portal, model)) due = kSettleFrames;
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
         if (model.loading_moved() || model.drawing_moved() || model.measuring_moved() || model.tracing_moved())
             due = std::max(due, 1);
@@ -168,6 +188,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         }
         window.hold_cursor(actions.hold_cursor);
         if (model.fulfil(actions)) due = std::max(due, 2);
+        if (actions.ask_desktop) portal.ask(*actions.ask_desktop, window.portal_name());
         if (!window.mouse().empty()) due = std::max(due, kSettleFrames);
         if (actions.redraw) due = std::max(due, 1);
         if (actions.quit) break;

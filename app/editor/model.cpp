@@ -77,6 +77,7 @@ EditorFrame EditorModel::facts() const {
     presets_.fill(f);
     memory_.fill(f);
     f.memory = held_ ? &*held_ : nullptr;
+    f.desktop_dialogs = asks_desktop;
     f.problem = scenes_.scene() ? frames_.facts().problem : scenes_.problem();
     const SceneLoading& loading = scenes_.loading();
     if (const std::string name = loading.wanted(); !name.empty())
@@ -92,6 +93,10 @@ void EditorModel::open(const std::filesystem::path& path) {
         else
             scenes_.load({.scene_name = path.string()});
     });
+}
+
+void EditorModel::save_as(const std::filesystem::path& path) {
+    attempt(state, [&] { presets_.save(preset_path(path).string(), state.file_dialog.about, false); });
 }
 
 void EditorModel::save_shot(const ShotWish& wish, const ByteImage& window, float pixels) {

@@ -26,7 +26,8 @@ public:
     explicit EditorModel(const EditorOptions& options, SceneReader read = {}, FrameThread thread = {});
 
     EditorState state;
-    bool smooths = true;  ///< a picture that rests is made smooth, where view.smooth wishes it
+    bool asks_desktop = false;  ///< whoever calls can show the desktop's dialog for files: EditorActions::ask_desktop
+    bool smooths = true;        ///< a picture that rests is made smooth, where view.smooth wishes it
 
     /// What draw_editor() is told. Valid until the next fulfil().
     EditorFrame facts() const;
@@ -36,6 +37,9 @@ public:
     /// A file dropped on the window: a preset (.json) or a scene. A scene is read in the background; a later fulfil()
     /// switches to it. Errors go to the log.
     void open(const std::filesystem::path& path);
+    /// Saves the preset under a name that the desktop's dialog gave it. A file that was neither opened nor saved before
+    /// is asked for once more. Errors go to the log.
+    void save_as(const std::filesystem::path& path);
     /// Writes what was wished for out of a picture of the window that this frame drew. Errors go to the log.
     /// @param window top row first @param pixels of it per unit of the screen
     void save_shot(const ShotWish& wish, const ByteImage& window, float pixels);

@@ -61,6 +61,7 @@ WorkspaceData from_json(const Json& json) {
     take(layout, "map_place", place, 0, int(MapSpot::Hidden));
     d.layout.map_place = MapSpot(place);
     d.layout.light_theme = layout.value("light_theme", Json()) == Json(true);
+    d.layout.desktop_dialogs = layout.value("desktop_dialogs", Json()) != Json(false);
     d.layout.map_plots = layout.value("map_plots", Json()) != Json(false);
     const Json& window = part("window");
     take(window, "width", d.window_width, 200, 32768);
@@ -84,7 +85,8 @@ std::string to_text(const WorkspaceData& d) {
                       {"map_inset", d.layout.map_inset},
                       {"map_place", int(d.layout.map_place)},
                       {"map_plots", d.layout.map_plots},
-                      {"light_theme", d.layout.light_theme}}},
+                      {"light_theme", d.layout.light_theme},
+                      {"desktop_dialogs", d.layout.desktop_dialogs}}},
                     {"window", {{"width", d.window_width}, {"height", d.window_height}, {"maximised", d.maximised}}},
                     {"welcomed", d.welcomed},
                     {"recent_scenes", d.recent_scenes},

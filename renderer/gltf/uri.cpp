@@ -4,6 +4,7 @@
 #include <optional>
 #include <system_error>
 
+#include "renderer/base/percent_decoded.h"
 #include "renderer/gltf/file.h"
 
 namespace si::gltf {
@@ -38,27 +39,6 @@ std::optional<Bytes> decode_base64(std::string_view text) {
         out.data[written++] = static_cast<std::uint8_t>(bits >> 16);
         if (n > 2) out.data[written++] = static_cast<std::uint8_t>(bits >> 8 & 0xff);
         if (n > 3) out.data[written++] = static_cast<std::uint8_t>(bits & 0xff);
-    }
-    return out;
-}
-
-int hex_value(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-}
-
-/// %41 -> A; a '%' that starts no escape stays as it is, as in file names that were never encoded.
-std::string percent_decoded(std::string_view uri) {
-    std::string out;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        if (uri[i] == '%' && i + 2 < uri.size() && hex_value(uri[i + 1]) >= 0 && hex_value(uri[i + 2]) >= 0) {
-            out += static_cast<char>(hex_value(uri[i + 1]) * 16 + hex_value(uri[i + 2]));
-            i += 2;
-        } else {
-            out += uri[i];
-        }
     }
     return out;
 }

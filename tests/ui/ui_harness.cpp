@@ -99,6 +99,7 @@ EditorActions UiHarness::frame() {
     EditorFrame facts;
     facts.loading = loading;
     facts.drawing = drawing;
+    facts.desktop_dialogs = desktop_dialogs;
     if (sweep) facts.sweep = &*sweep;
     facts.presets = presets;
     facts.hard_cases = hard_cases;

@@ -56,6 +56,7 @@ public:
     const NumericHealth* health = nullptr;
     const MemoryFacts* memory = nullptr;
     bool driver_reset = false;
+    bool desktop_dialogs = false;
     bool with_facts = true;  ///< false: the editor knows no frame yet
 
     double frame_seconds = 1.0 / 60;

@@ -25,7 +25,8 @@ TEST(Workspace, RemembersLayoutWindowAndRecentFiles) {
                         .bottom_height = 12.5f,
                         .map_share = 0.25f,
                         .map_plots = false,
-                        .light_theme = true};
+                        .light_theme = true,
+                        .desktop_dialogs = false};
             d.welcomed = true;
             d.window_width = 1400, d.window_height = 800, d.maximised = true;
             put_first(d.recent_scenes, "/a/b.glb");
@@ -37,7 +38,8 @@ TEST(Workspace, RemembersLayoutWindowAndRecentFiles) {
                                                  .bottom_height = 12.5f,
                                                  .map_share = 0.25f,
                                                  .map_plots = false,
-                                                 .light_theme = true}));
+                                                 .light_theme = true,
+                                                 .desktop_dialogs = false}));
     EXPECT_TRUE(again.data().welcomed);
     EXPECT_EQ(again.data().window_width, 1400);
     EXPECT_EQ(again.data().window_height, 800);

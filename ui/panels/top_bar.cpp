@@ -131,8 +131,14 @@ void view_menu(EditorState& state, const char* label) {
     for (const auto& [name, which] : kPanels)
         if (ImGui::MenuItem(name, "F11")) maximise(state, which);
     ImGui::Separator();
+    ImGui::MenuItem("Desktop's file dialogs", nullptr, &layout.desktop_dialogs);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Files are chosen in the desktop's own dialog where it has one, else in the editor's");
     if (ImGui::MenuItem("All as wide as at first"))
-        layout = {.map_place = layout.map_place, .map_plots = layout.map_plots, .light_theme = layout.light_theme};
+        layout = {.map_place = layout.map_place,
+                  .map_plots = layout.map_plots,
+                  .light_theme = layout.light_theme,
+                  .desktop_dialogs = layout.desktop_dialogs};
     if (ImGui::MenuItem("Welcome")) state.show_welcome = true;
     ImGui::EndPopup();
 }

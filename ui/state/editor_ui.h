@@ -54,6 +54,7 @@ struct EditorLayout {
     float map_inset = 20;     ///< width and height, where it stands in a corner of the scene
     bool map_plots = true;    ///< histogram and depth curve under the map
     bool light_theme = false;
+    bool desktop_dialogs = true;  ///< for files, where the desktop has one
     bool operator==(const EditorLayout&) const = default;
 };
 
@@ -197,6 +198,7 @@ struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown
     const LiveError* error = nullptr;  ///< of the frame shown; null: not known
     std::optional<AgainstFacts> against;
     const LoupeFacts* loupe = nullptr;         ///< of state.loupe_pixel; null: not known yet
+    bool desktop_dialogs = false;              ///< the desktop's dialog for files can be asked for
     const ArtefactSpots* artefacts = nullptr;  ///< of the last wish that was fulfilled
 };
 
@@ -215,6 +217,7 @@ struct EditorActions : MapActions,
     bool want_timing = false;
     bool copy_command_line = false;
     bool quit = false;
+    std::optional<DesktopFileDialog> ask_desktop;
     bool welcomed = false;     ///< the welcome was shown
     bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies
     bool redraw = false;       ///< something still moves: draw another frame soon

@@ -176,8 +176,7 @@ void choose(EditorState& state, EditorActions& actions) {
     if (d.job == FileDialog::Job::Open) {
         actions.open_file = path.string();
     } else {
-        if (lower_extension(path) != ".json") path += ".json";
-        actions.save_preset = path.string();
+        actions.save_preset = preset_path(path).string();
         actions.save_about = d.about;
     }
     ImGui::CloseCurrentPopup();
@@ -194,6 +193,11 @@ void ask_for_file(FileDialog& d, FileDialog::Job job, const fs::path& path, cons
     const fs::path folder = path.parent_path();
     read_folder(d, fs::is_directory(folder, error) ? folder : fs::path("."));
     d.asked = true;
+}
+
+fs::path preset_path(fs::path path) {
+    if (lower_extension(path) != ".json") path += ".json";
+    return path;
 }
 
 std::string completed_path(const fs::path& folder, const std::string& typed, FileDialog::Job job,
@@ -221,6 +225,10 @@ std::string completed_path(const fs::path& folder, const std::string& typed, Fil
 
 void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     FileDialog& d = state.file_dialog;
+    if (d.asked && frame.desktop_dialogs && state.layout.desktop_dialogs) {
+        d.asked = false;
+        actions.ask_desktop = {d.job, d.kind, d.folder, d.name};
+    }
     const bool saving = d.job == FileDialog::Job::SavePreset;
     const char* title = saving ? kSaveTitle : kOpenTitle;
     if (d.asked) ImGui::OpenPopup(title);

@@ -28,13 +28,24 @@ struct FileDialog {
     std::string problem;         ///< why the folder cannot be read
 };
 
+/// What a desktop's own dialog is to show.
+struct DesktopFileDialog {
+    FileDialog::Job job = FileDialog::Job::Open;
+    FileDialog::Kind kind = FileDialog::Kind::All;
+    std::filesystem::path folder;
+    std::string name;  ///< that is proposed for saving
+};
+
 /// Opens the dialog in the folder of `path`, with its name when saving.
 void ask_for_file(FileDialog& dialog, FileDialog::Job job, const std::filesystem::path& path,
                   const std::string& about = {});
+/// With the extension of a preset.
+std::filesystem::path preset_path(std::filesystem::path path);
 /// The path as typed, from `folder`, as far on as folders and files that the dialog lists go on alike.
 std::string completed_path(const std::filesystem::path& folder, const std::string& typed, FileDialog::Job job,
                            FileDialog::Kind kind);
-/// Draws it while it is open; the chosen file becomes a wish.
+/// Draws it while it is open; the chosen file becomes a wish. Where the desktop's own dialog can be had and is wanted,
+/// that is the wish.
 void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorActions& actions);
 /// Asks before a file is replaced that was neither opened nor saved before.
 void draw_replace_dialog(EditorState& state, EditorActions& actions);

@@ -1,0 +1,203 @@
+// Files chosen in the desktop's own dialog, on a bus of the tests' own.
+#include "app/editor/file_portal.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "tests/support/process.h"
+#include "tests/ui/fake_portal.h"
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Answer = FilePortal::Answer;
+
+/// How often wake() was called, and a way to wait for the answer as the editor does, woken by it.
+struct Woken {
+    std::atomic<int> times = 0;
+    FilePortal portal{[this] { ++times; }};
+
+    std::optional<Answer> wait(int wanted) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
+        while (times < wanted && std::chrono::steady_clock::now() < end)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return portal.take_answer();
+    }
+};
+
+std::vector<std::string> names(const FakePortal::Options& options) {
+    using Filter = sdbus::Struct<std::string, std::vector<sdbus::Struct<std::uint32_t, std::string>>>;
+    std::vector<std::string> out;
+    for (const Filter& filter : options.at("filters").get<std::vector<Filter>>()) {
+        std::string line = filter.get<0>() + ":";
+        for (const auto& pattern : filter.get<1>()) {
+            EXPECT_EQ(pattern.get<0>(), 0u) << "a glob";
+            line += " " + pattern.get<1>();
+        }
+        out.push_back(line);
+    }
+    return out;
+}
+
+TEST(FilePortal, AFileIsChosen) {
+    const PrivateBus bus(fresh_test_folder());
+    FakePortal desktop;
+    Woken woken;
+    woken.portal.ask({FileDialog::Job::Open, FileDialog::Kind::Presets, "/some where", ""}, "x11:2a");
+    ASSERT_TRUE(desktop.wait_for_questions(1));
+    EXPECT_FALSE(woken.portal.take_answer()) << "a person takes time";
+    const FakePortal::Question question = desktop.questions()[0];
+    EXPECT_EQ(question.method, "OpenFile");
+    EXPECT_EQ(question.parent_window, "x11:2a");
+    EXPECT_EQ(question.title, "Open a scene or a preset");
+    const auto folder = question.options.at("current_folder").get<std::vector<std::uint8_t>>();
+    EXPECT_EQ(std::string(folder.begin(), folder.end()), std::string("/some where") + '\0');
+    EXPECT_EQ(names(question.options),
+              (std::vector<std::string>{"Scenes and presets: *.[gG][lL][tT][fF] *.[gG][lL][bB] *.[jJ][sS][oO][nN]",
+                                        "Scenes: *.[gG][lL][tT][fF] *.[gG][lL][bB]", "Presets: *.[jJ][sS][oO][nN]"}));
+    using Filter = sdbus::Struct<std::string, std::vector<sdbus::Struct<std::uint32_t, std::string>>>;
+    EXPECT_EQ(question.options.at("current_filter").get<Filter>().get<0>(), "Presets");
+    desktop.answer(question, 0, {"file:///some%20where/gr%C3%B6%C3%9Fe%2520.json"});
+    const auto answer = woken.wait(1);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->kind, Answer::Kind::Chosen) << answer->problem;
+    EXPECT_EQ(answer->job, FileDialog::Job::Open);
+    EXPECT_EQ(answer->file, "/some where/größe%20.json");
+    EXPECT_FALSE(woken.portal.take_answer()) << "once";
+}
+
+TEST(FilePortal, AClosedDialogChoosesNothingAndANameToSaveUnderIsProposed) {
+    const PrivateBus bus(fresh_test_folder());
+    FakePortal desktop;
+    Woken woken;
+    woken.portal.ask({FileDialog::Job::SavePreset, FileDialog::Kind::All, "/a", "mine.json"}, "");
+    ASSERT_TRUE(desktop.wait_for_questions(1));
+    const FakePortal::Question question = desktop.questions()[0];
+    EXPECT_EQ(question.method, "SaveFile");
+    EXPECT_EQ(question.options.at("current_name").get<std::string>(), "mine.json");
+    desktop.answer(question, 1, {});
+    auto answer = woken.wait(1);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->kind, Answer::Kind::Dismissed);
+    // An answer that names no file of this machine chooses nothing either.
+    woken.portal.ask({FileDialog::Job::SavePreset, FileDialog::Kind::All, "/a", "mine.json"}, "");
+    ASSERT_TRUE(desktop.wait_for_questions(2));
+    desktop.answer(desktop.questions()[1], 0, {"https://example.org/a.json"});
+    answer = woken.wait(2);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->kind, Answer::Kind::Dismissed);
+    EXPECT_EQ(answer->job, FileDialog::Job::SavePreset);
+}
+
+TEST(FilePortal, WithoutADesktopOrABusThatIsSaid) {
+    Woken woken;
+    {
+        const PrivateBus bus(fresh_test_folder());
+        woken.portal.ask({}, "");
+        const auto answer = woken.wait(1);
+        ASSERT_TRUE(answer);
+        EXPECT_EQ(answer->kind, Answer::Kind::NoDialog);
+        EXPECT_FALSE(answer->problem.empty());
+    }
+    unsetenv("XDG_RUNTIME_DIR");
+    woken.portal.ask({}, "");
+    const auto answer = woken.wait(2);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->kind, Answer::Kind::NoDialog);
+    EXPECT_FALSE(answer->problem.empty());
+}
+
+TEST(FilePortal, AskedAgainOrGoneItClosesItsDialog) {
+    const PrivateBus bus(fresh_test_folder());
+    FakePortal desktop;
+    {
+        Woken woken;
+        woken.portal.ask({.folder = "/first"}, "");
+        ASSERT_TRUE(desktop.wait_for_questions(1));
+        woken.portal.ask({.folder = "/second"}, "");
+        ASSERT_TRUE(desktop.wait_for_questions(2));
+        EXPECT_TRUE(desktop.wait_for_closed(1));
+        desktop.answer(desktop.questions()[0], 0, {"file:///first/a.glb"});
+        desktop.answer(desktop.questions()[1], 0, {"file:///second/a.glb"});
+        const auto answer = woken.wait(1);
+        ASSERT_TRUE(answer);
+        EXPECT_EQ(answer->file, "/second/a.glb");
+        EXPECT_EQ(woken.times, 1);
+        woken.portal.ask({.folder = "/third"}, "");
+        ASSERT_TRUE(desktop.wait_for_questions(3));
+    }
+    EXPECT_TRUE(desktop.wait_for_closed(2)) << "with the editor";
+}
+
+TEST(FilePortal, FilesAreThoseOfThisMachine) {
+    EXPECT_EQ(path_of_file_uri("file:///a/b%20c"), "/a/b c");
+    EXPECT_EQ(path_of_file_uri("file://localhost/a"), "/a");
+    for (const char* none : {"", "/a", "http://a/b", "file://elsewhere/a", "file://", "file:///a%00b"})
+        EXPECT_EQ(path_of_file_uri(none), "") << none;
+}
+
+TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
+    UiHarness ui(1280, 720);
+    const auto ask = [&] {
+        ask_for_file(ui.state.file_dialog, FileDialog::Job::SavePreset, "/tmp/mine.json", "Look.");
+        const EditorActions first = ui.frame();
+        ui.frames(2);
+        const bool own = ui.drawn().shows("Save the preset as");
+        ui.state.file_dialog.asked = false;
+        return std::pair(first.ask_desktop, own);
+    };
+    ui.desktop_dialogs = true;
+    const auto [wish, own] = ask();
+    ASSERT_TRUE(wish);
+    EXPECT_EQ(wish->job, FileDialog::Job::SavePreset);
+    EXPECT_EQ(wish->folder, "/tmp");
+    EXPECT_EQ(wish->name, "mine.json");
+    EXPECT_FALSE(own);
+    EXPECT_FALSE(ui.frame().ask_desktop) << "once";
+    ui.state.layout.desktop_dialogs = false;
+    const auto [unwanted, own_then] = ask();
+    EXPECT_FALSE(unwanted);
+    EXPECT_TRUE(own_then);
+}
+
+class WindowOfADesktop : public Window {};
+
+TEST_F(WindowOfADesktop, OpensAndSavesByItsDialogAndByTheEditorsWhereItEnds) {
+    const PrivateBus bus(folder_);
+    const fs::path file = folder_ / "from the desktop.glb";
+    ASSERT_EQ(run_program({"export", "boxes", "-o", file.string()}).code, 0);
+    fs::copy_file(file, folder_ / "typed.glb");
+    {
+        FakePortal desktop;
+        ASSERT_NO_FATAL_FAILURE(start());
+        keys("ctrl+o");
+        ASSERT_TRUE(desktop.wait_for_questions(1));
+        EXPECT_TRUE(desktop.questions()[0].parent_window.starts_with("x11:")) << desktop.questions()[0].parent_window;
+        screen("window_desktop_dialog");
+        desktop.answer(desktop.questions()[0], 0, {"file://" + (folder_ / "from%20the%20desktop.glb").string()});
+        EXPECT_TRUE(shows("from the desktop.glb")) << log();
+        breathe();
+        keys("ctrl+shift+s");
+        ASSERT_TRUE(desktop.wait_for_questions(2));
+        desktop.answer(desktop.questions()[1], 0, {"file://" + (folder_ / "chosen").string()});
+        EXPECT_TRUE(wait_until([&] { return fs::exists(folder_ / "chosen.json"); })) << log();
+        breathe();
+    }
+    keys("ctrl+o");
+    breathe();
+    screen("window_desktop_gone");
+    type((folder_ / "typed.glb").string());
+    keys("Return");
+    EXPECT_TRUE(shows("typed.glb")) << log();
+    quit();
+}
+
+}  // namespace
+}  // namespace si::test
