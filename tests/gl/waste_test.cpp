@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include "tests/gl/frame_fixture.h"
@@ -121,7 +122,9 @@ TEST_F(WasteTest, OfMapsOverScenesAndModelsAsTheyAreIsSmall) {
 }
 
 // Lights of several maps: of these there are some that nobody reads.
+// Label `long`: SI_LONG=1, or ctest -L long.
 TEST_F(WasteTest, OfFacesAndCascadesOverScenesAndModelsIsSmall) {
+    if (!std::getenv("SI_LONG")) GTEST_SKIP() << "every scene and model under six faces and four cascades: SI_LONG=1";
     Sum sum;
     for (const std::string& name : scene_names())
         for (const Sets& sets : {Sets{{"light.type", "point"}}, Sets{{"light.cascades", "4"}}})
