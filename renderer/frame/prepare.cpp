@@ -460,7 +460,7 @@ FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, 
     if (f.settings.camera.source == int(CameraSource::Light) && resources.fitted.empty())
         f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
     f.origin = counted_from(f.settings, f.camera.origin());
-    if (!resources.scene || resources.scene->scene_id() != scene.id)
+    if (!resources.scene || (resources.scene->scene_id() != scene.id && !resources.scene->goes_on_with(scene)))
         resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
     resources.scene->arrange(scene, f.settings, !request.forced.contains(Saving::Order));
 

@@ -46,11 +46,6 @@ glm::dmat3 normal_matrix(const glm::dmat3& m) {
     return c * ((glm::dot(m[0], c[0]) < 0 ? -1.0 : 1.0) / largest);
 }
 
-const Material& material_of(const Scene& scene, const Mesh& mesh) {
-    static const Material fallback{};
-    return mesh.material < 0 ? fallback : scene.materials[std::size_t(mesh.material)];
-}
-
 ObjectSettings object_settings(const Scene& scene, const Settings& settings, const Object& object) {
     const auto it = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
     return it == settings.objects.end() ? ObjectSettings{} : it->second;
@@ -81,7 +76,8 @@ GLenum wrap_mode(TextureWrap wrap) {
 }  // namespace
 
 SceneGpu::SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before)
-    : scene_id_(scene.id), rig_(scene.rig) {
+    : scene_id_(scene.id), rig_(scene.rig), textures_as_uploaded_(scene.textures) {
+    for (const Mesh& m : scene.meshes) meshes_as_uploaded_.emplace_back(scene, m);
     if (before && rig_ && before->rig_ == rig_) {
         textures_ = std::move(before->textures_);
         bodies_ = std::move(before->bodies_);
@@ -90,6 +86,21 @@ SceneGpu::SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu
     if (bodies_.size() != scene.meshes.size()) find_bodies_of(scene);
     upload_geometry(scene);
     if (textures_.size() != scene.textures.size()) upload_textures(scene, anisotropy);
+}
+
+bool SceneGpu::goes_on_with(const Scene& scene) {
+    const auto same_mesh = [&](const SameMesh& before, const Mesh& now) { return before.is(scene, now); };
+    const auto same_texture = [](const Texture& before, const Texture& now) {
+        const auto how = [](const Texture& t) {
+            return std::tuple(t.width, t.height, t.srgb, t.wrap_s, t.wrap_t, t.nearest_mag, t.nearest_min, t.mipmaps);
+        };
+        return before.rgba.shares(now.rgba) && how(before) == how(now);
+    };
+    if (!std::ranges::equal(meshes_as_uploaded_, scene.meshes, same_mesh) ||
+        !std::ranges::equal(textures_as_uploaded_, scene.textures, same_texture))
+        return false;
+    scene_id_ = scene.id, rig_ = scene.rig;
+    return true;
 }
 
 void SceneGpu::find_bodies_of(const Scene& scene) {

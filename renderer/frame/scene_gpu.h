@@ -10,6 +10,7 @@
 #include "renderer/base/key.h"
 #include "renderer/gl/handle.h"
 #include "renderer/scene/bodies.h"
+#include "renderer/scene/same_mesh.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 
@@ -40,6 +41,9 @@ public:
     ///     closed, all else is freed first
     explicit SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before = {});
     std::uint64_t scene_id() const { return scene_id_; }
+    /// Takes this for the scene from now on, where all that was handed to the driver is as it was: nodes and objects
+    /// alone have changed. False: it needs another.
+    bool goes_on_with(const Scene& scene);
 
     /// Sorts the objects into batches under the object settings; cheap when nothing changed.
     /// @param large_last see Saving::Order; else meshes are drawn in the scene's order
@@ -69,6 +73,8 @@ public:
 private:
     std::uint64_t scene_id_ = 0;
     std::shared_ptr<const Rig> rig_;  ///< what poses of one scene have in common; null: the scene has no other pose
+    std::vector<SameMesh> meshes_as_uploaded_;
+    std::vector<Texture> textures_as_uploaded_;
     gl::VertexArray vao_;
     gl::Buffer positions_, attributes_, faces_, colours_, normal_map_;
     gl::Buffer indices_, faced_indices_;  ///< as the lights draw, and as the camera does: see face_normals.h

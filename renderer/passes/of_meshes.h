@@ -2,31 +2,34 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "renderer/scene/scene.h"
+#include "renderer/scene/same_mesh.h"
 
 namespace si {
 
 template <typename T>
 class OfMeshes {
 public:
-    /// What is known of a mesh; as new where that is nothing, or of another scene's.
+    /// What is known of a mesh; as new where that is nothing, or of another.
     T& of(const Scene& scene, std::size_t mesh) {
-        if (rig_ != scene.rig || (!scene.rig && scene_ != scene.id) || meshes_.size() != scene.meshes.size()) {
-            rig_ = scene.rig;
+        if (scene_ != scene.id) {
             scene_ = scene.id;
-            meshes_ = std::vector<T>(scene.meshes.size());
+            meshes_.resize(scene.meshes.size());
+            for (std::size_t i = 0; i < meshes_.size(); ++i)
+                if (const Mesh& m = scene.meshes[i]; !meshes_[i].mesh.is(scene, m))
+                    meshes_[i] = {SameMesh(scene, m), T()};
         }
-        return meshes_[mesh];
+        return meshes_[mesh].known;
     }
 
 private:
-    std::shared_ptr<const Rig>
-        rig_;                  ///< of poses that share their rigid meshes; held, so that no other takes its place
-    std::uint64_t scene_ = 0;  ///< where there is none
-    std::vector<T> meshes_;
+    struct Known {
+        SameMesh mesh;
+        T known{};
+    };
+    std::uint64_t scene_ = 0;
+    std::vector<Known> meshes_;
 };
 
 }  // namespace si

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "renderer/scene/same_mesh.h"
+
 namespace si {
 namespace {
 
@@ -11,11 +13,6 @@ const ObjectSettings& settings_of(const Scene& scene, const Settings& settings, 
     if (settings.objects.empty()) return standard;
     const auto it = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
     return it == settings.objects.end() ? standard : it->second;
-}
-
-const Material& material_of(const Scene& scene, const Mesh& mesh) {
-    static const Material standard;
-    return mesh.material < 0 ? standard : scene.materials[std::size_t(mesh.material)];
 }
 
 bool blend_casts(const Settings& settings) {

@@ -58,6 +58,7 @@ struct Material {
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
     bool unlit = false;
+    bool operator==(const Material&) const = default;
 };
 
 struct Deformer;  // renderer/scene/animation.h

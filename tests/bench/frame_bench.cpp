@@ -187,6 +187,8 @@ void textured_frame(benchmark::State& state, const std::string& name, const Row&
     Machine& m = Machine::get(name);
     Settings s = around_the_scene();
     apply_suggested(m.scene, s);
+    // As bright as the bare program has it.
+    s.lights[0].intensity = LightSettings{}.intensity, s.shading.ambient = Settings{}.shading.ambient;
     const Match match(m, s, row, resolution);
     BareForward like =
         match.bare({.kernel = row.bare, .size = row.size, .materials = BareMaterials::Textures, .cull_casters = false});
