@@ -91,6 +91,15 @@ public:
     }
 
 private:
+    /// Until its end others may leave the connection's loop; also where the bus breaks off.
+    struct Leavable {
+        Dialog& dialog;
+        ~Leavable() {
+            const std::lock_guard lock(dialog.mutex_);
+            dialog.connection_ = nullptr;
+        }
+    };
+
     void answer(Answer a) {
         const std::lock_guard lock(mutex_);
         if (answered_ || closed_) return;
@@ -116,6 +125,7 @@ private:
             if (closed_) return;
             connection_ = connection.get();
         }
+        const Leavable leavable{*this};
         // Heard before the question is put, so that no answer is missed.
         const auto request = sdbus::createProxy(*connection, kService, request_path(connection->getUniqueName()));
         request->uponSignal("Response").onInterface(kRequest).call([this](std::uint32_t code, const Options& results) {
@@ -133,9 +143,11 @@ private:
                 if (error) answer({.problem = error->getMessage()});
             });
         connection->enterEventLoop();
-        const std::lock_guard lock(mutex_);
-        connection_ = nullptr;
-        if (closed_ && !answered_) request->callMethod("Close").onInterface(kRequest).dontExpectReply();
+        const bool unanswered = [this] {
+            const std::lock_guard lock(mutex_);
+            return closed_ && !answered_;
+        }();
+        if (unanswered) request->callMethod("Close").onInterface(kRequest).dontExpectReply();
     }
 
     void hear(std::uint32_t code, const Options& results) {

@@ -136,6 +136,22 @@ TEST(FilePortal, AskedAgainOrGoneItClosesItsDialog) {
     EXPECT_TRUE(desktop.wait_for_closed(2)) << "with the editor";
 }
 
+TEST(FilePortal, ABusThatBreaksOffIsNoDialog) {
+    Woken woken;
+    {
+        const PrivateBus bus(fresh_test_folder());
+        {
+            FakePortal desktop;
+            woken.portal.ask({}, "");
+            ASSERT_TRUE(desktop.wait_for_questions(1));
+        }
+        EXPECT_FALSE(woken.portal.take_answer());
+    }
+    const auto answer = woken.wait(1);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->kind, Answer::Kind::NoDialog);
+}
+
 TEST(FilePortal, FilesAreThoseOfThisMachine) {
     EXPECT_EQ(path_of_file_uri("file:///a/b%20c"), "/a/b c");
     EXPECT_EQ(path_of_file_uri("file://localhost/a"), "/a");
