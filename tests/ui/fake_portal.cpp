@@ -1,6 +1,8 @@
 #include "tests/ui/fake_portal.h"
 
 #include <fmt/format.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,6 +28,17 @@ bool within_minutes(const auto& done) {
     return true;
 }
 
+/// There is a socket a moment before anybody listens at it.
+bool takes_clients(const fs::path& socket_file) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    socket_file.string().copy(address.sun_path, sizeof address.sun_path - 1);
+    const int client = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    const bool taken = ::connect(client, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    ::close(client);
+    return taken;
+}
+
 }  // namespace
 
 PrivateBus::PrivateBus(const fs::path& folder)
@@ -40,7 +53,7 @@ PrivateBus::PrivateBus(const fs::path& folder)
     daemon_ = std::make_unique<Process>(std::vector<std::string>{"dbus-daemon", "--nofork", "--nopidfile",
                                                                  "--config-file=" + (folder / "bus.conf").string()},
                                         folder, "bus.log");
-    EXPECT_TRUE(within_minutes([&] { return fs::exists(socket_) || !daemon_->running(); }));
+    EXPECT_TRUE(within_minutes([&] { return takes_clients(socket_) || !daemon_->running(); }));
     EXPECT_TRUE(daemon_->running()) << "is the package dbus installed?";
     setenv("DBUS_SESSION_BUS_ADDRESS", ("unix:path=" + socket_.string()).c_str(), 1);
 }
