@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "renderer/base/printable.h"
 #include "renderer/gl/target.h"
@@ -75,40 +74,37 @@ GLenum wrap_mode(TextureWrap wrap) {
 
 }  // namespace
 
-SceneGpu::SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before)
-    : scene_id_(scene.id), rig_(scene.rig), textures_as_uploaded_(scene.textures) {
+SceneGpu::SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before) : scene_id_(scene.id) {
     for (const Mesh& m : scene.meshes) meshes_as_uploaded_.emplace_back(scene, m);
-    if (before && rig_ && before->rig_ == rig_) {
-        textures_ = std::move(before->textures_);
-        bodies_ = std::move(before->bodies_);
-    }
+    for (const Texture& t : scene.textures) textures_as_uploaded_.emplace_back(t);
+    find_bodies_of(scene, before.get());
+    const bool same_textures = before && before->has_textures_of(scene);
+    if (same_textures) textures_ = std::move(before->textures_);
     before.reset();
-    if (bodies_.size() != scene.meshes.size()) find_bodies_of(scene);
     upload_geometry(scene);
-    if (textures_.size() != scene.textures.size()) upload_textures(scene, anisotropy);
+    if (!same_textures) upload_textures(scene, anisotropy);
+}
+
+bool SceneGpu::has_textures_of(const Scene& scene) const {
+    return std::ranges::equal(textures_as_uploaded_, scene.textures,
+                              [](const SameTexture& before, const Texture& now) { return before.is(now); });
 }
 
 bool SceneGpu::goes_on_with(const Scene& scene) {
     const auto same_mesh = [&](const SameMesh& before, const Mesh& now) { return before.is(scene, now); };
-    const auto same_texture = [](const Texture& before, const Texture& now) {
-        const auto how = [](const Texture& t) {
-            return std::tuple(t.width, t.height, t.srgb, t.wrap_s, t.wrap_t, t.nearest_mag, t.nearest_min, t.mipmaps);
-        };
-        return before.rgba.shares(now.rgba) && how(before) == how(now);
-    };
-    if (!std::ranges::equal(meshes_as_uploaded_, scene.meshes, same_mesh) ||
-        !std::ranges::equal(textures_as_uploaded_, scene.textures, same_texture))
-        return false;
-    scene_id_ = scene.id, rig_ = scene.rig;
+    if (!std::ranges::equal(meshes_as_uploaded_, scene.meshes, same_mesh) || !has_textures_of(scene)) return false;
+    scene_id_ = scene.id;
     return true;
 }
 
-void SceneGpu::find_bodies_of(const Scene& scene) {
+void SceneGpu::find_bodies_of(const Scene& scene, SceneGpu* before) {
     bodies_.assign(scene.meshes.size(), {});
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         const Mesh& m = scene.meshes[i];
+        if (before && i < before->bodies_.size() && before->meshes_as_uploaded_[i].is(scene, m))
+            bodies_[i] = std::move(before->bodies_[i]);
         // What is deformed changes with each pose.
-        if (!m.deformer && material_of(scene, m).alpha == AlphaMode::Opaque)
+        else if (!m.deformer && material_of(scene, m).alpha == AlphaMode::Opaque)
             bodies_[i] = find_bodies(m.positions, m.indices);
     }
 }

@@ -10,7 +10,7 @@
 #include "renderer/base/key.h"
 #include "renderer/gl/handle.h"
 #include "renderer/scene/bodies.h"
-#include "renderer/scene/same_mesh.h"
+#include "renderer/scene/same_parts.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 
@@ -37,8 +37,8 @@ struct Batch {
 
 class SceneGpu {
 public:
-    /// @param before what was there; another pose of the same scene hands on its textures and which meshes are
-    ///     closed, all else is freed first
+    /// @param before what was there; it hands on its textures where they are the same, and which meshes are closed of
+    ///     those that are, all else is freed first
     explicit SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before = {});
     std::uint64_t scene_id() const { return scene_id_; }
     /// Takes this for the scene from now on, where all that was handed to the driver is as it was: nodes and objects
@@ -72,9 +72,8 @@ public:
 
 private:
     std::uint64_t scene_id_ = 0;
-    std::shared_ptr<const Rig> rig_;  ///< what poses of one scene have in common; null: the scene has no other pose
     std::vector<SameMesh> meshes_as_uploaded_;
-    std::vector<Texture> textures_as_uploaded_;
+    std::vector<SameTexture> textures_as_uploaded_;
     gl::VertexArray vao_;
     gl::Buffer positions_, attributes_, faces_, colours_, normal_map_;
     gl::Buffer indices_, faced_indices_;  ///< as the lights draw, and as the camera does: see face_normals.h
@@ -106,7 +105,8 @@ private:
     };
     std::array<Slot, 3> slots_;  // by Drawn
 
-    void find_bodies_of(const Scene& scene);
+    bool has_textures_of(const Scene& scene) const;
+    void find_bodies_of(const Scene& scene, SceneGpu* before);
     void upload_geometry(const Scene& scene);
     void upload_normal_map_attributes(const Scene& scene, std::size_t vertex_count);
     void upload_textures(const Scene& scene, bool anisotropy);

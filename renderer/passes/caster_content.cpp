@@ -1,7 +1,5 @@
 #include "renderer/passes/caster_content.h"
 
-#include <memory>
-
 #include "renderer/passes/casters.h"
 #include "renderer/passes/of_meshes.h"
 
@@ -14,9 +12,12 @@ struct RigidContent {
 };
 
 struct KnownContent {
+    struct OfTexture {
+        SameTexture texture;
+        std::uint64_t content = 0;  ///< 0: not found yet
+    };
     CasterContent casters;
-    std::shared_ptr<const Rig> rig;       ///< of poses that share their textures
-    std::vector<std::uint64_t> textures;  ///< 0: not found yet
+    std::vector<OfTexture> textures;
 };
 
 std::uint64_t content_of(const Mesh& mesh, bool masked) {
@@ -58,9 +59,9 @@ const CasterContent& caster_content(const FrameState& f) {
         Key().add(f.geometry_key).add(f.settings.caster.blend).add(f.settings.shading.textures).value();
     if (casters.key == key) return casters;
     const Scene& scene = f.scene;
-    if (!scene.rig || scene.rig != known.rig || known.textures.size() != scene.textures.size())
-        known.textures.assign(scene.textures.size(), 0);
-    known.rig = scene.rig;
+    known.textures.resize(scene.textures.size());
+    for (std::size_t i = 0; i < scene.textures.size(); ++i)
+        if (!known.textures[i].texture.is(scene.textures[i])) known.textures[i] = {SameTexture(scene.textures[i])};
     std::vector<std::uint64_t> deformed(scene.meshes.size(), 0);
     const auto& order = f.gl.scene->instance_objects();
     casters.of.assign(order.size(), 0);
@@ -77,7 +78,7 @@ const CasterContent& caster_content(const FrameState& f) {
                 const Material& m = scene.materials[std::size_t(mesh.material)];
                 content.add(m.alpha).add(m.alpha_cutoff).add(m.base_colour.a).add(batch.texture != 0);
                 if (batch.texture) {
-                    std::uint64_t& of_texture = known.textures[std::size_t(m.base_colour_texture)];
+                    std::uint64_t& of_texture = known.textures[std::size_t(m.base_colour_texture)].content;
                     if (of_texture == 0) of_texture = content_of(scene.textures[std::size_t(m.base_colour_texture)]);
                     content.add(of_texture);
                 }

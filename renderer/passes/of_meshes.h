@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/scene/same_mesh.h"
+#include "renderer/scene/same_parts.h"
 
 namespace si {
 

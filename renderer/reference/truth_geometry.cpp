@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "renderer/scene/same_mesh.h"
+#include "renderer/scene/same_parts.h"
 
 namespace si {
 namespace {

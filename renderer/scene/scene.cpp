@@ -337,13 +337,11 @@ bool is_floor(const Bounds& object, const Bounds& scene) {
 /// Sets Scene::standing, once Scene::bounds is known.
 void find_standing(Scene& scene) {
     scene.standing = {};
-    const auto add = [&](const Object& o) {
-        if (o.ground || !finite(o.world)) return;
-        const Bounds own = scene.meshes[std::size_t(o.mesh)].bounds.transformed(o.world);
+    for (const Object* o : all_objects(scene)) {
+        if (o->ground || !finite(o->world)) continue;
+        const Bounds own = scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world);
         if (!is_floor(own, scene.bounds)) scene.standing.add(own);
-    };
-    for (const Object& o : scene.objects) add(o);
-    for (const HiddenObject& h : scene.hidden) add(h.object);
+    }
     if (scene.standing.empty()) scene.standing = scene.bounds;
 }
 

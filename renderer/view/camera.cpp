@@ -136,8 +136,7 @@ glm::dmat3 axes_for_shadow(const Bounds& standing) {
 
 /// What a file's first picture is to hold: the corners of what stands on the ground, or on a floor of the file's own,
 /// and their shadows on it as the scene is first shown.
-std::vector<glm::dvec3> points_with_shadow(const Scene& scene) {
-    const Bounds standing = standing_as_framed(scene);
+std::vector<glm::dvec3> points_with_shadow(const Scene& scene, const Bounds& standing) {
     const bool own_floor = scene.ground_bounds.empty();
     const Box box = standing.corners();
     std::vector<glm::dvec3> points(box.begin(), box.end());
@@ -267,13 +266,14 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
         far = positive_or(sc->far, 0);
     } else {
         const CameraSettings standard;
-        c.axes = orbit_axes(standard.azimuth, standard.elevation, 0);
         c.orthographic = false;
         c.fov_y_rad = clamped_fov_rad(standard.fov);
         if (frames_shadow(scene, settings)) {
-            c.axes = axes_for_shadow(standing_as_framed(scene));
-            frame_points(c, points_with_shadow(scene));
+            const Bounds standing = standing_as_framed(scene);
+            c.axes = axes_for_shadow(standing);
+            frame_points(c, points_with_shadow(scene, standing));
         } else {
+            c.axes = orbit_axes(standard.azimuth, standard.elevation, 0);
             frame_bounds(c, bounds);
         }
     }

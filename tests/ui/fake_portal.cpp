@@ -18,16 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr const char *kChooser = "org.freedesktop.portal.FileChooser", *kRequest = "org.freedesktop.portal.Request";
 
-/// Against a hang; no machine is so slow.
-bool within_minutes(const auto& done) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
-    while (!done()) {
-        if (std::chrono::steady_clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return true;
-}
-
 /// There is a socket a moment before anybody listens at it.
 bool takes_clients(const fs::path& socket_file) {
     sockaddr_un address{};
@@ -40,6 +30,15 @@ bool takes_clients(const fs::path& socket_file) {
 }
 
 }  // namespace
+
+bool within_minutes(const std::function<bool()>& done) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
+    while (!done()) {
+        if (std::chrono::steady_clock::now() > end) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return true;
+}
 
 PrivateBus::PrivateBus(const fs::path& folder)
     : socket_(fs::temp_directory_path() / fmt::format("shadow-inspector-bus-{}", getpid())) {

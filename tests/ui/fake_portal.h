@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -15,6 +16,9 @@
 #include "tests/ui/window_fixture.h"
 
 namespace si::test {
+
+/// Waits until it is so, against a hang only: no machine is so slow.
+bool within_minutes(const std::function<bool()>& done);
 
 /// A bus on which nobody offers anything. $DBUS_SESSION_BUS_ADDRESS names it while it lives.
 class PrivateBus {

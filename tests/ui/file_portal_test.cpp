@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <cstdlib>
-#include <thread>
 
 #include "tests/support/process.h"
 #include "tests/ui/fake_portal.h"
@@ -25,9 +23,7 @@ struct Woken {
     FilePortal portal{[this] { ++times; }};
 
     std::optional<Answer> wait(int wanted) {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
-        while (times < wanted && std::chrono::steady_clock::now() < end)
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        within_minutes([&] { return times >= wanted; });
         return portal.take_answer();
     }
 };

@@ -1,5 +1,7 @@
-// Whether what was found of a mesh, or handed to the driver, still holds after its scene has changed.
+// Whether what was found of a mesh or a texture, or handed to the driver, still holds after its scene has changed.
 #pragma once
+
+#include <tuple>
 
 #include "renderer/scene/scene.h"
 
@@ -35,6 +37,26 @@ private:
     Mesh mesh_;
     Material material_;
     bool rigid_ = false;
+};
+
+/// A texture as it was. Its pixels are held likewise.
+class SameTexture {
+    static auto how(const Texture& t) {
+        return std::tuple(t.width, t.height, t.srgb, t.wrap_s, t.wrap_t, t.nearest_mag, t.nearest_min, t.mipmaps);
+    }
+
+public:
+    SameTexture() = default;
+    explicit SameTexture(const Texture& texture) : texture_(texture), known_(true) {}
+
+    /// Whether it is this one: the same pixels in memory, looked up in the same way.
+    bool is(const Texture& texture) const {
+        return known_ && texture_.rgba.shares(texture.rgba) && how(texture_) == how(texture);
+    }
+
+private:
+    Texture texture_;
+    bool known_ = false;
 };
 
 }  // namespace si
