@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/scene/animation.h"
 #include "renderer/scene/ground.h"
+#include "renderer/scene/outline.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/placement.h"
@@ -122,11 +123,12 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
         // Where the ground lies and what the camera frames do not depend on the moment that is shown.
         if (scene.framed.empty() || (grounded && scene.ground_bounds.empty() && !scene.has_floor)) {
             pose(scene, 0, 0);
-            scene.framed = scene.standing;
+            scene.framed = outermost_points(scene);
             if (grounded) add_ground(scene);
         }
         pose(scene, settings.animation, settings.time);
     }
+    if (scene.framed.empty() && !scene.file_scenes.empty()) scene.framed = outermost_points(scene);
     if (grounded) add_ground(scene);
     if (const glm::dmat4 placement = placement_of(settings); placement != scene.placement) place(scene, placement);
     hide_objects(scene, hidden);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <string_view>
 #include <unordered_map>
@@ -337,12 +338,8 @@ bool is_floor(const Bounds& object, const Bounds& scene) {
 /// Sets Scene::standing, once Scene::bounds is known.
 void find_standing(Scene& scene) {
     scene.standing = {};
-    for (const Object* o : all_objects(scene)) {
-        if (o->ground || !finite(o->world)) continue;
-        const Bounds own = scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world);
-        if (!is_floor(own, scene.bounds)) scene.standing.add(own);
-    }
-    if (scene.standing.empty()) scene.standing = scene.bounds;
+    for (const Object* o : standing_objects(scene))
+        scene.standing.add(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world));
 }
 
 void place_objects(Scene& scene) {
@@ -487,6 +484,15 @@ std::vector<const Object*> all_objects(const Scene& scene) {
         all[place] = is_hidden ? &hidden++->object : &*shown++;
     }
     return all;
+}
+
+std::vector<const Object*> standing_objects(const Scene& scene) {
+    std::vector<const Object*> all = all_objects(scene), standing;
+    std::erase_if(all, [](const Object* o) { return o->ground || !finite(o->world); });
+    std::ranges::copy_if(all, std::back_inserter(standing), [&](const Object* o) {
+        return !is_floor(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world), scene.bounds);
+    });
+    return standing.empty() ? all : standing;
 }
 
 void place(Scene& scene, const glm::dmat4& placement) {

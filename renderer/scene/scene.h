@@ -145,10 +145,10 @@ struct Scene {
     Bounds ground_bounds;               ///< world, of the ground put under it; empty: there is none. Likewise
     Bounds standing;  ///< `bounds` without the file's own floor, or all of it where nothing else is there. Likewise
     bool has_floor = false;  ///< the file brings what shadows fall on, so that it needs no ground: see add_ground()
-    Bounds framed;         ///< `standing` as an animated scene is first posed, before `placement`; empty: nothing moves
-    Bounds travel;         ///< `bounds` over all of an animation, before `placement`; empty: not asked for
-    int travel_of = -1;    ///< which animation; -1: none. See measure_travel()
-    std::uint64_t id = 0;  ///< unique per finalise() in this process; part of cache keys
+    std::vector<glm::dvec3> framed;     ///< outermost_points() as a file's scene is first posed; none: not asked for
+    Bounds travel;                      ///< `bounds` over all of an animation, before `placement`; empty: not asked for
+    int travel_of = -1;                 ///< which animation; -1: none. See measure_travel()
+    std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys
     std::size_t dropped_triangles = 0;  ///< degenerate, set by finalise()
     std::shared_ptr<const Rig> rig;     ///< animations; null: nothing moves
     HeldMemory held;                    ///< nodes and objects, which copies do not share; set by finalise()
@@ -172,6 +172,9 @@ void hide_objects(Scene& scene, const std::set<std::string>& paths);
 
 /// Shown and hidden, in the order of the scene's file.
 std::vector<const Object*> all_objects(const Scene& scene);
+
+/// Those that Scene::standing bounds.
+std::vector<const Object*> standing_objects(const Scene& scene);
 
 /// Moves, turns and scales all of the scene from where its nodes have it, whatever placed it before: refresh(), and
 /// cameras and lights with it. What the scene suggests stays as it was.

@@ -2,39 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
-#include <numbers>
 #include <span>
 #include <vector>
 
 #include "renderer/base/angles.h"
 #include "renderer/base/finite.h"
-#include "renderer/settings/param.h"
 #include "renderer/view/camera_settings.h"
+#include "renderer/view/framing.h"
 #include "renderer/view/projection.h"
 
 namespace si {
 namespace {
-
-constexpr double kFramingMargin = 1.05;
-/// Of the picture that a model on a ground fills together with its shadow.
-constexpr double kFilled = 0.85;
-/// A shadow longer than so many times the model's size is not seen to its end.
-constexpr double kLongestShadow = 3;
-
-/// Right, up and back of a view from an azimuth and elevation. `right` comes from the azimuth alone, so that looking
-/// straight up or down is nothing special.
-glm::dmat3 orbit_axes(double azimuth_deg, double elevation_deg, double roll_deg) {
-    const SineCosine az = sine_cosine(azimuth_deg), roll = sine_cosine(roll_deg);
-    const glm::dvec3 back = direction_from_angles(azimuth_deg, elevation_deg);
-    const glm::dvec3 right(az.cosine, 0, -az.sine);
-    const glm::dvec3 up = glm::cross(back, right);
-    return {roll.cosine * right + roll.sine * up, roll.cosine * up - roll.sine * right, back};
-}
-
-glm::dvec3 corner(const Bounds& b, int i) {
-    return {i & 1 ? b.hi.x : b.lo.x, i & 2 ? b.hi.y : b.lo.y, i & 4 ? b.hi.z : b.lo.z};
-}
 
 /// The bounds to look at: a unit box around zero when the scene is empty.
 Bounds view_bounds(const Scene& scene) {
@@ -48,8 +26,8 @@ Bounds view_bounds(const Scene& scene) {
 /// Near and far tight around the bounds along the view axis. The depth is a reversed float: a small near costs little.
 void fit_range(Camera& c, const Bounds& bounds, double near, double far) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-    for (int i = 0; i < 8; ++i) {
-        const double z = glm::dot(c.axes[2], c.eye - corner(bounds, i));
+    for (const glm::dvec3& p : bounds.corners()) {
+        const double z = glm::dot(c.axes[2], c.eye - p);
         nearest = std::min(nearest, z);
         farthest = std::max(farthest, z);
     }
@@ -68,89 +46,6 @@ void fit_range(Camera& c, const Bounds& bounds, double near, double far) {
         else
             c.curve.near = 0.5 * c.curve.far;
     }
-}
-
-/// Moves the eye along `back` until the bounds fill the picture.
-void frame_bounds(Camera& c, const Bounds& bounds) {
-    const double tan_y = std::tan(0.5 * c.fov_y_rad), tan_x = tan_y * c.aspect;
-    double distance = 0;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 v = glm::transpose(c.axes) * (corner(bounds, i) - bounds.centre());
-        distance = std::max({distance, v.z + std::abs(v.x) / tan_x, v.z + std::abs(v.y) / tan_y});
-    }
-    c.focus = kFramingMargin * distance;
-    c.height = 2 * c.focus * tan_y;  // for a change to an orthographic camera
-    c.eye = bounds.centre() + c.axes[2] * c.focus;
-}
-
-/// Places the eye so that all points lie in the middle kFilled of the picture, and reach its ends.
-void frame_points(Camera& c, std::span<const glm::dvec3> points) {
-    const glm::dmat3 turn = glm::transpose(c.axes);
-    const double tan_y = kFilled * std::tan(0.5 * c.fov_y_rad), tan_x = tan_y * c.aspect;
-    // As seen along the view, z towards the eye: |x - eye.x| <= tan (eye.z - z).
-    glm::dvec4 most(-std::numeric_limits<double>::infinity());
-    double nearest = most.x, farthest = -most.x;
-    for (const glm::dvec3& p : points) {
-        const glm::dvec3 v = turn * p;
-        most = glm::max(most, glm::dvec4(tan_x * v.z + v.x, tan_x * v.z - v.x, tan_y * v.z + v.y, tan_y * v.z - v.y));
-        nearest = std::max(nearest, v.z), farthest = std::min(farthest, v.z);
-    }
-    const double along = std::max((most.x + most.y) / (2 * tan_x), (most.z + most.w) / (2 * tan_y));
-    c.eye = c.axes * glm::dvec3(0.5 * (most.x - most.y), 0.5 * (most.z - most.w), along);
-    c.focus = std::max(along - 0.5 * (nearest + farthest), 1e-12);
-    c.height = 2 * c.focus * std::tan(0.5 * c.fov_y_rad);
-}
-
-/// Where the scene suggests its first light, or the program does: a light that is turned leaves the camera alone.
-glm::dvec3 suggested_light(const Scene& scene) {
-    Settings s;
-    for (const auto& [key, value] : scene.suggested)
-        if (key == "light.azimuth" || key == "light.elevation" || key == "light.0.azimuth" ||
-            key == "light.0.elevation")
-            set_setting(s, key, value);
-    return direction_from_angles(s.lights[0].azimuth, s.lights[0].elevation);
-}
-
-/// Whether the picture is framed for the shadow of what stands there, as of files that are shown on a ground.
-bool frames_shadow(const Scene& scene, const Settings& settings) {
-    const double size = scene.standing.radius();
-    return settings.scene.ground == int(Ground::Auto) && !scene.file_scenes.empty() && std::isfinite(size) &&
-           size > std::max(1e-7, 1e-9 * glm::length(scene.standing.centre()));
-}
-
-Bounds standing_as_framed(const Scene& scene) {
-    return scene.framed.empty() ? scene.standing : scene.framed.transformed(scene.placement);
-}
-
-/// Where the camera stands that frames_shadow(): higher over what is flat, whose shadows are hidden from beside it, and
-/// across what is long.
-glm::dmat3 axes_for_shadow(const Bounds& standing) {
-    const CameraSettings standard;
-    constexpr double kHighest_deg = 50, kUpright = 0.35;  // from this height over the diagonal on as usual
-    const glm::dvec3 size = standing.hi - standing.lo;
-    const double upright = std::min(size.y / (kUpright * std::max(std::hypot(size.x, size.z), 1e-300)), 1.0);
-    const double elevation = kHighest_deg + (standard.elevation - kHighest_deg) * upright;
-    const double azimuth = std::clamp(standard.azimuth / 45 * std::atan2(size.z, size.x) / kDegree, 15.0, 75.0);
-    return orbit_axes(azimuth, elevation, 0);
-}
-
-/// What a file's first picture is to hold: the corners of what stands on the ground, or on a floor of the file's own,
-/// and their shadows on it as the scene is first shown.
-std::vector<glm::dvec3> points_with_shadow(const Scene& scene, const Bounds& standing) {
-    const bool own_floor = scene.ground_bounds.empty();
-    const Box box = standing.corners();
-    std::vector<glm::dvec3> points(box.begin(), box.end());
-    const glm::dvec3 to_light = suggested_light(scene);
-    if (to_light.y <= 0) return points;
-    const double level = own_floor ? standing.lo.y : scene.ground_bounds.hi.y;
-    const double longest = kLongestShadow * 2 * standing.radius();
-    for (const glm::dvec3& p : box) {
-        const glm::dvec3 cast = to_light * ((level - p.y) / to_light.y);
-        if (glm::length(cast) > longest) continue;
-        // A shadow is not seen beyond the floor.
-        points.push_back(own_floor ? glm::clamp(p + cast, scene.bounds.lo, scene.bounds.hi) : p + cast);
-    }
-    return points;
 }
 
 /// The axes of a scene camera, made orthonormal; false when its transform is singular.
@@ -269,9 +164,7 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
         c.orthographic = false;
         c.fov_y_rad = clamped_fov_rad(standard.fov);
         if (frames_shadow(scene, settings)) {
-            const Bounds standing = standing_as_framed(scene);
-            c.axes = axes_for_shadow(standing);
-            frame_points(c, points_with_shadow(scene, standing));
+            frame_with_shadow(c, scene);
         } else {
             c.axes = orbit_axes(standard.azimuth, standard.elevation, 0);
             frame_bounds(c, bounds);

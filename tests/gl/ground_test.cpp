@@ -173,7 +173,6 @@ constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
     {"MorphStressTest.glb", "it is five times as long as wide, and the map is square"},
     {"chainlink_fence.glb", "its wires are thinner than a hundredth of the fence's height"},
     {"huge_extent.glb", "it lies about a million metres apart"},
-    {"lights.gltf", "its posts are slender: 1.9 %"},
     {"LightsPunctualLamp.gltf", "its first light hangs low beside the stem, whose shadow runs to the ground's end"},
     {"ToyCar.gltf", "it stands on a cloth of its own, which spreads as wide and as flat as its shadow falls"},
 };

@@ -8,6 +8,9 @@
 #include <random>
 
 #include "renderer/base/angles.h"
+#include "renderer/scene/ground.h"
+#include "renderer/scene/outline.h"
+#include "renderer/scenes/shapes.h"
 #include "tests/support/box_scene.h"
 
 namespace si {
@@ -153,6 +156,7 @@ TEST(Camera, AutomaticLooksDownOnWhatIsFlatAndAcrossWhatIsLong) {
         Scene scene = test::box_scene({{glm::dvec3(0), size}});
         scene.file_scenes = {""};
         refresh(scene);
+        add_ground(scene);
         return make_camera(scene, Settings(), 1.5).axes[2];
     };
     const CameraSettings standard;
@@ -163,6 +167,21 @@ TEST(Camera, AutomaticLooksDownOnWhatIsFlatAndAcrossWhatIsLong) {
     EXPECT_GT(flat.y, std::sin(45 * std::numbers::pi / 180));
     EXPECT_LT(std::abs(along_x.x), 0.3 * along_x.z) << "from beside it";
     EXPECT_LT(std::abs(along_z.z), 0.5 * along_z.x);
+}
+
+TEST(Camera, AutomaticLooksOverWhatHidesItsShadow) {
+    Scene scene;
+    const int mesh = add_mesh(scene, "sail", make_polygons("sail", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}), -1);
+    add_object(scene, "sail", -1, mesh, glm::dmat4(1));
+    scene.file_scenes = {""};
+    finalise(scene);
+    add_ground(scene);
+    scene.framed = outermost_points(scene);
+    const double usual = CameraSettings().elevation * std::numbers::pi / 180;
+    EXPECT_GT(make_camera(scene, Settings(), 1.5).axes[2].y, std::sin(usual) + 0.05);
+    // Turned about, its shadow falls to where it is seen.
+    place(scene, glm::rotate(glm::dmat4(1), 1.5, glm::dvec3(0, 1, 0)));
+    EXPECT_NEAR(make_camera(scene, Settings(), 1.5).axes[2].y, std::sin(usual), 1e-9);
 }
 
 TEST(Camera, OriginStaysForSmallMoves) {
