@@ -11,6 +11,7 @@
 #include "app/report/map_report.h"
 #include "app/report/views.h"
 #include "renderer/base/error.h"
+#include "renderer/base/small_letters.h"
 
 namespace si {
 namespace {
@@ -33,7 +34,7 @@ void draw_editor(const OverviewOptions& options, const std::string& path) {
     editor.session = options.session;
     editor.headless = true;
     editor.screenshot = path;
-    if (fs::path(options.session.preset).extension() == ".json") editor.preset = options.session.preset;
+    if (lower_extension(options.session.preset) == ".json") editor.preset = options.session.preset;
     run_editor(editor);  // its notes are those of the session
 }
 

@@ -11,6 +11,7 @@
 #include "app/editor/wishes.h"
 #include "app/session/command_line.h"
 #include "renderer/base/error.h"
+#include "renderer/base/small_letters.h"
 
 namespace si {
 
@@ -88,7 +89,7 @@ EditorFrame EditorModel::facts() const {
 
 void EditorModel::open(const std::filesystem::path& path) {
     attempt(state, [&] {
-        if (path.extension() == ".json")
+        if (lower_extension(path) == ".json")
             presets_.open(path.string());
         else
             scenes_.load({.scene_name = path.string()});

@@ -398,11 +398,11 @@ private:
             const glm::dvec2 at = v.px(part->second);
             // The light stands beyond the picture: rays come down.
             line({at, at + glm::dvec2(0, 1.3 * em_)}, Ink::Ray, 1.4, false, true);
-            const bool to_left = at.x > 0.6 * right_ + 0.4 * left_;
-            words({at.x + (to_left ? -0.5 : 0.5) * em_, at.y + 1.05 * em_},
-                  s_.light == LightType::Directional ? "from the light"
-                                                     : fmt::format("from the light, {}", metric_text(s_.light_m)),
-                  Ink::Ray, false, to_left ? Mark::Anchor::End : Mark::Anchor::Start);
+            labels_.push_back({at + glm::dvec2(0, 0.5 * em_),
+                               s_.light == LightType::Directional
+                                   ? "from the light"
+                                   : fmt::format("from the light, {}", metric_text(s_.light_m)),
+                               Ink::Ray, Need::Rest});
         }
         if (!s_.occluder) return;
         if (const auto at = seen(*s_.occluder)) {

@@ -125,7 +125,7 @@ TEST_F(WindowFiles, APresetIsSavedUnderANameLoadedAndIdentical) {
 
 TEST_F(WindowFiles, ADroppedModelAndADroppedPresetAreOpened) {
     const fs::path file = model("dropped måne 1.glb");
-    const fs::path preset = folder_ / "dropped.json";
+    const fs::path preset = folder_ / "dropped.JSON";
     ASSERT_EQ(run_program({"preset", "save", "plane", "--set", "bias.constant=7", "-o", preset.string()}).code, 0);
     ASSERT_NO_FATAL_FAILURE(start());
     const unsigned long window = std::strtoul(ask("search --name 'Shadow Inspector'").c_str(), nullptr, 10);
@@ -135,12 +135,12 @@ TEST_F(WindowFiles, ADroppedModelAndADroppedPresetAreOpened) {
     screen("window_dropped");
     EXPECT_TRUE(drop_file(window, preset, 300, 300));
     EXPECT_TRUE(shows("plane")) << log();
-    EXPECT_EQ(saved("dropped.json").value("bias.constant", 0.0), 7);
+    EXPECT_EQ(saved("dropped.JSON").value("bias.constant", 0.0), 7);
     // What is neither is said so, and nothing is lost.
     ASSERT_TRUE(program_->running()) << program_->code();
     EXPECT_TRUE(drop_file(window, folder_ / "program.log", 300, 300));
     breathe();
-    EXPECT_EQ(saved("dropped.json").value("bias.constant", 0.0), 7);
+    EXPECT_EQ(saved("dropped.JSON").value("bias.constant", 0.0), 7);
     screen("window_dropped_nonsense");
     quit();
 }
