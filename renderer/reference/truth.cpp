@@ -14,6 +14,8 @@ namespace si {
 namespace {
 
 constexpr int kTile = 16;   ///< pixels a side: neighbours' rays meet the same nodes
+/// Tiles beside each other that one thread takes: their pixels share cache lines, for which threads would wait.
+constexpr std::size_t kTilesInTurn = 8;
 constexpr int kSquare = 4;  ///< pixels a side whose rays are traced at once, in one packet
 constexpr int kFirstParts = 8;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
@@ -162,9 +164,14 @@ private:
     void for_tiles(const Workers& workers, Work&& work) {
         const std::size_t across = std::size_t((receivers_.width + kTile - 1) / kTile);
         const std::size_t down = std::size_t((receivers_.height + kTile - 1) / kTile);
-        for_blocks(across * down, workers, [&](std::size_t t) {
-            const int x0 = int(t % across) * kTile, y0 = int(t / across) * kTile;
-            work(x0, y0, std::min(x0 + kTile, receivers_.width), std::min(y0 + kTile, receivers_.height));
+        const std::size_t runs = (across + kTilesInTurn - 1) / kTilesInTurn;
+        for_blocks(runs * down, workers, [&](std::size_t run) {
+            const std::size_t first = run % runs * kTilesInTurn, end = std::min(first + kTilesInTurn, across);
+            const int y0 = int(run / runs) * kTile, y1 = std::min(y0 + kTile, receivers_.height);
+            for (std::size_t t = first; t < end; ++t) {
+                const int x0 = int(t) * kTile;
+                work(x0, y0, std::min(x0 + kTile, receivers_.width), y1);
+            }
         });
     }
 

@@ -109,6 +109,19 @@ void seen_map(benchmark::State& state, const Scene& scene, Settings s) {
         state, [&] { turn(), renderer.render(scene, s, whole); }, [&] { turn(), renderer.render(scene, s, request); });
 }
 
+/// Frames of a camera that goes round what it looks at, without shadows, with all objects handed to the driver (first)
+/// and those that the picture may show.
+void among_objects(benchmark::State& state, const Scene& scene, Settings s) {
+    HeadlessContext context;
+    Renderer renderer;
+    s.lights[0].cast = false;
+    FrameRequest request{.width = 160, .height = 90}, all = request;
+    all.forced = {Saving::InSight};
+    const auto turn = [&] { s.camera.azimuth += 0.5; };
+    in_turn(
+        state, [&] { turn(), renderer.render(scene, s, all); }, [&] { turn(), renderer.render(scene, s, request); });
+}
+
 /// What it takes to find what the camera reads of a map: what it sees ("seen_ms", once a camera), and where that lies
 /// in the map ("called_ms").
 void analysis(benchmark::State& state, const Scene& scene, const Settings& s) {
@@ -228,6 +241,12 @@ const int kRegistered = [] {
         [=](benchmark::State& s) { seen_map(s, ten_thousand_objects(), seeing_a_part(directional)); });
     add("casters/seen/100k_triangles_all",
         [=](benchmark::State& s) { seen_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), directional); });
+    Settings above = seeing_a_part(directional);
+    above.camera.target_x = above.camera.target_z = 0, above.camera.distance = 150, above.camera.elevation = 60;
+    add("casters/in_sight/10000_objects_all",
+        [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), above); });
+    add("casters/in_sight/10000_objects_part",
+        [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), seeing_a_part(directional)); });
     Settings blurred = seeing_a_part(directional);
     blurred.camera.target_x = blurred.camera.target_z = -3, set_setting(blurred, "filter.kernel", "vsm");
     add("casters/seen/64_balls_vsm_part", [=](benchmark::State& s) { seen_map(s, balls_on_a_floor(64), blurred); });
