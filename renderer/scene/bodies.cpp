@@ -76,24 +76,31 @@ struct Edges {
 
 Edges edges_of(const Welded& mesh) {
     Edges out;
-    Numbering edges(mesh.triangles.size() * 3);
-    struct Ends {
-        std::uint32_t a, b;
-        std::uint8_t ways;  // bit 0 from a to b, bit 1 back
+    // By the lesser of their places, of which a few edges are: as lists of the other place and the way.
+    std::vector<std::size_t> end_of(mesh.places.size() + 1);
+    const auto each_edge = [&](const auto& work) {
+        for (const Triple& t : mesh.triangles)
+            for (std::size_t k = 0; k < 3; ++k) work(t[k], t[(k + 1) % 3]);
     };
-    std::vector<Ends> known;
-    known.reserve(mesh.triangles.size() * 3 / 2);
-    for (const Triple& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = std::min(t[k], t[(k + 1) % 3]), b = std::max(t[k], t[(k + 1) % 3]);
-            const std::uint32_t edge = edges.of({a, b, 0});
-            if (edge == known.size()) known.push_back({a, b, 0});
-            const std::uint8_t way = a == t[k] ? 1 : 2;
-            out.each_way_once &= !(known[edge].ways & way);
-            known[edge].ways |= way;
+    each_edge([&](std::uint32_t a, std::uint32_t b) { ++end_of[std::min(a, b) + 1]; });
+    std::partial_sum(end_of.begin(), end_of.end(), end_of.begin());
+    std::vector<std::uint64_t> others(mesh.triangles.size() * 3);
+    std::vector<std::size_t> next(end_of.begin(), end_of.end() - 1);
+    each_edge([&](std::uint32_t a, std::uint32_t b) {
+        others[next[std::min(a, b)]++] = std::uint64_t(std::max(a, b)) << 1 | std::uint64_t(a < b);
+    });
+    for (std::uint32_t a = 0; a < mesh.places.size(); ++a) {
+        const auto first = others.begin() + std::ptrdiff_t(end_of[a]),
+                   end = others.begin() + std::ptrdiff_t(end_of[a + 1]);
+        std::sort(first, end);
+        out.each_way_once &= std::adjacent_find(first, end) == end;
+        for (auto i = first; i != end; ++i) {
+            if (i + 1 != end && *i >> 1 == i[1] >> 1)
+                ++i;
+            else
+                out.unpaired.insert(out.unpaired.end(), {a, std::uint32_t(*i >> 1)});
         }
-    for (const Ends& e : known)
-        if (e.ways != 3) out.unpaired.insert(out.unpaired.end(), {e.a, e.b});
+    }
     std::sort(out.unpaired.begin(), out.unpaired.end());
     out.unpaired.erase(std::unique(out.unpaired.begin(), out.unpaired.end()), out.unpaired.end());
     return out;
@@ -122,8 +129,13 @@ void join_seams(Welded& mesh, std::vector<std::uint32_t> open) {
     std::erase_if(mesh.triangles, [](const Triple& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
 }
 
-/// By triangle, the number of its connected part, which is that of one of its places.
-std::vector<std::uint32_t> parts_by_triangle(const Welded& mesh) {
+/// Connected parts of a mesh.
+struct Parts {
+    std::vector<std::uint32_t> of_triangle;
+    std::size_t count = 0;
+};
+
+Parts parts_of(const Welded& mesh) {
     std::vector<std::uint32_t> up(mesh.places.size());
     std::iota(up.begin(), up.end(), 0u);
     const auto top = [&](std::uint32_t i) {
@@ -132,9 +144,15 @@ std::vector<std::uint32_t> parts_by_triangle(const Welded& mesh) {
     };
     for (const Triple& t : mesh.triangles)
         for (const std::size_t k : {1, 2}) up[top(t[k])] = top(t[0]);
-    std::vector<std::uint32_t> out;
-    out.reserve(mesh.triangles.size());
-    for (const Triple& t : mesh.triangles) out.push_back(top(t[0]));
+    Parts out;
+    out.of_triangle.reserve(mesh.triangles.size());
+    constexpr std::uint32_t kNone = ~0u;
+    std::vector<std::uint32_t> number(mesh.places.size(), kNone);
+    for (const Triple& t : mesh.triangles) {
+        std::uint32_t& part = number[top(t[0])];
+        if (part == kNone) part = std::uint32_t(out.count++);
+        out.of_triangle.push_back(part);
+    }
     return out;
 }
 
@@ -152,15 +170,15 @@ struct BodyPart {
     double size() const { return glm::length(hi - lo); }
 };
 
-std::vector<BodyPart> measure_parts(const Welded& mesh, const std::vector<std::uint32_t>& part_of) {
-    std::vector<BodyPart> parts(mesh.places.size());
-    for (std::size_t i = 0; i < part_of.size(); ++i) {
-        BodyPart& p = parts[part_of[i]];
+std::vector<BodyPart> measure_parts(const Welded& mesh, const Parts& of) {
+    std::vector<BodyPart> parts(of.count);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        BodyPart& p = parts[of.of_triangle[i]];
         for (const glm::dvec3& c : corners_of(mesh, i)) p.sum += c, p.lo = glm::min(p.lo, c), p.hi = glm::max(p.hi, c);
         p.triangles += 1;
     }
-    for (std::size_t i = 0; i < part_of.size(); ++i) {
-        BodyPart& p = parts[part_of[i]];
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        BodyPart& p = parts[of.of_triangle[i]];
         const auto [a, b, c] = corners_of(mesh, i);
         const glm::dvec3 normal = glm::cross(b - a, c - a);
         const double height = glm::dot(normal, a - p.middle());
@@ -230,11 +248,11 @@ Bodies find_bodies(std::span<const glm::vec3> positions, std::span<const std::ui
         join_seams(mesh, std::move(edges.unpaired));
         if (!edges_of(mesh).match()) return {};
     }
-    const std::vector<std::uint32_t> part_of = parts_by_triangle(mesh);
-    const std::vector<BodyPart> parts = measure_parts(mesh, part_of);
+    const Parts numbers = parts_of(mesh);
+    const std::vector<BodyPart> parts = measure_parts(mesh, numbers);
     for (const BodyPart& p : parts)
-        if (p.triangles > 0 && !(p.six_volumes > 1e-9 * p.size() * p.size() * p.size())) return {};
-    if (cut_themselves(mesh, part_of, parts)) return {};
+        if (!(p.six_volumes > 1e-9 * p.size() * p.size() * p.size())) return {};
+    if (cut_themselves(mesh, numbers.of_triangle, parts)) return {};
     Bodies out{.closed = !mesh.triangles.empty(), .joined = {}};
     for (std::uint32_t i = 0; i < positions.size(); ++i)
         if (const std::uint32_t there = mesh.vertex_at[mesh.place_of[i]]; positions[there] != positions[i])

@@ -57,6 +57,12 @@ TEST(Bodies, AreNotOpen) {
     Mesh torn = make_box({1, 1, 1});
     torn.positions.edit()[torn.indices[0]] += glm::vec3(0, 1e-4f, 0);
     EXPECT_FALSE(is_closed(torn)) << "a vertex of one of several that stood in one place was moved";
+    Mesh doubled = make_box({1, 1, 1});
+    append(doubled, make_box({1, 1, 1}));
+    EXPECT_FALSE(is_closed(doubled)) << "each edge is there twice, each way";
+    Mesh thrice = make_box({1, 1, 1});
+    for (std::size_t i = 0; i < 3; ++i) thrice.indices.push_back(thrice.indices[i]);
+    EXPECT_FALSE(is_closed(thrice)) << "a triangle is there twice";
 }
 
 TEST(Bodies, AreNotInsideOutNorThroughThemselves) {
