@@ -95,6 +95,32 @@ TEST_F(ObjectsPanel, AClosedNodeHidesWhatLiesBelowAndASearchShowsItAgain) {
     EXPECT_TRUE(row(below));
 }
 
+TEST_F(ObjectsPanel, WhatIsChosenInTheSceneComesIntoView) {
+    ui.state.layout.bottom_height = 12;
+    ui.state.closed_nodes = {"Stage/Fence"};
+    ui.frames(4);
+    const auto below_fence = [&](const Object& o) {
+        return ui.scene.nodes[std::size_t(o.node)].path.starts_with("Stage/Fence/");
+    };
+    for (const auto& o : {*std::ranges::find_if(ui.scene.objects, below_fence), ui.scene.objects.back()}) {
+        const std::string path = ui.scene.nodes[std::size_t(o.node)].path;
+        EXPECT_FALSE(row(path)) << path;
+        select_objects(ui.state, std::vector<std::string>{path});
+        ui.frames(4);
+        EXPECT_TRUE(row(path)) << path;
+    }
+    EXPECT_TRUE(ui.state.closed_nodes.empty());
+    // What the list itself chooses moves nothing.
+    ui.state.layout.bottom_height = 34;
+    select_objects(ui.state, std::vector<std::string>{"Stage/Ground"});
+    ui.frames(4);
+    ui.state.closed_nodes = {"Stage/Fence"};
+    click("Stage/Fence");
+    ui.frames(4);
+    EXPECT_GT(chosen().size(), 3u);
+    EXPECT_EQ(ui.state.closed_nodes.size(), 1u);
+}
+
 TEST_F(ObjectsPanel, TheRowUnderTheMouseIsMarkedInTheScene) {
     const auto at = row("Stage/Plinth");
     ASSERT_TRUE(at);

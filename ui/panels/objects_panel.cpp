@@ -231,8 +231,10 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
                                                       : theme::muted());
     const std::string name = last_part(*row.path);
     const std::string label = row.lost ? name + "   lost by culling" : name;
-    if (ImGui::Selectable((label + "###" + *row.path).c_str(), is_selected(state, *row.path)))
+    if (ImGui::Selectable((label + "###" + *row.path).c_str(), is_selected(state, *row.path))) {
         choose(state, scene, list, at);
+        state.listed_object = state.selected_object;
+    }
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     if (!ImGui::IsItemHovered()) return;
@@ -259,6 +261,28 @@ void setting_cells(EditorState& state, Settings& alone, const Row& row, std::spa
         }
         alone.objects.clear();
     }
+}
+
+/// How many frames a row may take to come into view: where it will lie is an estimate at first.
+constexpr int kSeekFrames = 4;
+
+/// Opens what lies above an object that was chosen elsewhere since the list was shown last.
+void seek_newly_chosen(EditorState& state) {
+    const std::string& path = state.selected_object;
+    if (path == state.listed_object) return;
+    state.listed_object = path;
+    state.list_seeks = path.empty() ? 0 : kSeekFrames;
+    for (std::size_t at = path.find('/'); at != path.npos; at = path.find('/', at + 1))
+        state.closed_nodes.erase(path.substr(0, at));
+}
+
+/// Scrolls to the row that was drawn last until all of it is seen.
+void bring_into_view(EditorState& state) {
+    const ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool seen =
+        ImGui::GetItemRectMin().y >= list.GetClipRectMin().y && ImGui::GetItemRectMax().y <= list.GetClipRectMax().y;
+    state.list_seeks = seen ? 0 : state.list_seeks - 1;
+    if (!seen) ImGui::SetScrollHereY();
 }
 
 /// What the headers ask for.
@@ -315,18 +339,26 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
                                 p->choices ? em * 9 : em * 5);
     ImGui::TableHeadersRow();
     sort(tree, *frame.scene, state, rows, order_of());
+    seek_newly_chosen(state);
     const std::vector<const Row*> list = open_rows(tree, state);
+    const auto sought = state.list_seeks > 0
+                            ? std::ranges::find(list, state.selected_object,
+                                                [](const Row* r) -> const std::string& { return *r->path; })
+                            : list.end();
+    const int seek = sought == list.end() ? -1 : int(sought - list.begin());
     // The settings with one object's at a time: a widget may leave an override equal to the defaults, which set_value()
     // does not; and copies of ten thousand overrides for each widget would be slow.
     Settings alone = without_objects(state.settings);
     ImGuiListClipper clipper;
     clipper.Begin(int(list.size()));
+    if (seek >= 0) clipper.ForceDisplayRangeByIndices(seek, seek + 1);
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const Row& row = *list[std::size_t(i)];
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
             name_cell(state, *frame.scene, list, std::size_t(i));
+            if (i == seek) bring_into_view(state);
             ImGui::TableNextColumn();
             ImGui::AlignTextToFramePadding();
             ImGui::TextUnformatted(fmt::format("{}", row.triangles).c_str());
