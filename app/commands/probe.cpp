@@ -17,6 +17,7 @@
 #include "app/report/views.h"
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/base/small_letters.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/reference/ray_scenes.h"
@@ -69,8 +70,8 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
                lit ? "true: lit" : "false: in shadow");
     fmt::print(" 10 kernel             visibility {:.4g}\n", p.visibility);
     if (!std::isnan(p.kernel.blocker_m))
-        fmt::print("    occluder {:.4g} m before it along the light's axis: penumbra {:.3g} texels ({:.4g} m) wide\n",
-                   p.kernel.blocker_m, p.kernel.penumbra_texels, p.kernel.penumbra_texels * p.texel_m);
+        fmt::print("    occluder {:.4g} m before it along the light's axis: penumbra {} ({:.4g} m) wide\n",
+                   p.kernel.blocker_m, texels_text(p.kernel.penumbra_texels), p.kernel.penumbra_texels * p.texel_m);
     if (!std::isnan(p.kernel.variance))
         fmt::print("    variance of depths {:.4g} of the map's range squared\n", p.kernel.variance);
     for (const std::string& line : p.kernel.lines) fmt::print("    {}\n", line);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "renderer/base/metres_text.h"
+#include "renderer/base/lengths_text.h"
 
 namespace si {
 namespace {
@@ -52,7 +52,7 @@ std::string verdict(const Settings& settings, const Probe::PerLight& p) {
     const DepthAmount all = p.account.amount(p.account.clears());
     const std::string bias =
         std::isfinite(all.texels)
-            ? fmt::format("bias and normal offset are worth {} ({:.3g} texels)", metres_text(all.metres), all.texels)
+            ? fmt::format("bias and normal offset are worth {} ({})", metres_text(all.metres), texels_text(all.texels))
             : "bias and normal offset move it past everything, as the map sees it edge-on";
     const std::string texel =
         gap > 0 ? fmt::format("the map stores a surface {} nearer to the light", metres_text(gap))

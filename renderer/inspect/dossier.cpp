@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/base/metres_text.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/map_limits.h"
@@ -16,7 +16,7 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 std::string texels(const DepthAmount& a) {
-    return std::isfinite(a.texels) ? fmt::format("{:.3g} texels", a.texels) : "infinitely many texels";
+    return texels_text(a.texels);
 }
 
 class Explainer {

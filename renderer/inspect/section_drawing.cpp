@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "renderer/base/lengths_text.h"
+
 namespace si {
 namespace {
 
@@ -77,10 +79,6 @@ double round_length(double most) {
     for (const double digit : {5.0, 2.0})
         if (digit * power <= most) return digit * power;
     return power;
-}
-
-std::string texels_text(double texels) {
-    return fmt::format("{:.3g} texel{}", texels, texels == 1 ? "" : "s");
 }
 
 class Draughtsman {
@@ -363,7 +361,7 @@ private:
                    Ink::Moments, 0.2);
         line_m({x - reach, y}, {x + reach, y}, Ink::Moments, 2, true);
         label({std::min(x + reach, near_.hi.x), y},
-              spread > 0 ? fmt::format("mean depth ± {}", metric_text(spread)) : "mean depth", Ink::Moments,
+              spread > 0 ? fmt::format("mean depth ± {}", metres_text(spread)) : "mean depth", Ink::Moments,
               Need::Bias);
     }
 
@@ -401,7 +399,7 @@ private:
             labels_.push_back({at + glm::dvec2(0, 0.5 * em_),
                                s_.light == LightType::Directional
                                    ? "from the light"
-                                   : fmt::format("from the light, {}", metric_text(s_.light_m)),
+                                   : fmt::format("from the light, {}", metres_text(s_.light_m)),
                                Ink::Ray, Need::Rest});
         }
         if (!s_.occluder) return;
@@ -410,7 +408,7 @@ private:
             dot(*at, Ink::Occluder, 3.5);
         }
         label(*s_.occluder,
-              fmt::format("{} {} nearer", s_.occluder_in_map ? "occluder" : "lost caster", metric_text(s_.occluder_m)),
+              fmt::format("{} {} nearer", s_.occluder_in_map ? "occluder" : "lost caster", metres_text(s_.occluder_m)),
               Ink::Occluder, Need::Always);
     }
 
@@ -423,7 +421,7 @@ private:
         const glm::dvec2 point = near_.px({0, 0}), moved = near_.px(s_.moved), compared = near_.px(s_.compared);
         if (glm::length(moved - point) > 0.15 * em_) {
             line({point, moved}, Ink::Offset, 2, false, true);
-            label(0.5 * s_.moved, fmt::format("normal offset {}", metric_text(s_.normal_offset_m)), Ink::Offset,
+            label(0.5 * s_.moved, fmt::format("normal offset {}", metres_text(s_.normal_offset_m)), Ink::Offset,
                   Need::Bias);
         }
         for (const Section::Term& term : s_.terms) {
@@ -476,9 +474,9 @@ private:
         const double room = 0.2 * (right_ - left_) / near_.across;
         const double texels = std::max(1.0, round_length(room / s_.texel_m));
         const double x = bar(left_, texels * s_.texel_m,
-                             fmt::format("{} = {}", texels_text(texels), metric_text(texels * s_.texel_m)));
+                             fmt::format("{} = {}", texels_text(texels), metres_text(texels * s_.texel_m)));
         const double metres = round_length(room);
-        const double end = bar(x, metres, metric_text(metres));
+        const double end = bar(x, metres, metres_text(metres));
         const std::string scale = stretch_ == 1  ? out_.broken ? "to scale below the break" : "to scale"
                                   : stretch_ > 1 ? fmt::format("depth drawn {:g} times larger", stretch_)
                                                  : fmt::format("depth drawn {:g} times smaller", 1 / stretch_);
@@ -564,16 +562,6 @@ private:
 
 const InkColour& ink_colour(Ink ink) {
     return kColours[std::size_t(ink)];
-}
-
-std::string metric_text(double metres) {
-    if (metres == 0) return "0 m";
-    const double size = std::abs(metres);
-    if (!std::isfinite(size)) return "endless";
-    if (size < 1e-3) return fmt::format("{:.3g} µm", metres * 1e6);
-    if (size < 1) return fmt::format("{:.3g} mm", metres * 1e3);
-    if (size < 1e3) return fmt::format("{:.3g} m", metres);
-    return fmt::format("{:.3g} km", metres * 1e-3);
 }
 
 SectionDrawing draw_section(const Section& section, const SectionPage& page) {

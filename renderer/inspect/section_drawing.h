@@ -77,7 +77,4 @@ struct SectionDrawing {
 /// A caption's height is found by its words: the drawing may be higher than the page.
 SectionDrawing draw_section(const Section& section, const SectionPage& page);
 
-/// With three digits and the unit that suits it: "45.1 mm".
-std::string metric_text(double metres);
-
 }  // namespace si

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/measure/axes.h"
 
@@ -53,7 +54,7 @@ std::string verdict(const TriedAdvice& t) {
     if (t.idea.claim == Claim::Right)
         return added < -t.tolerance() ? "" : fmt::format("the error does not fall ({:+.3g})", added);
     if (t.idea.claim == Claim::Same && added > t.tolerance()) return fmt::format("the error grows by {:.3g}", added);
-    if (slower) return fmt::format("a frame takes {:.3g} ms more", t.ms.value);
+    if (slower) return fmt::format("a frame takes {} ms more", digits_text(t.ms.value));
     if (faster) return {};
     if (t.idea.claim == Claim::Same && t.more_bytes() < 0) return {};
     return fmt::format("a frame takes no less time ({:+.3g} ± {:.2g} ms)", t.ms.value, t.ms.noise);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/measure/advice.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
@@ -75,10 +76,10 @@ void one_cascade(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     for (int n = 1; n < now; n *= 2) {
         Settings fewer = s;
         shown(fewer, f).cascades = n;
-        offer(
-            fmt::format("the picture shows {:.3g} m of depth ({:.3g} to {:.3g} m): {} of {} cascades {}",
-                        f.farthest_m - f.nearest_m, f.nearest_m, f.farthest_m, n, now, n == 1 ? "suffices" : "suffice"),
-            std::move(fewer), f.light);
+        offer(fmt::format("the picture shows {} of depth ({} to {}): {} of {} cascades {}",
+                          metres_text(f.farthest_m - f.nearest_m), metres_text(f.nearest_m), metres_text(f.farthest_m),
+                          n, now, n == 1 ? "suffices" : "suffice"),
+              std::move(fewer), f.light);
     }
 }
 
@@ -158,6 +159,13 @@ double amount_of(const BiasSettings& b, BiasFamily family) {
     return family == BiasFamily::Normal ? b.normal : family == BiasFamily::Slope ? b.slope : b.constant;
 }
 
+double most_of(BiasFamily family) {
+    return find_setting(family == BiasFamily::Normal  ? "bias.normal"
+                        : family == BiasFamily::Slope ? "bias.slope"
+                                                      : "bias.constant")
+        ->param->max;
+}
+
 void least_bias(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || f.needs.pixels == 0) return;
     const std::size_t acne = f.error.artefacts[std::size_t(Artefact::Acne)];
@@ -166,13 +174,14 @@ void least_bias(const Settings& s, const AdviceFacts& f, const Offer& offer) {
         least.bias = least_bias_of(f.needs, family);
         const double now = amount_of(s.bias, family), need = amount_of(least.bias, family);
         const bool in_use = family == family_in_use(s.bias) && s.bias.unit == int(BiasUnit::Texels);
+        if (!(need < most_of(family))) continue;  // none that there is clears them
         if (acne > 0)
-            offer(fmt::format("pixels that shadow themselves: {}; {} of {:.3g} texels clears them", acne,
-                              family_word(family), need),
+            offer(fmt::format("pixels that shadow themselves: {}; {} of {} clears them", acne, family_word(family),
+                              texels_text(need)),
                   std::move(least), f.light);
         else if (in_use && now > 1.1 * need)
-            offer(fmt::format("{} of {:.3g} texels is more than the {:.3g} that what is seen needs",
-                              family_word(family), now, need),
+            offer(fmt::format("{} of {} is more than the {} that what is seen needs", family_word(family),
+                              texels_text(now), texels_text(need)),
                   std::move(least), f.light);
     }
 }
@@ -193,8 +202,8 @@ void sixteen_bits(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!(step_m > 0) || step_m > 0.1 * limits.texel_m) return;
     Settings coarse = s;
     coarse.map.format = int(MapFormat::D16);
-    offer(fmt::format("{:.3g} m of depth in 16 bits are steps of {:.2g} mm, 1/{:.2g} of a texel: no more is needed",
-                      limits.depth_m, 1000 * step_m, limits.texel_m / step_m),
+    offer(fmt::format("{} of depth in 16 bits are steps of {}, 1/{:.2g} of a texel: no more is needed",
+                      metres_text(limits.depth_m), metres_text(step_m), limits.texel_m / step_m),
           std::move(coarse), f.light);
 }
 
@@ -204,8 +213,8 @@ void contact_shadows(const Settings& s, const AdviceFacts& f, const Offer& offer
     Settings none = s;
     shown(none, f).contact = 0;
     const std::size_t wrong = f.error.artefacts[std::size_t(Artefact::Contact)];
-    offer(fmt::format("contact shadows of {:.3g} m march a ray a pixel; pixels that are wrong by them: {}", contact,
-                      wrong),
+    offer(fmt::format("contact shadows of {} march a ray a pixel; pixels that are wrong by them: {}",
+                      metres_text(contact), wrong),
           std::move(none), f.light);
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 
@@ -276,11 +277,11 @@ private:
     std::string summary_of(const AutopilotResult& out) const {
         if (out.cases.empty()) return fmt::format("{} cannot be held: there was no time to try anything", bounds());
         const std::string ms =
-            out.best.ms ? fmt::format(", {:.3g} ms a frame {}", *out.best.ms, row_of(goals_.cost).when) : "";
+            out.best.ms ? fmt::format(", {} ms a frame {}", digits_text(*out.best.ms), row_of(goals_.cost).when) : "";
         const std::string found =
             fmt::format("{}: {} {:.4g}{}", name_of(out.best.at), goals_.error->key, out.best.judged.error, ms);
         if (!out.held) return fmt::format("{} cannot be held by what was tried; nearest came {}", bounds(), found);
-        return fmt::format("{} (now {:.4g}, {:.3g} ms)", found, out.before.error, out.before_ms);
+        return fmt::format("{} (now {:.4g}, {} ms)", found, out.before.error, digits_text(out.before_ms));
     }
 };
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/base/metres_text.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/settings/filters.h"
 
 namespace si {
@@ -164,16 +164,16 @@ std::string Tuner::summary() const {
         return fmt::format("least bias without acne: {} ({}); {}", bias_text(found->bias), theory_text(*found),
                            cost_text(first_.before(), found->trial));
     if (const TuneCandidate* c = best())
-        return fmt::format("{} at {}², {}: {} {:.4g}, {:.3g} ms a frame {}; {}", kernel_label(c->settings),
-                           c->settings.map.resolution, bias_text(c->settings.bias), goals_.error->key, c->error, *c->ms,
-                           row_of(goals_.cost).when, cost_text(first_.before(), *c->trial));
+        return fmt::format("{} at {}², {}: {} {:.4g}, {} ms a frame {}; {}", kernel_label(c->settings),
+                           c->settings.map.resolution, bias_text(c->settings.bias), goals_.error->key, c->error,
+                           digits_text(*c->ms), row_of(goals_.cost).when, cost_text(first_.before(), *c->trial));
     const TuneCandidate* near = nullptr;
     for (const TuneCandidate& c : candidates_)
         if (c.trial && c.clear && (!near || c.error < near->error)) near = &c;
     if (!near) return "no kernel and resolution is within the limits: each takes longer than allowed or shows acne";
     return fmt::format("no kernel and resolution is within the limits: the least {} was {:.4g} with {} at {}²{}",
                        goals_.error->key, near->error, kernel_label(near->settings), near->settings.map.resolution,
-                       near->ms ? fmt::format(" in {:.3g} ms {}", *near->ms, row_of(goals_.cost).when) : "");
+                       near->ms ? fmt::format(" in {} ms {}", digits_text(*near->ms), row_of(goals_.cost).when) : "");
 }
 
 }  // namespace si

@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-constexpr int kTile = 16;   ///< pixels a side: neighbours' rays meet the same nodes
+constexpr int kTile = 16;  ///< pixels a side: neighbours' rays meet the same nodes
 /// Tiles beside each other that one thread takes: their pixels share cache lines, for which threads would wait.
 constexpr std::size_t kTilesInTurn = 8;
 constexpr int kSquare = 4;  ///< pixels a side whose rays are traced at once, in one packet

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/bias/theory.h"
 
 namespace si {
@@ -75,14 +76,14 @@ std::vector<std::string> map_limit_notes(const MapLimits& limits, int light) {
     std::vector<std::string> notes;
     if (limits.one_depth_step)
         notes.push_back(fmt::format(
-            "light {}: all that its map holds ({:.3g} m deep) lies in one step of map.format ({:.3g} m): no bias "
+            "light {}: all that its map holds ({} deep) lies in one step of map.format ({}): no bias "
             "tells casters from receivers; bring light.near and light.far to the scene, or take a finer format",
-            light, limits.depth_m, limits.step_m));
+            light, metres_text(limits.depth_m), metres_text(limits.step_m)));
     if (limits.one_texel)
-        notes.push_back(fmt::format(
-            "light {}: one texel ({:.3g} m) is larger than the scene ({:.3g} m across): its map holds no shape; "
-            "raise map.resolution or lower light.extent",
-            light, limits.texel_m, limits.across_m));
+        notes.push_back(
+            fmt::format("light {}: one texel ({}) is larger than the scene ({} across): its map holds no shape; "
+                        "raise map.resolution or lower light.extent",
+                        light, metres_text(limits.texel_m), metres_text(limits.across_m)));
     return notes;
 }
 

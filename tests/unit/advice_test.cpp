@@ -51,7 +51,7 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
              s.lights[0].cascades = 4;
              f.lights[0].views.resize(4), f.lights[0].chooser.choice = ViewChoice::Interval;
          },
-         "light.cascades=1", "12 m of depth (2 to 14 m): 1 of 4 cascades suffices"},
+         "light.cascades=1", "12 m of depth (2 m to 14 m): 1 of 4 cascades suffices"},
         {"cascade-overlap",
          [](Settings& s, AdviceFacts& f) {
              s.lights[0].cascades = 4;
@@ -70,7 +70,7 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
          "slope 2"},
         {"sixteen-bits", [](Settings&, AdviceFacts& f) { f.lights[0].limits.texel_m = 0.01; }, "map.format=d16",
          "20 m of depth in 16 bits"},
-        {"contact", [](Settings& s, AdviceFacts&) { s.lights[0].contact = 0.2; }, "light.contact=0", "0.2 m"},
+        {"contact", [](Settings& s, AdviceFacts&) { s.lights[0].contact = 0.2; }, "light.contact=0", "200 mm"},
         {"whole-map",
          [](Settings& s, AdviceFacts& f) {
              s.map.paged = true;

@@ -150,12 +150,5 @@ TEST(SectionSvg, TheCheckOfXmlFindsWhatIsWrong) {
     EXPECT_EQ(test::xml_fault("<a b=\"1\"><c/>x &amp; y</a>\n"), "");
 }
 
-TEST(SectionDrawing, LengthsHaveTheUnitThatSuits) {
-    EXPECT_EQ(metric_text(0.0451), "45.1 mm");
-    EXPECT_EQ(metric_text(2.5e-5), "25 µm");
-    EXPECT_EQ(metric_text(12), "12 m");
-    EXPECT_EQ(metric_text(1200), "1.2 km");
-}
-
 }  // namespace
 }  // namespace si

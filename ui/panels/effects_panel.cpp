@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/frame/effects.h"
 #include "renderer/measure/saved.h"
 #include "ui/state/panels.h"
@@ -48,9 +49,9 @@ void state_cell(EffectState state, Room room) {
 void saved_cell(const Spread* ms, bool current) {
     right_aligned(ms ? fmt::format("{:.2f}", ms->median) : "–", ms && current ? theme::text() : theme::muted());
     if (ms)
-        wrapped_tooltip(fmt::format("{:.3g} ms, 95 % interval {:.3g} to {:.3g} ms, by {} pairs of frames in turns.{}",
-                                    ms->median, ms->median_low, ms->median_high, ms->samples,
-                                    current ? "" : " Of other settings or another size: measure again."));
+        wrapped_tooltip(fmt::format("{} ms, 95 % interval {} to {} ms, by {} pairs of frames in turns.{}",
+                                    digits_text(ms->median), digits_text(ms->median_low), digits_text(ms->median_high),
+                                    ms->samples, current ? "" : " Of other settings or another size: measure again."));
     else
         wrapped_tooltip("Not measured, or nothing spares it. Times are never estimated.");
 }
@@ -229,7 +230,7 @@ void history(EditorState& state, double ms) {
     ImGui::PlotLines("##history", all.data(), int(all.size()), 0, nullptr, 0, longest,
                      {em * 9, ImGui::GetTextLineHeight()});
     ImGui::PopStyleVar();
-    const std::string text = fmt::format("last {} frames, at most {:.3g} ms", all.size(), longest);
+    const std::string text = fmt::format("last {} frames, at most {} ms", all.size(), digits_text(longest));
     wrapped_tooltip(text);
     ImGui::SameLine();
     if (ImGui::CalcTextSize(text.c_str()).x <= ImGui::GetContentRegionAvail().x)

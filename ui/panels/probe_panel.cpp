@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/inspect/dossier.h"
 #include "renderer/settings/param.h"
 #include "ui/panels/cures_table.h"
@@ -73,7 +74,7 @@ void amount_row(const char* name, const DepthAmount& a, const char* about, const
     ImGui::TextDisabled("%s", name);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
     if (!std::isfinite(a.depth)) return right_cell(endless);
-    right_cell(fmt::format("{:.3g}", a.texels));
+    right_cell(digits_text(a.texels));
     right_cell(metres_text(a.metres));
     right_cell(fmt::format("{:.3g}", a.depth));
 }
@@ -134,7 +135,7 @@ void depths(const Probe::PerLight& p) {
             "What the kernel's search found before the surface, on average, along the light's axis");
     if (!std::isnan(k.penumbra_texels))
         row("penumbra",
-            fmt::format("{:.3g} texels wide   {}", k.penumbra_texels, metres_text(k.penumbra_texels * p.texel_m)),
+            fmt::format("{} wide   {}", texels_text(k.penumbra_texels), metres_text(k.penumbra_texels * p.texel_m)),
             "As wide as the light's size and the occluder's distance ask for, within the kernel's limits");
     if (!std::isnan(k.variance))
         row("variance", fmt::format("{:.3g} of the range squared", k.variance),
@@ -155,7 +156,7 @@ void space(const Probe::PerLight& p) {
     row("N·L", fmt::format("{:.5f}   {:.1f}°", p.n_dot_l, p.account.theta_rad * 180 / M_PI),
         "Of the triangle's normal; the angle between it and the light");
     row("bias",
-        fmt::format("{:.3g} of depth   {:.3g} texels   {}", p.bias_depth, p.bias_texels, metres_text(p.bias_m)));
+        fmt::format("{:.3g} of depth   {}   {}", p.bias_depth, texels_text(p.bias_texels), metres_text(p.bias_m)));
     row("normal offset", metres_text(p.normal_offset_m));
     ImGui::EndTable();
 }

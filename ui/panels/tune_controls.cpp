@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "renderer/base/metres_text.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/measure/tuner.h"
 #include "ui/state/quick_changes.h"
 #include "ui/widgets/button_width.h"

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "renderer/base/metres_text.h"
+#include "renderer/base/lengths_text.h"
 #include "ui/scene_view/picture_view.h"
 #include "ui/state/editor_ui.h"
 

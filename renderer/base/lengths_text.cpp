@@ -1,0 +1,31 @@
+#include "renderer/base/lengths_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace si {
+
+std::string digits_text(double value) {
+    return std::abs(value) < 999.5 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+
+std::string metres_text(double metres) {
+    const double a = std::abs(metres);
+    if (!std::isfinite(metres)) return "no distance";
+    if (a == 0) return "0 m";
+    if (a < 0.9995e-3) return digits_text(metres * 1e6) + " µm";
+    if (a < 0.9995) return digits_text(metres * 1e3) + " mm";
+    if (a < 9999.5) return digits_text(metres) + " m";
+    if (a < 1e9) return digits_text(metres * 1e-3) + " km";
+    return fmt::format("{:.3g} million km", metres * 1e-9);
+}
+
+std::string texels_text(double texels) {
+    if (!std::isfinite(texels)) return "infinitely many texels";
+    const std::string number =
+        std::abs(texels) < 999'500 ? digits_text(texels) : digits_text(texels * 1e-6) + " million";
+    return number + (number == "1" ? " texel" : " texels");
+}
+
+}  // namespace si
