@@ -123,12 +123,13 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
         // Where the ground lies and what the camera frames do not depend on the moment that is shown.
         if (scene.framed.empty() || (grounded && scene.ground_bounds.empty() && !scene.has_floor)) {
             pose(scene, 0, 0);
-            scene.framed = outermost_points(scene);
+            keep_framed(scene);
             if (grounded) add_ground(scene);
         }
         pose(scene, settings.animation, settings.time);
     }
-    if (scene.framed.empty() && !scene.file_scenes.empty()) scene.framed = outermost_points(scene);
+    const bool moves = scene.rig && !scene.rig->animations.empty();
+    if (scene.framed.empty() && !scene.file_scenes.empty() && !moves) keep_framed(scene);
     if (grounded) add_ground(scene);
     if (const glm::dmat4 placement = placement_of(settings); placement != scene.placement) place(scene, placement);
     hide_objects(scene, hidden);

@@ -17,7 +17,7 @@ std::array<glm::dvec3, kAxes> spread_axes() {
     constexpr std::size_t kOthers = kAxes - 3;
     for (std::size_t i = 0; i < kOthers; ++i) {  // a spiral of golden angles over half a sphere
         const double y = (double(i) + 0.5) / kOthers, r = std::sqrt(1 - y * y);
-        const double turn = double(i) * std::numbers::pi * (3 - std::sqrt(5.0));
+        const double turn = (double(i) + 0.5) * std::numbers::pi * (3 - std::sqrt(5.0));
         axes[3 + i] = {r * std::cos(turn), y, r * std::sin(turn)};
     }
     return axes;
@@ -113,6 +113,11 @@ std::vector<glm::dvec3> outermost_points(const Scene& scene) {
     for (const Part& part : parts)
         if (found.may_hold(part)) found.add(part);
     return found.points();
+}
+
+void keep_framed(Scene& scene) {
+    scene.framed = outermost_points(scene);
+    scene.framed_bounds = scene.bounds.transformed(glm::inverse(scene.placement));
 }
 
 }  // namespace si

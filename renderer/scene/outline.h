@@ -9,8 +9,11 @@
 namespace si {
 
 /// Vertices of what Scene::standing is about, before Scene::placement (metres): the outermost ones along 64 directions,
-/// which are spread as evenly over all of them as what stands is wide, high and deep. Their hull is its own within some
+/// spread over all as if what stands were as wide as high and deep. Their hull lacks peaks between those: usually some
 /// hundredths of its size. None where there is no finite vertex, or the placement cannot be undone.
 std::vector<glm::dvec3> outermost_points(const Scene& scene);
+
+/// Has the automatic camera frame from now on what stands there as the scene is: sets Scene::framed and its bounds.
+void keep_framed(Scene& scene);
 
 }  // namespace si

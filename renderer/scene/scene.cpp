@@ -488,7 +488,9 @@ std::vector<const Object*> all_objects(const Scene& scene) {
 
 std::vector<const Object*> standing_objects(const Scene& scene) {
     std::vector<const Object*> all = all_objects(scene), standing;
-    std::erase_if(all, [](const Object* o) { return o->ground || !finite(o->world); });
+    std::erase_if(all, [&](const Object* o) {
+        return o->ground || !finite(o->world) || scene.meshes[std::size_t(o->mesh)].bounds.empty();
+    });
     std::ranges::copy_if(all, std::back_inserter(standing), [&](const Object* o) {
         return !is_floor(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world), scene.bounds);
     });

@@ -146,6 +146,7 @@ struct Scene {
     Bounds standing;  ///< `bounds` without the file's own floor, or all of it where nothing else is there. Likewise
     bool has_floor = false;  ///< the file brings what shadows fall on, so that it needs no ground: see add_ground()
     std::vector<glm::dvec3> framed;     ///< outermost_points() as a file's scene is first posed; none: not asked for
+    Bounds framed_bounds;               ///< `bounds` then, before `placement`
     Bounds travel;                      ///< `bounds` over all of an animation, before `placement`; empty: not asked for
     int travel_of = -1;                 ///< which animation; -1: none. See measure_travel()
     std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys

@@ -79,6 +79,7 @@ ShadowView view_for_shadow(const Bounds& standing) {
 std::vector<glm::dvec3> with_shadows(const Scene& scene, const std::vector<glm::dvec3>& standing,
                                      const Bounds& bounds) {
     const bool own_floor = scene.ground_bounds.empty();
+    const Bounds whole = scene.framed.empty() ? scene.bounds : scene.framed_bounds.transformed(scene.placement);
     std::vector<glm::dvec3> points = standing;
     const glm::dvec3 to_light = suggested_light(scene);
     if (to_light.y <= 0) return points;
@@ -88,7 +89,7 @@ std::vector<glm::dvec3> with_shadows(const Scene& scene, const std::vector<glm::
         const glm::dvec3 cast = to_light * ((level - p.y) / to_light.y);
         if (glm::length(cast) > longest) continue;
         // A shadow is not seen beyond the floor.
-        points.push_back(own_floor ? glm::clamp(p + cast, scene.bounds.lo, scene.bounds.hi) : p + cast);
+        points.push_back(own_floor ? glm::clamp(p + cast, whole.lo, whole.hi) : p + cast);
     }
     return points;
 }
@@ -161,13 +162,17 @@ void frame_with_shadow(Camera& c, const Scene& scene) {
     const std::vector<glm::dvec3> all = with_shadows(scene, standing, bounds);
     const ShadowView from = view_for_shadow(bounds);
     constexpr double kStep_deg = 5;
+    Camera usual = c;  // windows of any shape look from the same side
+    usual.aspect = 16.0 / 9;
     const double highest = scene.ground_bounds.empty() ? kHighestOverFloor_deg : kHighest_deg;
     for (double elevation = from.elevation_deg;; elevation = std::min(elevation + kStep_deg, highest)) {
-        c.axes = orbit_axes(from.azimuth_deg, elevation, 0);
-        frame_points(c, all);
-        if (elevation >= highest || all.size() == standing.size() || !(shadow_seen(c, standing, all) < kShadowSeen))
-            return;
+        usual.axes = orbit_axes(from.azimuth_deg, elevation, 0);
+        frame_points(usual, all);
+        if (elevation >= highest || all.size() == standing.size() || !(shadow_seen(usual, standing, all) < kShadowSeen))
+            break;
     }
+    c.axes = usual.axes;
+    frame_points(c, all);
 }
 
 }  // namespace si

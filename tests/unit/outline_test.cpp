@@ -97,6 +97,9 @@ TEST(Outline, LeavesOutTheFloorButNotWhatIsHidden) {
     EXPECT_NEAR(farthest(outermost_points(scene), {1, 0, 0}), 0.5, 1e-9);
     const Scene floor = test::box_scene({{{-20, -0.01, -20}, {20, 0, 20}}});
     EXPECT_NEAR(farthest(outermost_points(floor), {1, 0, 0}), 20, 1e-9) << "where there is nothing else";
+    scene.meshes[std::size_t(all_objects(scene)[0]->mesh)].bounds = {};  // as of a pose that leaves no triangles
+    refresh(scene);
+    EXPECT_EQ(scene.standing.hi.x, 20);
 }
 
 // A sphere's box is half as wide again as it is.
@@ -107,7 +110,7 @@ TEST(Outline, LetsAFilesPictureBeFilled) {
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(60, 60), 0), glm::dmat4(1));
     scene.file_scenes = {""};
     finalise(scene);
-    scene.framed = outermost_points(scene);
+    keep_framed(scene);
     Settings s;
     const glm::dvec3 to_light = direction_from_angles(s.lights[0].azimuth, s.lights[0].elevation);
     for (const double aspect : {0.6, 1.0, 1.78}) {
