@@ -215,6 +215,10 @@ void choose(EditorState& state, const Scene& scene, const std::vector<const Row*
         if (is_selected(state, path) == all) toggle_object(state, path);
 }
 
+void end_seeking(EditorState& state) {
+    state.sought_object.clear(), state.list_seeks = 0;
+}
+
 /// The object's name, which selects it.
 void name_cell(EditorState& state, const Scene& scene, const std::vector<const Row*>& list, std::size_t at) {
     const Row& row = *list[at];
@@ -233,7 +237,7 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
     const std::string label = row.lost ? name + "   lost by culling" : name;
     if (ImGui::Selectable((label + "###" + *row.path).c_str(), is_selected(state, *row.path))) {
         choose(state, scene, list, at);
-        state.listed_object = state.selected_object;
+        end_seeking(state);  // it is where the click was
     }
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
@@ -266,12 +270,11 @@ void setting_cells(EditorState& state, Settings& alone, const Row& row, std::spa
 /// How many frames a row may take to come into view: where it will lie is an estimate at first.
 constexpr int kSeekFrames = 4;
 
-/// Opens what lies above an object that was chosen elsewhere since the list was shown last.
-void seek_newly_chosen(EditorState& state) {
-    const std::string& path = state.selected_object;
-    if (path == state.listed_object) return;
-    state.listed_object = path;
-    state.list_seeks = path.empty() ? 0 : kSeekFrames;
+/// Opens what lies above an object that was chosen elsewhere.
+void begin_seeking(EditorState& state) {
+    const std::string& path = state.sought_object;
+    if (path.empty() || state.list_seeks > 0) return;
+    state.list_seeks = kSeekFrames;
     for (std::size_t at = path.find('/'); at != path.npos; at = path.find('/', at + 1))
         state.closed_nodes.erase(path.substr(0, at));
 }
@@ -281,8 +284,8 @@ void bring_into_view(EditorState& state) {
     const ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool seen =
         ImGui::GetItemRectMin().y >= list.GetClipRectMin().y && ImGui::GetItemRectMax().y <= list.GetClipRectMax().y;
-    state.list_seeks = seen ? 0 : state.list_seeks - 1;
     if (!seen) ImGui::SetScrollHereY();
+    if (seen || --state.list_seeks == 0) end_seeking(state);
 }
 
 /// What the headers ask for.
@@ -339,13 +342,12 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
                                 p->choices ? em * 9 : em * 5);
     ImGui::TableHeadersRow();
     sort(tree, *frame.scene, state, rows, order_of());
-    seek_newly_chosen(state);
+    begin_seeking(state);
     const std::vector<const Row*> list = open_rows(tree, state);
-    const auto sought = state.list_seeks > 0
-                            ? std::ranges::find(list, state.selected_object,
-                                                [](const Row* r) -> const std::string& { return *r->path; })
-                            : list.end();
+    const auto sought =
+        std::ranges::find(list, state.sought_object, [](const Row* r) -> const std::string& { return *r->path; });
     const int seek = sought == list.end() ? -1 : int(sought - list.begin());
+    if (seek < 0) end_seeking(state);
     // The settings with one object's at a time: a widget may leave an override equal to the defaults, which set_value()
     // does not; and copies of ten thousand overrides for each widget would be slow.
     Settings alone = without_objects(state.settings);

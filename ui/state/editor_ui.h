@@ -134,7 +134,7 @@ struct EditorState : PictureState {
     std::string object_search;
     bool only_lost = false;               ///< the object list shows lost casters only
     std::string selected_object;          ///< node path, of several the one chosen first; empty: none
-    std::string listed_object;            ///< `selected_object` as the list of objects has shown it last
+    std::string sought_object;            ///< chosen elsewhere, and not yet brought into view in the list of objects
     int list_seeks = 0;                   ///< frames left in which that list scrolls to it
     std::set<std::string> also_selected;  ///< the others
     std::string hovered_object;           ///< node path of the row under the mouse; empty: none
