@@ -53,7 +53,7 @@ build_asan() {
 
 # What one front end and one plan decide on every driver: what compiles, what is kept, what is left out, what is told of
 # measured errors.
-decided_by_the_plan="*EveryPermutationCompiles*:RandomWalkTest.*:*CachedPicturesEqualFreshOnes*:*BusyStates*:FitsTest.What*"
+decided_by_the_plan="ProgramsTest.*:RandomWalkTest.*:*CachedPicturesEqualFreshOnes*:*BusyStates*:FitsTest.What*"
 decided_by_the_plan+=":IdleTest.*:WasteTest.*:SavingsTest.*:RestingSavingsTest.*:CuresTest.*:AdviceTest.*"
 decided_by_the_plan+=":LookupSavingsTest.ForcedGives*:*EveryPassIsAnEffect*"
 # That, and what compares the numbers of one thing drawn hundreds of times over: a driver's affair, not of our memory.

@@ -37,12 +37,12 @@ bool RestingCasters::rests(std::uint64_t content) const {
     return std::ranges::binary_search(resting_, WeighedCaster{content}, comes_before);
 }
 
-RestingCasters::Draws RestingCasters::choose(std::uint64_t views, std::vector<WeighedCaster> casters,
+RestingCasters::Draws RestingCasters::choose(std::uint64_t of_views, std::vector<WeighedCaster> casters,
                                              std::string_view& reason) {
     const std::vector<WeighedCaster> before = std::exchange(last_, std::move(casters));
-    if (views != views_) {
-        resting_.clear(), this->views.clear();
-        views_ = views;
+    if (of_views != views_) {
+        resting_.clear(), views.clear();
+        views_ = of_views;
         return Draws::All;
     }
     const bool holds = !resting_.empty() && std::ranges::includes(last_, resting_, comes_before);

@@ -45,9 +45,9 @@ public:
     };
 
     /// Says how a light's maps are drawn that hold these casters, and remembers them.
-    /// @param views key of all that the maps depend on but their casters
+    /// @param of_views key of all that the maps depend on but their casters
     /// @param[out] reason a clause where all are drawn; empty: nothing has moved
-    Draws choose(std::uint64_t views, std::vector<WeighedCaster> casters, std::string_view& reason);
+    Draws choose(std::uint64_t of_views, std::vector<WeighedCaster> casters, std::string_view& reason);
 
     /// Whether a caster is in the map of what rests.
     bool rests(std::uint64_t content) const;

@@ -14,9 +14,10 @@ namespace si {
 namespace {
 
 constexpr int kTile = 16;  ///< pixels a side: neighbours' rays meet the same nodes
-/// Tiles beside each other that one thread takes: their pixels share cache lines, for which threads would wait.
+/// Most tiles beside each other that one thread takes: their pixels share cache lines, for which threads would wait.
 constexpr std::size_t kTilesInTurn = 8;
-constexpr int kSquare = 4;  ///< pixels a side whose rays are traced at once, in one packet
+constexpr std::size_t kTurns = 4;  ///< that each thread gets at least
+constexpr int kSquare = 4;         ///< pixels a side whose rays are traced at once, in one packet
 constexpr int kFirstParts = 8;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
@@ -164,9 +165,11 @@ private:
     void for_tiles(const Workers& workers, Work&& work) {
         const std::size_t across = std::size_t((receivers_.width + kTile - 1) / kTile);
         const std::size_t down = std::size_t((receivers_.height + kTile - 1) / kTile);
-        const std::size_t runs = (across + kTilesInTurn - 1) / kTilesInTurn;
+        const std::size_t shared_out = across * down / (kTurns * std::size_t(workers.count()));
+        const std::size_t in_turn = std::clamp<std::size_t>(shared_out, 1, kTilesInTurn);
+        const std::size_t runs = (across + in_turn - 1) / in_turn;
         for_blocks(runs * down, workers, [&](std::size_t run) {
-            const std::size_t first = run % runs * kTilesInTurn, end = std::min(first + kTilesInTurn, across);
+            const std::size_t first = run % runs * in_turn, end = std::min(first + in_turn, across);
             const int y0 = int(run / runs) * kTile, y1 = std::min(y0 + kTile, receivers_.height);
             for (std::size_t t = first; t < end; ++t) {
                 const int x0 = int(t) * kTile;

@@ -34,7 +34,6 @@ public:
             if (known_[places_[at]] == words) return places_[at];
         }
     }
-    std::size_t size() const { return known_.size(); }
 
 private:
     static constexpr std::uint32_t kFree = ~0u;

@@ -129,15 +129,18 @@ TEST_F(FrameTest, WiderKernelsSoftenMore) {
     }
 }
 
-TEST_F(FrameTest, EveryPermutationCompiles) {
-    FrameRequest request{.width = 32, .height = 18};
-    request.outputs = {.colour = true, .shadow_map = true};
+/// Frames under choices of the settings that make programs.
+class ProgramsTest : public FrameTest {
+protected:
     std::vector<const Param*> rows;
-    for (const Param& p : params())
-        if (p.shader && p.cost == Cost::Program && p.scope == Scope::Scene) rows.push_back(&p);
-    ASSERT_GE(rows.size(), 8u);
-    const auto choices = [](const Param* p) { return p->choices ? int(p->choices().size()) : 2; };
-    const auto draw = [&](const Scene& scene, std::initializer_list<std::pair<const Param*, int>> chosen) {
+    ProgramsTest() {
+        for (const Param& p : params())
+            if (p.shader && p.cost == Cost::Program && p.scope == Scope::Scene) rows.push_back(&p);
+    }
+    static int choices(const Param* p) { return p->choices ? int(p->choices().size()) : 2; }
+    void draw(const Scene& scene, std::initializer_list<std::pair<const Param*, int>> chosen) {
+        FrameRequest request{.width = 32, .height = 18};
+        request.outputs = {.colour = true, .shadow_map = true};
         Settings s = settings_for(scene, {{"map.resolution", "16"}, {"filter.kernel", "hard"}});
         std::string what;
         for (const auto& [p, v] : chosen) {
@@ -145,12 +148,19 @@ TEST_F(FrameTest, EveryPermutationCompiles) {
             what += fmt::format("{} {} ", p->key, v);
         }
         ASSERT_NO_THROW(renderer.render(scene, s, request)) << what;
-    };
+    }
+};
+
+TEST_F(ProgramsTest, EveryChoiceCompiles) {
+    ASSERT_GE(rows.size(), 8u);
     const Scene stage = load_scene("stage");  // masked, textured and plain materials
     for (const Param* p : rows)
         for (int i = 0; i < choices(p); ++i) draw(stage, {{p, i}});
-    // Each choice of each row under some choice of each other row. Every pair of them is a text that tests/glsl judges.
-    if (!std::getenv("SI_LONG")) return;
+}
+
+// Each choice of each row under some choice of each other row.
+TEST_F(ProgramsTest, PairsOfChoicesCompile) {
+    if (!std::getenv("SI_LONG")) GTEST_SKIP() << "texts that tests/glsl judges, by the driver as well: SI_LONG=1";
     const Scene boxes = load_scene("boxes");
     for (std::size_t a = 0; a < rows.size(); ++a)
         for (std::size_t b = a + 1; b < rows.size(); ++b)

@@ -70,6 +70,7 @@ TEST(HeldMemory, ThreadsAddUp) {
 }
 
 TEST(HeldMemory, ScenesAndHierarchiesTellWhatTheyTake) {
+    ray_scenes().forget();  // what tests before have left
     const std::uint64_t scenes = of("scenes").bytes;
     {
         const Scene scene = load_scene("teapot");
