@@ -10,6 +10,7 @@
 #include "app/report/report.h"
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/base/small_letters.h"
 #include "renderer/measure/autopilot.h"
 
@@ -105,8 +106,8 @@ void print_advice(const TriedAdvice& t) {
 
 void print_report(const AdviceReport& r) {
     const CostRow& cost = row_of(r.options.cost);
-    fmt::print("now {} {:.5g}, {:.3g} ms a frame {}\n", r.options.error->key, r.before.error, r.time.total_ms.median,
-               cost.when);
+    fmt::print("now {} {:.5g}, {} ms a frame {}\n", r.options.error->key, r.before.error,
+               digits_text(r.time.total_ms.median), cost.when);
     for (const Finding& f : r.findings)
         fmt::print("{}: {}{}{}{}\n", severity_word(f.severity), f.text, f.cure.empty() ? "" : "; ", f.cure,
                    f.settings.empty() ? "" : "\n      " + sets_text(f.settings));

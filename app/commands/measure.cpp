@@ -14,6 +14,7 @@
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
 #include "app/sweep/progress_line.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/measure/artefact_picture.h"
 
 namespace si {
@@ -59,12 +60,14 @@ void print_time_and_cost(const std::optional<TimeMeasurement>& time, const WorkC
     if (time) {
         const Spread& t = time->total_ms;
         fmt::print(
-            "{:.3g} ms a frame {} within this run ({:.3g} to {:.3g}: 95 % interval of the median of {} frames in {} "
-            "bursts over {:.1f} s, {}; 95 % of frames below {:.3g}; {})\n",
-            t.median, row_of(time->cost).when, t.median_low, t.median_high, t.samples, t.bursts, time->seconds,
-            time->settled ? "settled" : "not settled", t.p95, time->clock);
+            "{} ms a frame {} within this run ({} to {}: 95 % interval of the median of {} frames in {} "
+            "bursts over {:.1f} s, {}; 95 % of frames below {}; {})\n",
+            digits_text(t.median), row_of(time->cost).when, digits_text(t.median_low), digits_text(t.median_high),
+            t.samples, t.bursts, time->seconds, time->settled ? "settled" : "not settled", digits_text(t.p95),
+            time->clock);
         for (const PassTime& pass : time->passes)
-            fmt::print("  {:<32} {:>9.3g} ms   95 % below {:.3g}\n", pass.name, pass.gpu_ms.median, pass.gpu_ms.p95);
+            fmt::print("  {:<32} {:>9} ms   95 % below {}\n", pass.name, digits_text(pass.gpu_ms.median),
+                       digits_text(pass.gpu_ms.p95));
     }
     fmt::print("{} taps a pixel and light, {} texels ({} bytes) of maps, {} draws, {} triangles\n", cost.taps_per_pixel,
                cost.map_texels, cost.map_bytes, cost.draws, cost.triangles);

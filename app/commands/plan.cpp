@@ -10,6 +10,7 @@
 #include "app/report/health_report.h"
 #include "app/report/memory_json.h"
 #include "app/report/report.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/sources.h"
@@ -111,9 +112,9 @@ void run_plan(const PlanOptions& options) {
         print_effects(plan.effects, plan.saved ? &*plan.saved : nullptr);
         if (plan.saved)
             fmt::print(
-                "\n{:.3g} ms a frame with all its passes; medians of {} rounds in turns, with their 95 % "
+                "\n{} ms a frame with all its passes; medians of {} rounds in turns, with their 95 % "
                 "intervals; {}\n",
-                plan.saved->frame.total_ms.median, plan.saved->rounds, plan.saved->frame.clock);
+                digits_text(plan.saved->frame.total_ms.median), plan.saved->rounds, plan.saved->frame.clock);
         if (plan.waste) print_waste(*plan.waste);
     }
     print_notes(session.notes);

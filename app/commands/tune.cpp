@@ -15,6 +15,7 @@
 #include "app/sweep/progress_line.h"
 #include "app/sweep/tuning.h"
 #include "renderer/base/error.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/base/small_letters.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
@@ -87,12 +88,13 @@ void print_tuned(const Tuner& tuner) {
         fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>11} {:>11}\n", "tried", "wrong px", "lost px", "acne px", "strip",
                    "edge shift");
     for (const BiasFound& f : search.tried())
-        fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>9.3g} m {:>9.3g} m  {}{}\n", family_word(f.family), f.trial.wrong(),
-                   f.trial.lost(), f.trial.acne(), f.trial.needs.gap_p95_m, f.trial.needs.shift_p95_m,
-                   bias_text(f.bias), search.best() && search.best()->family == f.family ? "  chosen" : "");
+        fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>11} {:>11}  {}{}\n", family_word(f.family), f.trial.wrong(),
+                   f.trial.lost(), f.trial.acne(), metres_text(f.trial.needs.gap_p95_m),
+                   metres_text(f.trial.needs.shift_p95_m), bias_text(f.bias),
+                   search.best() && search.best()->family == f.family ? "  chosen" : "");
     for (const TuneCandidate& c : tuner.candidates()) {
         const std::string error = c.trial ? fmt::format("{:.5f}", c.error) : "-";
-        const std::string ms = c.ms ? fmt::format("{:.3g} ms", *c.ms) : "-";
+        const std::string ms = c.ms ? digits_text(*c.ms) + " ms" : "-";
         fmt::print("  {:<14} {:>5}²  error {:>8}  {:>9}  {}\n", c.kernel, c.settings.map.resolution, error, ms,
                    &c == tuner.best()    ? "chosen"
                    : c.meets             ? "within the limits"

@@ -7,7 +7,15 @@
 namespace si {
 
 std::string digits_text(double value) {
-    return std::abs(value) < 999.5 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+    constexpr int kMostDecimals = 12;
+    const double a = std::abs(value);
+    if (a >= 999.5) return fmt::format("{:.0f}", value);
+    if (a >= 1e-4 || a < std::pow(10.0, -kMostDecimals)) return fmt::format("{:.3g}", a < 1e-4 ? 0 : value);
+    return fmt::format("{:.{}f}", value, int(std::ceil(-std::log10(a))));
+}
+
+std::string signed_text(double value) {
+    return (value < 0 ? "" : "+") + digits_text(value);
 }
 
 std::string metres_text(double metres) {
@@ -18,7 +26,7 @@ std::string metres_text(double metres) {
     if (a < 0.9995) return digits_text(metres * 1e3) + " mm";
     if (a < 9999.5) return digits_text(metres) + " m";
     if (a < 1e9) return digits_text(metres * 1e-3) + " km";
-    return fmt::format("{:.3g} million km", metres * 1e-9);
+    return digits_text(metres * 1e-9) + " million km";
 }
 
 std::string texels_text(double texels) {

@@ -5,8 +5,10 @@
 
 namespace si {
 
-/// Three significant digits or all before the point: "0.628", "41.2", "1250". Below about 1e-4 with an exponent.
+/// Three significant digits or all before the point: "0.628", "41.2", "1250"; one below 1/10,000: "0.00006".
 std::string digits_text(double value);
+/// The same with its sign: "+0.628".
+std::string signed_text(double value);
 
 /// The same with a prefix: "4.2 mm", "1250 m", "13 km"; "no distance" of what
 /// is not finite.

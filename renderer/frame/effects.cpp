@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/passes/casters.h"
 #include "renderer/scene/animation.h"
 #include "renderer/settings/filters.h"
@@ -213,12 +214,13 @@ void contact_parts(const Facts& f, const PassInfo& pass, Effects& out) {
     for (std::size_t i = 0; i < f.frame.lights.size(); ++i) {
         const double length = f.settings.lights[i].contact;
         const bool shadowed = f.frame.lights[i].shadowed;
-        out.push_back(part_of(pass, fmt::format("contact shadows of light {}", i), shadowed && length > 0,
-                              length <= 0 ? light_key(i, "contact") + " is 0"
-                              : !shadowed ? f.frame.lights[i].reason
-                                          : fmt::format("{} is {:.4g} m: a ray is marched so far through the "
-                                                        "picture's depth, in {} steps",
-                                                        light_key(i, "contact"), length, f.settings.contact.steps)));
+        out.push_back(
+            part_of(pass, fmt::format("contact shadows of light {}", i), shadowed && length > 0,
+                    length <= 0 ? light_key(i, "contact") + " is 0"
+                    : !shadowed ? f.frame.lights[i].reason
+                                : fmt::format("{} is {}: a ray is marched so far through the "
+                                              "picture's depth, in {} steps",
+                                              light_key(i, "contact"), metres_text(length), f.settings.contact.steps)));
     }
 }
 

@@ -37,7 +37,8 @@ std::string unreached(const FittedLight& light, const glm::dvec3& position_ws) {
     if (light.type == LightType::Spot && !(glm::dot(away, light.to_light) > light.cos_cone_outer * distance))
         return "no light: outside of the light's cone";
     if (within_range(distance, light.range_m)) return {};
-    return fmt::format("no light: {:.4g} m away, beyond the light's range of {:.4g} m", distance, light.range_m);
+    return fmt::format("no light: {} away, beyond the light's range of {}", metres_text(distance),
+                       metres_text(light.range_m));
 }
 
 std::string verdict(const Settings& settings, const Probe::PerLight& p) {

@@ -128,12 +128,11 @@ private:
     std::string limits() const {
         const MapLimits& l = p_.fitted.limits;
         if (l.one_depth_step)
-            return fmt::format(
-                "all depth lies in one step of the map's format ({:.3g} m of {:.3g} m), which comes first; ", l.depth_m,
-                l.step_m);
+            return fmt::format("all depth lies in one step of the map's format ({} of {}), which comes first; ",
+                               metres_text(l.depth_m), metres_text(l.step_m));
         if (l.one_texel)
-            return fmt::format("a texel ({:.3g} m) is larger than the scene ({:.3g} m), which comes first; ", l.texel_m,
-                               l.across_m);
+            return fmt::format("a texel ({}) is larger than the scene ({}), which comes first; ",
+                               metres_text(l.texel_m), metres_text(l.across_m));
         return {};
     }
 
@@ -295,8 +294,8 @@ private:
                 "undersampled: no depth bias can be right here: even one nearest texel needs {}, but what shadows "
                 "it lies {} away; a finer map opens the window",
                 nearest_need(), texels(p_.account.amount(e.gap_all)));
-        return fmt::format("undersampled: the true shadow or light here is {:.3g} m wide, a texel {:.3g} m; {}",
-                           e.run_m, p_.texel_m, sampling_text());
+        return fmt::format("undersampled: the true shadow or light here is {} wide, a texel {}; {}",
+                           metres_text(e.run_m), metres_text(p_.texel_m), sampling_text());
     }
     /// Least power of two of map.resolution at which a texel is no wider than the strip of light or shadow.
     double sampling_resolution() const {

@@ -57,7 +57,7 @@ std::string verdict(const TriedAdvice& t) {
     if (slower) return fmt::format("a frame takes {} ms more", digits_text(t.ms.value));
     if (faster) return {};
     if (t.idea.claim == Claim::Same && t.more_bytes() < 0) return {};
-    return fmt::format("a frame takes no less time ({:+.3g} ± {:.2g} ms)", t.ms.value, t.ms.noise);
+    return fmt::format("a frame takes no less time ({} ± {} ms)", signed_text(t.ms.value), digits_text(t.ms.noise));
 }
 
 /// Kinds of advice in the order of rank, then what they are ranked by, the least first.
@@ -162,8 +162,8 @@ std::vector<Finding> findings_of(const AdviceFacts& facts, const CureTable& cure
         if (pixels == 0 || facts.error.counted == 0) continue;
         const double share = double(pixels) / double(facts.error.counted);
         Finding finding{severity_of(share),
-                        fmt::format("{}: {} pixel{}, {:.2g} % of those that count", style.label, pixels,
-                                    pixels == 1 ? "" : "s", 100 * share),
+                        fmt::format("{}: {} pixel{}, {} % of those that count", style.label, pixels,
+                                    pixels == 1 ? "" : "s", digits_text(100 * share)),
                         {},
                         {}};
         if (const Cure* cure = best_cure(cures, style.artefact)) {

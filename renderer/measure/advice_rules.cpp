@@ -146,8 +146,8 @@ void moments_without_blur(const Settings& s, const AdviceFacts& f, const Offer& 
     if (!has_map(f) || filter_of(s).samples != Samples::Moments) return;
     const double width_px = 2 * reach_under(s, *f.fitted(), f.map_resolution).edge * f.texel_px;
     for (const std::string_view kernel : plain_kernels(s, 2, 1))
-        offer(fmt::format("{} prepares the map to blur {:.2g} pixels: comparing depths directly may do",
-                          kernel_label(s), width_px),
+        offer(fmt::format("{} prepares the map to blur {} pixels: comparing depths directly may do", kernel_label(s),
+                          digits_text(width_px)),
               with_kernel(s, kernel), f.light);
 }
 
@@ -202,7 +202,7 @@ void sixteen_bits(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!(step_m > 0) || step_m > 0.1 * limits.texel_m) return;
     Settings coarse = s;
     coarse.map.format = int(MapFormat::D16);
-    offer(fmt::format("{} of depth in 16 bits are steps of {}, 1/{:.2g} of a texel: no more is needed",
+    offer(fmt::format("{} of depth in 16 bits are steps of {}, 1/{:.0f} of a texel: no more is needed",
                       metres_text(limits.depth_m), metres_text(step_m), limits.texel_m / step_m),
           std::move(coarse), f.light);
 }
@@ -224,8 +224,8 @@ void whole_map(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     Settings whole = s;
     whole.map.paged = false, whole.map.resolution = n;
     shown(whole, f).fit = int(LightFit::View);
-    offer(fmt::format("the pages that are read hold {:.2g} million texels: one map of {}² holds as many",
-                      1e-6 * double(f.paged_texels), n),
+    offer(fmt::format("the pages that are read hold {}: one map of {}² holds as many",
+                      texels_text(double(f.paged_texels)), n),
           std::move(whole), f.light);
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "renderer/base/lengths_text.h"
+
 namespace si {
 
 std::size_t BiasTrial::acne() const {
@@ -133,7 +135,7 @@ std::string theory_text(const BiasFound& found) {
 std::string bias_text(const BiasSettings& b) {
     std::string text;
     const auto add = [&](const char* key, double value) {
-        if (value > 0) text += fmt::format("{}{} {:.3g}", text.empty() ? "" : ", ", key, value);
+        if (value > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, digits_text(value));
     };
     add("bias.normal", b.normal);
     add("bias.slope", b.slope);

@@ -9,6 +9,7 @@
 #include <set>
 #include <span>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/measure/axes.h"
 #include "renderer/measure/time_sampler.h"
 #include "renderer/settings/biases.h"
@@ -288,7 +289,7 @@ CureIdea idea_of(const Remedy& remedy, const Settings& settings) {
 
 std::string time_text(const std::optional<CostChange>& ms) {
     if (!ms) return "-";
-    return ms->told() ? fmt::format("{:+.3g} ms", ms->value) : "< noise";
+    return ms->told() ? signed_text(ms->value) + " ms" : "< noise";
 }
 
 std::string map_bytes_text(long long bytes) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/frame/state.h"
 #include "renderer/gl/trouble.h"
 #include "renderer/settings/sources.h"
@@ -52,7 +53,7 @@ std::string described(const LightMap& map) {
     const std::string made = map.from_disk
                                  ? fmt::format("read from disk in {:.0f} ms", map.bake_ms)
                                  : fmt::format("baked before the frame by {} rays in {:.0f} ms", map.rays, map.bake_ms);
-    return fmt::format("{}² texels of a byte, {:.3g} a metre, {} charts; {}", l.side, l.texels_per_metre,
+    return fmt::format("{}² texels of a byte, {} a metre, {} charts; {}", l.side, digits_text(l.texels_per_metre),
                        l.charts.size(), made);
 }
 

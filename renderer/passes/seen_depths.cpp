@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/passes/camera_pass.h"
 
 namespace si {
@@ -38,8 +39,8 @@ std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info) {
         const double slack = kSlack * std::max(std::abs(a), std::abs(b));
         span = {std::min(a, b) - slack, std::max(a, b) + slack};
     }
-    info.reason = span ? fmt::format("the camera sees {:.4g} to {:.4g} m; light.depth_bounds goes by it", span->from_m,
-                                     span->to_m)
+    info.reason = span ? fmt::format("the camera sees {} to {}; light.depth_bounds goes by it",
+                                     metres_text(span->from_m), metres_text(span->to_m))
                        : "light.depth_bounds asks, but the camera sees nothing";
     if (f.request.timing)
         info.cpu_ms = info.gpu_ms =

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "renderer/base/finite.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/paging.h"
@@ -182,7 +183,7 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
         else
             fit_one_view(light, context);
         if (light.range_m > 0 && !reaches_anything(light, shape))
-            note(light, fmt::format("light.range: nothing lies within {:.4g} m of light {}", light.range_m, i));
+            note(light, fmt::format("light.range: nothing lies within {} of light {}", metres_text(light.range_m), i));
         light.dark = why_dark(light, scene);
         if (!s.cast)
             light.reason = "light.cast is off";

@@ -29,9 +29,15 @@ TEST(LengthsText, RoundToTheNextPrefixAndNeverToAnExponent) {
     EXPECT_EQ(metres_text(9999.9), "10 km");
     EXPECT_EQ(texels_text(999.9), "1000 texels");
     EXPECT_EQ(texels_text(999'999), "1 million texels");
-    for (double v = 1e-6; v < 1e11; v *= 1.0173)
-        for (const std::string& text : {metres_text(v), metres_text(-v), texels_text(v)})
-            EXPECT_EQ(text.find("e+"), text.npos) << text;
+    EXPECT_EQ(texels_text(6e-5), "0.00006 texels");
+    EXPECT_EQ(texels_text(1.0e-5), "0.00001 texels");
+    EXPECT_EQ(digits_text(1e-20), "0");
+    EXPECT_EQ(signed_text(1e-5), "+0.00001");
+    EXPECT_EQ(signed_text(-1250.4), "-1250");
+    EXPECT_EQ(metres_text(2e18), "2000000000 million km");
+    for (double v = 1e-17; v < 1e19; v *= 1.0173)
+        for (const std::string& text : {metres_text(v), metres_text(-v), texels_text(v), signed_text(v)})
+            EXPECT_FALSE(text.find("e+") != text.npos || text.find("e-") != text.npos) << text;
 }
 
 }  // namespace

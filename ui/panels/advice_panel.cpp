@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/measure/autopilot.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
@@ -103,7 +104,7 @@ void advice_row(Settings& settings, const TriedAdvice& t, bool current) {
     if (t.why_not.empty()) apply_button(settings, t.settings, current);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(time_text(t.ms).c_str());
-    wrapped_tooltip(fmt::format("{:+.3g} ms a frame, ± {:.2g} ms (95 %)", t.ms.value, t.ms.noise));
+    wrapped_tooltip(fmt::format("{} ms a frame, ± {} ms (95 %)", signed_text(t.ms.value), digits_text(t.ms.noise)));
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(fmt::format("{:+.2g}", t.added_error()).c_str());
     wrapped_tooltip(fmt::format("Error {:.4g}, was {:.4g}", t.after.error, t.before.error));
@@ -137,8 +138,8 @@ void advice_list(Settings& settings, const std::vector<TriedAdvice>& list, bool 
 }
 
 void show_report(Settings& settings, const AdviceReport& r, bool current) {
-    ImGui::TextDisabled("Now %s %.4g, %.3g ms a frame %s", std::string(r.options.error->label).c_str(), r.before.error,
-                        r.time.total_ms.median, std::string(row_of(r.options.cost).when).c_str());
+    ImGui::TextDisabled("Now %s %.4g, %s ms a frame %s", std::string(r.options.error->label).c_str(), r.before.error,
+                        digits_text(r.time.total_ms.median).c_str(), std::string(row_of(r.options.cost).when).c_str());
     if (!current) ImGui::TextDisabled("of other settings: run again");
     if (r.holds.empty()) ImGui::TextDisabled("Nothing that was tried is better.");
     advice_list(settings, r.holds, current, "advice");

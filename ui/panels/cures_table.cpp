@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/measure/cures.h"
 #include "renderer/settings/param.h"
@@ -20,8 +21,8 @@ std::string about(const Cure& cure, const CureTable& table) {
         if (const std::size_t all = table.wrong_of[std::size_t(style.artefact)]; all > 0)
             text += fmt::format("{}: {} of {} cured\n", style.label, cure.cured_of[std::size_t(style.artefact)], all);
     if (cure.ms)
-        text += fmt::format("time {:+.3g} ms, noise {:.2g} ms, of the passes that it changes\n", cure.ms->value,
-                            cure.ms->noise);
+        text += fmt::format("time {} ms, noise {} ms, of the passes that it changes\n", signed_text(cure.ms->value),
+                            digits_text(cure.ms->noise));
     return text + "A click applies it; Ctrl+Z takes it back.";
 }
 

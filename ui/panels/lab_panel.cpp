@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/inspect/precision.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
@@ -108,7 +109,8 @@ void pipelines_part(EditorState& state, const EditorFrame& frame, EditorActions&
     if (frame.result && frame.result->precision && !frame.comparing_pipelines) {
         const Precision& p = *frame.result->precision;
         ImGui::SameLine();
-        ImGui::TextDisabled("shown: %.3g texels, %.3g ULP (median)", p.texels.median, p.ulps.median);
+        ImGui::TextDisabled("shown: %s, %s ULP (median)", texels_text(p.texels.median).c_str(),
+                            digits_text(p.ulps.median).c_str());
     }
     if (frame.pipelines.empty()) return ImGui::TextDisabled("Not measured yet.");
     if (!begin_numbers("pipelines",
@@ -131,7 +133,7 @@ void pipelines_part(EditorState& state, const EditorFrame& frame, EditorActions&
                                    .c_str());
         ImGui::PopStyleColor();
         for (const double number : {e.texels.median, e.texels.p99, e.ulps.median, e.ulps.p99})
-            right_cell(fmt::format("{:.3g}", number), colour);
+            right_cell(digits_text(number), colour);
         right_cell(fmt::format("{}", e.flips), colour);
     }
     ImGui::EndTable();

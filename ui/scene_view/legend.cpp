@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/settings/overlays.h"
 #include "shaders/shared/colours.h"
 #include "ui/state/panels.h"
@@ -78,7 +79,7 @@ void draw_legend(const Pane& pane, const FittedLight* light, float left, float b
     for (int i = 0; i <= steps; ++i) {
         const float t = float(i) / float(steps), x = x0 + t * (x2 - x0);
         list.AddLine({x, y1}, {x, y1 + em * 0.2f}, theme::kOnPicture);
-        const std::string number = fmt::format("{:.3g}", low + t * (high - low));
+        const std::string number = digits_text(low + t * (high - low));
         const float w = ImGui::CalcTextSize(number.c_str()).x;
         const float at = i == 0 ? x : i == steps ? x - w : x - 0.5f * w;
         list.AddText({at, y1 + em * 0.2f}, theme::kOnPicture, number.c_str());

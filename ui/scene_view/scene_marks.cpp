@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/fit_bounds.h"
 #include "ui/scene_view/camera_outline.h"
@@ -132,7 +133,7 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
         say(fmt::format("Through {}; L goes back", light_title(state.settings, shown_light(state.settings))),
             theme::kLight);
     if (state.frozen) say("Shadow camera frozen", theme::kFrozen);
-    if (state.flight.on) say(fmt::format("Flying, speed {:.2g}×", state.flight.speed), theme::kOnPicture);
+    if (state.flight.on) say(fmt::format("Flying, speed {}×", digits_text(state.flight.speed)), theme::kOnPicture);
     if (state.probe_pixel && frame.anchor_place == AnchorPlace::Outside)
         say("Probed point: outside of the picture", theme::kWarningOnPicture);
     if (state.probe_pixel && frame.anchor_place == AnchorPlace::Hidden)
