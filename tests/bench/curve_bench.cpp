@@ -45,7 +45,10 @@ Scene wavy_ground(double triangles) {
     mesh.uv.clear();
     for (glm::vec3& p : mesh.positions.edit()) p.y = float(0.5 * std::sin(2.1 * p.x) * std::cos(1.7 * p.z));
     mesh.normals.clear();
-    return make_scene(std::move(mesh));
+    Scene scene;
+    add_object(scene, "Ground", -1,
+               add_mesh(scene, "Ground", std::move(mesh), add_material(scene, "grey", {0.6f, 0.6f, 0.6f})));
+    return scene;
 }
 
 /// Boxes on nodes of their own, in a square of the same size for any number.
@@ -63,7 +66,6 @@ Scene many_boxes(double objects) {
         o.instance = moved(i % across * cell, 0, i / across * cell);
         scene.objects.push_back(o);
     }
-    finalise(scene);
     return scene;
 }
 
@@ -90,7 +92,7 @@ void set_taps(Settings& s, double taps) {
 struct Axis {
     const char* name;
     std::vector<double> at, at_length;  ///< ordinary ones; only where SI_BENCH_LONG asks for them
-    Scene (*scene)(double);
+    Scene (*scene)(double);             ///< before finalise() where it grows
     void (*set)(Settings&, double);
     double expected;  ///< exponent of the work
     bool scene_grows = false;
@@ -122,10 +124,8 @@ const std::vector<Axis>& axes() {
 class CurvePoint {
 public:
     CurvePoint(const Axis& axis, double x, std::map<std::string, std::vector<double>>& ms) : ms_(ms) {
-        if (axis.scene_grows)
-            take("scene made", [&] { scene_ = axis.scene(x); });
-        else
-            scene_ = axis.scene(x);
+        scene_ = axis.scene(x);
+        if (axis.scene_grows) take("scene finished", [&] { finalise(scene_); });
         settings_.lights[0].elevation = 50;
         axis.set(settings_, x);
         if (!axis.scene_grows) {
