@@ -15,7 +15,7 @@ namespace {
 class CuresTest : public FrameTest {
 protected:
     TruthCache cache;
-    int width = 480, height = 360;
+    int width = 320, height = 240;
 
     MeasuredError measure(const Scene& scene, const Settings& s) {
         return measure_error(renderer, scene, s, {.width = width, .height = height}, 0, {}, cache);
@@ -88,15 +88,15 @@ TEST_F(CuresTest, AnOffsetsStripIsCured) {
 
 TEST_F(CuresTest, TheStageIsCuredOfTooMuchBiasAndOfFrontCulling) {
     const Scene stage = load_scene("stage");
-    width = 448, height = 252;
+    width = 320, height = 180;
     // A light under which few pixels are wrong for two causes at once.
     const auto under = [&](std::vector<std::pair<std::string_view, std::string_view>> sets) {
         Settings s = settings_for(stage, {{"light.fit", "scene"}, {"light.azimuth", "72"}, {"light.elevation", "36"}});
         for (const auto& [key, value] : sets) set_setting(s, key, value);
         return s;
     };
-    cured(stage, under({{"bias.constant", "40"}, {"bias.normal", "0"}}), {Artefact::PeterPanning}, 250);
-    cured(stage, under({{"caster.cull", "front"}}), {Artefact::LostCaster}, 250);
+    cured(stage, under({{"bias.constant", "40"}, {"bias.normal", "0"}}), {Artefact::PeterPanning}, 120);
+    cured(stage, under({{"caster.cull", "front"}}), {Artefact::LostCaster}, 120);
 }
 
 TEST_F(CuresTest, AFenceIsCuredByTheResolutionThatItNeeds) {

@@ -32,6 +32,8 @@ TEST(LengthsText, RoundToTheNextPrefixAndNeverToAnExponent) {
     EXPECT_EQ(texels_text(6e-5), "0.00006 texels");
     EXPECT_EQ(texels_text(1.0e-5), "0.00001 texels");
     EXPECT_EQ(digits_text(1e-20), "0");
+    EXPECT_EQ(digits_text(NAN), "nan");
+    EXPECT_EQ(signed_text(-INFINITY), "-inf");
     EXPECT_EQ(signed_text(1e-5), "+0.00001");
     EXPECT_EQ(signed_text(-1250.4), "-1250");
     EXPECT_EQ(metres_text(2e18), "2000000000 million km");
