@@ -109,6 +109,7 @@ TEST_F(CuresTest, AFenceIsCuredByTheResolutionThatItNeeds) {
     finalise(scene);
     Settings s = test::texel_settings("hard", 128, 3);
     s.camera.distance = 7;
+    width = 480, height = 360;
     cured(scene, s, {Artefact::Undersampled}, 300);
 }
 
