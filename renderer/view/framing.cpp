@@ -9,6 +9,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/fits/convex.h"
 
 namespace si {
 namespace {
@@ -94,24 +95,6 @@ std::vector<glm::dvec3> with_shadows(const Scene& scene, const std::vector<glm::
     return points;
 }
 
-/// Of the convex hull of points in a plane. Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions,
-/// Information Processing Letters 9(5), 1979.
-double hull_area(std::vector<glm::dvec2> points) {
-    std::ranges::sort(
-        points, [](const glm::dvec2& a, const glm::dvec2& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
-    const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
-    double twice = 0;
-    for (int side = 0; side < 2; ++side, std::ranges::reverse(points)) {  // below, then above
-        std::vector<glm::dvec2> chain;
-        for (const glm::dvec2& p : points) {
-            while (chain.size() > 1 && !(cross(chain.back() - chain.end()[-2], p - chain.back()) > 0)) chain.pop_back();
-            chain.push_back(p);
-        }
-        for (std::size_t i = 0; i + 1 < chain.size(); ++i) twice += cross(chain[i], chain[i + 1]);
-    }
-    return 0.5 * twice;
-}
-
 /// Of a picture, the part that hulls around `all` cover beyond those around `standing`.
 double shadow_seen(const Camera& c, const std::vector<glm::dvec3>& standing, const std::vector<glm::dvec3>& all) {
     const double tan_y = std::tan(0.5 * c.fov_y_rad);
@@ -122,7 +105,7 @@ double shadow_seen(const Camera& c, const std::vector<glm::dvec3>& standing, con
             const double reach = tan_y * std::max(-v.z, 1e-12);
             seen.emplace_back(v.x / (reach * c.aspect), v.y / reach);
         }
-        return 0.25 * hull_area(std::move(seen));
+        return 0.25 * area_of(convex_hull(std::move(seen)));
     };
     return covered(all) - covered(standing);
 }

@@ -25,7 +25,33 @@ void add_sides_within(std::vector<glm::dvec3>& points, const Box& body, std::spa
     }
 }
 
+double cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b) {
+    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+}
+
 }  // namespace
+
+std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points) {
+    std::ranges::sort(points, [](const auto& a, const auto& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    std::vector<glm::dvec2> hull;
+    for (int pass = 0; pass < 2; ++pass) {
+        const std::size_t begin = hull.size();
+        for (const glm::dvec2& p : points) {
+            while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+            hull.push_back(p);
+        }
+        if (!hull.empty()) hull.pop_back();
+        std::ranges::reverse(points);
+    }
+    return hull;
+}
+
+double area_of(std::span<const glm::dvec2> polygon) {
+    double twice = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        twice += cross(glm::dvec2(0), polygon[i], polygon[(i + 1) % polygon.size()]);
+    return 0.5 * twice;
+}
 
 Lies lies(const Box& body, std::span<const HalfSpace> planes) {
     bool within = true;

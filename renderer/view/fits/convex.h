@@ -17,6 +17,13 @@ using Polygon = std::vector<glm::dvec3>;
 /// 17(1), 1974.
 void clip(Polygon& polygon, const HalfSpace& plane);
 
+/// Around points in a plane, counter-clockwise. Andrew, Another efficient algorithm for convex hulls in two dimensions,
+/// IPL 9(5), 1979.
+std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points);
+
+/// Of a polygon that goes round counter-clockwise.
+double area_of(std::span<const glm::dvec2> polygon);
+
 /// The planes of a body with eight corners (ordered as Box), facing inwards; those of sides without area are left out.
 std::vector<HalfSpace> half_spaces_of(const Box& body);
 

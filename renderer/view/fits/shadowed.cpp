@@ -57,26 +57,6 @@ struct Blocker {
     double rim = 0;                  ///< by which the outline lies within the caster's own
 };
 
-double cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b) {
-    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
-}
-
-/// Counter-clockwise. Andrew, Another efficient algorithm for convex hulls in two dimensions, IPL 9(5), 1979.
-std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points) {
-    std::ranges::sort(points, [](const auto& a, const auto& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-    std::vector<glm::dvec2> hull;
-    for (int pass = 0; pass < 2; ++pass) {
-        const std::size_t begin = hull.size();
-        for (const glm::dvec2& p : points) {
-            while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
-            hull.push_back(p);
-        }
-        if (!hull.empty()) hull.pop_back();
-        std::ranges::reverse(points);
-    }
-    return hull;
-}
-
 class Shadowed {
 public:
     Shadowed(const FitInput& in, std::span<const ViewExtent> receivers) : in_(in), receivers_(receivers) {
