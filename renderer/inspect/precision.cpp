@@ -61,7 +61,7 @@ double float_step(double depth) {
     return std::exp2(std::floor(std::log2(d)) - 23);
 }
 
-PrecisionSpread spread_of(const FloatImage& error, int channel) {
+PrecisionSpread precision_spread_of(const FloatImage& error, int channel) {
     std::vector<float> values;
     PrecisionSpread out;
     for (int y = 0; y < error.height; ++y)
@@ -112,8 +112,8 @@ Precision find_precision(const Scene& scene, const Camera& camera, const FittedL
             if (const auto depth = plane_depth(*corners, glm::dvec2(looked_up)))
                 out.error.data[2 * pixel + 1] = float(std::abs(looked_up.z - *depth) / float_step(*depth));
         }
-    out.texels = spread_of(out.error, 0);
-    out.ulps = spread_of(out.error, 1);
+    out.texels = precision_spread_of(out.error, 0);
+    out.ulps = precision_spread_of(out.error, 1);
     return out;
 }
 

@@ -18,7 +18,7 @@ namespace si {
 namespace {
 
 using test::version_1_defaults;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// The one setting of version 1 whose default has been another one since.
 constexpr const char* kChanged = "light.fit";
@@ -67,20 +67,20 @@ TEST(EarlierVersions, WrittenAgainAPresetMeansTheSame) {
         const Preset preset = parse_preset(read_text_file(file), file.string());
         EXPECT_EQ(preset.settings, test::version_1_settings(file)) << file;
         const std::string text = preset_text(preset);
-        EXPECT_EQ(Json::parse(text)["version"], kSettingsVersion);
+        EXPECT_EQ(OrderedJson::parse(text)["version"], kSettingsVersion);
         EXPECT_EQ(parse_preset(text, "again").settings, preset.settings) << file;
     }
     EXPECT_EQ(test::version_1_presets().size(), 39u);
 }
 
 TEST(EarlierVersions, AJournalOfOneIsReadWithTheDefaultsOfOne) {
-    const auto state_of = [](int version, Json settings, Json axes) {
-        const Json spec = {{"scene", {{"name", "boxes"}, {"triangles", 12}, {"content", "00000000000000ff"}}},
-                           {"picture", {{"width", 64}, {"height", 36}}},
-                           {"truth", "hard"},
-                           {"settings", std::move(settings)},
-                           {"axes", std::move(axes)},
-                           {"shard", "1/1"}};
+    const auto state_of = [](int version, OrderedJson settings, OrderedJson axes) {
+        const OrderedJson spec = {{"scene", {{"name", "boxes"}, {"triangles", 12}, {"content", "00000000000000ff"}}},
+                                  {"picture", {{"width", 64}, {"height", 36}}},
+                                  {"truth", "hard"},
+                                  {"settings", std::move(settings)},
+                                  {"axes", std::move(axes)},
+                                  {"shard", "1/1"}};
         SweepState state;
         state.apply(
             {{"format", "shadow-inspector-sweep-journal"}, {"version", version}, {"plan", "x"}, {"spec", spec}});
@@ -88,15 +88,15 @@ TEST(EarlierVersions, AJournalOfOneIsReadWithTheDefaultsOfOne) {
     };
     const auto old = defaults_of_version(1).lights[0].fit;
     const Settings now;
-    const Settings one = state_of(1, {{"bias.constant", "0.5"}}, Json::array());
+    const Settings one = state_of(1, {{"bias.constant", "0.5"}}, OrderedJson::array());
     EXPECT_EQ(one.bias.constant, 0.5);
     EXPECT_EQ(one.lights[0].fit, old);
     EXPECT_EQ(one.lights[1], now.lights[1]);
-    const Settings varied = state_of(1, Json::object(), {{{"key", "light.count"}, {"values", {"1", "3"}}}});
+    const Settings varied = state_of(1, OrderedJson::object(), {{{"key", "light.count"}, {"values", {"1", "3"}}}});
     EXPECT_EQ(varied.lights[2].fit, old) << "some of the cases have three lights";
     EXPECT_EQ(varied.lights[3], now.lights[3]);
-    EXPECT_EQ(state_of(kSettingsVersion, Json::object(), Json::array()), now);
-    EXPECT_THROW(state_of(kSettingsVersion + 1, Json::object(), Json::array()), Error);
+    EXPECT_EQ(state_of(kSettingsVersion, OrderedJson::object(), OrderedJson::array()), now);
+    EXPECT_THROW(state_of(kSettingsVersion + 1, OrderedJson::object(), OrderedJson::array()), Error);
 }
 
 /// Names that nothing has had, for what there is.

@@ -9,7 +9,7 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string refusal_of_text(const std::string& text) {
     try {
@@ -27,9 +27,9 @@ std::string nested(int levels) {
 TEST(JsonText, IsWhatTheLibraryReads) {
     const std::string text =
         R"( {"b":[1,-2,3.5,1e3,true,false,null,"\u00e4\n",{},[]],"a":{"z":{"y":[{"x":18446744073709551615}]},"c":0}} )";
-    EXPECT_EQ(parse_json_text(text, "").dump(), Json::parse(text).dump());
+    EXPECT_EQ(parse_json_text(text, "").dump(), OrderedJson::parse(text).dump());
     for (const char* plain : {"1", "\"a\"", "null", "[]", "{}", "\xef\xbb\xbf{}"})
-        EXPECT_EQ(parse_json_text(plain, "").dump(), Json::parse(plain).dump()) << plain;
+        EXPECT_EQ(parse_json_text(plain, "").dump(), OrderedJson::parse(plain).dump()) << plain;
 }
 
 TEST(JsonText, DepthIsBounded) {
@@ -67,10 +67,10 @@ TEST(JsonText, TwoHundredThousandMembersAreReadAtOnce) {
 }
 
 TEST(JsonText, QuotesAreShort) {
-    const std::string quote = quoted(Json(std::string(5000, 'a') + "\x1b"));
+    const std::string quote = quoted(OrderedJson(std::string(5000, 'a') + "\x1b"));
     EXPECT_TRUE(quote.starts_with("\"aaaa")) << quote;
     EXPECT_LT(quote.size(), 70u);
-    EXPECT_EQ(quoted(Json("\x1b[31m\xff")).find('\x1b'), std::string::npos);
+    EXPECT_EQ(quoted(OrderedJson("\x1b[31m\xff")).find('\x1b'), std::string::npos);
     const std::string long_text(5000, 'b');
     for (const std::string& settings : {"\"bias.slope\":\"" + long_text + "\"", "\"map.format\":\"" + long_text + "\"",
                                         "\"" + long_text + "\":1", "\"bias.slope\":[[[\"" + long_text + "\"]]]"}) {

@@ -18,7 +18,7 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 TEST(Shards, DealOutEachCaseOnce) {
     EXPECT_EQ(parse_shard("2/8"), (Shard{2, 8}));
@@ -38,10 +38,10 @@ TEST(Sweep, MeasuresEachCaseOnceAndTimesAllInRounds) {
     EXPECT_EQ(meter.measured.size(), 8u);
     ASSERT_EQ(meter.timed.size(), 4u * 8);
     EXPECT_EQ(meter.timed[7], meter.timed[8]) << "the second round goes backwards";
-    const Json r = f.results();
+    const OrderedJson r = f.results();
     EXPECT_EQ(r["rows"].size(), 8u);
     EXPECT_EQ(r["rounds"], 4);
-    for (const Json& row : r["rows"]) {
+    for (const OrderedJson& row : r["rows"]) {
         EXPECT_EQ(row["time"]["frames"], 12);
         EXPECT_TRUE(fs::exists(f.folder / row["picture"].get<std::string>()));
     }
@@ -73,13 +73,13 @@ TEST(Sweep, ContinuesWhereItEndedAndLosesNothing) {
         part.run(first, steps);
         part.run(second);
         EXPECT_EQ(first.measured.size() + second.measured.size(), 8u) << steps;
-        const Json r = part.results();
+        const OrderedJson r = part.results();
         EXPECT_EQ(r["rounds"], 4) << steps;
         EXPECT_EQ(r["finished"], 8) << steps;
         // Whole rounds count whoever drew them; a round cut short is drawn again, in one run.
         const int whole = std::max(0, std::min(steps - 8, 32)) / 8;
         EXPECT_EQ(second.timed.size(), std::size_t(4 - whole) * 8) << steps;
-        for (const Json& run : r["runs"])
+        for (const OrderedJson& run : r["runs"])
             EXPECT_EQ(run["ranked_rounds"], run["id"] == "first" ? whole : 4 - whole) << steps;
         const std::string before = file_bytes(folder / kJournalFile);
         FakeMeter third;
@@ -247,7 +247,7 @@ TEST(Sweep, PicturesThatAreGoneAreDrawnAgain) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 10'000, {.on = false});
-    const Json before = f.results();
+    const OrderedJson before = f.results();
     fs::remove_all(f.folder / "pictures");
     FakeMeter again;
     f.run(again, 10'000, {.on = false});
@@ -342,13 +342,13 @@ TEST(Sweep, AFailingCaseIsARowWithItsError) {
     FakeMeter meter;
     meter.fails_at_resolution = 512;
     f.run(meter);
-    Json r = f.results();
+    OrderedJson r = f.results();
     EXPECT_EQ(r["finished"], 6);
     EXPECT_EQ(r["failed"], 2);
     EXPECT_EQ(r["rows"][2]["failed"], "no memory for; this map");
     EXPECT_TRUE(r["rows"][2]["error"].is_null());
     EXPECT_EQ(r["rounds"], 4) << "the others have their times";
-    for (const Json& n : r["frontier"]["cases"]) EXPECT_TRUE(n != 2 && n != 3);
+    for (const OrderedJson& n : r["frontier"]["cases"]) EXPECT_TRUE(n != 2 && n != 3);
     EXPECT_NE(results_csv(f.measured()).find(",false,no memory for; this map,\n"), std::string::npos);
     FakeMeter again;
     f.run(again);
@@ -374,9 +374,9 @@ TEST(Sweep, TimesOfDifferentMachinesAreNotMixed) {
     f.run(here, 8 + 8);
     there.machine = "other", there.run_id = "elsewhere", there.drift = 1000;
     f.run(there, 10'000, {.rounds = 3});
-    const Json r = f.results();
+    const OrderedJson r = f.results();
     EXPECT_EQ(r["rounds"], 3);
-    for (const Json& row : r["rows"]) EXPECT_GT(row["time"]["total_ms"]["low"], 1000);
+    for (const OrderedJson& row : r["rows"]) EXPECT_GT(row["time"]["total_ms"]["low"], 1000);
 }
 
 TEST(Sweep, ErrorsOfAnotherMeaningStandBesideNone) {
@@ -384,8 +384,8 @@ TEST(Sweep, ErrorsOfAnotherMeaningStandBesideNone) {
     const FakeSweep old(folder / "old");
     FakeMeter meter;
     const SweepState state = old.run(meter, 2);
-    const Json results = old.results();
-    for (const Json& row : results["rows"]) EXPECT_EQ(number_at(row, "error.meaning"), kErrorMeaning);
+    const OrderedJson results = old.results();
+    for (const OrderedJson& row : results["rows"]) EXPECT_EQ(number_at(row, "error.meaning"), kErrorMeaning);
     const fs::path file = old.folder / kJournalFile;
     const std::string text = file_bytes(file);
     const std::string number = "\"meaning\":" + std::to_string(kErrorMeaning);
@@ -420,7 +420,7 @@ TEST(Sweep, ErrorsOfAnotherMeaningStandBesideNone) {
         EXPECT_EQ(file_bytes(file), changed) << "left as it is";
     }
     SweepState mixed = state;
-    Json line = facts_line(5, state.cases.begin()->second);
+    OrderedJson line = facts_line(5, state.cases.begin()->second);
     line["error"].erase("meaning");
     EXPECT_THROW(mixed.apply(line), Error);
     EXPECT_FALSE(mixed.cases.contains(5));
@@ -442,7 +442,7 @@ TEST(Merge, ShardsTogetherAreTheWholeSweep) {
     }
     const SweepState merged = merge_sweeps(parts);
     EXPECT_TRUE(missing_cases(merged, whole.plan).empty());
-    Json a = results_json(sweep_results(merged, whole.plan)), b = whole.results();
+    OrderedJson a = results_json(sweep_results(merged, whole.plan)), b = whole.results();
     a.erase("runs"), b.erase("runs");
     EXPECT_EQ(a, b);
     parts.erase(parts.begin() + 1);
@@ -503,7 +503,7 @@ TEST(Results, SpecsSurviveTheJournal) {
     FakeSweep f(fresh_test_folder());
     f.spec.base.bias.slope = 1.5, f.spec.base.light_count = 2, f.spec.base.lights[1].azimuth = 77;
     f.spec.scene = "a \"quoted\", name</script>\n", f.spec.scene_content = 0xfedcba9876543210, f.spec.shard = {2, 3};
-    const SweepSpec again = spec_from_json(Json::parse(f.spec_text().dump()));
+    const SweepSpec again = spec_from_json(OrderedJson::parse(f.spec_text().dump()));
     EXPECT_EQ(spec_json(again), f.spec_text());
     EXPECT_EQ(again.base, f.spec.base);
     EXPECT_EQ(plan_key(plan_sweep(again.base, again.axes)), plan_key(plan_sweep(f.spec.base, f.axes)));
@@ -538,7 +538,7 @@ TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {
               .triangles = 7};
     const std::string text = facts_line(4, c).dump();
     SweepState state;
-    state.apply(Json::parse(text));
+    state.apply(OrderedJson::parse(text));
     const CaseState& read = state.cases.at(4);
     EXPECT_EQ(facts_line(4, read).dump(), text);
     EXPECT_EQ(read.error.metrics.lost_false_light, c.error.metrics.lost_false_light);
@@ -552,9 +552,9 @@ TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {
     TimeSamples samples;
     for (const double ms : {3.0, 4.0, 5.0, 9.0}) samples.total_ms.push_back(ms), samples.maps_ms.push_back(ms / 4);
     const CaseNumbers numbers{.error = c.error, .cost = c.cost, .time = summary(samples)};
-    const Json row = {{"error", error_json(c.error.metrics, c.error.noise)},
-                      {"cost", cost_json(c.cost)},
-                      {"time", time_json(*numbers.time)}};
+    const OrderedJson row = {{"error", error_json(c.error.metrics, c.error.noise)},
+                             {"cost", cost_json(c.cost)},
+                             {"time", time_json(*numbers.time)}};
     std::size_t compared = 0;
     for (const Column& column : columns()) {
         const double said = column.value(numbers), held = number_at(row, column.key);
@@ -575,10 +575,10 @@ TEST(Sweep, TimesOfOtherFramesAreNeverMixed) {
     f.run(camera, 10'000, {.cost = CostCase::Camera, .rounds = 2});
     EXPECT_TRUE(camera.measured.empty()) << "errors and costs are the same";
     EXPECT_EQ(camera.timed.size(), 2u * 8) << "and times begin anew";
-    const Json r = f.results();
+    const OrderedJson r = f.results();
     EXPECT_EQ(r["timed"], "camera");
     EXPECT_EQ(r["rounds"], 2) << "those that were taken last, though they are fewer";
-    for (const Json& row : r["rows"]) {
+    for (const OrderedJson& row : r["rows"]) {
         EXPECT_EQ(row["time"]["timed"], "camera");
         EXPECT_EQ(row["time"]["frames"], 6);
     }
@@ -595,7 +595,7 @@ TEST(Sweep, JournalsThatSayNothingOfFramesAreOfForcedOnes) {
     {
         std::ifstream in(f.folder / kJournalFile);
         for (std::string line; std::getline(in, line);) {
-            Json json = Json::parse(line);
+            OrderedJson json = OrderedJson::parse(line);
             if (json.contains("run") && json["run"].is_object()) json["run"].erase("cost");
             text += json.dump() + "\n";
         }
@@ -610,7 +610,7 @@ TEST(Sweep, JournalsThatSayNothingOfFramesAreOfForcedOnes) {
 }
 
 TEST(Columns, ArePlottedSoThatLessIsBetter) {
-    const Json row = {{"iou", 0.9}, {"signed_mean", -0.25}, {"mae", nullptr}, {"noise", 0.125}};
+    const OrderedJson row = {{"iou", 0.9}, {"signed_mean", -0.25}, {"mae", nullptr}, {"noise", 0.125}};
     const CaseNumbers numbers{.error = CaseErrors{error_from_json(row), number_or_nan(row, "noise")}};
     EXPECT_NEAR(plotted_value(*find_column("error.iou"), numbers), 0.1, 1e-12);
     EXPECT_EQ(plotted_value(*find_column("error.signed_mean"), numbers), 0.25);
