@@ -81,7 +81,7 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
     add_size(*c, o, "1280x720");
     auto* against =
         c->add_option("--against", o.render.against,
-                      "Hold the picture against another one of the same frame, right of it: truth (traced by "
+                      "Compare the picture with another one of the same frame, right of it: truth (traced by "
                       "rays), or a preset (its light, maps, bias, filter and shading)")
             ->type_name("WHAT");
     auto* swipe = c->add_option("--swipe", o.render.swipe,
@@ -154,7 +154,7 @@ void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
         "measure", "Compare a light's shadows with the ray-traced truth, and say what they cost, in numbers");
     add_session_options(*c, o.session, true);
     c->add_flag("--area", o.area,
-                "Against a light of its size (light.size), not a point or direction. As --set truth.area=true");
+                "Compare with an area light (light.size), not a point or direction. As --set truth.area=true");
     c->add_flag("!--no-time", o.measure.time, "Take no times");
     add_cost_option(*c, o.measure.cost);
     add_numeric_option(*c, o.measure.check_numeric);
@@ -310,7 +310,7 @@ void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
     });
 
     auto* out = app.add_subcommand("export",
-                                   "Write a scene as glTF: the moment and the scene of the file that the settings "
+                                   "Write a scene as glTF: the pose and the scene of the file that the settings "
                                    "choose, and what else --preset and --set choose as its suggested settings");
     add_session_options(*out, o.session, true);
     out->add_option("-o,--output", o.output, "The file: .gltf (one file, buffers inside) or .glb")

@@ -39,7 +39,7 @@ CLI::Validator one_of(const std::vector<std::string_view>& words) {
 }
 
 constexpr const char* kAreaHelp =
-    "Against a light of its size (light.size), not a point or direction. As --set truth.area=true";
+    "Compare with an area light (light.size), not a point or direction. As --set truth.area=true";
 constexpr const char* kAreaSet = "truth.area=true";
 
 }  // namespace

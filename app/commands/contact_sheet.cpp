@@ -96,8 +96,10 @@ Tile draw_tile(Renderer& renderer, const fs::path& model, const PictureSize& siz
     try {
         const Session session = open_session({.scene = model.string()});
         FrameRequest request{.width = size.width, .height = size.height};
-        const FrameResult frame = renderer.render(session.scene, session.settings, request);
-        tile.picture = renderer.read_colour(frame.colour);
+        FrameRequest rested = request;  // as the editor shows it once the view rests
+        if (session.settings.view.smooth) rested.smoothed = kSmoothedMost;
+        const FrameResult frame = renderer.render(session.scene, session.settings, rested);
+        tile.picture = renderer.read_colour(frame.smooth.texture != 0 ? frame.smooth : frame.colour);
         tile.text = fmt::format("{} triangles", session.scene.triangle_count());
         tile.notes = session.scene.warnings;
         if (check_numeric) {

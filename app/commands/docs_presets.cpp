@@ -62,7 +62,7 @@ std::string changes(const Preset& preset, const Settings& base) {
     std::string text;
     for (const SettingRef& ref : differing_settings(base, preset.settings)) {
         if (is_view_point(ref)) continue;
-        const std::string value = shown_value(preset.settings, *ref.param, get_value(preset.settings, ref));
+        const std::string value = shown_value(preset.settings, ref, get_value(preset.settings, ref));
         text += fmt::format("{}`{}` {}", text.empty() ? "" : ", ", setting_key(ref), value);
     }
     return text.empty() ? "nothing" : text;

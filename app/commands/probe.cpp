@@ -37,8 +37,7 @@ void print_taps(const Probe::PerLight& p) {
         rows[std::size_t(at.y)][2 * std::size_t(at.x) + 1] = t.lit ? '.' : t.meets == KernelTap::Meets::Own ? 'S' : '#';
     }
     for (std::size_t y = rows.size(); y-- > 0;) {
-        fmt::print("    {}{}\n", rows[y],
-                   y + 1 == rows.size() ? "    . lit, # dark, S dark by the surface itself" : "");
+        fmt::print("    {}{}\n", rows[y], y + 1 == rows.size() ? "    . lit, # in shadow, S self-shadowed" : "");
     }
 }
 
@@ -56,7 +55,7 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
     fmt::print("  2 divided by w       ({:.6g}, {:.6g}, {:.6g})\n", p.ndc.x, p.ndc.y, p.ndc.z);
     fmt::print("  3 in [0,1]           u {:.6g}  v {:.6g}  depth {:.8g}   ({})\n", p.uvd.x, p.uvd.y, p.uvd.z, p.where);
     fmt::print("  4 own depth          {:.8g}   = {:.6g} m from the light along its axis\n", p.own, p.own_m);
-    fmt::print("  5 n.l                {:.6g}\n", p.n_dot_l);
+    fmt::print("  5 N·L                {:.6g}\n", p.n_dot_l);
     fmt::print("  6 bias               {:.6g} of depth = {:.4g} texels = {:.4g} m; normal offset {:.4g} m\n",
                p.bias_depth, p.bias_texels, p.bias_m, p.normal_offset_m);
     fmt::print("  7 compared depth     {:.8g}\n", p.compared);
@@ -82,10 +81,10 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
 /// @param endless what an infinite amount is called
 void print_amount(const char* name, const DepthAmount& a, const char* about = "", const char* endless = "infinite") {
     if (std::isfinite(a.depth))
-        fmt::print("    {:<18} {:>10.4g} texels {:>11.4g} m {:>12.5g} of depth   {}\n", name, a.texels, a.metres,
+        fmt::print("    {:<23} {:>10.4g} texels {:>11.4g} m {:>12.5g} of depth   {}\n", name, a.texels, a.metres,
                    a.depth, about);
     else
-        fmt::print("    {:<18} {:>10}                                       {}\n", name, endless, about);
+        fmt::print("    {:<23} {:>10}                                       {}\n", name, endless, about);
 }
 
 void print_dossier(const Probe::PerLight& p, const Dossier& d) {
@@ -101,15 +100,15 @@ void print_dossier(const Probe::PerLight& p, const Dossier& d) {
     print_amount("normal offset", a.amount(a.normal));
     if (a.raster != 0)
         print_amount("while drawing", a.amount(a.raster), "bias.raster_*, the least that a driver may add");
-    print_amount("have in all", d.has, "against acne");
-    print_amount("least needed", d.least, "of kernel, format, sub-pixel grid and single precision:");
+    print_amount("have", d.has, "against acne");
+    print_amount("needed", d.least, "of kernel, format, sub-pixel grid and single precision:");
     print_amount("  kernel", a.amount(a.least.kernel));
     print_amount("  format", a.amount(a.least.quantum));
     print_amount("  sub-pixel grid", a.amount(a.least.snapping));
     print_amount("  rounding", a.amount(a.least.rounding));
-    print_amount("moved to the light", d.lifted, "a surface nearer than this is lost");
-    print_amount("nearest the light", d.occluder, "the surface that shadows this one", "none");
-    fmt::print("  truth: {}", d.truth.lit ? "lit" : "dark");
+    print_amount("shift towards the light", d.lifted, "a surface nearer than this is lost");
+    print_amount("occluder", d.occluder, "the surface nearest the light: as much bias loses it", "none");
+    fmt::print("  truth: {}", d.truth.lit ? "lit" : "in shadow");
     if (d.truth.share > 0 && d.truth.share < 1)
         fmt::print(", {:.1f} % of the light seen (light.size)", 100 * d.truth.share);
     if (!std::isfinite(d.least.depth))
@@ -167,7 +166,7 @@ std::string drawing_of(const Session& session, const Probe& probe, const std::ve
     const auto i = std::size_t(std::max(session.settings.view.light, 0));
     if (i >= probe.lights.size()) throw Error(fmt::format("view.light is {}: there is no such light to draw", i));
     const Section section = section_of(probe, i, found, session.settings, casters);
-    return section_svg(draw_section(section, {}), fmt::format("Shadow test of a pixel: {}", section.verdict));
+    return section_svg(section);
 }
 
 }  // namespace

@@ -18,8 +18,7 @@ void MouseQueue::button(int button, bool down, int mods, const When& when) {
 MouseQueue::Step MouseQueue::next() {
     Step step{.down = down_};
     if (waiting_.empty()) {
-        const bool held = std::ranges::any_of(down_, [](bool down) { return down; });
-        if (inside_ || held) step.at = at_;
+        step.at = at();
     } else {
         const Change& change = waiting_.front();
         step.at = change.at;
@@ -33,6 +32,16 @@ MouseQueue::Step MouseQueue::next() {
     }
     shown_ = step.at;
     return step;
+}
+
+MouseQueue::Step MouseQueue::stay(std::optional<glm::dvec2> at) {
+    shown_ = at;
+    return {.down = down_, .at = at};
+}
+
+std::optional<glm::dvec2> MouseQueue::at() const {
+    const bool held = !waiting_.empty() || std::ranges::any_of(down_, [](bool down) { return down; });
+    return inside_ || held ? at_ : std::nullopt;
 }
 
 }  // namespace si

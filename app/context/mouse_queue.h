@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <deque>
 #include <glm/glm.hpp>
 #include <limits>
@@ -33,6 +34,11 @@ public:
     };
     /// What the next frame is to show. Where the place of a press or release is a new one, first the mouse there.
     Step next();
+    /// A frame in which the mouse does nothing, and is where it was at something else that waited.
+    Step stay(std::optional<glm::dvec2> at);
+    /// Where it is after all that waits; none: not known.
+    std::optional<glm::dvec2> at() const;
+    std::size_t waiting() const { return waiting_.size(); }
     bool empty() const { return waiting_.empty(); }
 
 private:

@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,27 +99,20 @@ WindowContext::~WindowContext() {
 
 // ImGui's backend is installed afterwards and calls these in turn.
 void WindowContext::install_callbacks() {
-    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
-        note_input(w);
-        if (action == GLFW_PRESS && key >= 0)
-            static_cast<Events*>(glfwGetWindowUserPointer(w))->keys.push_back({key, mods});
-    });
-    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { note_input(w); });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
         note_input(w);
         const Events& events = *static_cast<Events*>(glfwGetWindowUserPointer(w));
         const double now_s = glfwGetTime();
-        mouse_of(w).button(button, action == GLFW_PRESS, mods, {events.waiting ? now_s : events.polled_s, now_s});
+        queue_of(w).button(button, action == GLFW_PRESS, mods, {events.waiting ? now_s : events.polled_s, now_s});
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
         note_input(w);
-        mouse_of(w).move({x, y});
+        queue_of(w).move({x, y});
     });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
         note_input(w);
-        mouse_of(w).enter(entered == GLFW_TRUE);
+        queue_of(w).enter(entered == GLFW_TRUE);
     });
-    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { note_input(w); });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { note_input(w); });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { note_input(w); });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { note_input(w); });
@@ -127,6 +121,30 @@ void WindowContext::install_callbacks() {
         auto& dropped = static_cast<Events*>(glfwGetWindowUserPointer(w))->dropped;
         dropped.insert(dropped.end(), paths, paths + count);
     });
+}
+
+// The backend would show the next frame all of it at once, and calls what it found when it was installed: not these.
+void WindowContext::stand_before_backend() {
+    const auto stand = [](auto before, auto mine, auto& behind) {
+        if (before != mine) behind = before;
+    };
+    stand(glfwSetKeyCallback(window_, on_key), &on_key, backend_.key);
+    stand(glfwSetCharCallback(window_, on_character), &on_character, backend_.character);
+    stand(glfwSetScrollCallback(window_, on_scroll), &on_scroll, backend_.scroll);
+}
+
+void WindowContext::on_key(GLFWwindow* window, int key, int, int action, int mods) {
+    note_input(window);
+    // ImGui repeats keys by itself.
+    if (action != GLFW_REPEAT) queue_of(window).key({.key = key, .mods = mods, .down = action == GLFW_PRESS});
+}
+void WindowContext::on_character(GLFWwindow* window, unsigned code) {
+    note_input(window);
+    queue_of(window).character(code);
+}
+void WindowContext::on_scroll(GLFWwindow* window, double x, double y) {
+    note_input(window);
+    queue_of(window).wheel({x, y});
 }
 
 ThreadContextMaker WindowContext::sharing() const {
@@ -146,8 +164,8 @@ void WindowContext::note_input(GLFWwindow* window) {
     static_cast<Events*>(glfwGetWindowUserPointer(window))->input = true;
 }
 
-MouseQueue& WindowContext::mouse_of(GLFWwindow* window) {
-    return static_cast<Events*>(glfwGetWindowUserPointer(window))->mouse;
+InputQueue& WindowContext::queue_of(GLFWwindow* window) {
+    return static_cast<Events*>(glfwGetWindowUserPointer(window))->queue;
 }
 
 bool WindowContext::should_close() const {
@@ -165,8 +183,10 @@ void WindowContext::wait_events(double seconds) {
     events_.polled_s = glfwGetTime();
 }
 void WindowContext::poll_events() {
+    stand_before_backend();
     glfwPollEvents();
     events_.polled_s = glfwGetTime();
+    events_.queue.typing(ImGui::GetCurrentContext() && ImGui::GetIO().WantTextInput);
 }
 void WindowContext::hold_cursor(bool held) {
     const int wanted = held ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL;
@@ -175,7 +195,7 @@ void WindowContext::hold_cursor(bool held) {
     glfwSetInputMode(window_, GLFW_CURSOR, wanted);
     glm::dvec2 at(0);  // no event tells that it is elsewhere now
     glfwGetCursorPos(window_, &at.x, &at.y);
-    events_.mouse.move(at);
+    events_.queue.move(at);
 }
 void WindowContext::swap() {
     glfwSwapBuffers(window_);
@@ -210,10 +230,16 @@ float WindowContext::content_scale() const {
 }
 
 std::vector<WindowContext::KeyPress> WindowContext::take_keys() {
-    return std::exchange(events_.keys, {});
-}
-bool WindowContext::is_down(int key) const {
-    return glfwGetKey(window_, key) == GLFW_PRESS;
+    const InputQueue::Strokes strokes = events_.queue.take_strokes();
+    std::vector<KeyPress> pressed;
+    for (const auto& [key, mods, down] : strokes.keys) {
+        if (backend_.key) backend_.key(window_, key, 0, down ? GLFW_PRESS : GLFW_RELEASE, mods);
+        if (down) pressed.push_back({key, mods});
+    }
+    for (const unsigned code : strokes.characters)
+        if (backend_.character) backend_.character(window_, code);
+    if (backend_.scroll && strokes.wheel != glm::dvec2(0)) backend_.scroll(window_, strokes.wheel.x, strokes.wheel.y);
+    return pressed;
 }
 
 bool WindowContext::take_input() {

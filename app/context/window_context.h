@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/context/mouse_queue.h"
+#include "app/context/input_queue.h"
 #include "app/context/thread_context.h"
 
 struct GLFWwindow;
@@ -45,16 +45,18 @@ public:
     float content_scale() const;
     /// Whether the last wait brought input, a resize or an uncovered window; cleared by the call.
     bool take_input();
+    /// What mouse and keys did and no frame has shown yet. ImGui's backend is told nothing of it as it arrives.
+    InputQueue& input() { return events_.queue; }
     /// A key that went down, perhaps already up again. ImGui 1.86 sees only keys that are held when its frame starts.
     struct KeyPress {
         int key = 0;   ///< GLFW_KEY_*
         int mods = 0;  ///< GLFW_MOD_*
     };
-    /// Keys pressed since the last call.
+    /// Tells ImGui's backend of keys, characters and the wheel in the step that input().next() began.
+    /// @returns the keys that went down in it
     std::vector<KeyPress> take_keys();
-    bool is_down(int key) const;
-    /// What the mouse did and no frame has shown yet.
-    MouseQueue& mouse() { return events_.mouse; }
+    /// As frames have been shown it.
+    bool is_down(int key) const { return events_.queue.is_down(key); }
     /// Files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_dropped();
 
@@ -69,17 +71,27 @@ private:
         bool input = true;
         bool waiting = false;  ///< events are told of as they arrive
         double polled_s = 0;   ///< when they were asked for last
-        std::vector<KeyPress> keys;
-        MouseQueue mouse;
+        InputQueue queue;
         std::vector<std::filesystem::path> dropped;
     };
+    /// ImGui's, which the queue stands before.
+    struct Backend {
+        void (*key)(GLFWwindow*, int key, int scancode, int action, int mods) = nullptr;
+        void (*character)(GLFWwindow*, unsigned) = nullptr;
+        void (*scroll)(GLFWwindow*, double, double) = nullptr;
+    };
     void install_callbacks();
+    void stand_before_backend();
+    static void on_key(GLFWwindow* window, int key, int scancode, int action, int mods);
+    static void on_character(GLFWwindow* window, unsigned code);
+    static void on_scroll(GLFWwindow* window, double x, double y);
     static void note_input(GLFWwindow* window);
-    static MouseQueue& mouse_of(GLFWwindow* window);
+    static InputQueue& queue_of(GLFWwindow* window);
 
     GLFWwindow* window_ = nullptr;
     GLFWwindow* beside_ = nullptr;  ///< never shown: a context that shares the window's objects; null: there is none
     Events events_;
+    Backend backend_;
 };
 
 }  // namespace si

@@ -21,8 +21,8 @@ struct EditorAgainst::Texture {
         gl::forget_errors();
         glTextureStorage2D(id, 1, GL_RGBA8, width, height);
         try {
-            gl::require_memory(fmt::format("the picture that is held against ({} x {})", width, height),
-                               "make the window smaller, or hold it against nothing");
+            gl::require_memory(fmt::format("the picture compared with ({} x {})", width, height),
+                               "make the window smaller, or switch comparing off");
         } catch (...) {
             glDeleteTextures(1, &id);
             throw;
@@ -43,7 +43,7 @@ namespace {
 
 constexpr const char* kLacksRays =
     "The other side's shadow is ray traced, and rays are traced for the settings shown alone: show that side itself, "
-    "or hold them against each other by render --against";
+    "or compare the two by render --against";
 
 }  // namespace
 

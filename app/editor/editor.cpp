@@ -53,7 +53,7 @@ void show_held_modifiers(const WindowContext& window) {
 /// drawn it would show one press, at the place where the mouse has come to since.
 class MouseStep {
 public:
-    explicit MouseStep(WindowContext& window) : window_(window), step_(window.mouse().next()) {
+    explicit MouseStep(WindowContext& window) : window_(window), step_(window.input().next()) {
         ImGuiIO& io = ImGui::GetIO();
         std::ranges::copy(step_.down, io.MouseDown);
         if (step_.at) io.MousePos = {float(step_.at->x), float(step_.at->y)};
@@ -189,7 +189,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         window.hold_cursor(actions.hold_cursor);
         if (model.fulfil(actions)) due = std::max(due, 2);
         if (actions.ask_desktop) portal.ask(*actions.ask_desktop, window.portal_name());
-        if (!window.mouse().empty()) due = std::max(due, kSettleFrames);
+        if (!window.input().empty()) due = std::max(due, kSettleFrames);
         if (actions.redraw) due = std::max(due, 1);
         if (actions.quit) break;
         if (titled != model.state.scene_name) {

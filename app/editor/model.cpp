@@ -9,6 +9,7 @@
 #include "app/editor/clipboard.h"
 #include "app/editor/screenshot.h"
 #include "app/editor/wishes.h"
+#include "app/report/section_svg.h"
 #include "app/session/command_line.h"
 #include "renderer/base/error.h"
 #include "renderer/base/small_letters.h"
@@ -103,10 +104,15 @@ void EditorModel::save_as(const std::filesystem::path& path) {
 void EditorModel::save_shot(const ShotWish& wish, const ByteImage& window, float pixels) {
     attempt(state, [&] {
         const std::filesystem::path folder = std::filesystem::path(state.preset_path).parent_path();
-        const auto path = save_screenshot(cut_out(window, wish.rect, pixels), wish.of, state.scene_name, folder);
+        const Sections& sections = frames_.facts().readings.sections;
+        const auto light = std::size_t(std::max(state.settings.view.light, 0));
+        std::string svg;
+        if (wish.of == Shot::Drawing && sections && light < sections->size()) svg = section_svg((*sections)[light]);
+        const auto path = save_screenshot(cut_out(window, wish.rect, pixels), wish.of, state.scene_name, folder, svg);
         std::error_code error;
         const auto whole = std::filesystem::absolute(path, error);
-        const std::string saved = "Saved " + (error ? path : whole).string();
+        const std::string saved =
+            fmt::format("Saved {}{}", (error ? path : whole).string(), svg.empty() ? "" : " and the same as .svg");
         const std::string problem = offers_pictures_ ? copy_png(path) : std::string();
         state.log.add(LogKind::Info, !offers_pictures_ ? saved
                                      : problem.empty() ? saved + ", and copied the picture"

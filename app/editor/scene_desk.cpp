@@ -165,8 +165,9 @@ void SceneDesk::show_scene(Scene loaded, const Arrival& arrival) {
         state_.map_window = {};
     }
     const std::string hidden = scene_.hidden.empty() ? "" : fmt::format(", {} hidden", scene_.hidden.size());
-    state_.log.add(LogKind::Info, fmt::format("{}: {} objects, {} triangles{}", state_.scene_name,
-                                              scene_.objects.size(), scene_.triangle_count(), hidden));
+    const std::size_t objects = scene_.object_count();
+    state_.log.add(LogKind::Info, fmt::format("{}: {} object{}, {} triangles{}", state_.scene_name, objects,
+                                              objects == 1 ? "" : "s", scene_.triangle_count(), hidden));
     for (const std::string& note : notes) state_.log.add(LogKind::Warning, note);
     for (const std::string& text : left_out) report(state_, text);
     if (!arrival.remark.empty()) state_.log.add(LogKind::Info, arrival.remark);

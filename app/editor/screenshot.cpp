@@ -20,6 +20,8 @@ const char* part_of(Shot of) {
             return "scene";
         case Shot::Map:
             return "map";
+        case Shot::Drawing:
+            return "drawing";
         case Shot::Window:
             break;
     }
@@ -60,16 +62,25 @@ ByteImage cut_out(const ByteImage& window, const ScreenRect& rect, float pixels)
 }
 
 std::filesystem::path save_screenshot(const ByteImage& picture, Shot of, const std::string& scene,
-                                      const std::filesystem::path& folder) {
+                                      const std::filesystem::path& folder, const std::string& svg) {
     const std::string name = plain_name(scene);
     for (int number = 1; number < kMostShots; ++number) {
         const std::filesystem::path path = folder / fmt::format("{}-{}-{}.png", name, part_of(of), number);
+        const std::filesystem::path drawing = std::filesystem::path(path).replace_extension(".svg");
         if (!take_name(path)) continue;
+        std::error_code ignored;
+        bool drawing_taken = false;
         try {
+            drawing_taken = !svg.empty() && take_name(drawing);
+            if (!svg.empty() && !drawing_taken) {
+                std::filesystem::remove(path, ignored);
+                continue;
+            }
+            if (drawing_taken) write_file(drawing, svg);
             write_png(path, picture);
         } catch (...) {
-            std::error_code ignored;
             std::filesystem::remove(path, ignored);
+            if (drawing_taken) std::filesystem::remove(drawing, ignored);
             throw;
         }
         return path;

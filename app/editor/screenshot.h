@@ -13,8 +13,9 @@ namespace si {
 ByteImage cut_out(const ByteImage& window, const ScreenRect& rect, float pixels);
 
 /// Writes it into `folder` as SCENE-PART-NUMBER.png, the first number that no file has; what is there stays as it is.
-/// Returns the file's path. @param scene built-in key or path @throws Error
+/// Returns the file's path. @param scene built-in key or path @param svg the same as a drawing, for a file beside it
+/// that ends in .svg; empty: none @throws Error
 std::filesystem::path save_screenshot(const ByteImage& picture, Shot of, const std::string& scene,
-                                      const std::filesystem::path& folder);
+                                      const std::filesystem::path& folder, const std::string& svg = {});
 
 }  // namespace si

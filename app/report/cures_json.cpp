@@ -36,7 +36,7 @@ Json cures_json(const CureTable& table) {
 
 void print_cures(const CureTable& table, std::size_t rows) {
     if (table.rows.empty()) return;
-    fmt::print("cures, each drawn and judged ({} pixels are wrong now):\n", table.wrong);
+    fmt::print("cures, each drawn and measured ({} pixels are wrong now):\n", table.wrong);
     fmt::print("  {:>8} {:>8} {:>10} {:>9}\n", "cured", "broken", "time", "map");
     for (const Cure& cure : table.rows) {
         if (!cure.untried.empty()) {

@@ -15,12 +15,17 @@ namespace {
 
 Json scene_json(const Session& session) {
     const Scene& s = session.scene;
+    const std::size_t ground = s.objects.size() - s.object_count();  // a mesh, a node and a material of ours each
     Json bounds = nullptr;
     if (!s.bounds.empty()) bounds = {{"min", vector_json(s.bounds.lo)}, {"max", vector_json(s.bounds.hi)}};
-    return {{"name", session.scene_name},    {"triangles", s.triangle_count()},
-            {"meshes", s.meshes.size()},     {"nodes", s.nodes.size()},
-            {"objects", s.objects.size()},   {"materials", s.materials.size()},
-            {"textures", s.textures.size()}, {"bounds", bounds},
+    return {{"name", session.scene_name},
+            {"triangles", s.triangle_count()},
+            {"meshes", s.meshes.size() - ground},
+            {"nodes", s.nodes.size() - ground},
+            {"objects", s.object_count()},
+            {"materials", s.materials.size() - ground},
+            {"textures", s.textures.size()},
+            {"bounds", bounds},
             {"warnings", s.warnings}};
 }
 

@@ -114,4 +114,8 @@ std::string section_svg(const SectionDrawing& d, const std::string& title) {
     return out + "</svg>\n";
 }
 
+std::string section_svg(const Section& section) {
+    return section_svg(draw_section(section, {}), fmt::format("Shadow test of a pixel: {}", section.verdict));
+}
+
 }  // namespace si

@@ -11,5 +11,7 @@ namespace si {
 /// reader asks for dark pages its colours are those for a dark ground; it brings its own ground.
 /// @param title for readers who cannot see it
 std::string section_svg(const SectionDrawing& drawing, const std::string& title);
+/// Of a section in the drawing's own size, with its verdict as the title.
+std::string section_svg(const Section& section);
 
 }  // namespace si

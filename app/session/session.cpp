@@ -175,9 +175,9 @@ ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, c
     out.notes = sanitise(out.settings);
     const auto by_hand = [](const Settings& settings) { return settings.camera.source == int(CameraSource::Manual); };
     if (another && by_hand(plan.preset->settings) && by_hand(out.settings))
-        out.notes.push_back(fmt::format(
-            "{} was saved with the scene {}, where its camera stood: --set camera.source=auto shows all of {}",
-            plan.preset_path, plan.preset->scene, scene.name));
+        out.notes.push_back(
+            fmt::format("{} was saved with the scene {}, where its camera stood: camera.source=auto shows all of {}",
+                        plan.preset_path, plan.preset->scene, scene.name));
     if (moment.index >= 0 && scene.file_scenes.empty())
         out.notes.push_back(fmt::format("{} is no glTF file: scene.index has no effect", scene.name));
     return out;

@@ -16,7 +16,7 @@ std::pair<std::string, std::string> words(const std::string& key, const std::str
     if (!ref) return {key, value};
     Settings settings;
     settings.light_count = std::max(settings.light_count, ref->light + 1);
-    return {std::string(ref->param->label), shown_value(settings, *ref->param, parse_value(*ref, value))};
+    return {std::string(ref->param->label), shown_value(settings, *ref, parse_value(*ref, value))};
 }
 
 Dot dot_of(const CaseNumbers& numbers, const Column& cost, const Column& error) {

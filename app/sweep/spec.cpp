@@ -43,10 +43,13 @@ std::vector<SettingValue> values_named(const Json& settings, const std::vector<S
 std::string axes_text(const Json& axes) {
     std::string text;
     for (const Json& axis : axes) {
-        text += text.empty() ? "" : " ";
-        text += axis.at("key").get<std::string>() + "=";
-        for (std::size_t i = 0; i < axis.at("values").size(); ++i)
-            text += (i ? "," : "") + axis.at("values")[i].get<std::string>();
+        if (!text.empty()) text += ' ';
+        text += axis.at("key").get<std::string>();
+        text += '=';
+        for (std::size_t i = 0; i < axis.at("values").size(); ++i) {
+            if (i > 0) text += ',';
+            text += axis.at("values")[i].get<std::string>();
+        }
     }
     return text.empty() ? "nothing" : text;
 }

@@ -237,6 +237,13 @@ void visibility_parts(const Facts& f, const PassInfo& pass, Effects& out) {
 /// What makes a picture of light, and touches no visibility.
 void look_parts(const Facts& f, const PassInfo& pass, Effects& out) {
     const ShadingSettings& s = f.settings.shading;
+    const bool ground = !f.scene.ground_bounds.empty();
+    out.push_back(part_of(pass, "ground", ground,
+                          ground ? "scene.ground is auto, and the file has no large level surface: a disc receives the "
+                                   "shadows"
+                          : f.settings.scene.ground == int(Ground::Off)
+                              ? "scene.ground is off"
+                              : "the scene has what its shadows fall on, or is none of a file"));
     const bool sky = s.sky == int(SkyLook::Gradient), filmic = s.curve == int(ToneCurve::Filmic);
     out.push_back(part_of(pass, "sky and its ambient light", sky,
                           sky ? "shading.sky is gradient: where nothing stands is sky, and what is turned up gets "
@@ -274,7 +281,7 @@ std::string why_visibility(const Facts& f, const PassInfo&) {
         if (pane.overlay > 0 && (overlays()[std::size_t(pane.overlay - 1)].reads_visibility ||
                                  overlays()[std::size_t(pane.overlay - 1)].reads_truth))
             return fmt::format("overlay {} reads it", overlays()[std::size_t(pane.overlay - 1)].key);
-    return f.frame.truth.met ? "it is held against the truth" : "it was asked for";
+    return f.frame.truth.met ? "it is compared with the truth" : "it was asked for";
 }
 
 // What is unasked for -------------------------------------------------------------------------------------------------
@@ -354,13 +361,13 @@ const EffectRow kRows[] = {
      .unasked = truth_unasked},
     {.pass = "trials of every pixel", .why = SI_WHY("somebody asks for all trials")},
     {.pass = "shading by the truth",
-     .why = SI_WHY("the picture is held against the one that the truth lights"),
+     .why = SI_WHY("the picture is compared with the one lit by the truth"),
      .unasked = truth_unasked},
     {.pass = "shading", .why = SI_WHY("the picture was asked for"), .parts = shading_parts},
     {.pass = "smoothing", .why = SI_WHY("the view rests, and view.smooth is on")},
     {.pass = "overlay values", .why = SI_WHY("an overlay is shown")},
     {.pass = "overlay over picture", .why = SI_WHY("an overlay is shown over the picture")},
-    {.pass = "texel slabs", .why = SI_WHY("view.slabs shows texels in the scene")},
+    {.pass = "texel slabs", .why = SI_WHY("view.slabs shows stored-depth quads in the scene")},
     {.pass = "map coordinates", .why = SI_WHY("somebody asks which texels pixels read")},
     {.pass = "texels read", .why = SI_WHY("somebody asks which texels are read, exactly")},
     {.pass = "map channel",

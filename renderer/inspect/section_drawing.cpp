@@ -376,7 +376,10 @@ private:
         if (!s_.has_window) return;
         const double end = std::isfinite(s_.window_to) ? s_.window_to : beyond();
         const bool open = s_.window_open();
-        const double half = 0.3 * em_ / near_.across, x = s_.moved.x - 0.75 * em_ / near_.across;
+        // Where something is wrong and an offset looks up elsewhere, what is right there is not right for the surface.
+        const bool elsewhere = !s_.artefact.empty() && std::abs(s_.moved.x) > 0.5 * s_.texel_m;
+        const double over = elsewhere ? 0 : s_.moved.x;
+        const double half = 0.3 * em_ / near_.across, x = over - 0.75 * em_ / near_.across;
         const double from = std::min(s_.window_from, end), to = std::max(s_.window_from, end);
         area_m({{x - half, from}, {x + half, from}, {x + half, to}, {x - half, to}}, open ? Ink::Window : Ink::NoWindow,
                0.55);

@@ -14,6 +14,7 @@ constexpr double kGentle = 0.5;       // the same of a landscape
 constexpr double kBottom = 0.15;      // of the scene's height: level surfaces up to there are a ground
 constexpr double kMostOfIt = 0.5;     // of the scene's width and depth, that a ground has to cover
 constexpr double kFlat = 0.25;        // height over width up to which what is gentle all over is a landscape
+constexpr double kRoofed = 0.9;       // of a level surface under other things: that is indoors
 constexpr double kShadowLengths = 2;  // how far the disc reaches, in radii and heights of the scene
 constexpr double kBelow = 5e-4;       // of the scene's radius: what lies flat on the ground stays in front of it
 constexpr int kSides = 96;
@@ -36,6 +37,10 @@ public:
                 if (holds(p, {x + 0.5, y + 0.5})) cells_.set(std::size_t(y * kCells + x));
     }
     double share() const { return double(cells_.count()) / (kCells * kCells); }
+    /// Of these cells, those that the other covers, too.
+    double share_under(const Cover& other) const {
+        return double((cells_ & other.cells_).count()) / double(std::max<std::size_t>(cells_.count(), 1));
+    }
 
 private:
     glm::dvec2 cell(const glm::dvec3& at) const { return (glm::dvec2(at.x, at.z) - lo_) * per_m_; }
@@ -80,7 +85,7 @@ bool has_level_surface(const Scene& scene) {
     const glm::dvec3 size = scene.bounds.hi - scene.bounds.lo;
     if (!(size.x > 0 && size.z > 0)) return false;
     const double bottom = scene.bounds.lo.y + kBottom * size.y;
-    Cover level(scene.bounds), gentle(scene.bounds);
+    Cover level(scene.bounds), gentle(scene.bounds), above(scene.bounds);
     for (const Object& object : scene.objects) {
         if (object.ground) continue;
         const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
@@ -91,6 +96,7 @@ bool has_level_surface(const Scene& scene) {
             at[i] = glm::dvec3(object.world * glm::dvec4(glm::dvec3(mesh.positions[i]), 1));
         for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
             const glm::dvec3 &a = at[mesh.indices[i]], &b = at[mesh.indices[i + 1]], &c = at[mesh.indices[i + 2]];
+            if (std::min({a.y, b.y, c.y}) > bottom) above.add(a, b, c);
             const glm::dvec3 normal = winding * glm::cross(b - a, c - a);
             const double up = two_sided ? std::abs(normal.y) : normal.y, whole = glm::length(normal);
             if (!(up > kGentle * whole)) continue;
@@ -98,7 +104,8 @@ bool has_level_surface(const Scene& scene) {
             if (up > kLevel * whole && std::max({a.y, b.y, c.y}) <= bottom) level.add(a, b, c);
         }
     }
-    return level.share() >= kMostOfIt || (size.y <= kFlat * std::max(size.x, size.z) && gentle.share() >= kMostOfIt);
+    return (level.share() >= kMostOfIt && level.share_under(above) < kRoofed) ||
+           (size.y <= kFlat * std::max(size.x, size.z) && gentle.share() >= kMostOfIt);
 }
 
 void add_ground(Scene& scene) {

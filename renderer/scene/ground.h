@@ -5,7 +5,8 @@
 
 namespace si {
 
-/// Whether the scene brings what shadows fall on: level surfaces at its bottom, or a landscape, over most of its width.
+/// Whether the scene brings what shadows fall on: level surfaces at its bottom that do not lie under a
+/// roof, or a landscape, over most of its width.
 bool has_level_surface(const Scene& scene);
 
 /// Puts a disc under the scene as it stands, wide enough for shadows of lights from half way up: an object that

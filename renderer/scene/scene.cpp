@@ -329,9 +329,9 @@ void finalise_meshes(Scene& scene) {
 
 /// Flat, at the scene's bottom and nearly as wide as all of it.
 bool is_floor(const Bounds& object, const Bounds& scene) {
-    constexpr double kThickness = 0.02, kBottom = 0.15, kWidth = 0.8;  // of the scene's height, height and width
+    constexpr double kThickness = 0.02, kHighest = 0.15, kWidth = 0.8;  // of the scene's height, height and width
     const glm::dvec3 size = scene.hi - scene.lo, own = object.hi - object.lo;
-    return own.y <= kThickness * size.y && object.hi.y <= scene.lo.y + kBottom * size.y && own.x >= kWidth * size.x &&
+    return own.y <= kThickness * size.y && object.hi.y <= scene.lo.y + kHighest * size.y && own.x >= kWidth * size.x &&
            own.z >= kWidth * size.z;
 }
 
@@ -394,6 +394,10 @@ Bounds Bounds::transformed(const glm::dmat4& m) const {
         out.hi += glm::max(a, b);
     }
     return out;
+}
+
+std::size_t Scene::object_count() const {
+    return std::size_t(std::ranges::count(objects, false, &Object::ground));
 }
 
 std::size_t Scene::triangle_count() const {

@@ -154,6 +154,7 @@ struct Scene {
     std::shared_ptr<const Rig> rig;     ///< animations; null: nothing moves
     HeldMemory held;                    ///< nodes and objects, which copies do not share; set by finalise()
 
+    std::size_t object_count() const;    ///< without the ground
     std::size_t triangle_count() const;  ///< over objects, instances counted, without the ground
 };
 

@@ -30,7 +30,7 @@ constexpr HardCase kCases[] = {
     {2, "terminator", "Where light ends on a ball",
      "Towards the terminator the slope of the surface, and with it the bias that it needs, grows without bound.",
      "A normal offset is bounded at any angle, and faces turned away are dark without any look-up.",
-     "light lost on a ball, weighed by N.L", 1.0 / 255, "of the light", "less than one step of an 8-bit picture",
+     "light lost on a ball, weighed by N·L", 1.0 / 255, "of the light", "less than one step of an 8-bit picture",
      "the same without bias", 1.0 / 255, hard_sphere,
      "map.resolution=512 light.azimuth=-40 light.elevation=30 filter.kernel=hard bias.constant=0", "bias.normal=0",
      "bias.normal=3"},

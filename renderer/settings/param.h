@@ -59,6 +59,7 @@ struct Param {
     double min = 0, max = 1;  ///< of a text max is the most bytes in UTF-8
     double slider_max = 0;    ///< where its slider ends; what is typed may go on to max. 0: at max
     bool logarithmic = false;
+    bool zero_is_auto = false;  ///< at 0 the program chooses
     Cost cost = Cost::Uniform;
     std::span<const Choice> (*choices)() = nullptr;
     /// What "*" stands for in a sweep, as --set takes it; without it each choice once.
@@ -127,10 +128,11 @@ std::vector<SettingRef> differing_settings(const Settings& a, const Settings& b)
 /// Why the setting is without effect under `s`, or empty.
 std::string_view idle_reason(const Settings& s, const SettingRef& ref);
 
-/// What a number of this row counts in under `s`; a unit that names another setting is that setting's choice.
-std::string_view shown_unit(const Settings& s, const Param& p);
+/// What a number of this setting counts in under `s`; a unit that names another setting is that setting's choice, and
+/// the size of a light is an angle where its rays are parallel.
+std::string_view shown_unit(const Settings& s, const SettingRef& ref);
 /// The value for people: a choice's label, on or off, a number with its unit.
-std::string shown_value(const Settings& s, const Param& p, const Value& v);
+std::string shown_value(const Settings& s, const SettingRef& ref, const Value& v);
 /// "Light 1", and its name where it has one: "Light 1 (key)".
 std::string light_title(const Settings& s, int light);
 /// "0.1 → 0 texels": from what `a` has to what `b` has, the unit once where it is the same.

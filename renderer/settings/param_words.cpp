@@ -1,6 +1,9 @@
 // Settings as people read them: labels, units, changes.
 #include <fmt/format.h>
 
+#include <array>
+#include <charconv>
+
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
 
@@ -21,7 +24,12 @@ std::string plain_value(const Param& p, const Value& v) {
         const auto i = std::size_t(std::get<int>(v));
         if (i < list.size()) return std::string(list[i].label);
     }
-    return value_text(p, v);
+    std::string text = value_text(p, v);
+    const double* number = std::get_if<double>(&v);
+    if (!number || text.find('e') == text.npos) return text;
+    std::array<char, 400> digits;  // of the least double, too
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *number, std::chars_format::fixed);
+    return end.ec == std::errc() ? std::string(digits.data(), end.ptr) : text;
 }
 
 bool is_number(const Param& p, const Value& v) {
@@ -35,8 +43,11 @@ std::string light_title(const Settings& s, int light) {
     return fmt::format("Light {}{}", light, named ? fmt::format(" ({})", s.lights[std::size_t(light)].name) : "");
 }
 
-std::string_view shown_unit(const Settings& settings, const Param& p) {
+std::string_view shown_unit(const Settings& settings, const SettingRef& ref) {
+    const Param& p = *ref.param;
     if (p.unit == "lights") return {};  // the label says it, and "1 lights" reads badly
+    if (p.unit == "deg or m")
+        return settings.lights[std::size_t(ref.light)].type == int(LightType::Directional) ? "deg" : "m";
     if (p.unit == "overlay's") {
         const int overlay = settings.view.overlay - 1;
         return overlay >= 0 && std::size_t(overlay) < overlays().size() ? overlays()[std::size_t(overlay)].unit : "";
@@ -49,15 +60,16 @@ std::string_view shown_unit(const Settings& settings, const Param& p) {
     return index < choices.size() ? choices[index].label : std::string_view();
 }
 
-std::string shown_value(const Settings& s, const Param& p, const Value& v) {
-    return is_number(p, v) ? with_unit(plain_value(p, v), shown_unit(s, p)) : plain_value(p, v);
+std::string shown_value(const Settings& s, const SettingRef& ref, const Value& v) {
+    const std::string plain = plain_value(*ref.param, v);
+    return is_number(*ref.param, v) ? with_unit(plain, shown_unit(s, ref)) : plain;
 }
 
 std::string change_text(const Settings& a, const Settings& b, const SettingRef& ref) {
     const Param& p = *ref.param;
     const Value from = get_value(a, ref), to = get_value(b, ref);
-    const bool one_unit = is_number(p, from) && shown_unit(a, p) == shown_unit(b, p) && shown_unit(a, p) != "deg";
-    return fmt::format("{} → {}", one_unit ? plain_value(p, from) : shown_value(a, p, from), shown_value(b, p, to));
+    const bool one_unit = is_number(p, from) && shown_unit(a, ref) == shown_unit(b, ref) && shown_unit(a, ref) != "deg";
+    return fmt::format("{} → {}", one_unit ? plain_value(p, from) : shown_value(a, ref, from), shown_value(b, ref, to));
 }
 
 }  // namespace si

@@ -258,12 +258,10 @@ constexpr auto kBias = of_map(std::to_array<Param>({
     {SI_FIELD(bias.unit), .label = "Unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true, .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.constant), .label = "Constant bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
-     .logarithmic = true,
      .help = "Bias = max(slope bias * (1 - N·L), constant bias), subtracted from the fragment's depth before the "
              "comparison. Too little: acne. Too much: shadows come off their objects (peter-panning).",
      .also = "depth bias, shadow bias, constantBias", .shader = true, .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.slope), .label = "Slope bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
-     .logarithmic = true,
      SI_IDLE(s.bias.slope <= s.bias.constant,
              "without effect: bias = max(slope bias * (1 - N·L), constant bias), and slope bias is not above constant "
              "bias"),
@@ -277,7 +275,6 @@ constexpr auto kBias = of_map(std::to_array<Param>({
              "beyond the limit it may show acne.",
      .shader = true},
     {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "texels", .min = 0, .max = 100, .slider_max = 20,
-     .logarithmic = true,
      .help = "Moves the point that is looked up along its normal by this many texels (normal-offset shadows). Cures "
              "acne at any angle of light; too much lets light in at inner edges.",
      .also = "normal bias, normalBias, shadow normal bias, normal-offset shadows", .shader = true},

@@ -111,9 +111,10 @@ constexpr auto kCamera = std::to_array<Param>({
     {SI_FIELD(camera.fov), .label = "Field of view", .unit = "deg", .min = 0.1, .max = 170, .idle = fov_idle,
      .help = "Vertical opening angle of a perspective camera.", .also = "focal length, lens, fov"},
     {SI_FIELD(camera.near), .label = "Near", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
-     .idle = camera_idle, .help = "Distance of the camera's near plane; 0 is automatic. Nearer surfaces are cut away."},
-    {SI_FIELD(camera.far), .label = "Far", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true, .idle = camera_idle,
-     .help = "Distance of the camera's far plane; 0 is automatic. Farther surfaces are cut away."},
+     .zero_is_auto = true, .idle = camera_idle,
+     .help = "Distance of the camera's near plane; 0 is automatic. Nearer surfaces are cut away."},
+    {SI_FIELD(camera.far), .label = "Far", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true, .zero_is_auto = true,
+     .idle = camera_idle, .help = "Distance of the camera's far plane; 0 is automatic. Farther surfaces are cut away."},
     {SI_FIELD(camera.orthographic), .label = "Orthographic", .unit = "", .idle = camera_idle,
      .help = "Parallel instead of perspective projection of the camera."},
     {SI_FIELD(camera.height), .label = "Height", .unit = "m", .min = 1e-6, .max = 1e8, .logarithmic = true,
@@ -146,7 +147,7 @@ constexpr auto kScene = std::to_array<Param>({
      .of_animation = true},
     {SI_FIELD(scene.time), .label = "Time", .unit = "s", .min = 0, .max = 1e6,
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
-     .help = "The moment of the animation that is shown. After its last key the scene stands still.",
+     .help = "The time of the animation that is shown. After its last key the scene stands still.",
      .of_animation = true},
     {SI_FIELD(scene.distance), .label = "Moved by", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
      .help =
@@ -164,7 +165,7 @@ constexpr auto kScene = std::to_array<Param>({
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
      .help =
          "Fits shadow maps to all the places that the chosen animation takes each object to: they neither swim nor "
-         "change their size while it plays, and their texels are larger. Off: they follow the pose of the moment. "
+         "change their size while it plays, and their texels are larger. Off: they follow the pose that is shown. "
          "A fit to what the camera sees follows the camera either way. Without effect on scenes without animations.",
      .also = "stable fit, swimming, shimmer, whole animation, animated bounds, fixed skel bounds, bounds scale, "
              "update when offscreen, skinned bounds",
@@ -178,16 +179,16 @@ std::string_view area_idle(const Settings& s, int) {
 
 constexpr auto kTruth = std::to_array<Param>({
     {SI_FIELD(truth.area), .label = "Area light (soft shadows)", .unit = "",
-     .help = "Compare with a light of its size (light.size), which casts penumbras. Off: with a point or a direction, "
+     .help = "Compare with an area light (light.size), which casts penumbras. Off: with a point or a direction, "
              "which casts hard shadows.",
      .also = "soft shadows, area light, ray-traced shadows"},
     {SI_FIELD(truth.samples), .label = "Most rays", .unit = "", .min = 1, .max = 1 << 20, .logarithmic = true,
      .idle = area_idle,
      .help =
-         "Most rays of a pixel to a light of size: 64 everywhere, then four times as many, and again, where the noise "
+         "Most rays of a pixel to an area light: 64 everywhere, then four times as many, and again, where the noise "
          "demands it."},
     {SI_FIELD(truth.noise), .label = "Noise", .unit = "", .min = 0, .max = 1, .logarithmic = true, .idle = area_idle,
-     .help = "Wanted standard error of a pixel's true visibility under a light of size."},
+     .help = "Wanted standard error of a pixel's true visibility under an area light."},
     {SI_FIELD(truth.step), .label = "Trace every n-th pixel", .unit = "px", .min = 1, .max = 8,
      .help = "Every that many pixels, across and down, are traced and compared: 1 is every pixel, 2 one of four (half "
              "resolution)."},

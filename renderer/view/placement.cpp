@@ -11,8 +11,7 @@ namespace {
 
 bool is_length(const Settings& settings, const SettingRef& ref) {
     if (ref.param->key.starts_with("scene.")) return false;
-    const std::string_view unit = shown_unit(settings, *ref.param);
-    if (unit == "deg or m") return settings.lights[std::size_t(ref.light)].type != int(LightType::Directional);
+    const std::string_view unit = shown_unit(settings, ref);
     return unit == "m" || unit == "metres";
 }
 

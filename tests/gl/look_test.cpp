@@ -245,6 +245,7 @@ TEST_F(LookTest, ThePlanTellsOfEach) {
     }
     EXPECT_EQ(told(plain(s), "sky and its ambient light").state, EffectState::NotCalledFor);
     EXPECT_EQ(told(plain(s), "tone curve").state, EffectState::NotCalledFor);
+    EXPECT_EQ(told(s, "ground").state, EffectState::NotCalledFor);
     Settings apart = s;
     apart.lights[0].contact = 0.2;
     EXPECT_EQ(told(apart, "smoothing at rest").state, EffectState::NotCalledFor) << "visibility has its own pixels";

@@ -219,8 +219,8 @@ TEST_F(LookupSavingsTest, ForcedGivesTheSameBytesWhateverTheMap) {
 TEST_F(LookupSavingsTest, WhatBoundsSpareIsMeasuredOverMapsThatAreKept) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"filter.kernel", "vogel"}, {"filter.taps", "64"}, {"map.resolution", "256"}});
-    const FrameRequest request{.width = 64, .height = 36};
-    KeptFrames frames(scene, s, request, Saving::EarlyOut);
+    const FrameRequest tiny{.width = 64, .height = 36};
+    KeptFrames frames(scene, s, tiny, Saving::EarlyOut);
     for (int i = 0; i < 3; ++i) frames.draw({}), frames.draw({Saving::EarlyOut});
     const FrameResult with = frames.draw({});
     EXPECT_NE(with.pass("map bounds")->state, PassState::Skipped) << with.pass("map bounds")->reason;
@@ -228,11 +228,11 @@ TEST_F(LookupSavingsTest, WhatBoundsSpareIsMeasuredOverMapsThatAreKept) {
     const FrameResult without = frames.draw({Saving::EarlyOut});
     EXPECT_EQ(without.pass("map bounds")->state, PassState::Skipped);
     EXPECT_EQ(different_pixels(picture, renderer.read_colour(without.colour)), 0u) << "they are of one moment";
-    const std::vector<Effect> effects = frame_effects(scene, s, renderer.render(scene, s, request));
+    const std::vector<Effect> effects = frame_effects(scene, s, renderer.render(scene, s, tiny));
     const auto bounds = std::ranges::find_if(effects, [](const Effect& e) { return e.name == "map bounds"; });
     ASSERT_NE(bounds, effects.end());
     EXPECT_EQ(bounds->saving, Saving::EarlyOut) << bounds->reason;
-    const SavedTimes times = measure_saved(renderer, scene, s, request, named_savings(effects), 4);
+    const SavedTimes times = measure_saved(renderer, scene, s, tiny, named_savings(effects), 4);
     ASSERT_TRUE(times.of(*bounds));
     EXPECT_EQ(times.of(*bounds)->samples, 4);
 }

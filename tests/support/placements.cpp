@@ -114,9 +114,8 @@ bool place_settings(Settings& settings, const Placement& placement) {
     for (const SettingRef& ref : changed_settings(settings)) {
         const Value value = get_value(settings, ref);
         const double* number = std::get_if<double>(&value);
-        const std::string_view unit = shown_unit(settings, *ref.param);
-        const bool radius = ref.param->unit == "deg or m" && light.type != int(LightType::Directional);
-        if (!number || (unit != "m" && unit != "metres" && !radius) || factor == 1) continue;
+        const std::string_view unit = shown_unit(settings, ref);
+        if (!number || (unit != "m" && unit != "metres") || factor == 1) continue;
         const double scaled_by = *number * factor;
         within = within && (scaled_by == 0 || (std::abs(scaled_by) <= ref.param->max && scaled_by >= ref.param->min));
         set_value(settings, ref, scaled_by);

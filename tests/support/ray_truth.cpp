@@ -132,7 +132,6 @@ TruthImage trace_truth(const RayTruth& scene, const Camera& camera, const Fitted
             if (!(reach_texels > 0)) continue;
             // The receiver's plane under map places around the point, along the light's rays.
             const LightView& view = view_of(light, hit->position);
-            const glm::dvec3 local = glm::transpose(view.axes) * (hit->position - view.eye);
             const double step = view.texel_size_at(hit->position, map_resolution).longest;
             for (int i = -2; i <= 2; ++i)
                 for (int j = -2; j <= 2; ++j) {

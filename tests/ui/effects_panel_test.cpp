@@ -52,7 +52,40 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     ui.frames(2);
     text = letters(ui);
     EXPECT_EQ(text.find("Nothingmoves."), std::string::npos);
-    EXPECT_NE(text.find("light.7.castisoff."), std::string::npos) << "its box must stay within reach";
+    EXPECT_EQ(text.find("light.7.castisoff."), std::string::npos) << "a saving calls for nothing";
+    EXPECT_NE(text.find("Itcasts."), std::string::npos);
+    EXPECT_NE(text.find("Kept."), std::string::npos);
+    ui.state.effects.forced = {Saving::Uncalled};
+    ui.frames(2);
+    EXPECT_NE(letters(ui).find("light.7.castisoff."), std::string::npos) << "its box must stay within reach";
+}
+
+TEST(EffectsPanel, ANarrowWindowGivesUpSavingsThenReasons) {
+    const auto shown = [](UiHarness& ui) {
+        ui.state.open_tab = BottomTab::Effects;
+        ui.effects.effects = made_up_effects();
+        ui.frames(4);
+        EXPECT_TRUE(ui.drawn().shows("look-ups of light 7"));
+        EXPECT_TRUE(ui.drawn().shows("Time ms"));
+        EXPECT_TRUE(ui.drawn().shows("Hide what is not called for")) << "in a line of its own";
+        EXPECT_FALSE(ui.drawn().shows("Saved ms"));
+        EXPECT_FALSE(ui.drawn().shows("Force"));
+    };
+    {
+        UiHarness ui(900, 900);
+        shown(ui);
+        EXPECT_TRUE(ui.drawn().shows("Why"));
+        EXPECT_TRUE(ui.drawn().shows("light.7.cast is off."));
+    }
+    UiHarness ui(640, 900);
+    shown(ui);
+    EXPECT_FALSE(ui.drawn().shows("Why"));
+    EXPECT_FALSE(ui.drawn().shows("light.7.cast is off."));
+    const auto name = ui.drawn().find(U"look-upsoflight7");
+    ASSERT_TRUE(name);
+    ui.move({name->x, name->y});
+    ui.frames(3);
+    EXPECT_TRUE(ui.drawn().shows("light.7.cast is off.")) << "its name says why";
 }
 
 TEST(EffectsPanel, ReasonsAreReadInWholeInASmallWindow) {

@@ -157,7 +157,7 @@ TEST(FrontierPanel, AsksForASweepOfWhatIsTyped) {
         p.ui.frames(2);
         // The button stands below the line with "Vary another".
         std::optional<SweepWish> wish;
-        for (float y = 545; y < 600 && !wish; y += 6) {
+        for (float y = 545; y < 640 && !wish; y += 6) {
             p.ui.move({60, y});
             p.ui.frames(2);
             p.ui.press(true);
@@ -183,7 +183,7 @@ TEST(FrontierPanel, WhileItRunsItCanBeCancelled) {
     p.ui.sweep->progress = 0.4, p.ui.sweep->seconds_left = 75;
     p.ui.state.sweep.axes = {{"bias.slope", "0,1"}};
     bool cancelled = false;
-    for (float y = 545; y < 600 && !cancelled; y += 6) {
+    for (float y = 545; y < 640 && !cancelled; y += 6) {
         p.ui.move({30, y});
         p.ui.frames(2);
         p.ui.press(true);
@@ -230,6 +230,27 @@ TEST(FrontierPanel, FitsAtEverySizeWithEveryState) {
             }
             EXPECT_TRUE(seen);
         }
+    }
+}
+
+TEST(FrontierPanel, ANarrowWindowHasTheControlsAboveThePlot) {
+    for (const int width : {640, 900}) {
+        Panel p(width, 900);
+        bool seen = false;
+        for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
+            const std::string_view name(w->Name);
+            if (!w->WasActive) continue;
+            EXPECT_EQ(name.find("/controls_"), std::string_view::npos) << width;
+            if (name.find("plot and advice") == std::string_view::npos) continue;
+            seen = true;
+            EXPECT_GE(w->Size.x, 0.9f * w->ParentWindow->InnerRect.GetWidth()) << width;
+            EXPECT_GE(w->Size.y, 200) << width;
+            EXPECT_LE(w->ContentSize.x, w->InnerRect.GetWidth() + 1) << width;
+            EXPECT_LE(w->ParentWindow->ContentSize.x, w->ParentWindow->InnerRect.GetWidth() + 1) << width;
+            EXPECT_GT(w->ParentWindow->ScrollMax.y, 0) << "the rest is scrolled to, at " << width;
+        }
+        EXPECT_TRUE(seen);
+        EXPECT_TRUE(p.ui.drawn().shows("Vary another")) << width;
     }
 }
 

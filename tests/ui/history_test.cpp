@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/settings/param.h"
 #include "ui/state/log.h"
 
 namespace si {

@@ -109,6 +109,68 @@ TEST(Layout, APanelFillsTheWindowByAKeyAndGivesItBack) {
     EXPECT_FALSE(ui.state.maximised);
 }
 
+TEST(Layout, ADoubleClickOnATitleFillsTheWindowAndGivesItBack) {
+    Shown ui(1280, 720);
+    const auto double_click = [&](glm::vec2 at) {
+        ui.frames(30);  // none of the clicks before counts
+        ui.click(at);
+        ui.click(at);
+        ui.frames(2);
+    };
+    const auto title = [&] {
+        const ImGuiWindow* map = ui.part("map");
+        const ImVec2 gap = ImGui::GetStyle().WindowPadding;
+        return glm::vec2(map->Pos.x + gap.x + 8, map->Pos.y + gap.y + 11);
+    };
+    double_click(title());
+    EXPECT_EQ(ui.state.maximised, si::Panel::Map);
+    double_click(title());
+    EXPECT_FALSE(ui.state.maximised);
+
+    const auto bar = [&]() -> const ImGuiTabBar& {
+        ImGuiContext& g = *ImGui::GetCurrentContext();
+        return *g.TabBars.GetByKey(ui.part("bottom")->GetID("bottom"));
+    };
+    const auto tab = [&](int which) {
+        const ImGuiTabItem& item = bar().Tabs[which];
+        return glm::vec2(bar().BarRect.Min.x + item.Offset + item.Width / 2, bar().BarRect.GetCenter().y);
+    };
+    const auto beside = [&] { return glm::vec2(bar().BarRect.Max.x - 5, bar().BarRect.GetCenter().y); };
+    double_click(tab(3));
+    EXPECT_EQ(ui.state.maximised, si::Panel::Tabs);
+    EXPECT_EQ(ui.state.tab, BottomTab::Objects);
+    double_click(beside());
+    EXPECT_FALSE(ui.state.maximised);
+    double_click(beside());
+    EXPECT_EQ(ui.state.maximised, si::Panel::Tabs);
+    EXPECT_EQ(ui.state.tab, BottomTab::Objects);
+    double_click(tab(3));
+    EXPECT_FALSE(ui.state.maximised);
+    double_click(tab(3) + glm::vec2(0, 60));
+    EXPECT_FALSE(ui.state.maximised) << "below the tabs";
+    ui.frames(30);
+    ui.click(tab(1));
+    ui.click(tab(2));
+    EXPECT_FALSE(ui.state.maximised) << "two tabs, a click each";
+}
+
+TEST(Layout, TheSettingsOfANarrowWindowHaveAThirdOfIt) {
+    for (const auto& [w, h] : {std::pair{640, 480}, {900, 600}}) {
+        Shown ui(w, h);
+        ASSERT_TRUE(ui.part("settings"));
+        EXPECT_LE(ui.part("settings")->Size.x, std::max(float(w) / 3, 14 * 15.0f) + 1) << w;
+        EXPECT_GE(ui.part("bottom")->Size.x, 0.6f * float(w)) << w;
+        ui.state.layout.settings_width = 60;
+        ui.frames(2);
+        EXPECT_LE(ui.part("settings")->Size.x, float(w) / 3 + 1) << "nor by dragging, at " << w;
+    }
+    Shown ui(1600, 900);
+    EXPECT_EQ(ui.part("settings")->Size.x, 24 * 15);
+    ui.state.layout.settings_width = 60;
+    ui.frames(2);
+    EXPECT_EQ(ui.part("settings")->Size.x, 800) << "half of a wide one";
+}
+
 TEST(Layout, TheMapStandsWhereItIsPut) {
     Shown ui(1280, 720);
     const double above = scene_share(ui);

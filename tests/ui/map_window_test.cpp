@@ -10,11 +10,11 @@ namespace si::test {
 namespace {
 
 struct MapViewer {
-    UiHarness ui{1280, 720};
+    UiHarness ui;
     MapWindow& window = ui.state.map_window;
     glm::vec2 middle{0};
 
-    MapViewer() {
+    explicit MapViewer(int width = 1280) : ui(width, 720) {
         ui.state.settings.map.resolution = 512;
         ui.state.layout.map_plots = false;
         ui.frames(3);
@@ -96,7 +96,7 @@ TEST(MapWindow, PlotsAndLinksAreReadOnlyWhereTheyAreShown) {
 }
 
 TEST(MapWindow, ExactTexelsAreAskedForByABoxWhileTheirMapIsShown) {
-    MapViewer m;
+    MapViewer m(1400);
     m.ui.state.layout.settings_width = 14, m.ui.state.layout.map_share = 0.85f;  // its box has room in the row
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels);
     const auto box = m.ui.find("editor/map", "", "Texels read");
@@ -123,6 +123,30 @@ TEST(MapWindow, ExactTexelsAreAskedForByABoxWhileTheirMapIsShown) {
     m.ui.frames(2);
     m.ui.click(*m.ui.find("editor/map", "", "Texels read"));
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels);
+}
+
+TEST(MapWindow, TheLightIsChosenByNameAmongThoseThatThereAre) {
+    MapViewer m;
+    Settings& s = m.ui.state.settings;
+    EXPECT_FALSE(m.ui.find("editor/map", "view.light", "##value")) << "one light is no choice";
+    s.light_count = 3;
+    s.lights[2].name = "Lamp";
+    m.ui.frames(3);
+    m.ui.state.history.reset(s);
+    const auto combo = m.ui.find("editor/map", "view.light", "##value");
+    ASSERT_TRUE(combo);
+    m.ui.click(*combo);
+    EXPECT_TRUE(m.ui.find("##Combo", "", "Light 1"));
+    EXPECT_FALSE(m.ui.find("##Combo", "", "Light 3"));
+    const auto lamp = m.ui.find("##Combo", "", "Light 2 (Lamp)");
+    ASSERT_TRUE(lamp);
+    m.ui.click(*lamp);
+    EXPECT_EQ(s.view.light, 2);
+    EXPECT_EQ(m.ui.state.history.undo().view.light, 0);
+    // A number past the last is the last.
+    s.view.light = 5;
+    m.ui.frames(3);
+    EXPECT_FALSE(m.ui.drawn().shows("not there"));
 }
 
 TEST(MapReadout, SaysMetresStoredAndLinear) {

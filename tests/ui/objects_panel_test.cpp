@@ -16,7 +16,7 @@ namespace {
 
 class ObjectsPanel : public testing::Test {
 protected:
-    ObjectsPanel() {
+    explicit ObjectsPanel(int width = 1280) : ui(width, 900) {
         ui.state.open_tab = BottomTab::Objects;
         ui.state.layout.bottom_height = 34;
         ui.frames(4);
@@ -57,9 +57,41 @@ protected:
         ImGui::GetIO().KeyCtrl = ImGui::GetIO().KeyShift = false;
     }
     std::set<std::string> chosen() const { return selected_objects(ui.state); }
+    /// By their places in the table.
+    static std::vector<bool> columns() {
+        std::vector<bool> shown;
+        for (int i = 0; i < table()->ColumnsCount; ++i) shown.push_back(table()->Columns[i].IsEnabled);
+        return shown;
+    }
     using Paths = std::set<std::string>;
-    UiHarness ui{1280, 900};
+    UiHarness ui;
 };
+
+struct ObjectsInSmallWindow : ObjectsPanel {
+    ObjectsInSmallWindow() : ObjectsPanel(900) {}
+};
+struct ObjectsInLeastWindow : ObjectsPanel {
+    ObjectsInLeastWindow() : ObjectsPanel(640) {}
+};
+constexpr float kReadableName = 8 * 15;
+
+// Object, Triangles, Shown, Cull, Casts, Receives.
+TEST_F(ObjectsPanel, HasAllColumnsWhereTheyHaveRoom) {
+    EXPECT_EQ(columns(), std::vector<bool>(6, true));
+}
+
+TEST_F(ObjectsInSmallWindow, TrianglesGiveWayToNames) {
+    EXPECT_EQ(columns(), (std::vector<bool>{true, false, true, true, true, true}));
+    EXPECT_GE(table()->Columns[0].WidthGiven, kReadableName);
+}
+
+TEST_F(ObjectsInLeastWindow, NamesCanBeRead) {
+    EXPECT_EQ(columns(), (std::vector<bool>{true, false, true, false, true, false}));
+    EXPECT_GE(table()->Columns[0].WidthGiven, kReadableName);
+    EXPECT_LE(table()->Columns[4].MaxX, table()->OuterRect.Max.x) << "the last one is not cut";
+    click("Stage/Ground");
+    EXPECT_EQ(chosen(), Paths{"Stage/Ground"});
+}
 
 TEST_F(ObjectsPanel, RowsAreChosenAloneWithOthersAndAllBetween) {
     click("Stage/Ground");

@@ -208,6 +208,37 @@ TEST(Panels, ALightsSizeHasTheUnitOfItsKind) {
     EXPECT_TRUE(ui.drawn().find(U"0.27m"));
 }
 
+TEST(Panels, AutomaticValuesSayWhatTheyCameTo) {
+    UiHarness ui(1280, 900);
+    ui.state.search = "light.near";
+    ui.frames(3);
+    EXPECT_TRUE(ui.drawn().find(U"auto"));
+    const std::u32string shown = ui.printed();
+    const auto at = shown.find(U"auto");
+    ASSERT_NE(at, shown.npos);
+    EXPECT_TRUE(shown[at + 4] >= U'0' && shown[at + 4] <= U'9') << "and the metres of the fit";
+    ui.state.settings.lights[0].near = 2.5;
+    ui.frames(3);
+    EXPECT_TRUE(ui.drawn().find(U"2.5m"));
+}
+
+TEST(Panels, ABiasOfTexelsIsUsefulOverTheWholeWayOfItsSlider) {
+    UiHarness ui(kWidth, kHeight);
+    ui.state.search = "bias.constant";
+    ui.frames(3);
+    const auto at = [&](float share) {
+        const float wide = 2 * (kWidth - kFirstValue.x);  // kFirstValue is the slider's middle, it ends at the window's
+        ui.move(kFirstValue), ui.press(true), ui.frames(2);
+        ui.move(kFirstValue + glm::vec2((share - 0.5f) * wide * 0.8f, 0)), ui.frames(2);
+        ui.press(false), ui.frames(2);
+        return ui.state.settings.bias.constant;
+    };
+    const double quarter = at(0.25f), middle = at(0.5f), three = at(0.75f);
+    EXPECT_NEAR(middle, 10, 2.5);
+    EXPECT_NEAR(middle - quarter, three - middle, 0.5) << "equal ways are equal steps";
+    EXPECT_GT(middle - quarter, 3);
+}
+
 TEST(Panels, OneIsNoPlural) {
     UiHarness ui(1280, 900);
     const auto shows = [&](const char* text) {

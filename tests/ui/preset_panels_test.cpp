@@ -67,9 +67,15 @@ TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
     ui.lost = LostFacts{"/a/rather/long/folder/name/with/a/scene of many words.glb", "less than a minute ago"};
     std::vector<PresetEntry> all = ui.presets;
     all.insert(all.end(), ui.hard_cases.begin(), ui.hard_cases.end());
+    std::optional<int> guided_height;
     for (const PresetEntry& p : all) {
         ui.state.guide = {p.key, p.title, p.about};
         const EditorActions actions = ui.frames(3);
+        // The view in which presets are compared stays where it is while one walks through them.
+        if (&p < &all[ui.presets.size()]) {
+            if (!guided_height) guided_height = actions.scene_height;
+            EXPECT_EQ(actions.scene_height, *guided_height) << p.key;
+        }
         for (const char* name : {"guide", "lost session"}) {
             const ImGuiWindow* strip = window_of(name);
             ASSERT_TRUE(strip) << p.key << " " << name;

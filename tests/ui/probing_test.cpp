@@ -181,6 +181,28 @@ TEST(Probing, WidgetsHaveTheArrowKeysUnlessThePictureWasClickedLast) {
     EXPECT_TRUE(navigates());
 }
 
+TEST(Probing, WhatIsHoveredInThePictureOfArtefactsIsNamed) {
+    Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.overlay=artefacts"});
+    const PictureView view = *editor.state().scene_view;
+    editor.mouse.at = glm::vec2(view.origin) + glm::vec2(view.size) * 0.5f;
+    editor.frames(3), editor.settle();
+    const FloatImage* values = editor.model().facts().overlay_values;
+    ASSERT_TRUE(values);
+    const test::DrawnText drawn;
+    int acne = 0, right = 0;
+    for (int y = values->height / 4; y < values->height - 40 && (acne < 3 || right < 3); y += 7)
+        for (int x = 40; x < values->width - 40 && (acne < 3 || right < 3); x += 11) {
+            const bool wrong = values->at(x, y, 3) > 0;
+            if ((wrong ? acne : right) >= 3) continue;
+            editor.mouse.at = glm::vec2(view.origin) + glm::vec2(x, y) + 0.5f;
+            editor.frames(2);
+            EXPECT_EQ(drawn.shows(std::u32string_view(U"nothingwrong")), !wrong) << x << ", " << y;
+            ++(wrong ? acne : right);
+        }
+    EXPECT_GE(acne, 3);
+    EXPECT_GE(right, 3);
+}
+
 TEST(ArtefactTour, GoesFromClusterToClusterAndProbesThem) {
     Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard"});
     EditorState& state = editor.state();

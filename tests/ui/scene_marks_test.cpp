@@ -140,6 +140,29 @@ TEST(CameraOutline, SeenFromAboveItIsTheCamerasFloorPlan) {
     EXPECT_NEAR(glm::distance(hi, b), 0, 1e-9);
 }
 
+// Where it reaches beyond the map it is closed along the map's rim.
+TEST(CameraOutline, ItsRegionIsClosed) {
+    const LightView view = from_above(12, false).views[0];
+    Camera wide = level_camera();
+    wide.eye.x = 4;
+    for (const Camera& camera : {level_camera(), wide}) {
+        const auto lines = camera_region_in_map(camera, view);
+        ASSERT_GE(lines.size(), 3u);
+        double area = 0;
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            const auto& [a, b] = lines[i];
+            EXPECT_EQ(b, lines[(i + 1) % lines.size()].first) << i;
+            EXPECT_TRUE(a.x >= 0 && a.x <= 1 && a.y >= 0 && a.y <= 1);
+            area += 0.5 * (a.x * b.y - a.y * b.x);
+        }
+        // Four metres wide, of which one lies beyond the map where the camera stands aside.
+        EXPECT_NEAR(std::abs(area), (camera.eye.x == 4 ? 3 * 4 : 4 * 4) / 100.0, 0.02);
+    }
+    Camera away = level_camera();
+    away.eye.x = 100;
+    EXPECT_TRUE(camera_region_in_map(away, view).empty());
+}
+
 TEST(CameraOutline, WhatLiesBehindALampIsLeftOut) {
     const FittedLight light = from_above(12, true);
     Camera above = level_camera();

@@ -78,6 +78,37 @@ TEST(Screenshot, IsThatPartOfTheWindowUnderANameThatNoFileHas) {
     for (const auto& entry : fs::directory_iterator(folder)) EXPECT_GT(fs::file_size(entry), 0u) << entry.path();
 }
 
+TEST(Screenshot, TheProbesDrawingIsSavedAsPictureAndAsSvg) {
+    const fs::path folder = fs::path(SI_TEST_OUTPUT_DIR) / "screenshots_of_drawings";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    std::ofstream(folder / "boxes-drawing-1.svg") << "mine";
+    EditorOptions o;
+    o.session = {.scene = "boxes", .preset = {}, .sets = {}};
+    o.preset = folder / "preset.json";
+    o.width = 1600, o.height = 900;
+    HeadlessEditor editor(o);
+    editor.settle();
+    EditorState& state = editor.model().state;
+    state.shot_next = Shot::Drawing;
+    for (int i = 0; i < 3; ++i) editor.frame();
+    EXPECT_NE(state.log.lines().back().text.find("click a pixel"), std::string::npos);
+    state.probe_pixel = glm::ivec2(state.wanted_picture.x / 2, state.wanted_picture.y * 3 / 4);
+    state.open_tab = BottomTab::Probe;
+    editor.settle();
+    state.shot_next = Shot::Drawing;
+    for (int i = 0; i < 3; ++i) editor.frame();
+    const ByteImage drawing = read_back(folder / "boxes-drawing-2.png");
+    EXPECT_EQ(drawing.width, int(state.drawing_rect.size.x)) << state.log.lines().back().text;
+    EXPECT_EQ(drawing.height, int(state.drawing_rect.size.y));
+    std::ifstream in(folder / "boxes-drawing-2.svg", std::ios::binary), mine(folder / "boxes-drawing-1.svg");
+    const std::string svg(std::istreambuf_iterator<char>(in), {});
+    EXPECT_EQ(svg.substr(0, 4), "<svg");
+    EXPECT_NE(svg.find("</svg>"), std::string::npos);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(mine), {}), "mine") << "it is never overwritten";
+    EXPECT_FALSE(fs::exists(folder / "boxes-drawing-1.png"));
+}
+
 TEST(Screenshot, SaysWhyItCannotBeWritten) {
     EXPECT_THROW(save_screenshot({1, 1, {0, 0, 0, 0}}, Shot::Map, "a/b.glb", "/no such folder"), std::exception);
 }

@@ -53,7 +53,9 @@ TEST(BoxSight, MissesNoBoxOfWhichAPointIsSeen) {
                     const glm::dvec3 p = box.centre + box.half * at;
                     most = std::max(most, looker.inside(p)), nearest = std::min(nearest, -p.z);
                 }
-                if (most >= 0) EXPECT_FALSE(sight.misses(box));
+                if (most >= 0) {
+                    EXPECT_FALSE(sight.misses(box));
+                }
                 EXPECT_EQ(sight.has_before_it(box), nearest > 1 + 1e-4) << nearest;
                 missed += sight.misses(box), before += sight.has_before_it(box);
             }

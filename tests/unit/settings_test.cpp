@@ -207,13 +207,27 @@ TEST(SettingsText, NamesAreWhatCanBeShownAndIsNotTooLong) {
     EXPECT_EQ(s, Settings()) << "and a text no number";
 }
 
+TEST(SettingsText, NumbersHaveNoExponentsAndTheUnitOfTheirKind) {
+    Settings s;
+    s.bias.unit = int(BiasUnit::Depth);
+    const auto bias = *find_setting("bias.constant"), size = *find_setting("light.1.size");
+    EXPECT_EQ(shown_value(s, bias, 5e-4), "0.0005 depth");
+    EXPECT_EQ(shown_value(s, bias, 1e-7), "0.0000001 depth");
+    s.bias.unit = int(BiasUnit::Texels);
+    EXPECT_EQ(shown_value(s, bias, 0.3639), "0.3639 texels");
+    EXPECT_EQ(shown_value(s, size, 4.0), "4°");
+    s.lights[1].type = int(LightType::Spot);
+    EXPECT_EQ(shown_value(s, size, 4.0), "4 m");
+    EXPECT_EQ(shown_value(s, *find_setting("light.0.size"), 4.0), "4°") << "each light by itself";
+}
+
 TEST(SettingsText, LightsAreCalledByTheirNames) {
     Settings s;
     EXPECT_EQ(light_title(s, 1), "Light 1");
     s.lights[1].name = "key";
     EXPECT_EQ(light_title(s, 1), "Light 1 (key)");
     const auto ref = *find_setting("light.1.name");
-    EXPECT_EQ(shown_value(s, *ref.param, default_value(ref)), "none");
+    EXPECT_EQ(shown_value(s, ref, default_value(ref)), "none");
     EXPECT_EQ(change_text(Settings(), s, ref), "none → key");
 }
 

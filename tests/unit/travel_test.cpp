@@ -141,7 +141,9 @@ TEST(Travel, MapsStayAsTheyAreAndHoldWhatMoves) {
                     if (i == 0) first = numbers_of(lights);
                     EXPECT_EQ(numbers_of(lights), first) << i;
                     EXPECT_EQ(lights[0].clipped_casters, 0) << i;
-                    if (std::string_view(type) == "directional") EXPECT_EQ(outside(session.scene, lights[0]), 0u) << i;
+                    if (std::string_view(type) == "directional") {
+                        EXPECT_EQ(outside(session.scene, lights[0]), 0u) << i;
+                    }
                     const Session off = at(scene, time_of(scene, i), sets), start = at(scene, 0, sets);
                     follows |= numbers_of(fit_lights(off.scene, off.settings)) !=
                                numbers_of(fit_lights(start.scene, start.settings));

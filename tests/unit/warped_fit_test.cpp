@@ -88,8 +88,9 @@ TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
                     // Wherever the surface looks, its normal offset leads to nothing outside.
                     const double offset = s.bias.normal * view.texel_size_at(p, 512).longest;
                     ASSERT_GT(offset, 0);
-                    for (int i = 0; i < 4; ++i) {
-                        const glm::dvec4 moved = test::uvdw(view, p + (i & 1 ? offset : -offset) * view.axes[i >> 1]);
+                    for (int way = 0; way < 4; ++way) {
+                        const glm::dvec3 aside = (way & 1 ? offset : -offset) * view.axes[way >> 1];
+                        const glm::dvec4 moved = test::uvdw(view, p + aside);
                         EXPECT_GT(std::min({moved.x, moved.y, 1 - moved.x, 1 - moved.y}), 0);
                     }
                     // Receivers that no caster stands before may lie before a range that begins at the casters.

@@ -19,6 +19,7 @@
 #include "ui/scene_view/picture_marks.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/combo.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -71,22 +72,45 @@ float check_width(const char* label) {
 
 void place_combo(EditorState& state, float width) {
     static constexpr const char* kPlaces[] = {"above the settings", "beside the scene", "inset", "hidden"};
-    int place = int(state.layout.map_place);
+    const int place = int(state.layout.map_place);
     ImGui::SetNextItemWidth(width);
-    if (ImGui::Combo("##map place", &place, kPlaces, int(std::size(kPlaces)))) state.layout.map_place = MapSpot(place);
+    if (begin_combo("##map place", kPlaces[place])) {
+        for (int i = 0; i < int(std::size(kPlaces)); ++i) {
+            if (ImGui::Selectable(kPlaces[i], i == place)) state.layout.map_place = MapSpot(i);
+            if (i == place) ImGui::SetItemDefaultFocus();
+        }
+        ImGui::EndCombo();
+    }
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Where the shadow map is shown (N)");
+}
+
+/// The lights that there are; empty where there is nothing to choose from.
+NamedValues light_choices(const Settings& s) {
+    NamedValues out;
+    if (s.light_count < 2) return out;
+    for (int i = 0; i < s.light_count; ++i) out.emplace_back(i, light_title(s, i));
+    out.back().first = std::max(out.back().first, s.view.light);  // a number past the last means the last
+    return out;
 }
 
 void header(EditorState& state, const FrameResult* result, EditorActions& actions) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize();
+    const bool titled = ImGui::GetContentRegionAvail().x > em * 16;  // in less the choices need all of it
     Toolbar bar("map tools");
+    if (titled) bar.title("Map");
+    if (titled && ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("Double-click: alone in the window, and back (F11)");
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) maximise(state, Panel::Map);
+    }
     const auto setting = [&](const char* label, const char* key, float width) {
         bar.item(label, width, [&s, key](float room) { setting_widget(s, key, room); });
     };
     setting("", "view.map_source", em * 9);
     if (!of_camera(s)) {
-        if (s.light_count > 1) setting("Light", "view.light", em * 4);
+        if (NamedValues lights = light_choices(s); !lights.empty())
+            bar.item("", em * 6.5f,
+                     [&s, lights](float room) { setting_widget(s, *find_setting("view.light"), room, lights); });
         if (NamedValues names = view_choices(s, result, "view.face"); !names.empty())
             bar.item("", em * 7,
                      [&s, names](float room) { setting_widget(s, *find_setting("view.face"), room, names); });

@@ -63,8 +63,8 @@ void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorAc
         "Nothing is changed.");
     ImGui::EndDisabled();
     ImGui::Spacing();
-    bound("Error at most", "Mean |visibility - truth| (of visibility, 0 to 1): the cheapest effects that keep it.",
-          panel.bound_error, panel.most_error, 1e-6, "%.5f");
+    bound("Error at most", "Mean error (of visibility, 0 to 1): the cheapest effects that keep it.", panel.bound_error,
+          panel.most_error, 1e-6, "%.5f");
     bound("Time at most, ms", "Of a frame, ms: without a bound on the error the most accurate effects that keep it.",
           panel.bound_ms, panel.most_ms, 1e-3, "%.3g");
     ImGui::BeginDisabled(!ready || !(panel.bound_error || panel.bound_ms));

@@ -8,6 +8,7 @@
 
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
@@ -37,9 +38,7 @@ std::string shown_label(const CompareWith& with, std::span<const PresetEntry> pr
 }
 
 void reference_combo(EditorState& state, const EditorFrame& frame) {
-    if (!ImGui::BeginCombo("##reference", shown_label(state.compare, frame.presets).c_str(),
-                           ImGuiComboFlags_HeightLarge))
-        return;
+    if (!begin_combo("##reference", shown_label(state.compare, frame.presets), ImGuiComboFlags_HeightLarge)) return;
     const auto item = [&](const std::string& label, const CompareWith& with, const std::string& hint) {
         if (ImGui::Selectable(label.c_str(), state.compare == with)) state.compare = with;
         if (!hint.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint.c_str());
@@ -85,8 +84,8 @@ void setting_line(EditorState& state, const Settings& reference, const SettingRe
     cell(owner(state.settings, ref), colour);
     cell(std::string(p.label), colour);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", setting_key(ref).c_str());
-    cell(shown_value(state.settings, p, get_value(state.settings, ref)), idle ? theme::faint() : theme::accent());
-    cell(shown_value(reference, p, get_value(reference, ref)), colour);
+    cell(shown_value(state.settings, ref, get_value(state.settings, ref)), idle ? theme::faint() : theme::accent());
+    cell(shown_value(reference, ref, get_value(reference, ref)), colour);
     ImGui::TableNextColumn();
     ImGui::PushID(setting_key(ref).c_str());
     if (ImGui::Button("Use")) set_value(state.settings, ref, get_value(reference, ref));

@@ -69,10 +69,8 @@ void cures_button(const CureSearch& search, CureActions& actions, std::optional<
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip(
-            "%s",
-            wrong
-                ? "Draws and judges each change that may help: pixels cured, pixels broken, time and bytes of the maps."
-                : "Nothing is wrong here.");
+            "%s", wrong ? "Measures each change that may help: pixels cured, pixels broken, time and bytes of the maps."
+                        : "Nothing is wrong here.");
 }
 
 void cures_table(Settings& settings, const CureSearch& search, CureActions& actions, std::optional<glm::ivec2> pixel) {

@@ -8,7 +8,9 @@
 #include "renderer/frame/effects.h"
 #include "renderer/measure/saved.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/right_aligned.h"
+#include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -26,24 +28,30 @@ std::string grouped(std::uint64_t n) {
 
 /// What there is room for beside reasons of a line or three.
 enum class Room {
+    Least,   ///< reasons are tooltips of the names
+    Few,     ///< no savings: their menu has all that can be forced
     Narrow,  ///< states are shapes alone
     Usual,
     Wide,  ///< for what a pass draws and what the processor does for it
 };
 
 Room room_of(float ems) {
-    return ems > 80 ? Room::Wide : ems > 50 ? Room::Usual : Room::Narrow;
+    return ems > 80   ? Room::Wide
+           : ems > 50 ? Room::Usual
+           : ems > 43 ? Room::Narrow
+           : ems > 35 ? Room::Few
+                      : Room::Least;  // by reasons at least a dozen ems wide
 }
 
 /// By shape and word, so that nobody has to tell colours apart.
 void state_cell(EffectState state, Room room) {
     static constexpr const char* kShapes[] = {"\u25cf", "\u25c6", "\u25cb"};
     const std::string shape = kShapes[std::size_t(state)], word(state_name(state));
-    const std::string text = room == Room::Narrow ? shape : fmt::format("{} {}", shape, word);
+    const std::string text = room <= Room::Narrow ? shape : fmt::format("{} {}", shape, word);
     ImGui::PushStyleColor(ImGuiCol_Text, state == EffectState::NotCalledFor ? theme::muted() : theme::text());
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
-    if (room == Room::Narrow) wrapped_tooltip(word);
+    if (room <= Room::Narrow) wrapped_tooltip(word);
 }
 
 void saved_cell(const Spread* ms, bool current) {
@@ -89,43 +97,48 @@ void tools(EditorState& state, const EditorFrame& frame, EditorActions& actions)
     SavingSet& forced = state.effects.forced;
     int count = 0;
     for (std::size_t i = 0; i < kSavings; ++i) count += forced.contains(Saving(i));
-    ImGui::SameLine();
-    const std::string label =
-        fmt::format("{}###force savings", count ? fmt::format("{} forced", count) : "None forced");
-    if (ImGui::Button(label.c_str())) ImGui::OpenPopup("savings");
+    const std::string forced_text = count ? fmt::format("{} forced", count) : "None forced";
+    flow(button_width(forced_text.c_str()));
+    if (ImGui::Button((forced_text + "###force savings").c_str())) ImGui::OpenPopup("savings");
     wrapped_tooltip("Savings that frames are not to make. A tool: no preset holds it.");
     if (ImGui::BeginPopup("savings")) {
         for (std::size_t i = 0; i < kSavings; ++i)
             force_box(forced, Saving(i), std::string(savings()[i].label).c_str());
         ImGui::EndPopup();
     }
-    ImGui::SameLine();
+    flow(button_width("Reset"));
     ImGui::BeginDisabled(forced.empty());
     if (ImGui::Button("Reset##forced")) forced = {};
     ImGui::EndDisabled();
     wrapped_tooltip("Make all savings again.");
-    ImGui::SameLine();
+    flow(button_width("Hide what is not called for") + ImGui::GetFrameHeight());
     ImGui::Checkbox("Hide what is not called for", &state.effects.hide_uncalled);
     if (!frame.saved || frame.saved_current) return;
-    ImGui::SameLine();
-    ImGui::TextDisabled("saved ms are of other settings");
+    constexpr const char* kOld = "saved ms are of other settings";
+    flow(ImGui::CalcTextSize(kOld).x);
+    ImGui::TextDisabled("%s", kOld);
 }
 
 void header(Room room) {
-    const bool counts = room == Room::Wide, narrow = room == Room::Narrow;
+    const bool counts = room == Room::Wide, narrow = room <= Room::Narrow, reasons = room > Room::Least,
+               saved = room >= Room::Narrow;
     const float em = ImGui::GetFontSize();
     const auto fixed = [em](const char* name, float ems, bool shown = true) {
         ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed | (shown ? 0 : ImGuiTableColumnFlags_Disabled),
                                 em * ems);
     };
     ImGui::TableSetupScrollFreeze(0, 1);
-    fixed(narrow ? "" : "State", narrow ? 1.2f : 7.5f), fixed("Effect", narrow ? 13 : 14);
-    ImGui::TableSetupColumn("Why", ImGuiTableColumnFlags_WidthStretch);
+    fixed(narrow ? "" : "State", narrow ? 1.2f : 7.5f);
+    if (reasons)
+        fixed("Effect", narrow ? 13 : 14);
+    else  // what the reasons leave is the names'
+        ImGui::TableSetupColumn("Effect", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("Why", ImGuiTableColumnFlags_WidthStretch | (reasons ? 0 : ImGuiTableColumnFlags_Disabled));
     fixed("Time ms", 4), fixed("CPU ms", 4, counts), fixed("Draws", 3.2f, counts), fixed("Triangles", 5, counts);
-    fixed("Saved ms", 4.5f), fixed("Force", 2.8f);
+    fixed("Saved ms", 4.5f, saved), fixed("Force", 2.8f, saved);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (int column = 0; column < kColumns; ++column) {
-        ImGui::TableSetColumnIndex(column);
+        if (!ImGui::TableSetColumnIndex(column)) continue;
         ImGui::PushID(column);
         if (column < kTexts)
             ImGui::TextDisabled("%s", ImGui::TableGetColumnName(column));
@@ -183,13 +196,15 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
     ImGui::PushStyleColor(ImGuiCol_Text, called_for ? theme::text() : theme::muted());
     ImGui::TextUnformatted(effect.name.c_str());
     ImGui::PopStyleColor();
+    if (room == Room::Least && !effect.reason.empty()) wrapped_tooltip(effect.reason);
     if (indent > 0) ImGui::Unindent(indent);
-    ImGui::TableSetColumnIndex(int(Column::Why));
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(effect.reason.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
+    if (ImGui::TableSetColumnIndex(int(Column::Why))) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted(effect.reason.c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::PopStyleColor();
+    }
     const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : frame.result->pass(effect.pass);
     if (pass && pass->state != PassState::Ran) last_time_cell(state, *pass);
     if (pass && pass->state == PassState::Ran) {
@@ -201,11 +216,16 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
         sum.gpu_ms += pass->gpu_ms, sum.cpu_ms += pass->cpu_ms;
         sum.draws += pass->draws, sum.triangles += pass->triangles;
     }
-    ImGui::TableSetColumnIndex(int(Column::Saved));
-    saved_cell(frame.saved ? frame.saved->of(effect) : nullptr, frame.saved_current);
-    if (!effect.saving) return;
-    ImGui::TableSetColumnIndex(int(Column::Force));
-    force_box(state.effects.forced, *effect.saving, "##force");
+    if (ImGui::TableSetColumnIndex(int(Column::Saved)))
+        saved_cell(frame.saved ? frame.saved->of(effect) : nullptr, frame.saved_current);
+    if (effect.saving && ImGui::TableSetColumnIndex(int(Column::Force)))
+        force_box(state.effects.forced, *effect.saving, "##force");
+}
+
+/// What is forced stays on view, so that its box can be taken back.
+bool left_out(const EffectsPanel& panel, const Effect& effect) {
+    const bool forced = effect.saving && panel.forced.contains(*effect.saving);
+    return panel.hide_uncalled && effect.state == EffectState::NotCalledFor && !forced;
 }
 
 void sum_row(const PassCost& sum) {
@@ -269,8 +289,7 @@ void draw_effects(EditorState& state, const EditorFrame& frame, EditorActions& a
         int id = 0;
         for (const Effect& effect : frame.effects) {
             ImGui::PushID(id++);
-            if (!state.effects.hide_uncalled || effect.state != EffectState::NotCalledFor || effect.saving)
-                effect_row(state, frame, effect, room, sum);
+            if (!left_out(state.effects, effect)) effect_row(state, frame, effect, room, sum);
             ImGui::PopID();
         }
         sum_row(sum);

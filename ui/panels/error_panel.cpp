@@ -174,7 +174,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
         setting_widget(s, key, width);
     };
     ImGui::Dummy({0, 0});
-    labelled("Area light", "truth.area", ImGui::GetFrameHeight());
+    labelled("Area light (soft shadows)", "truth.area", ImGui::GetFrameHeight());
     if (s.truth.area) labelled("Noise", "truth.noise", em * 5);
     labelled("Every n-th pixel", "truth.step", em * 4);
     flow(em * 4);

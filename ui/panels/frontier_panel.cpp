@@ -13,6 +13,7 @@
 #include "ui/panels/frontier_plot.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"
+#include "ui/widgets/combo.h"
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
@@ -53,7 +54,7 @@ std::string first_values(const Settings& settings, const SettingRef& ref) {
 void choose_setting(EditorState& state, AxisText& axis) {
     const auto known = find_setting(axis.key);
     const std::string shown = known ? std::string(known->param->label) : axis.key.empty() ? "setting" : axis.key;
-    if (!ImGui::BeginCombo("##key", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
+    if (!begin_combo("##key", shown, ImGuiComboFlags_HeightLarge)) {
         if (!axis.key.empty()) wrapped_tooltip(axis.key);
         return;
     }
@@ -115,12 +116,13 @@ void draw_size(SweepPanel& panel) {
     };
     side("##width", panel.width);
     ImGui::SameLine(0, em * 0.2f);
-    ImGui::TextUnformatted("x");
+    ImGui::TextUnformatted("×");
     ImGui::SameLine(0, em * 0.2f);
     side("##height", panel.height);
-    ImGui::SameLine();
-    ImGui::Checkbox("area", &panel.area);
-    wrapped_tooltip("Against a light that has its size (light.size), not a point or a direction");
+    const char* const area = "Area light (soft shadows)";
+    flow(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(area).x);
+    ImGui::Checkbox(area, &panel.area);
+    wrapped_tooltip("Compare with an area light (light.size), not a point or direction");
     choose_cost("Times", panel.timed);
 }
 
@@ -194,7 +196,7 @@ void choose_column(const SweepFacts& facts, const char* id, bool error, std::str
     const float width = std::clamp(text_width(title, ImGui::GetFont()) + beside, least, most);
     ImGui::SetNextItemWidth(width);
     const std::string shown = beginning_that_fits(title, width - beside, ImGui::GetFont());
-    if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge)) {
+    if (!begin_combo(id, shown, ImGuiComboFlags_HeightLarge)) {
         if (now) wrapped_tooltip(now->help);
         return;
     }
@@ -308,7 +310,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
               *view.advice.cheaper);
     if (!view.marks.empty() && !view.advice.better && !view.advice.cheaper) {
         ImGui::SameLine();
-        ImGui::TextDisabled("nothing measured beats it");
+        ImGui::TextDisabled("on the Pareto front");
     }
     draw_before(facts, cost, error);
 }
@@ -344,11 +346,18 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
     const float em = ImGui::GetFontSize();
     actions.want_present = state.sweep.follow;
     const float room = ImGui::GetContentRegionAvail().x, controls = std::clamp(room * 0.36f, em * 15, em * 24);
-    ImGui::BeginChild("controls", {controls, 0}, false);
-    draw_controls(state, facts, actions);
-    ImGui::EndChild();
-    ImGui::SameLine(0, em);
-    ImGui::BeginChild("plot and advice", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
+    // Side by side both would be cut: the panel scrolls instead.
+    const bool stacked = room < em * 40;
+    if (stacked) {
+        draw_controls(state, facts, actions);
+    } else {
+        ImGui::BeginChild("controls", {controls, 0}, false);
+        draw_controls(state, facts, actions);
+        ImGui::EndChild();
+        ImGui::SameLine(0, em);
+    }
+    const float height = stacked ? std::max(ImGui::GetContentRegionAvail().y, em * 16) : 0;
+    ImGui::BeginChild("plot and advice", {0, height}, false, ImGuiWindowFlags_NoScrollbar);
     choose_column(facts, "##error", true, state.sweep.error);
     ImGui::SameLine();
     ImGui::TextUnformatted("over");

@@ -11,6 +11,7 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/placement.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/combo.h"
 #include "ui/widgets/right_aligned.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -100,11 +101,10 @@ std::string choice_label(std::string_view key, int value) {
 
 void pipelines_part(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     heading("Single precision against double");
-    if (measure_button(
-            "Compare ways",
-            "Draws the picture by each way of computing places in the map, in the background, and holds each "
-            "pixel's against double precision.",
-            frame.comparing_pipelines, frame.scene != nullptr, actions.cancel_pipelines))
+    if (measure_button("Compare ways",
+                       "Draws the picture by each way of computing places in the map, in the background, and compares "
+                       "each pixel's with double precision.",
+                       frame.comparing_pipelines, frame.scene != nullptr, actions.cancel_pipelines))
         actions.compare_pipelines = true;
     if (frame.result && frame.result->precision && !frame.comparing_pipelines) {
         const Precision& p = *frame.result->precision;
@@ -144,7 +144,7 @@ void motion_widgets(ShimmerOptions& options) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextItemWidth(em * 11);
     const ShimmerMotionRow& chosen = shimmer_motions()[std::size_t(options.motion)];
-    if (ImGui::BeginCombo("##motion", std::string(chosen.label).c_str())) {
+    if (begin_combo("##motion", std::string(chosen.label))) {
         for (const ShimmerMotionRow& row : shimmer_motions()) {
             if (ImGui::Selectable(std::string(row.label).c_str(), row.motion == options.motion))
                 options.motion = row.motion;

@@ -79,7 +79,7 @@ void rename_field(EditorState& state) {
 void light_name(EditorState& state, int i) {
     Settings& s = state.settings;
     const LightSettings& light = s.lights[std::size_t(i)];
-    const std::string type = shown_value(s, *find_setting("light.type")->param, light.type);
+    const std::string type = shown_value(s, *find_setting("light.type"), light.type);
     const std::string text = fmt::format("{} {}###shown", i, light.name.empty() ? type : light.name);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, light.on ? theme::text() : theme::muted());
@@ -94,7 +94,7 @@ void light_name(EditorState& state, int i) {
                     type));
 }
 
-void light_row(EditorState& state, int i) {
+void light_row(EditorState& state, int i, bool intensities) {
     Settings& s = state.settings;
     LightSettings& light = s.lights[std::size_t(i)];
     ImGui::TableNextRow();
@@ -114,8 +114,10 @@ void light_row(EditorState& state, int i) {
     wrapped_tooltip("Switches all others off; again: all on");
     ImGui::TableNextColumn();
     swatch(light);
-    ImGui::TableNextColumn();
-    setting_widget(s, fmt::format("light.{}.intensity", i));
+    if (intensities) {
+        ImGui::TableNextColumn();
+        setting_widget(s, fmt::format("light.{}.intensity", i));
+    }
     ImGui::PopID();
 }
 
@@ -170,14 +172,16 @@ void cube_cross(Settings& s, const FrameResult& result) {
 void draw_lights(EditorState& state, const FrameResult* result) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize();
+    // Narrow, the name goes first: the shown light's intensity stands among its settings below, too.
+    const bool intensities = ImGui::GetContentRegionAvail().x >= em * 20;
     if (shown_light(s) >= 0 &&
-        ImGui::BeginTable("lights", 5, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) {
+        ImGui::BeginTable("lights", intensities ? 5 : 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) {
         ImGui::TableSetupColumn("light", ImGuiTableColumnFlags_WidthStretch, 1);
         ImGui::TableSetupColumn("on", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFrameHeight());
         ImGui::TableSetupColumn("solo", ImGuiTableColumnFlags_WidthFixed, button_width("Solo"));
         ImGui::TableSetupColumn("colour", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFrameHeight());
-        ImGui::TableSetupColumn("intensity", ImGuiTableColumnFlags_WidthFixed, em * 5.4f);
-        for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) light_row(state, i);
+        if (intensities) ImGui::TableSetupColumn("intensity", ImGuiTableColumnFlags_WidthFixed, em * 5.4f);
+        for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) light_row(state, i, intensities);
         ImGui::EndTable();
         const bool elsewhere = keys_are_taken(state) || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
         if (!elsewhere && ImGui::IsKeyPressed(kF2, false)) begin_rename(state, shown_light(s));

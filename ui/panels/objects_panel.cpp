@@ -172,9 +172,9 @@ void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
             "Objects that are to cast a shadow but leave nothing in light %d's map: every one of their\n"
             "triangles faces the way that is culled. Floors and open meshes have no back.",
             shown_light(state.settings));
-    ImGui::SameLine();
+    flow(button_width("Show only lost") + ImGui::GetFrameHeight());
     ImGui::Checkbox("Show only lost", &state.only_lost);
-    ImGui::SameLine();
+    flow(button_width("Cast from both sides"));
     if (ImGui::Button("Cast from both sides")) keep(state.settings, tree);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Set object.<path>.cull to none for each, so that all faces cast");
 }
@@ -253,8 +253,7 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
 /// Of several chosen objects a change of one is a change of all.
 void setting_cells(EditorState& state, Settings& alone, const Row& row, std::span<const Param* const> params) {
     for (const Param* p : params) {
-        ImGui::TableNextColumn();
-        if (!row.placed) continue;
+        if (!ImGui::TableNextColumn() || !row.placed) continue;
         const SettingRef ref{p, 0, *row.path};
         set_value(alone, ref, get_value(state.settings, ref));
         if (setting_widget(alone, ref)) {
@@ -288,6 +287,32 @@ void bring_into_view(EditorState& state) {
     if (seen || --state.list_seeks == 0) end_seeking(state);
 }
 
+/// A column beside the names.
+struct BesideNames {
+    std::string label;
+    float width = 0;   ///< pixels
+    int given_up = 0;  ///< where there is little room: 1 first; 0 never
+    bool shown = true;
+};
+
+/// So many of them that names can be read.
+std::vector<BesideNames> columns_beside_names(std::span<const Param* const> params) {
+    constexpr float kLeastName = 8;  // ems
+    const float em = ImGui::GetFontSize(), padding = 2 * ImGui::GetStyle().CellPadding.x;
+    std::vector<BesideNames> all{{"Triangles", em * 5, 1}};
+    for (const Param* p : params)
+        all.push_back({std::string(p->label), p->choices ? em * 9 : em * 5,
+                       p->key == "object.receive" ? 2
+                       : p->key == "object.cull"  ? 3
+                                                  : 0});
+    float name = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize - padding;
+    for (const BesideNames& c : all) name -= c.width + padding;
+    for (int next = 1; next <= 3 && name < em * kLeastName; ++next)
+        for (BesideNames& c : all)
+            if (c.given_up == next) c.shown = false, name += c.width + padding;
+    return all;
+}
+
 /// What the headers ask for.
 Order order_of() {
     ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
@@ -319,7 +344,7 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
     ImGui::SameLine();
     ImGui::TextDisabled("%s", count.c_str());
     if (!all) {
-        ImGui::SameLine();
+        flow(button_width("Show all"));
         if (ImGui::Button("Show all")) show_all(state.settings);
         wrapped_tooltip("Brings back what is hidden (Alt+H)");
     }
@@ -332,14 +357,16 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Sortable |
                                       ImGuiTableFlags_SortTristate | ImGuiTableFlags_SizingStretchProp |
                                       ImGuiTableFlags_NoSavedSettings;
+    const std::vector<BesideNames> columns = columns_beside_names(rows);
     if (!ImGui::BeginTable("objects", int(rows.size()) + 2, flags)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("Object", ImGuiTableColumnFlags_WidthStretch, 3);
-    ImGui::TableSetupColumn("Triangles", ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_PreferSortDescending,
-                            em * 5);
-    for (const Param* p : rows)
-        ImGui::TableSetupColumn(std::string(p->label).c_str(), ImGuiTableColumnFlags_WidthFixed,
-                                p->choices ? em * 9 : em * 5);
+    for (const BesideNames& c : columns) {
+        ImGuiTableColumnFlags of = ImGuiTableColumnFlags_WidthFixed;
+        if (&c == &columns.front()) of |= ImGuiTableColumnFlags_PreferSortDescending;
+        if (!c.shown) of |= ImGuiTableColumnFlags_Disabled;
+        ImGui::TableSetupColumn(c.label.c_str(), of, c.width);
+    }
     ImGui::TableHeadersRow();
     sort(tree, *frame.scene, state, rows, order_of());
     begin_seeking(state);

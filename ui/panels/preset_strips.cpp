@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <cstring>
 #include <iterator>
 #include <vector>
@@ -11,11 +12,13 @@
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
 
-constexpr float kGap = 0.53f;  ///< between buttons, in text heights
+constexpr float kGap = 0.53f;      ///< between buttons, in text heights
+constexpr float kPadding = 0.67f;  ///< left and right of a strip's text, likewise
 
 float buttons_width(std::initializer_list<const char*> labels) {
     float width = 0;
@@ -30,11 +33,20 @@ struct Run {
     ImU32 colour;
 };
 
-/// Runs of text one after the other, broken between words at `width`. Draws from `at` on, unless `draw` is null.
-/// Returns the height.
-float flow(const std::vector<Run>& runs, ImVec2 at, float width, ImDrawList* draw) {
+struct Flowed {
+    float height = 0;
+    int lines = 1;
+    bool cut = false;  ///< the last line ends in "…"
+};
+
+/// Runs of text one after the other, broken between words at `width`, in `most` lines (0: as many as it takes). Draws
+/// from `at` on, unless `draw` is null.
+Flowed flow(const std::vector<Run>& runs, ImVec2 at, float width, int most, ImDrawList* draw) {
     const float size = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
+    constexpr const char* kMore = "…";
+    const float more = ImGui::CalcTextSize(kMore).x;
     float x = 0, y = 0;
+    int lines = 1;
     for (const Run& run : runs) {
         const auto wide = [&](const char* from, const char* to) {
             return run.font->CalcTextSizeA(size, FLT_MAX, 0, from, to).x;
@@ -43,21 +55,46 @@ float flow(const std::vector<Run>& runs, ImVec2 at, float width, ImDrawList* dra
         for (const char *word = run.text.c_str(), *end = word; *word; word = *end ? end + 1 : end) {
             end = word + std::strcspn(word, " ");
             const float w = wide(word, end);
-            if (x > 0 && x + w > width) x = 0, y += line;
+            const bool last = lines == most;
+            if (x > 0 && x + w + (last ? more : 0) > width) {
+                if (last) {
+                    if (draw) draw->AddText(run.font, size, {at.x + x - space, at.y + y}, run.colour, kMore);
+                    return {y + line, lines, true};
+                }
+                x = 0, y += line, ++lines;
+            }
             if (draw) draw->AddText(run.font, size, {at.x + x, at.y + y}, run.colour, word, end);
             x += w + space;
         }
     }
-    return y + line;
+    return {y + line, lines, false};
 }
 
-/// A band as high as the runs beside buttons of `buttons` pixels need; `draw` adds the buttons.
-void strip(const char* id, float width, float buttons, const std::vector<Run>& runs, const auto& draw) {
-    const float em = ImGui::GetFontSize(), pad_x = em * 0.67f, pad_y = em * 0.35f;
-    // Where there is little room the buttons stand below the text.
-    const bool below = width - buttons < em * 24;
-    const float wrap = std::max(width - 2 * pad_x - (below ? 0 : buttons + em), em * 8);
-    const float text = flow(runs, {}, wrap, nullptr), frame = ImGui::GetFrameHeight();
+/// Where there is little room the buttons stand below the text.
+bool buttons_below(float width, float buttons) {
+    return width - buttons < ImGui::GetFontSize() * 24;
+}
+
+/// Room for text in a strip.
+float text_room(float width, float buttons) {
+    const float em = ImGui::GetFontSize();
+    return std::max(std::floor(width - 2 * kPadding * em - (buttons_below(width, buttons) ? 0 : buttons + em)), em * 8);
+}
+
+/// That the runs take in a strip.
+int lines_beside(float width, float buttons, const std::vector<Run>& runs) {
+    return flow(runs, {}, text_room(width, buttons), 0, nullptr).lines;
+}
+
+/// A band as high as the runs beside buttons of `buttons` pixels need, or as `lines` of text, where what is beyond them
+/// stands in a tooltip; `draw` adds the buttons.
+void strip(const char* id, float width, float buttons, const std::vector<Run>& runs, int lines, const auto& draw) {
+    const float em = ImGui::GetFontSize(), pad_x = em * kPadding, pad_y = em * 0.35f;
+    const bool below = buttons_below(width, buttons);
+    const float wrap = text_room(width, buttons);
+    const float frame = ImGui::GetFrameHeight();
+    const Flowed flowed = flow(runs, {}, wrap, lines, nullptr);
+    const float text = lines > 0 ? float(lines) * ImGui::GetTextLineHeight() : flowed.height;
     const float gap = em * 0.33f;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::colours().note);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad_x, pad_y));
@@ -65,9 +102,10 @@ void strip(const char* id, float width, float buttons, const std::vector<Run>& r
         id, {width, (below ? text + gap + frame : std::max(text, frame)) + 2 * pad_y}, false,
         ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float lower = !below && text < frame ? (frame - text) / 2 : 0;
-    flow(runs, {at.x, at.y + lower}, wrap, ImGui::GetWindowDrawList());
+    const float room = below ? text : std::max(text, frame);
+    flow(runs, {at.x, at.y + (room - flowed.height) / 2}, wrap, lines, ImGui::GetWindowDrawList());
     ImGui::Dummy({wrap, text});
+    if (flowed.cut) wrapped_tooltip(runs.back().text);
     ImGui::SetCursorScreenPos(below ? ImVec2(at.x, at.y + text + gap)
                                     : ImVec2(at.x + width - 2 * pad_x - buttons, at.y));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em * kGap, gap));
@@ -86,19 +124,32 @@ bool hint_button(const char* label, const char* hint, bool enabled = true) {
     return pressed;
 }
 
+/// "3/38  Title  What to look at."
+std::vector<Run> note_runs(std::span<const PresetEntry> walk, const std::string& key, const std::string& title,
+                           const std::string& about) {
+    std::vector<Run> runs;
+    const auto at = std::ranges::find(walk, key, &PresetEntry::key);
+    if (at != walk.end())
+        runs.push_back({fmt::format("{}/{}", at - walk.begin() + 1, walk.size()), ImGui::GetFont(), theme::muted()});
+    if (!title.empty()) runs.push_back({title, theme::strong(), theme::text()});
+    runs.push_back({about, ImGui::GetFont(), theme::text()});
+    return runs;
+}
+
 void draw_guide(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
     const GuideNote& guide = state.guide;
     if (guide.about.empty() || state.hidden_guide == guide.key) return;
     const std::span<const PresetEntry> walk = open_walk(state, frame);
     const auto at = std::ranges::find(walk, guide.key, &PresetEntry::key);
     const bool built_in = at != walk.end();
-    std::vector<Run> runs;
-    if (built_in)
-        runs.push_back({fmt::format("{}/{}", at - walk.begin() + 1, walk.size()), ImGui::GetFont(), theme::muted()});
-    if (!guide.title.empty()) runs.push_back({guide.title, theme::strong(), theme::text()});
-    runs.push_back({guide.about, ImGui::GetFont(), theme::text()});
+    const std::vector<Run> runs = note_runs(walk, guide.key, guide.title, guide.about);
     const float buttons = built_in ? buttons_width({"Previous", "Next", "Hide"}) : buttons_width({"Hide"});
-    strip("guide", width, buttons, runs, [&] {
+    // As many lines for all of the walk: else the picture in which presets are compared would move and change its size.
+    constexpr int kLeastLines = 2, kMostLines = 3;
+    int lines = kLeastLines;
+    for (const PresetEntry& preset : walk)
+        lines = std::max(lines, lines_beside(width, buttons, note_runs(walk, preset.key, preset.title, preset.about)));
+    strip("guide", width, buttons, runs, std::min(lines, kMostLines), [&] {
         if (built_in) {
             if (hint_button("Previous", "The preset before this (Page up)", at != walk.begin()))
                 actions.load_preset = neighbour_preset(state, frame, -1);
@@ -115,12 +166,13 @@ void draw_lost(const EditorFrame& frame, EditorActions& actions, float width) {
     if (!frame.lost) return;
     const std::string text = fmt::format("The last session ended with settings that no preset holds: {}, {}.",
                                          scene_label(frame.lost->scene), frame.lost->when);
-    strip("lost session", width, buttons_width({"Restore", "Discard"}), {{text, ImGui::GetFont(), theme::text()}}, [&] {
-        if (hint_button("Restore", "Opens its scene with its settings; undo brings back what is shown now"))
-            actions.restore_lost = true;
-        ImGui::SameLine();
-        if (hint_button("Discard", "Forgets it for good")) actions.discard_lost = true;
-    });
+    strip("lost session", width, buttons_width({"Restore", "Discard"}), {{text, ImGui::GetFont(), theme::text()}}, 0,
+          [&] {
+              if (hint_button("Restore", "Opens its scene with its settings; undo brings back what is shown now"))
+                  actions.restore_lost = true;
+              ImGui::SameLine();
+              if (hint_button("Discard", "Forgets it for good")) actions.discard_lost = true;
+          });
 }
 
 void draw_reset(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
@@ -129,7 +181,7 @@ void draw_reset(EditorState& state, const EditorFrame& frame, EditorActions& act
         "The graphics driver reset: no picture can be drawn until the program is started again. The settings are still "
         "here.";
     strip("driver reset", width, buttons_width({"Save now", "Save as…"}), {{kText, ImGui::GetFont(), theme::error()}},
-          [&] {
+          0, [&] {
               if (hint_button("Save now", fmt::format("Writes {}", state.preset_path).c_str()))
                   actions.save_preset = state.preset_path;
               ImGui::SameLine();

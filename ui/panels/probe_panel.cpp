@@ -175,12 +175,12 @@ void window_bar(const Dossier& d) {
     if (to < from) list.AddRectFilled({to, at.y}, {from, at.y + high}, IM_COL32(213, 94, 0, 120));
     const float has = x(d.has.texels);
     list.AddRectFilled({has - em * 0.08f, at.y - em * 0.12f}, {has + em * 0.08f, at.y + high + em * 0.12f},
-                       IM_COL32_WHITE);
+                       theme::text());
     ImGui::Dummy({width, high});
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Green: every bias that is right here, from the least that this surface needs to the surface\n"
-            "that shadows it. White: the bias that it has. Orange: no bias is right.");
+            "that shadows it. The mark: the bias that it has. Orange: no bias is right.");
 }
 
 void truth_column(const Dossier& d) {
@@ -204,7 +204,7 @@ std::string fix_label(const Remedy& remedy, const Settings& settings) {
     for (const auto& [key, value] : remedy.settings) {
         const SettingRef ref = *find_setting(key);
         text += fmt::format("{}{} {}", text.empty() ? "Fix: " : ", ", ref.param->label,
-                            shown_value(settings, *ref.param, parse_value(ref, value)));
+                            shown_value(settings, ref, parse_value(ref, value)));
     }
     return text;
 }
@@ -333,7 +333,13 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float drawn = section_width(frame.sections, first, room.x);
     if (drawn > 0) {
-        draw_section_view(state.section_views, frame.sections, first, {drawn, std::min(room.y, 0.75f * drawn)});
+        const ImVec2 at = ImGui::GetCursorScreenPos(), size(drawn, std::min(room.y, 0.75f * drawn));
+        draw_section_view(state.section_views, frame.sections, first, size);
+        state.drawing_rect = {{at.x, at.y}, {size.x, size.y}};
+        if (ImGui::BeginPopupContextItem("drawing")) {
+            if (ImGui::MenuItem("Save the drawing (PNG and SVG)")) state.shot_next = Shot::Drawing;
+            ImGui::EndPopup();
+        }
         ImGui::SameLine(0, ImGui::GetFontSize());
         ImGui::BeginGroup();
     }

@@ -25,7 +25,8 @@ constexpr Shortcut kShortcuts[] = {
     {"F, Home", "frame what is selected or the scene; the scene's own camera"},
     {"L, K", "through the light and back; freeze this view and fly with another"},
     {"Click an end of the axes", "look along that axis"},
-    {"F11, N", "the panel under the mouse alone; where the map stands"},
+    {"F11 or double-click a title", "that panel alone, and back"},
+    {"N", "where the map stands"},
     {"M, wheel, drag, double-click", "map: raw, linear, bands; zoom, move, fit"},
 
     {"Why", nullptr},

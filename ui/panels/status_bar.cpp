@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "renderer/base/held.h"
+#include "renderer/measure/time_sampler.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/theme.h"
@@ -29,7 +31,12 @@ std::string facts_text(const EditorState& state, const EditorFrame& frame) {
     int maps = 0;
     for (const FittedLight& light : result.lights) maps += light.casts ? int(light.views.size()) : 0;
     const int n = result.map_resolution;
-    if (maps > 0 && n > 0) text += maps == 1 ? fmt::format("map {}²   ", n) : fmt::format("{} maps of {}²   ", maps, n);
+    if (maps > 0 && n > 0) {
+        const WorkCost cost = work_cost(state.settings, result);
+        text += maps == 1 ? fmt::format("map {}²", n) : fmt::format("{} maps of {}²", maps, n);
+        text += fmt::format(", {}, {:.3g} tap{}   ", bytes_text(cost.map_bytes), cost.taps_per_pixel,
+                            cost.taps_per_pixel == 1 ? "" : "s");
+    }
     if (!result.panes.empty())
         text += fmt::format("picture {} × {}   ", result.panes[0].picture.width, result.panes[0].picture.height);
     if (state.frozen) text += "view frozen (K)   ";

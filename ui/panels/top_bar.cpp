@@ -13,6 +13,7 @@
 #include "ui/state/playback.h"
 #include "ui/state/selection.h"
 #include "ui/widgets/button_width.h"
+#include "ui/widgets/combo.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -62,6 +63,8 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& acti
         if (ImGui::MenuItem("of the scene", "F12")) state.shot_next = Shot::Scene;
         if (ImGui::MenuItem("of the map", "Shift+F12")) state.shot_next = Shot::Map;
         if (ImGui::MenuItem("of the window", "Ctrl+F12")) state.shot_next = Shot::Window;
+        if (ImGui::MenuItem("of the probe's drawing")) state.shot_next = Shot::Drawing;
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("As a PNG, and as an SVG of any size");
         ImGui::EndMenu();
     }
     if (ImGui::IsItemHovered())
@@ -75,7 +78,7 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& acti
 
 void scene_combo(EditorState& state, EditorActions& actions, float width) {
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo("##scene", scene_label(state.scene_name).c_str(), ImGuiComboFlags_HeightLarge)) return;
+    if (!begin_combo("##scene", scene_label(state.scene_name), ImGuiComboFlags_HeightLarge)) return;
     for (const BuiltinScene& scene : builtin_scenes()) {
         const std::string key(scene.key), label(scene.label);
         if (ImGui::Selectable((label + "##" + key).c_str(), key == state.scene_name)) actions.load_scene = key;

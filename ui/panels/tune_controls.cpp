@@ -28,19 +28,18 @@ void limit(const char* label, const char* about, bool& on, double& value, double
 void limits_popup(TunePanel& panel, TuneActions& actions) {
     if (!ImGui::BeginPopup("tune limits")) return;
     ImGui::TextUnformatted("Search kernels and resolutions, each with its least bias");
-    limit("Error at most",
-          "Mean |visibility - truth| over the pixels that count. The cheapest that is this accurate\nis chosen.",
+    limit("Error at most", "Mean error over the pixels that count. The cheapest that is this accurate is chosen.",
           panel.bound_error, panel.most_error, 1e-6, "%.5f");
     limit("Time at most, ms",
           "Of a frame of this picture's size. Without a bound on the error the most accurate that is\n"
           "this fast is chosen.",
           panel.bound_ms, panel.most_ms, 1e-3, "%.3g");
     choose_cost("Time", panel.cost);
-    ImGui::Checkbox("A light of its size", &panel.area);
+    ImGui::Checkbox("Area light (soft shadows)", &panel.area);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "Judge by soft shadows (light.size). Against a point or direction the hardest kernel is always the\n"
-            "most accurate one.");
+            "Compare with an area light (light.size). Compared with a point or direction, the hardest kernel\n"
+            "is always the most accurate one.");
     const bool any = panel.bound_error || panel.bound_ms;
     ImGui::BeginDisabled(!any);
     if (ImGui::Button("Search")) {

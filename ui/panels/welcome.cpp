@@ -11,8 +11,8 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorActions& a
     constexpr const char* kSentences[] = {
         "Here a scene stands beside its live shadow map, and every setting of the shadow is a slider.",
         "Click a pixel: it says why it is lit or in shadow, and whether that is right.",
-        "Begin with a model of your own, with the guided presets from acne to cascades, or with the stage that is "
-        "open."};
+        "Begin with a model of your own, with the guided presets from acne to cascades, or with the stage, a scene "
+        "that has something of everything."};
     if (state.show_welcome && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const float em = ImGui::GetFontSize();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -34,10 +34,11 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorActions& a
         ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
     if (button("Guided tour", "The first guided preset; Page down goes on") && !frame.presets.empty())
         actions.load_preset = frame.presets.front().key;
-    if (button("Look at the stage", "Closes this (Esc)")) {
-        constexpr const char* kStage = "stage";
-        if (state.scene_name != kStage) actions.load_scene = kStage;
-    }
+    constexpr const char* kStage = "stage";
+    const bool open = state.scene_name == kStage;
+    if (button("Look at the stage", open ? "It is open: closes this (Esc)" : "Opens it in place of this scene") &&
+        !open)
+        actions.load_scene = kStage;
     if (!state.show_welcome) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

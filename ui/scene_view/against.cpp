@@ -8,6 +8,7 @@
 
 #include "ui/scene_view/picture_marks.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
@@ -66,14 +67,20 @@ void against_widgets(EditorState& state, const EditorFrame& frame) {
     Against& a = state.against;
     const float em = ImGui::GetFontSize();
     ImGui::SetNextItemWidth(em * kViewEms);
-    int view = int(a.view);
     if (state.flicker) {  // as wide as what stands there otherwise
         ImGui::BeginDisabled();
         ImGui::Button("A alone", {against_width(state), 0});
         ImGui::EndDisabled();
         return;
     }
-    if (ImGui::Combo("##against view", &view, kViews, int(std::size(kViews)))) a.view = AgainstView(view);
+    if (begin_combo("##against view", kViews[int(a.view)])) {
+        for (int i = 0; i < int(std::size(kViews)); ++i) {
+            const bool chosen = i == int(a.view);
+            if (ImGui::Selectable(kViews[i], chosen)) a.view = AgainstView(i);
+            if (chosen) ImGui::SetItemDefaultFocus();
+        }
+        ImGui::EndCombo();
+    }
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Compare the picture with another one of the same frame (B). P pins the present settings as A;\n"
@@ -81,7 +88,7 @@ void against_widgets(EditorState& state, const EditorFrame& frame) {
     if (a.view == AgainstView::Off) return;
     ImGui::SameLine();
     ImGui::SetNextItemWidth(em * kOtherEms);
-    if (ImGui::BeginCombo("##against what", other_label(state, frame).c_str())) {
+    if (begin_combo("##against what", other_label(state, frame))) {
         if (ImGui::Selectable("ray-traced truth", a.truth)) a.truth = true;
         const auto other = [&](const char* text, const CompareWith& with) {
             if (ImGui::Selectable(text, !a.truth && state.compare == with)) a.truth = false, state.compare = with;

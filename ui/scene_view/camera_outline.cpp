@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/view/fits/convex.h"
 #include "ui/widgets/clip.h"
 
 namespace si {
@@ -11,8 +12,6 @@ namespace {
 
 constexpr double kFarInFocus = 20;
 constexpr double kBeforeLight = 1e-3;  // of a perspective map's near plane: what is nearer is not projected
-
-constexpr double kOnRim = 1e-9;  // of an edge's length: so far inside lies nothing of it
 
 }  // namespace
 
@@ -64,19 +63,14 @@ std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_region_in_map(const Camera
     for (const auto& [from, to] : camera_edges(camera))
         for (const glm::dvec3& p : {from, to})
             points.push_back(0.5 + 0.5 * glm::dvec2(view.projection * glm::dvec4(to_view * (p - view.eye), 1)));
-    // An edge of the rim has all points on one side.
+    // Closed along the map's rim: a region that reaches beyond it would be a stray line or two.
+    Polygon region;
+    for (const glm::dvec2& p : convex_hull(std::move(points))) region.emplace_back(p, 0);
+    for (const HalfSpace& side :
+         {HalfSpace{{1, 0, 0}, 0}, HalfSpace{{-1, 0, 0}, 1}, HalfSpace{{0, 1, 0}, 0}, HalfSpace{{0, -1, 0}, 1}})
+        clip(region, side);
     std::vector<std::pair<glm::dvec2, glm::dvec2>> lines;
-    for (const glm::dvec2& a : points)
-        for (const glm::dvec2& b : points) {
-            const glm::dvec2 along = b - a;
-            const double length = glm::length(along);
-            if (!(length > 0)) continue;
-            const bool rim = std::ranges::all_of(points, [&](const glm::dvec2& p) {
-                return (along.x * (p.y - a.y) - along.y * (p.x - a.x)) / length > -kOnRim * length;
-            });
-            if (!rim) continue;
-            if (const auto inside = clip_to_box(a, b, glm::dvec2(0), glm::dvec2(1))) lines.push_back(*inside);
-        }
+    for (std::size_t i = 0; i < region.size(); ++i) lines.emplace_back(region[i], region[(i + 1) % region.size()]);
     return lines;
 }
 

@@ -40,8 +40,8 @@ void tooltip(const KernelTap& t) {
         "compared  {:.8f}\n"
         "own plane {:.8f}\n"
         "weighs {:.3g} % of the kernel",
-        t.texel.x, t.texel.y, t.lit ? "passes, lit" : "fails, dark", t.stored, metres_text(t.stored_m), meets_text(t),
-        t.compared, t.plane, 100 * t.weight);
+        t.texel.x, t.texel.y, t.lit ? "passes, lit" : "fails, in shadow", t.stored, metres_text(t.stored_m),
+        meets_text(t), t.compared, t.plane, 100 * t.weight);
     ImGui::SetTooltip("%s", text.c_str());
 }
 

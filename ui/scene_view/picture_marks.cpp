@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "renderer/inspect/probe.h"
+#include "renderer/measure/artefact_picture.h"
 #include "renderer/settings/overlays.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
@@ -53,13 +55,18 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
     const float cell = kLoupeFactor * std::max(1.0f, std::round(em / 15)), side = cell * float(loupe->pixels.width);
     const float text = em * 2.7f, above = em * 2.6f;
     if (size.x < 3 * side || size.y < side + text + 2 * above) return;
+    const auto* middle = &loupe->pixels.data[std::size_t(kLoupeReach * (loupe->pixels.width + 1)) * 4];
+    ImFont* font = theme::small();
+    const std::string colour =
+        fmt::format("{}, {}   {} {} {}", loupe->at.x, loupe->at.y, middle[0], middle[1], middle[2]);
+    const float across = std::max(side, font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, colour.c_str()).x + em * 0.4f);
     // On the other side where it would lie over what it shows.
     const float at_x = (float(loupe->at.x) + 0.5f) * size.x / float(std::max(frame.result->colour.width, 1));
     const bool right = at_x < side * 2;
-    const ImVec2 lo(std::round(right ? origin.x + size.x - side - em : origin.x + em), std::round(origin.y + above)),
+    const ImVec2 lo(std::round(right ? origin.x + size.x - across - em : origin.x + em), std::round(origin.y + above)),
         hi(lo.x + side, lo.y + side);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({lo.x - 2, lo.y - 2}, {hi.x + 2, hi.y + text}, theme::kVeil, em * 0.2f);
+    list.AddRectFilled({lo.x - 2, lo.y - 2}, {lo.x + across + 2, hi.y + text}, theme::kVeil, em * 0.2f);
     const auto* pixel = loupe->pixels.data.data();
     for (int y = 0; y < loupe->pixels.height; ++y)
         for (int x = 0; x < loupe->pixels.width; ++x, pixel += 4) {
@@ -75,18 +82,16 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
     const ImVec2 c(lo.x + cell * kLoupeReach, lo.y + cell * kLoupeReach);
     list.AddRect({c.x - 1, c.y - 1}, {c.x + cell + 1, c.y + cell + 1}, theme::kShade, 0, 0, 3);
     list.AddRect({c.x - 1, c.y - 1}, {c.x + cell + 1, c.y + cell + 1}, theme::kProbed, 0, 0, 1.5f);
-    const auto* middle = &loupe->pixels.data[std::size_t(kLoupeReach * (loupe->pixels.width + 1)) * 4];
     std::optional<double> visibility;
     if (loupe->visibility) visibility = double(*loupe->visibility);
     if (frame.probe && glm::ivec2(frame.probe->x, frame.probe->y) == loupe->at)
         for (const Probe::PerLight& light : frame.probe->lights)
             if (light.light == shown_light(state.settings) && light.casts) visibility = light.visibility;
-    ImFont* font = theme::small();
     const auto line = [&](int row, const std::string& what) {
         list.AddText(font, font->FontSize, {lo.x + em * 0.2f, hi.y + em * (0.15f + 1.2f * float(row))},
                      theme::kOnPicture, what.c_str());
     };
-    line(0, fmt::format("{}, {}   {} {} {}", loupe->at.x, loupe->at.y, middle[0], middle[1], middle[2]));
+    line(0, colour);
     if (visibility) line(1, fmt::format("visibility {:.3g}", *visibility));
 }
 
@@ -99,6 +104,16 @@ void veiled_text(ImVec2 at, const std::string& text, ImU32 colour) {
     list.AddText(at, colour, text.c_str());
 }
 
+/// What a colour of artefacts stands for.
+std::string artefact_of(const glm::vec3& colour) {
+    constexpr float kAlike = 0.01f;
+    for (const ArtefactStyle& style : artefact_styles()) {
+        const glm::vec3 own = glm::vec3(style.rgb[0], style.rgb[1], style.rgb[2]) / 255.0f;
+        if (glm::all(glm::lessThan(glm::abs(own - colour), glm::vec3(kAlike)))) return std::string(style.label);
+    }
+    return "nothing wrong";
+}
+
 void hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, glm::ivec2 pixel) {
     std::string text = fmt::format("{}, {}", pixel.x, pixel.y);
     const int overlay = pane.overlay;
@@ -107,7 +122,12 @@ void hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, gl
         pixel.y < values->height) {
         const Overlay& row = overlays()[std::size_t(overlay - 1)];
         const float value = values->at(pixel.x, pixel.y, 0);
-        if (values->at(pixel.x, pixel.y, 3) <= 0)
+        const bool drawn = values->at(pixel.x, pixel.y, 3) > 0;
+        if (row.names_causes)
+            text +=
+                "   " + (drawn ? artefact_of({value, values->at(pixel.x, pixel.y, 1), values->at(pixel.x, pixel.y, 2)})
+                               : std::string("nothing wrong, or nothing there"));
+        else if (!drawn)
             text += "   background";
         else if (row.scalar && std::isnan(value))
             text += fmt::format("   {}: no value here", row.label);

@@ -1,4 +1,4 @@
-// Below the pictures of a scene that moves: which animation, which moment, and playing.
+// Below the pictures of a scene that moves: which animation, which time, and playing.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -7,6 +7,7 @@
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
 #include "ui/state/scene_choices.h"
+#include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/theme.h"
@@ -47,7 +48,7 @@ bool play_button(bool playing, bool enabled) {
 
 void speed_combo(Playback& playback, float width) {
     ImGui::SetNextItemWidth(width);
-    if (ImGui::BeginCombo("##speed", speed_text(playback.speed).c_str())) {
+    if (begin_combo("##speed", speed_text(playback.speed))) {
         for (const double speed : kSpeeds)
             if (ImGui::Selectable(speed_text(speed).c_str(), speed == playback.speed)) playback.speed = speed;
         ImGui::EndCombo();
@@ -90,7 +91,7 @@ void draw_time_bar(EditorState& state, const EditorFrame& frame) {
         state.playback.playing = false;  // the drag that goes on is the step of undo
     if (!(end > 0)) ImGui::EndDisabled();
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
-        ImGui::SetTooltip("The moment that is shown (scene.time); Ctrl+click to type it");
+        ImGui::SetTooltip("The time that is shown (scene.time); Ctrl+click to type it");
     ImGui::SameLine();
     if (has_speed) speed_combo(state.playback, speed), ImGui::SameLine();
     ImGui::Checkbox("Loop", &state.playback.loop);

@@ -20,7 +20,7 @@ std::string truth_status(const EditorFrame& frame) {
     if (!t.problem.empty()) return t.problem;
     if (t.lacks_light_map) return "The light map of this scene and light is not baked yet.";
     if (!t.current) return "The truth about this view is not traced yet.";
-    std::string text = fmt::format("{} x {} pixels, {:.2f} million rays", t.width, t.height, double(t.rays) * 1e-6);
+    std::string text = fmt::format("{} × {} pixels, {:.2f} million rays", t.width, t.height, double(t.rays) * 1e-6);
     if (t.trace_ms > 0) text += fmt::format(", traced in {:.0f} ms", t.build_ms + t.place_ms + t.trace_ms);
     if (!t.noise.empty()) text += ", " + t.noise;
     return text;
@@ -37,9 +37,12 @@ void draw_artefact_legend(const LiveError* error, float left, float bottom, floa
         const std::size_t n = error->metrics.counted;
         return n == 0 ? std::string("0") : fmt::format("{}   {:.2f} %", pixels, 100.0 * double(pixels) / double(n));
     };
+    // Those that no pixel has are left out: fourteen lines would hide a quarter of a small picture.
     for (const ArtefactStyle& style : artefact_styles())
-        lines.push_back({theme::rgb(style.rgb), std::string(style.label),
-                         error ? count_of(error->metrics.artefacts[std::size_t(style.artefact)]) : ""});
+        if (!error || error->metrics.artefacts[std::size_t(style.artefact)] > 0)
+            lines.push_back({theme::rgb(style.rgb), std::string(style.label),
+                             error ? count_of(error->metrics.artefacts[std::size_t(style.artefact)]) : ""});
+    if (lines.empty()) lines.push_back({theme::kVeil, "No artefacts", ""});
     float label_width = 0, count_width = 0;
     for (const Line& l : lines) {
         label_width = std::max(label_width, ImGui::CalcTextSize(l.label.c_str()).x);

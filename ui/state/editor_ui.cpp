@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "renderer/settings/overlays.h"
@@ -19,13 +20,14 @@
 namespace si {
 namespace {
 
-constexpr float kPictures = 10;     ///< least height of the pictures that the tabs below leave, ems
-constexpr float kAllTabs = 40;      ///< width in which all of them have room, ems
-constexpr float kEveryday = 24.6f;  ///< height in which the settings of every day need no scrolling, ems
-constexpr float kMapTexts = 6.2f;   ///< height of what stands above and below the map, ems
-constexpr float kMapPlots = 6.5f;   ///< of its plots
-constexpr float kSplitter = 5;      ///< at scale 1, pixels
-constexpr int kArrowsFast = 10;     ///< pixels, with Shift
+constexpr float kPictures = 10;        ///< least height of the pictures that the tabs below leave, ems
+constexpr float kAllTabs = 40;         ///< width in which all of them have room, ems
+constexpr float kEveryday = 24.6f;     ///< height in which the settings of every day need no scrolling, ems
+constexpr float kMapTexts = 6.2f;      ///< height of what stands above and below the map, ems
+constexpr float kMapPlots = 6.5f;      ///< of its plots
+constexpr float kBesideSettings = 40;  ///< width that settings wider than a third leave, ems
+constexpr float kSplitter = 5;         ///< at scale 1, pixels
+constexpr int kArrowsFast = 10;        ///< pixels, with Shift
 constexpr int kF12 = 301;
 constexpr int kF11 = 300;  ///< as the window feeds it (GLFW)
 
@@ -83,14 +85,17 @@ void steer_hiding(EditorState& state, const EditorFrame& frame) {
 /// A picture of this frame, which shows what is to be seen in it.
 void take_shot(EditorState& state, EditorActions& actions, Shot of) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    const ScreenRect rect = of == Shot::Scene ? state.scene_rect
-                            : of == Shot::Map ? state.map_rect
-                                              : ScreenRect{{0, 0}, {all.x, all.y}};
+    const ScreenRect rect = of == Shot::Scene     ? state.scene_rect
+                            : of == Shot::Map     ? state.map_rect
+                            : of == Shot::Drawing ? state.drawing_rect
+                                                  : ScreenRect{{0, 0}, {all.x, all.y}};
     if (rect.size.x >= 1 && rect.size.y >= 1)
         actions.shot = ShotWish{of, rect};
     else
         state.log.add(LogKind::Info, of == Shot::Map ? "The map is hidden (N): no screenshot of it"
-                                                     : "The scene is hidden: no screenshot of it");
+                                     : of == Shot::Drawing
+                                         ? "No drawing is shown: click a pixel, and open Probe in a wide window"
+                                         : "The scene is hidden: no screenshot of it");
 }
 
 // Letters and digits are looked up by their ASCII code: the window feeds codes that equal it (GLFW's do).
@@ -201,6 +206,14 @@ bool shows_artefacts(const Settings& settings) {
                        [](int overlay) { return overlay > 0 && overlays()[std::size_t(overlay - 1)].names_causes; });
 }
 
+/// On a tab, or in the row beside them; the arrows that scroll them are pressed fast, too, and lie without.
+bool double_click_on_tabs() {
+    const ImGuiTabBar* bar = ImGui::GetCurrentContext()->CurrentTabBar;
+    return ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) &&
+           ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&  // its tab is
+           bar->BarRect.Contains(ImGui::GetIO().MousePos);
+}
+
 void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     // Tabs that have no room are scrolled to and listed, not squeezed to a letter.
     ImGuiTabBarFlags flags = ImGuiTabBarFlags_FittingPolicyScroll;
@@ -226,6 +239,7 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& ac
     actions.redraw |= state.open_tab.has_value();
     actions.want_timing = state.tab == BottomTab::Effects;
     actions.want_error = state.tab == BottomTab::Error;
+    if (double_click_on_tabs()) maximise(state, Panel::Tabs);
     ImGui::EndTabBar();
 }
 
@@ -327,6 +341,11 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorActions& a
     ImGui::EndGroup();
 }
 
+/// How much of that width the settings may have: half of it, but of a narrow window a third.
+float most_settings(float width) {
+    return std::clamp(width - kBesideSettings * ImGui::GetFontSize(), width / 3, width / 2);
+}
+
 void all_panels(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const float em = ImGui::GetFontSize(), bar = kSplitter * em / 15;
     const float top = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
@@ -336,7 +355,8 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorActions& act
     const float status = status_bar_height();
     ImVec2 rest = ImGui::GetContentRegionAvail();
     rest.y -= status;
-    const float settings = std::clamp(layout.settings_width * em, em * 14, std::max(em * 14, rest.x * 0.5f));
+    const float settings =
+        std::floor(std::clamp(layout.settings_width * em, em * 14, std::max(em * 14, most_settings(rest.x))));
     const float left = std::max(rest.x - settings - bar, em * 10);
 
     ImGui::BeginGroup();
@@ -381,11 +401,12 @@ void maximise(EditorState& state, Panel panel) {
 EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     EditorActions actions;
     const std::optional<Shot> shot = std::exchange(state.shot_next, {});
-    state.scene_rect = state.map_rect = {};
+    state.scene_rect = state.map_rect = state.drawing_rect = {};
     state.dragging = false;
     theme::use(state.layout.light_theme);
     use_driver(frame.driver);
     use_scene(frame.scene);
+    use_result(frame.result);
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
     // What is clicked in this very frame, as where frames are slow, may be a field that the letters are for.
     const bool keys_wait = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
@@ -438,6 +459,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
                       io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
     use_driver(nullptr);  // facts of this frame
     use_scene(nullptr);
+    use_result(nullptr);
     return actions;
 }
 

@@ -161,8 +161,8 @@ struct EditorState : PictureState {
     bool took_navigation = false;                       ///< ImGui's navigation is off for it
     glm::ivec2 wanted_picture{0};                       ///< size of the scene picture asked for last
     ArtefactTour artefact_tour;
-    std::optional<Shot> shot_next;    ///< taken in the next frame, when what asked for it is gone from the picture
-    ScreenRect scene_rect, map_rect;  ///< where the pictures were drawn last
+    std::optional<Shot> shot_next;  ///< taken in the next frame, when what asked for it is gone from the picture
+    ScreenRect scene_rect, map_rect, drawing_rect;  ///< where the pictures were drawn last
     SectionViews section_views;
     std::map<std::string, double> last_pass_ms;  ///< of each pass when it was timed last
     std::vector<float> frame_ms;                 ///< of the last timed frames, the present one at the end

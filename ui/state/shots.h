@@ -6,7 +6,7 @@
 namespace si {
 
 /// What a screenshot shows.
-enum class Shot { Scene, Map, Window };
+enum class Shot { Scene, Map, Window, Drawing };
 
 /// A part of the screen in ImGui's units, y down; without a size: not drawn.
 struct ScreenRect {

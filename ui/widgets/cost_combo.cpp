@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "ui/widgets/combo.h"
+
 namespace si {
 
 void choose_cost(const char* label, CostCase& cost) {
@@ -12,7 +14,7 @@ void choose_cost(const char* label, CostCase& cost) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13);
     ImGui::PushID(label);
-    if (ImGui::BeginCombo("##cost", std::string(row_of(cost).when).c_str())) {
+    if (begin_combo("##cost", std::string(row_of(cost).when))) {
         for (std::size_t i = 0; i < cost_cases().size(); ++i) {
             const CostRow& row = cost_cases()[i];
             if (ImGui::Selectable(std::string(row.when).c_str(), cost == CostCase(i))) cost = CostCase(i);

@@ -7,6 +7,7 @@
 
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
+#include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
@@ -43,7 +44,7 @@ bool overlay_widget(Settings& settings, std::string_view key, float width) {
     int wanted = chosen;
     ImGui::PushID(std::string(key).c_str());
     ImGui::SetNextItemWidth(width);
-    if (ImGui::BeginCombo("##value", shown.c_str(), ImGuiComboFlags_HeightLargest)) {
+    if (begin_combo("##value", shown, ImGuiComboFlags_HeightLargest)) {
         if (line("none", "The shaded picture", 0, chosen)) wanted = 0;
         for (std::size_t group = 0; group < std::size(kGroups); ++group) {
             ImGui::Dummy({0, ImGui::GetFontSize() * 0.15f});

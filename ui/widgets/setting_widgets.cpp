@@ -9,11 +9,15 @@
 #include <bit>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/scene/animation.h"
 #include "renderer/settings/splits.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/theme.h"
@@ -42,10 +46,12 @@ std::string escaped(const std::string& text) {
 }
 
 const DriverInfo* driver_in_use = nullptr;
+const FrameResult* result_in_use = nullptr;
 bool scene_has_animations = true;
 
 void tooltip(const Settings& settings, const SettingRef& ref) {
     const Param& p = *ref.param;
+    place_tooltip();
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
     ImGui::PushFont(theme::strong());
@@ -54,7 +60,7 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     ImGui::TextUnformatted(p.help.data(), p.help.data() + p.help.size());
     ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
     ImGui::TextUnformatted(
-        fmt::format("{}   default {}", setting_key(ref), shown_value(settings, p, default_value(ref))).c_str());
+        fmt::format("{}   default {}", setting_key(ref), shown_value(settings, ref, default_value(ref))).c_str());
     if (is_text(p))
         ImGui::TextUnformatted("Right-click its label to reset");
     else if (!p.choices && !std::holds_alternative<bool>(default_value(ref)))
@@ -83,7 +89,7 @@ bool reset_menu(Settings& settings, const SettingRef& ref) {
     bool changed = false;
     if (!ImGui::BeginPopup("row menu")) return false;
     const Value preset = default_value(ref);
-    const std::string label = fmt::format("Reset to {}", shown_value(settings, *ref.param, preset));
+    const std::string label = fmt::format("Reset to {}", shown_value(settings, ref, preset));
     if (ImGui::MenuItem(label.c_str(), nullptr, false, setting_changed(settings, ref)))
         change(settings, ref, preset), changed = true;
     if (ImGui::MenuItem("Copy as --set")) {
@@ -99,7 +105,7 @@ bool combo(const Param& p, int& value) {
     const bool known = value >= 0 && std::size_t(value) < list.size();
     const std::string shown = known ? std::string(list[std::size_t(value)].label) : fmt::format("{}", value);
     bool changed = false;
-    if (!ImGui::BeginCombo("##value", shown.c_str())) return false;
+    if (!begin_combo("##value", shown)) return false;
     for (std::size_t i = 0; i < list.size(); ++i) {
         ImGui::PushID(int(i));
         const bool selected = int(i) == value;
@@ -117,7 +123,7 @@ bool named_combo(const NamedValues& names, int& value) {
     const auto named = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == value; });
     const std::string shown = named != names.end() ? named->second : fmt::format("{} (not there)", value);
     bool changed = false;
-    if (!ImGui::BeginCombo("##value", shown.c_str())) return false;
+    if (!begin_combo("##value", shown)) return false;
     for (const auto& [number, name] : names) {
         const bool selected = number == value;
         if (ImGui::Selectable(name.c_str(), selected) && !selected) value = number, changed = true;
@@ -141,12 +147,49 @@ bool integer(const Param& p, int& value, const std::string& unit) {
     return true;
 }
 
-bool real(const Param& p, double& value, const std::string& unit) {
-    const std::string format = "%.4g" + (value == 1 ? one_of(unit) : unit);
+/// What the last frame took where the setting is 0 and that is automatic; NaN: not known.
+double automatic_value(const SettingRef& ref) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    if (!result_in_use) return kUnknown;
+    const std::string_view key = ref.param->key, field = key.substr(key.rfind('.') + 1);
+    if (ref.param->scope != Scope::Light) {
+        const DepthCurve& curve = result_in_use->camera.curve;
+        return field == "near" ? curve.near : field == "far" ? curve.far : kUnknown;
+    }
+    if (std::size_t(ref.light) >= result_in_use->lights.size()) return kUnknown;
+    const FittedLight& light = result_in_use->lights[std::size_t(ref.light)];
+    if (field == "distance") return light.distance_m;
+    if (light.views.empty()) return kUnknown;
+    return field == "near" ? light.views[0].curve.near : field == "far" ? light.views[0].curve.far : kUnknown;
+}
+
+/// For ImGui; what it shows is also what a drag rounds to, and no value may change the number of digits, as the way
+/// that the mouse has gone on a logarithmic slider is measured by them.
+std::string number_format(const SettingRef& ref, double value, const std::string& unit, bool of_texels) {
+    const Param& p = *ref.param;
+    if (p.zero_is_auto && value == 0) {
+        const double taken = automatic_value(ref);
+        return std::isfinite(taken) ? "auto " + escaped(digits_text(taken)) + unit : std::string("auto");
+    }
+    const std::string shown = value == 1 ? one_of(unit) : unit;
+    if (p.unit == "bias.unit" && !of_texels) return "%.6f" + shown;
+    if (p.slider_max > 0) return (std::abs(value) >= 999.5 ? "%.0f" : "%.3g") + shown;
+    const bool dragged = p.max - p.min > kWide;
+    if (dragged && std::abs(value) >= 9999.5) return "%.0f" + shown;
+    return (p.max >= 9999.5 && !dragged ? "%.5g" : "%.4g") + shown;
+}
+
+/// @param counted_in shown_unit(), where `unit` may be left out
+bool real(const SettingRef& ref, double& value, const std::string& unit, std::string_view counted_in) {
+    const Param& p = *ref.param;
+    const bool of_texels = counted_in == "texels";
+    const std::string format = number_format(ref, value, unit, of_texels);
     if (p.slider_max > 0) {
-        const ImGuiSliderFlags flags = p.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-        if (!slider("##value", ImGuiDataType_Double, &value, &p.min, &p.slider_max, format.c_str(), flags))
-            return false;
+        // Of all depths or metres there are a bias takes a small part.
+        const double most = counted_in == "depth" ? 1 : p.slider_max;
+        const ImGuiSliderFlags flags =
+            p.logarithmic || !of_texels ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+        if (!slider("##value", ImGuiDataType_Double, &value, &p.min, &most, format.c_str(), flags)) return false;
         value = std::clamp(value, p.min, p.max);
         return true;
     }
@@ -187,20 +230,13 @@ bool dead(Settings& settings, const SettingRef& ref) {
     return still;
 }
 
-/// That of a light's size depends on the light.
-std::string_view unit_of(const Settings& settings, const SettingRef& ref) {
-    const std::string_view unit = shown_unit(settings, *ref.param);
-    if (unit != "deg or m") return unit;
-    return settings.lights[std::size_t(ref.light)].type == int(LightType::Directional) ? "deg" : "m";
-}
-
 /// The widget and its menu inside the ID scope of the row. @param idle see dead()
 bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, const NamedValues& names, bool idle) {
     const Param& p = *ref.param;
     Value value = get_value(settings, ref);
     bool changed = false;
     const bool narrow = width > 0 && width < ImGui::GetFontSize() * 7;  // no room for the unit
-    const std::string unit = narrow ? std::string() : escaped(unit_suffix(unit_of(settings, ref)));
+    const std::string unit = narrow ? std::string() : escaped(unit_suffix(shown_unit(settings, ref)));
     if (idle) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * ImGui::GetStyle().DisabledAlpha);
     ImGui::SetNextItemWidth(width > 0 ? width : -FLT_MIN);
     if (auto* b = std::get_if<bool>(&value))
@@ -210,7 +246,7 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, con
     else if (auto* t = std::get_if<std::string>(&value))
         changed = text_input(ref, *t);
     else
-        changed = real(p, std::get<double>(value), unit);
+        changed = real(ref, std::get<double>(value), unit, shown_unit(settings, ref));
     if (idle) ImGui::PopStyleVar();
     if (changed) change(settings, ref, value);
     return setting_menu(settings, ref) || changed;
@@ -224,6 +260,10 @@ void use_driver(const DriverInfo* driver) {
 
 void use_scene(const Scene* scene) {
     scene_has_animations = !scene || (scene->rig && !scene->rig->animations.empty());
+}
+
+void use_result(const FrameResult* result) {
+    result_in_use = result;
 }
 
 std::string_view without_effect(const Settings& settings, const SettingRef& ref) {
@@ -272,7 +312,8 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
     }
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + dot);
     ImGui::PushStyleColor(ImGuiCol_Text, idle ? theme::faint() : theme::text());
-    ImGui::TextUnformatted(p.label.data(), p.label.data() + p.label.size());
+    ImGui::TextUnformatted(
+        beginning_that_fits(std::string(p.label), ImGui::GetContentRegionAvail().x, ImGui::GetFont()).c_str());
     ImGui::PopStyleColor();
     ImGui::OpenPopupOnItemClick("row menu", ImGuiPopupFlags_MouseButtonRight);
     if (ImGui::IsItemHovered()) tooltip(settings, ref);
@@ -292,9 +333,7 @@ bool setting_matches(const SettingRef& ref, std::string_view text) {
 void menu_button(const char* label, const char* popup, const char* hint, float width) {
     // While another menu is open, the press that closes it opens this one.
     const bool pressed = ImGui::Button(label);
-    const bool beside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsPopupOpen(popup) &&
-                        ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) && !ImGui::GetTopMostPopupModal() &&
-                        ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+    const bool beside = pressed_beside_popup() && !ImGui::IsPopupOpen(popup);
     if (pressed || beside) ImGui::OpenPopup(popup);
     const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
     if (ImGui::IsItemHovered() && !ImGui::IsPopupOpen(popup)) ImGui::SetTooltip("%s", hint);

@@ -16,6 +16,9 @@ void use_driver(const DriverInfo* driver);
 /// Likewise the scene, of which only is kept whether it has animations; null: as if it had.
 void use_scene(const Scene* scene);
 
+/// Likewise the frame, whose light and camera say what automatic values came to; null: not known.
+void use_result(const FrameResult* result);
+
 /// Why turning the setting changes nothing: for what that driver or scene lacks, or under the other settings. Empty
 /// when it acts.
 std::string_view without_effect(const Settings& settings, const SettingRef& ref);

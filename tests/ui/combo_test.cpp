@@ -1,0 +1,90 @@
+// Combos of the toolbars and settings: one press goes from one to the next, and a text without room ends in an
+// ellipsis.
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <string>
+
+#include "renderer/settings/param.h"
+#include "tests/ui/screen.h"
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+/// Of the map's header the combo of a setting.
+ImGuiID combo_in_map(const char* key) {
+    for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
+        if (w->WasActive && std::string_view(w->Name).starts_with("editor/map_"))
+            return ImHashStr("##value", 0, ImHashStr(key, 0, w->ID));
+    return 0;
+}
+
+bool only_open(ImGuiID combo) {
+    const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
+    return open.Size == 1 && open[0].PopupId == ImHashStr("##ComboPopup", 0, combo);
+}
+
+bool none_open() {
+    return ImGui::GetCurrentContext()->OpenPopupStack.Size == 0;
+}
+
+TEST(Combo, ThePressThatClosesOneOpensTheNext) {
+    UiHarness ui(kWidth, kHeight);
+    ui.frames(3);
+    const ImGuiID source = combo_in_map("view.map_source"), shown = combo_in_map("view.map");
+    const auto at_source = ui.find("editor/map", "view.map_source", "##value"),
+               at_shown = ui.find("editor/map", "view.map", "##value");
+    ASSERT_TRUE(at_source && at_shown);
+    ui.click(*at_source);
+    EXPECT_TRUE(only_open(source));
+    ui.click(*at_shown);
+    EXPECT_TRUE(only_open(shown)) << "which is drawn after it";
+    ui.click(*at_source);
+    EXPECT_TRUE(only_open(source)) << "which is drawn before it";
+    ui.click(*at_source);
+    EXPECT_TRUE(none_open()) << "a press on its own combo closes a list";
+    const auto file = ui.find("editor/top", "", "File");
+    ASSERT_TRUE(file);
+    ui.click(*file);
+    ui.click(*at_shown);
+    EXPECT_TRUE(only_open(shown)) << "a menu was open";
+    // What is pressed there is chosen.
+    const int before = ui.state.settings.view.map;
+    ui.frames(2);
+    const auto wanted = before == 0 ? 1 : 0;
+    const auto label = find_setting("view.map")->param->choices()[std::size_t(wanted)].label;
+    const auto line = ui.find("##Combo", [&](unsigned window) {
+        return ImHashStr(std::string(label).c_str(), 0, ImHashData(&wanted, sizeof wanted, window));
+    });
+    ASSERT_TRUE(line);
+    ui.click(*line);
+    EXPECT_EQ(ui.state.settings.view.map, wanted);
+    EXPECT_TRUE(none_open());
+}
+
+TEST(Combo, OtherPlacesOnlyCloseAList) {
+    UiHarness ui(kWidth, kHeight);
+    ui.frames(3);
+    const auto at = ui.find("editor/map", "view.map_source", "##value");
+    ASSERT_TRUE(at);
+    ui.click(*at);
+    ui.click({200, 300});
+    EXPECT_TRUE(none_open());
+    EXPECT_FALSE(ui.state.probe_pixel) << "the press is not the scene's";
+}
+
+TEST(Combo, ATextWithoutRoomEndsInAnEllipsis) {
+    UiHarness ui(kWidth, kHeight);
+    ui.state.settings.lights[0].cascades = 3;
+    ui.frames(3);
+    const std::u32string text = ui.printed(), whole = U"cascade1of3";
+    bool cut = false;
+    for (std::size_t at = 0; (at = text.find(U"cascade", at)) != std::u32string::npos; ++at)
+        cut |= text.substr(at, whole.size()).find(U'\u2026') != std::u32string::npos;
+    EXPECT_TRUE(cut) << "in the map's header";
+}
+
+}  // namespace
+}  // namespace si::test
