@@ -106,6 +106,7 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
     ASSERT_FALSE(with.scene.ground_bounds.empty());
     EXPECT_TRUE(without.scene.ground_bounds.empty());
     EXPECT_EQ(with.scene.triangle_count(), without.scene.triangle_count());
+    EXPECT_EQ(with.scene.object_count(), without.scene.object_count());
     EXPECT_EQ(with.scene.bounds.lo, without.scene.bounds.lo);
     EXPECT_EQ(with.scene.bounds.hi, without.scene.bounds.hi);
     for (const Choice& fit : find_setting("light.fit")->param->choices())
@@ -174,6 +175,7 @@ std::vector<Model> models() {
 /// What cannot be as the others are, and why.
 constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
     {"04_lights.gltf", "it is one sheet, and nothing stands on it"},
+    {"TwoSidedPlane.gltf", "the same"},
     {"01_alpha_mask.gltf", "most of its one sheet is cut out, so that nothing looks up what the map holds there"},
     {"MorphStressTest.glb", "it is five times as long as wide, and the map is square"},
     {"chainlink_fence.glb", "its wires are thinner than a hundredth of the fence's height"},

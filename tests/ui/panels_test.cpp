@@ -239,6 +239,33 @@ TEST(Panels, ABiasOfTexelsIsUsefulOverTheWholeWayOfItsSlider) {
     EXPECT_GT(middle - quarter, 3);
 }
 
+TEST(Panels, TheStatusBarSaysWhatMapsTakeAndHowOftenTheyAreRead) {
+    UiHarness ui(1600, 900);
+    set_setting(ui.state.settings, "filter.kernel", "hard");
+    ui.frames(3);
+    EXPECT_TRUE(ui.drawn().shows("MiB,1tap"));
+    set_setting(ui.state.settings, "filter.kernel", "pcf");
+    ui.frames(3);
+    EXPECT_TRUE(ui.drawn().shows("taps"));
+}
+
+TEST(Panels, ATooltipHidesNoSettingBesideItsOwn) {
+    UiHarness ui(kWidth, kHeight);
+    ui.state.search = "bias.constant";
+    ui.frames(3);
+    ui.move(kFirstLabel);
+    ui.frames(5);
+    const ImGuiWindow *tip = nullptr, *settings = nullptr;
+    for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
+        const std::string_view name(w->Name);
+        if (w->WasActive && (w->Flags & ImGuiWindowFlags_Tooltip)) tip = w;
+        if (name.starts_with("editor/settings_")) settings = w;
+    }
+    ASSERT_TRUE(tip && settings);
+    EXPECT_LE(tip->Pos.x + tip->Size.x, settings->Pos.x);
+    EXPECT_GE(tip->Pos.x, 0);
+}
+
 TEST(Panels, OneIsNoPlural) {
     UiHarness ui(1280, 900);
     const auto shows = [&](const char* text) {
