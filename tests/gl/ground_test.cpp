@@ -14,7 +14,6 @@
 #include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
-#include "tests/support/box_scene.h"
 
 namespace si {
 namespace {
@@ -244,11 +243,19 @@ TEST_F(GroundTest, WhatHasALevelSurfaceGetsNone) {
     }
     EXPECT_FALSE(has_level_surface(box_alone()));
     // A floor under a roof is indoors: shadows fall outside of it.
-    const std::vector<test::BoxExtent> floor{{{-5, -0.1, -5}, {5, 0, 5}}, {{-5, 0, -5}, {-4.8, 3, 5}}};
-    EXPECT_TRUE(has_level_surface(test::box_scene(floor)));
-    std::vector<test::BoxExtent> room = floor;
-    room.push_back({{-5, 3, -5}, {5, 3.1, 5}});
-    EXPECT_FALSE(has_level_surface(test::box_scene(room)));
+    const auto place_with = [](bool roof) {
+        Scene scene;
+        const auto add = [&](const char* name, Mesh mesh, const glm::dmat4& at) {
+            add_object(scene, name, -1, add_mesh(scene, name, std::move(mesh), -1), at);
+        };
+        add("floor", make_plane(10, 10), glm::dmat4(1));
+        add("wall", make_box({0.2, 3, 10}), moved(-5, 1.5, 0));
+        if (roof) add("roof", make_box({10, 0.1, 10}), moved(0, 3, 0));
+        finalise(scene);
+        return scene;
+    };
+    EXPECT_TRUE(has_level_surface(place_with(false)));
+    EXPECT_FALSE(has_level_surface(place_with(true)));
     const Session session = session_of(load_scene("boxes"));
     EXPECT_TRUE(session.scene.ground_bounds.empty());
     EXPECT_TRUE(open_session({.scene = "boxes"}).scene.ground_bounds.empty());
