@@ -174,8 +174,8 @@ void draw_lights(EditorState& state, const FrameResult* result) {
     const float em = ImGui::GetFontSize();
     // Narrow, the name goes first: the shown light's intensity stands among its settings below, too.
     const bool intensities = ImGui::GetContentRegionAvail().x >= em * 20;
-    if (shown_light(s) >= 0 &&
-        ImGui::BeginTable("lights", intensities ? 5 : 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) {
+    if (shown_light(s) >= 0 && ImGui::BeginTable("lights", intensities ? 5 : 4,
+                                                 ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) {
         ImGui::TableSetupColumn("light", ImGuiTableColumnFlags_WidthStretch, 1);
         ImGui::TableSetupColumn("on", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFrameHeight());
         ImGui::TableSetupColumn("solo", ImGuiTableColumnFlags_WidthFixed, button_width("Solo"));
