@@ -312,8 +312,9 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
     }
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + dot);
     ImGui::PushStyleColor(ImGuiCol_Text, idle ? theme::faint() : theme::text());
-    ImGui::TextUnformatted(
-        beginning_that_fits(std::string(p.label), ImGui::GetContentRegionAvail().x, ImGui::GetFont()).c_str());
+    // The column shows it up to its padding's end.
+    const float room = ImGui::GetContentRegionAvail().x + ImGui::GetStyle().CellPadding.x;
+    ImGui::TextUnformatted(beginning_that_fits(std::string(p.label), room, ImGui::GetFont()).c_str());
     ImGui::PopStyleColor();
     ImGui::OpenPopupOnItemClick("row menu", ImGuiPopupFlags_MouseButtonRight);
     if (ImGui::IsItemHovered()) tooltip(settings, ref);
