@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "app/editor/headless_editor.h"
+#include "tests/support/process.h"
 
 namespace si {
 namespace {
@@ -30,10 +31,6 @@ TEST(Screenshot, IsThatPartOfTheWindowUnderANameThatNoFileHas) {
     const fs::path folder = fs::path(SI_TEST_OUTPUT_DIR) / "screenshots";
     fs::remove_all(folder);
     fs::create_directories(folder);
-    const auto text_in = [](const fs::path& file) {
-        std::ifstream in(file, std::ios::binary);
-        return std::string(std::istreambuf_iterator<char>(in), {});
-    };
     std::ofstream(folder / "boxes-scene-1.png") << "mine";
     EditorOptions o;
     o.session = {.scene = "boxes", .preset = {}, .sets = {}};
@@ -51,7 +48,7 @@ TEST(Screenshot, IsThatPartOfTheWindowUnderANameThatNoFileHas) {
         editor.frame(), editor.frame();
     };
     press(false, false);
-    EXPECT_EQ(text_in(folder / "boxes-scene-1.png"), "mine") << "it is never overwritten";
+    EXPECT_EQ(file_bytes(folder / "boxes-scene-1.png"), "mine") << "it is never overwritten";
     const ByteImage scene = read_back(folder / "boxes-scene-2.png");
     ASSERT_TRUE(state.scene_view);
     EXPECT_EQ(scene.width, int(state.scene_view->size.x));
@@ -101,11 +98,10 @@ TEST(Screenshot, TheProbesDrawingIsSavedAsPictureAndAsSvg) {
     const ByteImage drawing = read_back(folder / "boxes-drawing-2.png");
     EXPECT_EQ(drawing.width, int(state.drawing_rect.size.x)) << state.log.lines().back().text;
     EXPECT_EQ(drawing.height, int(state.drawing_rect.size.y));
-    std::ifstream in(folder / "boxes-drawing-2.svg", std::ios::binary), mine(folder / "boxes-drawing-1.svg");
-    const std::string svg(std::istreambuf_iterator<char>(in), {});
+    const std::string svg = file_bytes(folder / "boxes-drawing-2.svg");
     EXPECT_EQ(svg.substr(0, 4), "<svg");
     EXPECT_NE(svg.find("</svg>"), std::string::npos);
-    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(mine), {}), "mine") << "it is never overwritten";
+    EXPECT_EQ(file_bytes(folder / "boxes-drawing-1.svg"), "mine") << "it is never overwritten";
     EXPECT_FALSE(fs::exists(folder / "boxes-drawing-1.png"));
 }
 

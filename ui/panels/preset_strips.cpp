@@ -147,8 +147,10 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorActions& act
     // As many lines for all of the walk: else the picture in which presets are compared would move and change its size.
     constexpr int kLeastLines = 2, kMostLines = 3;
     int lines = kLeastLines;
-    for (const PresetEntry& preset : walk)
+    for (const PresetEntry& preset : walk) {
+        if (lines >= kMostLines) break;
         lines = std::max(lines, lines_beside(width, buttons, note_runs(walk, preset.key, preset.title, preset.about)));
+    }
     strip("guide", width, buttons, runs, std::min(lines, kMostLines), [&] {
         if (built_in) {
             if (hint_button("Previous", "The preset before this (Page up)", at != walk.begin()))
