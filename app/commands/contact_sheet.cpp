@@ -1,9 +1,11 @@
 // Every model below a folder in one picture, with an index of what stands where.
 #include <fmt/format.h>
-#include <stb/stb_easy_font.h>
+#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include "app/base/notes.h"
@@ -14,13 +16,16 @@
 #include "renderer/base/error.h"
 #include "renderer/base/small_letters.h"
 #include "renderer/frame/renderer.h"
+#include "ui/widgets/ellipsis.h"
+#include "ui/widgets/font_data.h"
 
 namespace si {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLabelHeight = 16;  // px, below each tile
+constexpr int kLineHeight = 14;   // px of text
+constexpr int kLabelHeight = 18;  // px, below each tile
 constexpr int kMaxSide = 16384;   // px of the sheet
 using Colour = std::array<std::uint8_t, 3>;
 
@@ -38,6 +43,39 @@ std::vector<fs::path> models_below(const fs::path& folder) {
     std::sort(out.begin(), out.end());
     return out;
 }
+
+/// The editor's font without OpenGL.
+class Letters {
+public:
+    Letters() {
+        static constexpr ImWchar kEvery[] = {0x20, 0xfffd, 0};
+        const std::span<const unsigned char> data = regular_font();
+        if (data.empty()) {
+            font_ = atlas_.AddFontDefault();
+        } else {
+            ImFontConfig config;
+            config.FontDataOwnedByAtlas = false;
+            config.OversampleH = 1;  // letters are copied, a texel a pixel
+            config.PixelSnapH = true;
+            void* bytes = const_cast<unsigned char*>(data.data());  // ImGui takes a mutable pointer and only reads
+            font_ = atlas_.AddFontFromMemoryTTF(bytes, int(data.size()), kLineHeight, &config, kEvery);
+        }
+        font_->FallbackChar = 0x25a1;  // a box, as fonts draw what they lack; ImGui cannot reach their own
+        atlas_.GetTexDataAsAlpha8(&coverage_, &width_, &height_);
+    }
+    const ImFont& font() const { return *font_; }
+    /// Of a glyph's pixel, counted from its upper left corner; 0 to 255.
+    int coverage(const ImFontGlyph& glyph, int x, int y) const {
+        const long column = std::lround(glyph.U0 * float(width_)) + x, row = std::lround(glyph.V0 * float(height_)) + y;
+        return coverage_[row * width_ + column];
+    }
+
+private:
+    ImFontAtlas atlas_;
+    ImFont* font_ = nullptr;
+    unsigned char* coverage_ = nullptr;
+    int width_ = 0, height_ = 0;  ///< of the atlas
+};
 
 class Sheet {
 public:
@@ -57,26 +95,36 @@ public:
             std::copy_n(picture.data.begin() + std::ptrdiff_t(row) * picture.width * 4, picture.width * 4,
                         at(x, y + row));
     }
-    /// ASCII only; other bytes become '?'. Cut at `width`.
-    void write(std::string text, int x, int y, int width, const Colour& colour) {
-        for (char& c : text)
-            if (c < 32 || c > 126) c = '?';
-        while (!text.empty() && stb_easy_font_width(text.data()) > width) text.pop_back();
-        struct Vertex {
-            float x, y, z;
-            std::uint8_t colour[4];
-        };
-        std::vector<Vertex> corners(text.size() * 64 + 64);
-        const int quads =
-            stb_easy_font_print(0, 0, text.data(), nullptr, corners.data(), int(corners.size() * sizeof(Vertex)));
-        for (int i = 0; i < quads; ++i) {
-            const Vertex &a = corners[std::size_t(i) * 4], &b = corners[std::size_t(i) * 4 + 2];
-            fill(x + int(a.x), y + int(a.y), std::max(1, int(b.x - a.x)), std::max(1, int(b.y - a.y)), colour);
+    /// One line of UTF-8, `y` its top. An ellipsis stands for what is beyond `width`.
+    void write(const std::string& text, int x, int y, int width, const Colour& colour) {
+        const ImFont& font = letters_.font();
+        const std::string shown = beginning_that_fits(text, float(width), &font);
+        const int right = x + width;
+        for (const char *next = shown.data(), *end = next + shown.size(); next < end;) {
+            unsigned code = 0;
+            next += ImTextCharFromUtf8(&code, next, end);
+            const ImFontGlyph& glyph = *font.FindGlyph(ImWchar(code));
+            write(glyph, x, y, right, colour);
+            x += int(std::lround(glyph.AdvanceX));
         }
     }
 
 private:
     ByteImage image_;
+    Letters letters_;
+    /// Cut at `right`, where not even an ellipsis fits.
+    void write(const ImFontGlyph& glyph, int x, int y, int right, const Colour& colour) {
+        const int left = x + int(std::lround(glyph.X0)), top = y + int(std::lround(glyph.Y0));
+        const int width = int(std::lround(glyph.X1 - glyph.X0)), height = int(std::lround(glyph.Y1 - glyph.Y0));
+        for (int row = std::max(top, 0); row < std::min(top + height, image_.height); ++row)
+            for (int column = std::max(left, 0); column < std::min({left + width, right, image_.width}); ++column) {
+                const int covered = letters_.coverage(glyph, column - left, row - top);
+                const auto pixel = at(column, row);
+                std::transform(colour.begin(), colour.end(), pixel, pixel, [covered](int over, int under) {
+                    return std::uint8_t((over * covered + under * (255 - covered) + 127) / 255);
+                });
+            }
+    }
     std::vector<std::uint8_t>::iterator at(int x, int y) {
         return image_.data.begin() + (std::ptrdiff_t(y) * image_.width + x) * 4;
     }
@@ -142,13 +190,14 @@ void run_contact_sheet(const ContactSheetOptions& options) {
         if (tile.failed) {
             ++failures;
             sheet.fill(x, y, options.size.width, options.size.height, {92, 30, 30});
-            sheet.write("NOT SHOWN: see the index", x + 8, y + options.size.height / 2, options.size.width - 16,
-                        {255, 255, 255});
+            sheet.write("NOT SHOWN: see the index", x + 8, y + (options.size.height - kLineHeight) / 2,
+                        options.size.width - 16, {255, 255, 255});
         } else {
             sheet.place(tile.picture, x, y);
         }
-        sheet.write(fmt::format("{} {}", i + 1, models[i].stem().string()), x + 3, y + options.size.height + 4,
-                    options.size.width - 6, {230, 230, 230});
+        sheet.write(fmt::format("{} {}", i + 1, one_line(models[i].stem().string())), x + 3,
+                    y + options.size.height + (kLabelHeight - kLineHeight) / 2, options.size.width - 6,
+                    {230, 230, 230});
         index += fmt::format("{}\t{}\t{}\t{}\n", i + 1, tile.failed ? "NOT SHOWN" : "shown",
                              one_line(fs::relative(models[i], options.folder).string()), tile.text);
         if (unsound.empty() && !tile.unsound.empty()) unsound = fmt::format("{}: {}", models[i].string(), tile.unsound);

@@ -1,8 +1,11 @@
 // What `scene` says of a file, and sheets of a folder of models.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <stb/stb_image.h>
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/process.h"
@@ -210,6 +213,51 @@ TEST(ContactSheet, ShowsModelsAndNamesFailures) {
     EXPECT_NE(index.find("2\tshown\tdeep/good.glb\t1 triangles"), std::string::npos) << index;
     EXPECT_EQ(run_program({"contact-sheet", "nowhere", "-o", "s.png"}, folder).code, 1);
     EXPECT_EQ(run_program({"contact-sheet", "models", "-o", "s.jpg"}, folder).code, 2);
+}
+
+/// RGB, below the tile of a model of that name. It cannot be shown, which is quicker and leaves the label as it is.
+std::vector<std::uint8_t> label_below(const std::string& name, int tile_width = 160) {
+    constexpr int kTileHeight = 48;
+    const auto folder = fresh_test_folder();
+    write(folder / "models" / (name + ".gltf"), "{}");
+    const ProcessResult r = run_program(
+        {"contact-sheet", "models", "-o", "sheet.png", "--size", fmt::format("{}x{}", tile_width, kTileHeight)},
+        folder);
+    EXPECT_EQ(r.code, 0) << r.err;
+    int width = 0, height = 0, channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> sheet(
+        stbi_load((folder / "sheet.png").c_str(), &width, &height, &channels, 3), stbi_image_free);
+    if (!sheet || height <= kTileHeight) {
+        ADD_FAILURE() << "no label of " << name;
+        return {};
+    }
+    return {sheet.get() + kTileHeight * width * 3, sheet.get() + height * width * 3};
+}
+
+std::string repeated(int times, const std::string& letter) {
+    std::string out;
+    for (int i = 0; i < times; ++i) out += letter;
+    return out;
+}
+
+TEST(ContactSheet, WritesNamesInTheirOwnLetters) {
+    const auto name = label_below("Größe_Ω_Ж");
+    for (const char* other : {"Grüße_Ω_Ж", "Größe_Σ_Ж", "Größe_Ω_Д", "Gr??e_?_?"})
+        EXPECT_NE(label_below(other), name) << other;
+    const auto lacking = label_below("漢");
+    EXPECT_EQ(label_below("字"), lacking) << "letters that the font lacks are boxes";
+    for (const char* other : {"?", "Ж", "\u00a0"}) EXPECT_NE(label_below(other), lacking) << other;
+}
+
+TEST(ContactSheet, WritesNamesThatAreNoTextAsEscapes) {
+    EXPECT_EQ(label_below("a\xff\n\u200f"), label_below("a\\xff; \\u200f"));
+}
+
+TEST(ContactSheet, CutsLongNamesBetweenLetters) {
+    constexpr int kNarrow = 64;
+    const auto cut = label_below(repeated(40, "Ж"), kNarrow);
+    const auto is_cut = [&](int letters) { return label_below(repeated(letters, "Ж") + "…", kNarrow) == cut; };
+    EXPECT_TRUE(is_cut(3) || is_cut(2)) << "the most that fit, whichever font the program was built with";
 }
 
 }  // namespace
