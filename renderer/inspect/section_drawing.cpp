@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -13,24 +15,32 @@ namespace si {
 namespace {
 
 constexpr std::array<InkColour, kInks> kColours{{
-    {"paper", {251, 250, 246}, {27, 28, 30}},
-    {"text", {29, 29, 31}, {230, 229, 226}},
-    {"muted", {92, 92, 96}, {169, 169, 166}},
-    {"grid", {214, 210, 202}, {60, 61, 64}},
-    {"shade", {72, 96, 150}, {104, 140, 210}},
-    {"step", {38, 86, 178}, {126, 172, 255}},
-    {"surface", {29, 29, 31}, {230, 229, 226}},
-    {"plane", {110, 104, 92}, {158, 152, 140}},
-    {"ray", {138, 92, 0}, {236, 190, 96}},
-    {"lit", {240, 196, 64}, {255, 244, 190}},
-    {"dark", {60, 104, 196}, {92, 146, 236}},
-    {"self", {190, 78, 0}, {255, 150, 84}},
-    {"offset", {176, 40, 116}, {244, 130, 178}},
-    {"bias", {112, 52, 184}, {196, 160, 255}},
-    {"window", {0, 112, 76}, {70, 214, 160}},
-    {"no-window", {190, 70, 0}, {255, 150, 84}},
-    {"occluder", {176, 24, 40}, {255, 128, 120}},
-    {"moments", {0, 108, 124}, {96, 212, 224}},
+    {"paper", {251, 250, 246}, {27, 28, 30}},       {"text", {29, 29, 31}, {230, 229, 226}},
+    {"muted", {92, 92, 96}, {169, 169, 166}},       {"grid", {214, 210, 202}, {60, 61, 64}},
+    {"shade", {72, 96, 150}, {104, 140, 210}},      {"step", {38, 86, 178}, {126, 172, 255}},
+    {"surface", {29, 29, 31}, {230, 229, 226}},     {"plane", {110, 104, 92}, {158, 152, 140}},
+    {"ray", {138, 92, 0}, {236, 190, 96}},          {"lit", {240, 196, 64}, {255, 244, 190}},
+    {"dark", {60, 104, 196}, {92, 146, 236}},       {"self", {190, 78, 0}, {255, 150, 84}},
+    {"compared-lit", {138, 92, 0}, {236, 190, 96}}, {"compared-dark", {60, 104, 196}, {92, 146, 236}},
+    {"offset", {176, 40, 116}, {244, 130, 178}},    {"bias", {112, 52, 184}, {196, 160, 255}},
+    {"window", {0, 112, 76}, {70, 214, 160}},       {"no-window", {190, 70, 0}, {255, 150, 84}},
+    {"occluder", {176, 24, 40}, {255, 128, 120}},   {"moments", {0, 108, 124}, {96, 212, 224}},
+}};
+
+constexpr std::array<LegendRow, 13> kLegend{{
+    {Mark::Kind::Line, Ink::Step, false, "depths that the map stores, a texel a step"},
+    {Mark::Kind::Area, Ink::Shade, false, "in shadow, by the map"},
+    {Mark::Kind::Line, Ink::Surface, false, "what the light sees in truth"},
+    {Mark::Kind::Line, Ink::Plane, true, "the surface's plane"},
+    {Mark::Kind::Line, Ink::ComparedLit, true, "compared with the texel's depth: lit"},
+    {Mark::Kind::Line, Ink::ComparedDark, true, "compared with the texel's depth: in shadow"},
+    {Mark::Kind::Area, Ink::Window, false, "biases that are right"},
+    {Mark::Kind::Area, Ink::NoWindow, false, "no bias is right"},
+    {Mark::Kind::Area, Ink::Lit, false, "tap lit"},
+    {Mark::Kind::Area, Ink::Dark, false, "tap in shadow"},
+    {Mark::Kind::Area, Ink::Self, false, "tap in shadow by the surface itself"},
+    {Mark::Kind::Line, Ink::Moments, true, "mean of the depths"},
+    {Mark::Kind::Area, Ink::Moments, false, "one standard deviation to each side of the mean"},
 }};
 
 /// A rectangle in metres and the one in pixels that shows it.
@@ -73,6 +83,41 @@ std::vector<glm::dvec2> clipped(std::vector<glm::dvec2> area, const Viewport& v)
     return area;
 }
 
+double pixels_to(const glm::dvec2& at, const glm::dvec2& a, const glm::dvec2& b) {
+    const glm::dvec2 d = b - a;
+    const double square = glm::dot(d, d);
+    const double share = square > 0 ? std::clamp(glm::dot(at - a, d) / square, 0.0, 1.0) : 0;
+    return glm::length(at - a - share * d);
+}
+
+bool lies_in(const glm::dvec2& at, const std::vector<glm::dvec2>& convex) {
+    bool left = false, right = false;
+    for (std::size_t i = 0; i < convex.size(); ++i) {
+        const glm::dvec2 side = convex[(i + 1) % convex.size()] - convex[i], to = at - convex[i];
+        const double turn = side.x * to.y - side.y * to.x;
+        left |= turn > 0, right |= turn < 0;
+    }
+    return !(left && right);
+}
+
+/// Within an area: `inside`. Infinite: outside of one, and to words.
+double pixels_to(const Mark& mark, const glm::dvec2& at, double inside) {
+    double least = std::numeric_limits<double>::infinity();
+    switch (mark.kind) {
+        case Mark::Kind::Line:
+            for (std::size_t i = 0; i + 1 < mark.points.size(); ++i)
+                least = std::min(least, pixels_to(at, mark.points[i], mark.points[i + 1]));
+            return least;
+        case Mark::Kind::Area:
+            return lies_in(at, mark.points) ? inside : least;
+        case Mark::Kind::Dot:
+            return std::max(glm::length(at - mark.points[0]) - mark.width, 0.0);
+        case Mark::Kind::Text:
+            break;
+    }
+    return least;
+}
+
 /// 1, 2 or 5 times a power of ten: the largest that is not above `most`.
 double round_length(double most) {
     const double power = std::pow(10, std::floor(std::log10(most)));
@@ -111,6 +156,7 @@ public:
         taps();
         scales();
         place_labels();
+        gather_legend();  // before its own swatches are marks, too
         if (page_.captions) legend(margin);
         resize_paper();
         return std::move(out_);
@@ -419,7 +465,8 @@ private:
         for (const Section::Step& step : s_.steps) {
             const bool read = step.weight > 0 || (s_.steps.size() > 0 && step.texel == s_.looked_up_texel);
             if (read && step.in_map && !s_.moments)
-                line_m(step.compared_from, step.compared_to, step.lit ? Ink::Ray : Ink::Dark, 1.6, true);
+                line_m(step.compared_from, step.compared_to, step.lit ? Ink::ComparedLit : Ink::ComparedDark, 1.6,
+                       true);
         }
         const glm::dvec2 point = near_.px({0, 0}), moved = near_.px(s_.moved), compared = near_.px(s_.compared);
         if (glm::length(moved - point) > 0.15 * em_) {
@@ -508,38 +555,22 @@ private:
         }
     }
 
+    void gather_legend() {
+        std::ranges::copy_if(kLegend, std::back_inserter(out_.legend), [&](const LegendRow& row) {
+            return std::ranges::any_of(out_.marks, [&](const Mark& mark) { return row.explains(mark); });
+        });
+    }
+
     void legend(double margin) {
-        struct Entry {
-            std::string text;
-            Ink ink;
-            bool filled, dashed, shown;
-        };
-        const bool traced = !s_.profile.empty();
-        const std::vector<Entry> entries{
-            {"depths that the map stores, a texel a step", Ink::Step, false, false, true},
-            {"in shadow, by the map", Ink::Shade, true, false, true},
-            {"what the light sees in truth", Ink::Surface, false, false, traced},
-            {"the surface's plane", Ink::Plane, false, true, true},
-            {"biases that are right", Ink::Window, true, false, s_.has_window && s_.window_open()},
-            {"no bias is right", Ink::NoWindow, true, false, s_.has_window && !s_.window_open()},
-            {"tap lit", Ink::Lit, true, false, !s_.moments},
-            {"tap in shadow", Ink::Dark, true, false, !s_.moments},
-            {"tap in shadow by the surface itself", Ink::Self, true, false, !s_.moments},
-            {"mean of the depths, one standard deviation to each side", Ink::Moments, true, false, bool(s_.moments)},
-        };
         double x = margin, y = below_ + 0.5 * em_;
-        for (const Entry& e : entries) {
-            if (!e.shown) continue;
-            const double width = 2.2 * em_ + width_of(e.text) + 1.2 * em_;
+        for (const LegendRow& row : out_.legend) {
+            const double width = 2.2 * em_ + width_of(row.text) + 1.2 * em_;
             if (x > margin && x + width > page_.width) x = margin, y += 1.4 * em_;
-            if (e.filled)
-                box(x, y + 0.25 * em_, x + 1.6 * em_, y + 0.95 * em_, e.ink, e.ink == Ink::Shade ? 0.25 : 0.75);
-            else
-                line({{x, y + 0.6 * em_}, {x + 1.6 * em_, y + 0.6 * em_}}, e.ink, 2.2, e.dashed);
-            words({x + 2.2 * em_, y + 0.95 * em_}, e.text, Ink::Text);
+            add(legend_swatch(row, {x, y + 0.6 * em_}, em_));
+            words({x + 2.2 * em_, y + 0.95 * em_}, std::string(row.text), Ink::Text);
             x += width;
         }
-        y += 1.6 * em_;
+        if (!out_.legend.empty()) y += 1.6 * em_;
         std::string note =
             fmt::format("Cut along the map's {}, texels {} to {} of {} {}", s_.cut.axis == 0 ? "u" : "v", s_.cut.first,
                         s_.cut.first + s_.cut.count - 1, s_.cut.axis == 0 ? "row" : "column", s_.row);
@@ -569,6 +600,35 @@ const InkColour& ink_colour(Ink ink) {
 
 SectionDrawing draw_section(const Section& section, const SectionPage& page) {
     return Draughtsman(section, page).draw();
+}
+
+Mark legend_swatch(const LegendRow& row, const glm::dvec2& left, double em) {
+    const double end = left.x + kSwatchEms * em, half = 0.35 * em;
+    if (row.kind == Mark::Kind::Area)
+        return {
+            .kind = row.kind,
+            .ink = row.ink,
+            .points = {{left.x, left.y - half}, {end, left.y - half}, {end, left.y + half}, {left.x, left.y + half}},
+            .opacity = row.ink == Ink::Shade ? 0.25 : 0.75};
+    return {.kind = row.kind,
+            .ink = row.ink,
+            .points = {left, {end, left.y}},
+            .width = 2.2 * em / 15,
+            .dashed = row.dashed};
+}
+
+const LegendRow* legend_row_at(const SectionDrawing& drawing, const glm::dvec2& at, double reach) {
+    const LegendRow* row = nullptr;
+    double nearest = reach;
+    for (const Mark& mark : drawing.marks) {  // of equally near ones the foremost
+        if (mark.ink == Ink::Paper || mark.ink == Ink::Grid || mark.ink == Ink::Muted) continue;
+        const double pixels = pixels_to(mark, at, reach);
+        if (pixels > nearest) continue;
+        nearest = pixels;
+        const auto found = std::ranges::find_if(drawing.legend, [&](const LegendRow& r) { return r.explains(mark); });
+        row = found == drawing.legend.end() ? nullptr : &*found;
+    }
+    return row;
 }
 
 }  // namespace si

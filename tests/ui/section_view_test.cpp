@@ -60,6 +60,47 @@ TEST(SectionView, StandsBesideTheVerdictAndIsLaidOutOnce) {
     EXPECT_FALSE(printed(ui, U"stored in texel 102"));
 }
 
+TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
+    for (const bool fills : {false, true}) {  // the window: then there is no room above the drawing nor below
+        SCOPED_TRACE(fills);
+        UiHarness ui(1600, fills ? 600 : 900);
+        if (fills) ui.state.maximised = Panel::Tabs;
+        ui.state.probe_pixel = glm::ivec2(3, 4);
+        ui.state.open_tab = BottomTab::Probe;
+        ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
+        ui.frames(5);
+        EXPECT_FALSE(printed(ui, U"a texel a step"));
+        ASSERT_EQ(ui.state.section_views.views.size(), 1u);
+        const std::vector<LegendRow> legend = ui.state.section_views.views[0].drawing.legend;
+        ASSERT_GE(legend.size(), 5u);
+        const ScreenRect drawing = ui.state.drawing_rect;
+        for (const glm::vec2 part : {glm::vec2(0.1f, 0.1f), {0.3f, 0.6f}, {0.9f, 0.9f}}) {
+            ui.move(drawing.lo + part * drawing.size);
+            ui.frames(3);
+            for (const LegendRow& row : legend)
+                EXPECT_TRUE(ui.drawn().shows(std::string(row.text))) << row.text << " is not told, or is cut";
+            EXPECT_FALSE(printed(ui, U"what the light sees in truth")) << "nothing was traced";
+            EXPECT_FALSE(printed(ui, U"tap lit"));
+            const auto words = ui.drawn().find(U"atexelastep");
+            ASSERT_TRUE(words);
+            if (fills)
+                EXPECT_GT(words->x, drawing.lo.x + drawing.size.x) << "hidden by its words";
+            else
+                EXPECT_LT(words->y, drawing.lo.y) << "hidden by its words";
+        }
+        const int drawn = ui.state.section_views.drawn;
+        ui.frames(5);
+        EXPECT_EQ(ui.state.section_views.drawn, drawn) << "laid out once";
+        ui.move({5, 5});
+        ui.frames(3);
+        EXPECT_FALSE(printed(ui, U"a texel a step"));
+        ui.click(drawing.lo + 0.5f * drawing.size, 1);
+        ui.frames(2);
+        EXPECT_TRUE(printed(ui, U"Save the drawing (PNG and SVG)"));
+        EXPECT_FALSE(printed(ui, U"a texel a step")) << "the menu stands alone";
+    }
+}
+
 TEST(SectionView, LeavesTheVerdictItsRoomAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{3840, 2160, 2.0f}, {1280, 720, 1.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 
 #include "app/report/section_svg.h"
 #include "tests/support/strict_xml.h"
@@ -39,6 +41,53 @@ Section acne() {
     s.window_from = 0.024, s.has_window = true;
     s.profile = {{{-0.2, -0.2}, {0.2, 0.2}}};
     return s;
+}
+
+/// The bias has lifted what is compared past a box 0.3 m above, which fills the map to the right.
+Section peter_panning() {
+    Section s = acne();
+    s.lit = true, s.true_lit = false, s.visibility = 1;
+    s.artefact = "peter-panning", s.verdict = "peter-panning: bias moves it past its occluder";
+    for (Section::Step& step : s.steps) {
+        step.lit = true;
+        step.compared_from.y = step.compared_to.y = 0.4;
+        if (step.texel >= 104) step.from.y = step.to.y = 0.3, step.meets = KernelTap::Meets::Nearer;
+    }
+    s.compared = {0, 0.4};
+    s.terms = {{"constant bias", {0.1, 10, 0.4}, {0, 0}, {0, 0.4}}};
+    s.occluder = glm::dvec2(0, 0.3), s.occluder_m = 0.3, s.window_to = 0.3;
+    return s;
+}
+
+/// A normal offset leads the look-up two and a half texels aside; one tap meets another surface.
+Section led_aside() {
+    Section s = acne();
+    s.artefact = "peter-panning by normal offset";
+    s.moved = {0.1, 0.06}, s.normal_offset_m = 0.117, s.looked_up_texel = 107;
+    s.compared = {0.1, 0.064};
+    s.terms = {{"constant bias", {0.001, 0.1, 0.004}, s.moved, s.compared}};
+    s.steps[4].lit = true;
+    s.steps[5].meets = KernelTap::Meets::Nearer;
+    return s;
+}
+
+Section light_bleeding() {
+    Section s = acne();
+    s.lit = true, s.true_lit = false, s.visibility = 0.66, s.artefact = "leak";
+    for (Section::Step& step : s.steps) step.weight = 0;
+    s.moments = Section::Moments{.mean = 0.15, .spread = 0.1, .bound = 0.66};
+    return s;
+}
+
+/// Words of its legend.
+std::vector<std::string> told(const SectionDrawing& d) {
+    std::vector<std::string> out;
+    for (const LegendRow& row : d.legend) out.emplace_back(row.text);
+    return out;
+}
+
+bool tells(const SectionDrawing& d, std::string_view text) {
+    return std::ranges::any_of(d.legend, [&](const LegendRow& row) { return row.text == text; });
 }
 
 double luminance(const std::array<std::uint8_t, 3>& rgb) {
@@ -98,6 +147,105 @@ TEST(SectionDrawing, WordsKeepApartAndInside) {
                 EXPECT_TRUE(std::ranges::any_of(d.marks, [&](const Mark& m) { return m.text.starts_with(wanted); }))
                     << wanted << " is not said";
         }
+}
+
+TEST(SectionDrawing, TheLegendHoldsWhatIsDrawnAndNoMore) {
+    using enum Mark::Kind;
+    const std::set<std::pair<Mark::Kind, Ink>> legended{
+        {Line, Ink::Step},         {Area, Ink::Shade}, {Line, Ink::Surface}, {Line, Ink::Plane},
+        {Line, Ink::ComparedLit},  {Area, Ink::Lit},   {Area, Ink::Window},  {Line, Ink::Moments},
+        {Line, Ink::ComparedDark}, {Area, Ink::Dark},  {Area, Ink::Self},    {Area, Ink::NoWindow},
+        {Area, Ink::Moments},
+    };
+    Section untraced = acne();
+    untraced.profile.clear(), untraced.judged = untraced.has_window = false;
+    Section hopeless = acne();
+    hopeless.window_to = 0.01;
+    Section no_map;
+    std::set<std::pair<Mark::Kind, Ink>> seen;
+    for (const Section& s : {acne(), peter_panning(), led_aside(), light_bleeding(), untraced, hopeless, no_map})
+        for (const bool captions : {false, true}) {
+            SCOPED_TRACE((s.artefact.empty() ? "no artefact" : s.artefact) + (captions ? ", captions" : ""));
+            const SectionDrawing d = draw_section(s, {.captions = captions});
+            auto end = d.marks.end();
+            if (captions && !d.legend.empty()) {
+                const auto first_words =
+                    std::ranges::find_if(d.marks, [&](const Mark& m) { return m.text == d.legend[0].text; });
+                ASSERT_NE(first_words, end);
+                end = first_words - 1;  // its swatch
+            }
+            std::set<std::pair<Mark::Kind, Ink>> drawn, listed;
+            for (auto m = d.marks.begin(); m != end; ++m)
+                if (legended.contains({m->kind, m->ink})) drawn.emplace(m->kind, m->ink);
+            for (const LegendRow& row : d.legend) EXPECT_TRUE(listed.emplace(row.kind, row.ink).second) << row.text;
+            EXPECT_EQ(drawn, listed);
+            seen.insert(listed.begin(), listed.end());
+            // Swatch and words of each row in turn, and of no other.
+            for (const LegendRow& row : d.legend) {
+                if (!captions) break;
+                EXPECT_TRUE(row.explains(*end) && end->dashed == row.dashed) << row.text;
+                EXPECT_EQ((++end)->text, row.text);
+                ++end;
+            }
+            if (captions && !d.legend.empty()) {
+                EXPECT_TRUE(end->text.starts_with("Cut along")) << end->text;
+            }
+        }
+    EXPECT_EQ(seen, legended) << "each row is tested";
+}
+
+TEST(SectionDrawing, TheLegendSaysWhatThisPixelHas) {
+    const SectionDrawing dark = draw_section(acne(), {});
+    EXPECT_EQ(told(dark), (std::vector<std::string>{
+                              "depths that the map stores, a texel a step", "in shadow, by the map",
+                              "what the light sees in truth", "the surface's plane",
+                              "compared with the texel's depth: lit", "compared with the texel's depth: in shadow",
+                              "biases that are right", "tap lit", "tap in shadow by the surface itself"}));
+    EXPECT_EQ(told(draw_section(acne(), {.height = 300, .captions = false})), told(dark)) << "the same words";
+    const SectionDrawing lifted = draw_section(peter_panning(), {});
+    EXPECT_TRUE(tells(lifted, "tap lit"));
+    EXPECT_FALSE(tells(lifted, "tap in shadow") || tells(lifted, "tap in shadow by the surface itself"));
+    EXPECT_TRUE(tells(draw_section(led_aside(), {}), "tap in shadow"));
+    Section s = light_bleeding();
+    const SectionDrawing spread = draw_section(s, {});
+    EXPECT_TRUE(tells(spread, "mean of the depths"));
+    EXPECT_TRUE(tells(spread, "one standard deviation to each side of the mean"));
+    EXPECT_FALSE(tells(spread, "tap lit") || tells(spread, "compared with the texel's depth: lit"));
+    s.moments->spread = std::numeric_limits<double>::quiet_NaN();
+    const SectionDrawing mean = draw_section(s, {});
+    EXPECT_TRUE(tells(mean, "mean of the depths"));
+    EXPECT_FALSE(tells(mean, "one standard deviation to each side of the mean"));
+}
+
+TEST(SectionDrawing, WhatIsUnderTheMouseIsFoundInTheLegend) {
+    SectionDrawing d;
+    d.legend = {{Mark::Kind::Line, Ink::Step, false, "step"},
+                {Mark::Kind::Area, Ink::Shade, false, "shade"},
+                {Mark::Kind::Area, Ink::Window, false, "window"}};
+    const auto square = [](double x, double y, double size) {
+        return std::vector<glm::dvec2>{{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
+    };
+    d.marks = {{.kind = Mark::Kind::Area, .ink = Ink::Shade, .points = square(0, 0, 100)},
+               {.kind = Mark::Kind::Line, .ink = Ink::Grid, .points = {{10, 0}, {10, 100}}},
+               {.kind = Mark::Kind::Line, .ink = Ink::Step, .points = {{0, 50}, {100, 50}}},
+               {.kind = Mark::Kind::Area, .ink = Ink::Window, .points = square(20, 70, 10)},
+               {.kind = Mark::Kind::Line, .ink = Ink::Bias, .points = {{80, 0}, {80, 100}}},
+               {.kind = Mark::Kind::Dot, .ink = Ink::Text, .points = {{60, 20}}, .width = 6},
+               {.kind = Mark::Kind::Text, .ink = Ink::Step, .points = {{40, 20}}, .text = "label"}};
+    const auto at = [&](double x, double y) {
+        const LegendRow* row = legend_row_at(d, {x, y}, 7);
+        return row ? row->text : "";
+    };
+    EXPECT_EQ(at(10, 44), "step") << "near enough, and texels' sides do not count";
+    EXPECT_EQ(at(10, 42), "shade");
+    EXPECT_EQ(at(25, 75), "window") << "over the shade";
+    EXPECT_EQ(at(40, 20), "shade");
+    EXPECT_EQ(at(82, 20), "") << "an arrow that a label names";
+    EXPECT_EQ(at(82, 51), "step") << "nearer than the arrow";
+    EXPECT_EQ(at(60, 30), "") << "the dot";
+    EXPECT_EQ(at(106, 50), "step") << "beside its end";
+    EXPECT_EQ(at(108, 50), "");
+    EXPECT_EQ(at(60, 120), "");
 }
 
 TEST(SectionDrawing, PlacesAreThoseOfTheSection) {

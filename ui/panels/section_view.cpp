@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -99,6 +100,38 @@ const SectionDrawing& drawing_of(SectionViews& views, const Sections& sections, 
     return views.views.back().drawing;
 }
 
+/// Outside of the last item, which may be saved as it is seen. @param height of the tooltip, in pixels
+void place_legend(float height) {
+    const float gap = ImGui::GetFontSize() * 0.3f, wide = ImGui::GetFontSize() * 31;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize, lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+    // place_tooltip() takes the larger of these two.
+    if (height + gap <= std::max(lo.y, screen.y - hi.y))
+        place_tooltip();
+    else if (hi.x + gap + wide <= screen.x)
+        ImGui::SetNextWindowPos({hi.x + gap, std::clamp(lo.y, 0.0f, std::max(screen.y - height, 0.0f))});
+}
+
+/// What the marks of the drawing mean that is the last item; strong: what is under the mouse.
+void legend_tooltip(const SectionDrawing& drawing) {
+    if (drawing.legend.empty() || !ImGui::IsItemHovered()) return;
+    const ImVec2 mouse = ImGui::GetMousePos(), at = ImGui::GetItemRectMin();
+    const LegendRow* const meant =
+        legend_row_at(drawing, {mouse.x - at.x, mouse.y - at.y}, 0.5 * theme::small()->FontSize);
+    const float em = ImGui::GetFontSize();
+    place_legend(float(drawing.legend.size()) * ImGui::GetTextLineHeightWithSpacing() +
+                 2 * ImGui::GetStyle().WindowPadding.y);
+    ImGui::BeginTooltip();
+    for (const LegendRow& row : drawing.legend) {
+        SectionPainter(ImGui::GetCursorScreenPos()).paint(legend_swatch(row, {0, 0.5 * em}, em));
+        ImGui::Dummy({float(kSwatchEms) * em, em});
+        ImGui::SameLine(0, 0.6f * em);
+        ImGui::PushFont(&row == meant ? theme::strong() : ImGui::GetFont());
+        ImGui::TextUnformatted(row.text.data(), row.text.data() + row.text.size());
+        ImGui::PopFont();
+    }
+    ImGui::EndTooltip();
+}
+
 }  // namespace
 
 void draw_section_view(SectionViews& views, const Sections& sections, std::size_t light, ImVec2 size) {
@@ -107,9 +140,11 @@ void draw_section_view(SectionViews& views, const Sections& sections, std::size_
     ImGui::Dummy(size);
     if (!ImGui::IsItemVisible()) return;
     const SectionPainter painter(at);
+    const SectionDrawing& drawing = drawing_of(views, sections, light, size);
     ImGui::GetWindowDrawList()->PushClipRect(at, {at.x + size.x, at.y + size.y}, true);
-    for (const Mark& mark : drawing_of(views, sections, light, size).marks) painter.paint(mark);
+    for (const Mark& mark : drawing.marks) painter.paint(mark);
     ImGui::GetWindowDrawList()->PopClipRect();
+    legend_tooltip(drawing);
 }
 
 }  // namespace si
