@@ -32,7 +32,7 @@ show_percent() {
     percent=${BASH_REMATCH[1]}
     if [ -t 2 ]; then
       printf '\rBuilding: %3d %%' "$percent" >&2
-    elif [ "$percent" -ge $((shown + 10)) ]; then
+    elif ((percent >= shown + 10 || (percent == 100 && shown < 100))); then
       say "Building: $percent %"
       shown=$percent
     fi
