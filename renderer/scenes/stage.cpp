@@ -146,7 +146,8 @@ void add_things(Scene& scene, int root) {
                moved(1.25, 0, 1.0) * turned(-14));
     add_object(scene, "Distant box", root, add_mesh(scene, "Box", make_box({1.7, 2.6, 1.7}), heather),
                moved(1.15, 1.3, -9.6) * turned(28));
-    add_object(scene, "Sphere", root, add_mesh(scene, "Sphere", make_sphere(0.42), porcelain), moved(0.25, 0.42, 2.75));
+    add_object(scene, "Sphere", root, add_mesh(scene, "Sphere", make_sphere(0.42, 96, 48), porcelain),
+               moved(0.25, 0.42, 2.75));
     const int drum =
         add_object(scene, "Pedestal", root, add_mesh(scene, "Pedestal", make_cylinder(0.42, 0.62, 48, 0.38), porcelain),
                    moved(-3.35, 0, 0.75));
