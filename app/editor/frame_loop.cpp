@@ -183,7 +183,8 @@ bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const Edit
     try {
         const FrameResult more = renderer_.render(scene, drawn_settings_, request);
         if (more.smooth.texture == 0) return smoothed_ = kSmoothedMost, false;
-        result_.smooth = more.smooth;  // what the frame itself did, and when, stays told
+        result_.smooth = more.smooth;
+        tell_of_smoothing(more);
         return true;
     } catch (const std::exception& e) {
         smoothed_ = kSmoothedMost;
@@ -191,6 +192,15 @@ bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const Edit
         report(e.what());
         return true;
     }
+}
+
+void FrameLoop::tell_of_smoothing(const FrameResult& more) {
+    const PassInfo* const did = more.pass(kSmoothingPass);
+    const auto told = std::ranges::find(result_.passes, kSmoothingPass, &PassInfo::name);
+    if (!did || told == result_.passes.end() || told->reason == did->reason) return;
+    // Of all else the frame itself is told of, and its times.
+    told->state = did->state, told->reason = did->reason;
+    frame_effects_.clear();
 }
 
 void FrameLoop::foresee_programs(const Scene& scene) {

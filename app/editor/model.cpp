@@ -57,7 +57,7 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
         state.probe_pixel = glm::ivec2(options.probe_x, options.probe_y);
         state.open_tab = BottomTab::Probe;
     }
-    if (!options.tab.empty()) state.open_tab = tab_named(options.tab);
+    if (!options.tab.empty()) state.open_tab = state.fitted_tab = tab_named(options.tab);
     if (!options.sweep.empty()) {
         state.sweep.folder = options.sweep.string();
         work_.open_sweep(options.sweep);

@@ -53,7 +53,7 @@ WorkspaceData from_json(const Json& json) {
     };
     const Json& layout = part("layout");
     take(layout, "settings_width", d.layout.settings_width, 4, 400);
-    take(layout, "bottom_height", d.layout.bottom_height, 2, 400);
+    take(layout, "bottom_height", d.layout.bottom_height, 0, 400);
     take(layout, "map_share", d.layout.map_share, 0.05, 0.95);
     take(layout, "map_height", d.layout.map_height, 0.05, 0.95);
     take(layout, "map_inset", d.layout.map_inset, 4, 400);

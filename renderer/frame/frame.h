@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/frame/numeric_health.h"
@@ -63,6 +64,8 @@ struct MapOfLight {
 
 /// The most that FrameRequest::smoothed asks for.
 inline constexpr int kSmoothedMost = 8;
+/// Name of the pass that makes it.
+inline constexpr std::string_view kSmoothingPass = "smoothing at rest";
 
 struct FrameRequest {
     int width = 1280, height = 720;  ///< of each pane's picture, in pixels

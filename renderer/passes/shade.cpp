@@ -167,7 +167,7 @@ void add_smooth_pass(FrameState& f, std::uint64_t of) {
     f.plan.place(Result::Smooth, {&t.mean});
     if (!f.settings.view.smooth) f.plan.release([&t] { t = {}; });
     Pass pass;
-    pass.name = "smoothing at rest";
+    pass.name = kSmoothingPass;
     pass.category = PassCategory::Tool;
     pass.reads = lookup_reads(f);
     pass.writes = {Result::Smooth};

@@ -112,16 +112,48 @@ TEST(EffectsPanel, TimesStayInGreyWhileTheirPassIsSparedAndFramesAreALine) {
     ui.state.open_tab = BottomTab::Effects;
     std::vector<Effect> effects = made_up_effects();
     ui.effects.effects = effects;
-    ui.state.last_pass_ms = {{"shading", 7.75}};
+    ui.state.times.pass_ms = {{"shading", 7.75}};
     ui.frames(4);
     EXPECT_TRUE(ui.drawn().shows("1.50")) << "of the pass that ran";
-    EXPECT_EQ(ui.state.last_pass_ms.at("shadow map 0"), 1.5);
+    EXPECT_EQ(ui.state.times.pass_ms.at("shadow map 0"), 1.5);
     EXPECT_TRUE(ui.drawn().shows("7.75")) << "of the one that is reused, as it was";
-    ASSERT_EQ(ui.state.frame_ms.size(), 1u) << "a frame that stays counts once";
-    EXPECT_FALSE(ui.drawn().shows("last 2 frames"));
-    ui.state.frame_ms = {3};
+    ASSERT_EQ(ui.state.times.frames.size(), 1u) << "a frame that stays counts once";
+    EXPECT_FALSE(ui.drawn().shows("2 frames in the last 30 s"));
+    ui.state.times.frames.push_front({.at_s = ImGui::GetTime(), .ms = 3, .maps_ms = 1});
     ui.frames(2);
-    EXPECT_TRUE(ui.drawn().shows("last 2 frames, at most 3 ms"));
+    EXPECT_TRUE(ui.drawn().shows("2 frames in the last 30 s, at most 3 ms"));
+}
+
+TEST(EffectsPanel, TimesAreKeptForSecondsAndSaidWhereverTheTabIs) {
+    FrameTimes times;
+    FrameResult frame;
+    frame.passes = {{.name = "map", .state = PassState::Ran, .gpu_ms = 2, .category = PassCategory::Maps},
+                    {.name = "shading", .state = PassState::Ran, .gpu_ms = 5},
+                    {.name = "overlay", .state = PassState::Reused, .gpu_ms = 9}};
+    keep_times(times, frame, 100);
+    keep_times(times, frame, 101);
+    ASSERT_EQ(times.frames.size(), 1u);
+    EXPECT_EQ(times.frames[0].ms, 7);
+    EXPECT_EQ(times.frames[0].maps_ms, 2);
+    EXPECT_EQ(times.frames[0].at_s, 100);
+    EXPECT_FALSE(times.pass_ms.contains("overlay"));
+    frame.passes[1].gpu_ms = 6;
+    keep_times(times, frame, 129);
+    EXPECT_EQ(times.frames.size(), 2u);
+    keep_times(times, frame, 131);
+    EXPECT_EQ(times.frames.size(), 1u) << "older than half a minute";
+    keep_times(times, frame, 500);
+    EXPECT_EQ(times.frames.size(), 1u) << "the last one is never forgotten";
+    EXPECT_TRUE(times.of_shown);
+    for (PassInfo& pass : frame.passes) pass.gpu_ms = 0;
+    keep_times(times, frame, 501);
+    EXPECT_FALSE(times.of_shown);
+
+    UiHarness ui(1900, 1000);
+    ui.state.open_tab = BottomTab::Log;
+    ui.frames(3);
+    EXPECT_TRUE(ui.drawn().shows("frame 1.50 ms, maps 0.00 ms"));
+    EXPECT_FALSE(ui.drawn().shows("last timed"));
 }
 
 TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {

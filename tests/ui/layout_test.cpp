@@ -3,8 +3,13 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+#include <set>
+
+#include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
+#include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/theme.h"
 
 namespace si::test {
@@ -207,11 +212,149 @@ TEST(Layout, ADoubleClickOnASplitterPutsItBack) {
 
 TEST(Layout, WhatHasNoRoomInARowWaitsInItsMenu) {
     Shown ui(900, 600);
-    EXPECT_FALSE(ui.find("editor/scene", "view.overlay_opacity", "##value"));
+    EXPECT_FALSE(ui.find("editor/scene", "view.frustum", "##value"));
     const auto more = ui.find("editor/scene", "scene tools", "»");
     ASSERT_TRUE(more);
     ui.click(*more);
-    EXPECT_TRUE(ui.find("##Popup", "view.overlay_opacity", "##value"));
+    EXPECT_TRUE(ui.find("##Popup", "view.frustum", "##value"));
+}
+
+TEST(Layout, NothingMovesInTheSceneToolsWhateverIsChosen) {
+    Shown ui(1600, 900);
+    const auto places = [&] {
+        std::vector<glm::vec2> at;
+        for (const auto& [group, label] : {std::pair{"view.overlay", "##value"},
+                                           {"", "##against view"},
+                                           {"", "##against what"},
+                                           {"", "Through light"},
+                                           {"", "Freeze view"},
+                                           {"view.frustum", "##value"}}) {
+            const auto found = ui.find("editor/scene", group, label);
+            EXPECT_TRUE(found) << group << label;
+            at.push_back(found.value_or(glm::vec2(-1)));
+        }
+        return at;
+    };
+    const auto before = places();
+    ui.state.settings.view.panes = int(Panes::Four);
+    ui.frames(3);
+    EXPECT_EQ(places(), before) << "several panes";
+    ui.state.against.view = AgainstView::Swipe;
+    ui.frames(3);
+    EXPECT_EQ(places(), before) << "a comparison";
+}
+
+TEST(Layout, ChoosingTheOtherSideBeginsToCompare) {
+    Shown ui(1600, 900);
+    const auto what = ui.find("editor/scene", "", "##against what");
+    ASSERT_TRUE(what);
+    ui.click(*what);
+    const auto defaults = ui.find("##Combo", "", "the program's defaults");
+    ASSERT_TRUE(defaults);
+    ui.click(*defaults);
+    EXPECT_EQ(ui.state.against.view, AgainstView::Swipe);
+    EXPECT_FALSE(ui.state.against.truth);
+    EXPECT_EQ(ui.state.compare.kind, CompareKind::Defaults);
+}
+
+TEST(Layout, ALegendHasOpacityAndScaleInThePicture) {
+    Shown ui(1280, 720);
+    EXPECT_FALSE(ui.find("/legend_", "view.overlay_opacity", "##value")) << "nothing to turn";
+    ui.state.settings.view.overlay = 4;
+    ui.frames(3);
+    const auto opacity = ui.find("/legend_", "view.overlay_opacity", "##value");
+    ASSERT_TRUE(opacity);
+    EXPECT_TRUE(ui.find("/legend_", "view.overlay_range", "##value"));
+    EXPECT_FALSE(ui.find("/legend_", "view.overlay_min", "##value"));
+    ui.drag(*opacity, *opacity + glm::vec2(25, 0));
+    EXPECT_LT(ui.state.settings.view.overlay_opacity, 0.9);
+    EXPECT_GT(ui.state.settings.view.overlay_opacity, 0.0);
+    EXPECT_FALSE(ui.state.probe_pixel) << "the picture below is not clicked";
+    ui.state.settings.view.overlay_range = int(OverlayRange::Manual);
+    ui.frames(3);
+    EXPECT_TRUE(ui.find("/legend_", "view.overlay_min", "##value"));
+    ui.state.settings.view.overlay = 15;  // normals: colours without a scale
+    ui.frames(3);
+    EXPECT_TRUE(ui.find("/legend_", "view.overlay_opacity", "##value"));
+    EXPECT_FALSE(ui.find("/legend_", "view.overlay_range", "##value"));
+}
+
+TEST(Layout, EveryOverlayHasAKeyOfItsOwn) {
+    std::set<std::string> keys;
+    for (int number = 0; number <= int(overlays().size()); ++number) {
+        const std::string key = overlay_key(number);
+        EXPECT_FALSE(key.empty()) << number;
+        EXPECT_TRUE(keys.insert(key).second) << key;
+        if (number == 0) continue;
+        Shown ui(1280, 720);
+        ImGuiIO& io = ImGui::GetIO();
+        io.KeyShift = key.starts_with("Shift"), io.KeyAlt = key.starts_with("Alt");
+        io.KeyCtrl = key.starts_with("Ctrl");
+        ui.key(key.back());
+        EXPECT_EQ(ui.state.settings.view.overlay, number) << key;
+        ui.key(key.back());
+        EXPECT_EQ(ui.state.settings.view.overlay, 0) << key << " again";
+    }
+    EXPECT_EQ(overlay_of_digit(3, {.shift = true, .alt = true}), 0);
+    EXPECT_EQ(overlay_of_digit(9, {.ctrl = true}), overlays().size() >= 36 ? 36 : 0);
+}
+
+TEST(Layout, ADigitChoosesTheOverlayOfThePaneUnderTheMouse) {
+    Shown ui(1600, 900);
+    ui.state.settings.view.panes = int(Panes::Four);
+    ui.frames(3);
+    const glm::dvec2 origin = ui.state.scene_view->origin, size = ui.state.scene_view->size;
+    ui.move(glm::vec2(origin + 1.5 * size));
+    ui.frames(2);
+    ui.key('2');
+    EXPECT_EQ(ui.state.settings.view.overlay, 0);
+    EXPECT_EQ(ui.state.settings.view.overlay_4, 2);
+    ui.state.against.view = AgainstView::Swipe;
+    ui.frames(2);
+    ui.key('3');
+    EXPECT_EQ(ui.state.settings.view.overlay, 3) << "compared, the picture is one pane";
+}
+
+TEST(Layout, AllOverlaysAreInSightInASmallWindow) {
+    Shown ui(1280, 720);
+    const auto combo = ui.find("editor/scene", "view.overlay", "##value");
+    ASSERT_TRUE(combo);
+    ui.click(*combo);
+    ui.frames(2);
+    for (const Overlay& overlay : overlays())
+        if (std::ranges::all_of(overlay.label, [](char c) { return c > 0; })) {
+            EXPECT_TRUE(ui.drawn().shows(std::string(overlay.label))) << overlay.label;
+        }
+    EXPECT_TRUE(ui.drawn().shows("Shift+1"));
+    const ImGuiWindow* list = ImGui::GetCurrentContext()->OpenPopupStack.back().Window;
+    EXPECT_EQ(list->ScrollMax.y, 0);
+    EXPECT_LE(list->Pos.y + list->Size.y, 720);
+}
+
+TEST(Layout, TheTabsAreAsHighAsTheOneChosenByHandNeeds) {
+    Shown ui(1600, 900);
+    const auto height = [&] { return ui.part("bottom")->Size.y; };
+    const float at_first = height();
+    ui.click(glm::vec2(ui.state.scene_view->origin + 0.5 * ui.state.scene_view->size));
+    ui.frames(3);
+    ASSERT_EQ(ui.state.tab, BottomTab::Probe);
+    EXPECT_EQ(height(), at_first) << "what opens a tab besides moves nothing";
+    const auto tab = [&](const char* label) {
+        // Tabs are told apart by their bar's ID.
+        return ui.find("editor/bottom",
+                       [&](unsigned window) { return ImHashStr(label, 0, ImHashStr("bottom", 0, window)); });
+    };
+    const auto log = tab("###Log"), probe = tab("Probe");
+    ASSERT_TRUE(log && probe);
+    ui.click(*log);
+    ui.frames(3);
+    EXPECT_EQ(height(), at_first);
+    ui.click(*probe);
+    ui.frames(3);
+    EXPECT_GT(height(), 1.3f * at_first) << "room for the drawing";
+    ui.state.layout.bottom_height = 10;
+    ui.frames(2);
+    EXPECT_NEAR(height(), 150, 1) << "dragged by hand";
 }
 
 TEST(Layout, ASecondMenuOpensAtOnce) {

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/frame/effects.h"
@@ -170,7 +171,7 @@ void cost_cells(const PassCost& cost) {
 /// Behind a time: its share of the longest, as a bar.
 void time_bar(const EditorState& state, double ms) {
     double longest = ms;
-    for (const auto& [name, last] : state.last_pass_ms) longest = std::max(longest, last);
+    for (const auto& [name, last] : state.times.pass_ms) longest = std::max(longest, last);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x * float(ms / std::max(longest, 1e-9));
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + ImGui::GetTextLineHeight()},
@@ -179,8 +180,8 @@ void time_bar(const EditorState& state, double ms) {
 
 /// What a pass took when it was timed last, in grey.
 void last_time_cell(const EditorState& state, const PassInfo& pass) {
-    const auto last = state.last_pass_ms.find(pass.name);
-    if (last == state.last_pass_ms.end() || !ImGui::TableSetColumnIndex(int(Column::Ms))) return;
+    const auto last = state.times.pass_ms.find(pass.name);
+    if (last == state.times.pass_ms.end() || !ImGui::TableSetColumnIndex(int(Column::Ms))) return;
     right_aligned(fmt::format("{:.2f}", last->second), theme::muted());
     wrapped_tooltip("When it was drawn last; this frame spares it");
 }
@@ -208,10 +209,7 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
     const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : frame.result->pass(effect.pass);
     if (pass && pass->state != PassState::Ran) last_time_cell(state, *pass);
     if (pass && pass->state == PassState::Ran) {
-        if (pass->gpu_ms > 0) {
-            state.last_pass_ms[pass->name] = pass->gpu_ms;
-            if (ImGui::TableSetColumnIndex(int(Column::Ms))) time_bar(state, pass->gpu_ms);
-        }
+        if (pass->gpu_ms > 0 && ImGui::TableSetColumnIndex(int(Column::Ms))) time_bar(state, pass->gpu_ms);
         cost_cells({pass->gpu_ms, pass->cpu_ms, pass->draws, pass->triangles});
         sum.gpu_ms += pass->gpu_ms, sum.cpu_ms += pass->cpu_ms;
         sum.draws += pass->draws, sum.triangles += pass->triangles;
@@ -237,20 +235,25 @@ void sum_row(const PassCost& sum) {
     ImGui::PopFont();
 }
 
-/// Keeps what this frame took, and draws the frames before it as a line.
-void history(EditorState& state, double ms) {
-    constexpr std::size_t kMostFrames = 120;
-    std::vector<float>& all = state.frame_ms;
-    if (ms > 0 && (all.empty() || all.back() != float(ms))) all.push_back(float(ms));
-    if (all.size() > kMostFrames) all.erase(all.begin());
-    if (all.size() < 2) return;
-    const float em = ImGui::GetFontSize(), longest = *std::ranges::max_element(all);
+/// The frames that were timed in the last seconds, as bars along the time.
+void history(const FrameTimes& times) {
+    if (times.frames.size() < 2) return;
+    const double now = ImGui::GetTime();
+    const auto ms_of = [](const TimedFrame& f) { return f.ms; };
+    const double longest = std::ranges::max(times.frames | std::views::transform(ms_of));
+    const float em = ImGui::GetFontSize(), wide = em * 9, high = ImGui::GetTextLineHeight();
     ImGui::SameLine(0, em);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
-    ImGui::PlotLines("##history", all.data(), int(all.size()), 0, nullptr, 0, longest,
-                     {em * 9, ImGui::GetTextLineHeight()});
-    ImGui::PopStyleVar();
-    const std::string text = fmt::format("last {} frames, at most {} ms", all.size(), digits_text(longest));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({wide, high});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + wide, at.y + high}, theme::well());
+    for (const TimedFrame& f : times.frames) {
+        const float x = at.x + wide * float(1 - (now - f.at_s) / FrameTimes::kKept_s);
+        list.AddRectFilled({std::max(x - em * 0.1f, at.x), at.y + high * float(1 - f.ms / longest)}, {x, at.y + high},
+                           theme::colours().done);
+    }
+    const std::string text = fmt::format("{} frames in the last {:.0f} s, at most {} ms", times.frames.size(),
+                                         FrameTimes::kKept_s, digits_text(longest));
     wrapped_tooltip(text);
     ImGui::SameLine();
     if (ImGui::CalcTextSize(text.c_str()).x <= ImGui::GetContentRegionAvail().x)
@@ -296,7 +299,7 @@ void draw_effects(EditorState& state, const EditorFrame& frame, EditorActions& a
         ImGui::EndTable();
     }
     clock_line(frame);
-    history(state, sum.gpu_ms);
+    history(state.times);
 }
 
 }  // namespace si

@@ -36,7 +36,7 @@ constexpr Shortcut kShortcuts[] = {
     {"X", "to the next cluster of wrong pixels (cause: tab Error), and probe it"},
     {"C, U", "apply the verdict's fix; all bias away"},
     {"Q", "stored-depth quads at the mouse or the probe; again: none"},
-    {"1 to 9, 0", "overlays; the same key again, or 0: none"},
+    {"1 to 9, 0", "overlays, more with Shift, Alt or Ctrl (their list has the keys); again, or 0: none"},
 
     {"Compare", nullptr},
     {"B", "with the truth or a preset: swipe, side by side, difference"},

@@ -14,20 +14,18 @@
 namespace si {
 namespace {
 
-/// What the last frame cost, where passes were timed (the tab Effects times them).
-std::string cost_text(const FrameResult& result) {
-    double ms = 0, map_ms = 0;
-    for (const PassInfo& pass : result.passes) {
-        ms += pass.gpu_ms;
-        if (pass.category == PassCategory::Maps) map_ms += pass.gpu_ms;
-    }
+/// What the frame that was timed last took (the tab Effects has frames timed).
+std::string cost_text(const FrameTimes& times) {
+    if (times.frames.empty()) return {};
     const auto text = [](double t) { return fmt::format("{:.{}f} ms", t, t < 10 ? 2 : t < 100 ? 1 : 0); };
-    return ms > 0 ? fmt::format("frame {}, maps {}   ", text(ms), text(map_ms)) : std::string();
+    const TimedFrame& last = times.frames.back();
+    return fmt::format("{}frame {}, maps {}   ", times.of_shown ? "" : "last timed: ", text(last.ms),
+                       text(last.maps_ms));
 }
 
 std::string facts_text(const EditorState& state, const EditorFrame& frame) {
     const FrameResult& result = *frame.result;
-    std::string text = cost_text(result);
+    std::string text = cost_text(state.times);
     int maps = 0;
     for (const FittedLight& light : result.lights) maps += light.casts ? int(light.views.size()) : 0;
     const int n = result.map_resolution;

@@ -19,7 +19,6 @@ ImTextureID texture_id(unsigned texture) {
     return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
 }
 
-constexpr float kViewEms = 6.5f, kOtherEms = 9;  ///< widths of the two combos
 constexpr const char* kViews[] = {"off", "swipe", "side by side", "difference"};
 
 bool is_pinned(const EditorState& state) {
@@ -57,19 +56,12 @@ AgainstView chosen_view(const EditorState& state) {
     return (state.flicker ? state.flicker->against : state.against).view;
 }
 
-float against_width(const EditorState& state) {
-    const float em = ImGui::GetFontSize();
-    return em * kViewEms +
-           (chosen_view(state) == AgainstView::Off ? 0 : ImGui::GetStyle().ItemSpacing.x + em * kOtherEms);
-}
-
-void against_widgets(EditorState& state, const EditorFrame& frame) {
+void against_view_widget(EditorState& state, float width) {
     Against& a = state.against;
-    const float em = ImGui::GetFontSize();
-    ImGui::SetNextItemWidth(em * kViewEms);
-    if (state.flicker) {  // as wide as what stands there otherwise
+    ImGui::SetNextItemWidth(width);
+    if (state.flicker) {
         ImGui::BeginDisabled();
-        ImGui::Button("A alone", {against_width(state), 0});
+        ImGui::Button("A alone", {width, 0});
         ImGui::EndDisabled();
         return;
     }
@@ -85,13 +77,19 @@ void against_widgets(EditorState& state, const EditorFrame& frame) {
         ImGui::SetTooltip(
             "Compare the picture with another one of the same frame (B). P pins the present settings as A;\n"
             "while A is held the picture shows them alone");
-    if (a.view == AgainstView::Off) return;
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(em * kOtherEms);
+}
+
+void against_other_widget(EditorState& state, const EditorFrame& frame, float width) {
+    Against& a = state.against;
+    ImGui::SetNextItemWidth(width);
+    ImGui::BeginDisabled(state.flicker.has_value());
     if (begin_combo("##against what", other_label(state, frame))) {
-        if (ImGui::Selectable("ray-traced truth", a.truth)) a.truth = true;
+        bool picked = false;
+        if (ImGui::Selectable("ray-traced truth", a.truth)) a.truth = picked = true;
         const auto other = [&](const char* text, const CompareWith& with) {
-            if (ImGui::Selectable(text, !a.truth && state.compare == with)) a.truth = false, state.compare = with;
+            if (!ImGui::Selectable(text, !a.truth && state.compare == with)) return;
+            a.truth = false, picked = true;
+            state.compare = with;
         };
         other("the scene's own settings", {CompareKind::Scene, {}});
         other("the program's defaults", {CompareKind::Defaults, {}});
@@ -100,12 +98,14 @@ void against_widgets(EditorState& state, const EditorFrame& frame) {
             other((scene_label(path) + "##" + path).c_str(), {CompareKind::Preset, path});
         for (const PresetEntry& p : frame.presets)
             other(((p.title.empty() ? p.key : p.title) + "##" + p.key).c_str(), {CompareKind::Preset, p.key});
+        if (picked && a.view == AgainstView::Off) a.view = AgainstView::Swipe;
         ImGui::EndCombo();
     }
+    ImGui::EndDisabled();
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "The other side: light, maps, bias, filter and shading of a preset, or the traced truth of the "
-            "shown light, under the same camera");
+            "The other side: light, maps, bias, filter and shading of a preset, or the traced truth of the\n"
+            "shown light, under the same camera. Choosing one begins to compare");
 }
 
 bool steer_swipe(EditorState& state, const PictureView& view) {

@@ -10,6 +10,7 @@
 #include "renderer/settings/overlays.h"
 #include "shaders/shared/colours.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -26,7 +27,8 @@ Stops stops_of(const Overlay& overlay) {
     return {theme::colour(SEQUENTIAL_LOW), theme::colour(SEQUENTIAL_MIDDLE), theme::colour(SEQUENTIAL_HIGH)};
 }
 
-constexpr float kSmall = 14;  ///< ems that a picture is high at least to have room for the overlay's name
+constexpr float kSmall = 14;        ///< ems that a picture is high at least to have room for the overlay's name
+constexpr float kRounding = 0.25f;  ///< of corners, ems
 
 /// Of the shown light's views, where it has several.
 std::vector<std::string> view_labels(const FittedLight* light) {
@@ -36,7 +38,63 @@ std::vector<std::string> view_labels(const FittedLight* light) {
     return labels;
 }
 
+struct LegendWidget {
+    std::string_view label, key;
+    float ems;  ///< width of the widget
+};
+
+/// What can be turned of the overlays' look.
+std::vector<LegendWidget> legend_widgets(const Settings& settings, const Pane& pane) {
+    std::vector<LegendWidget> out = {{"Opacity", "view.overlay_opacity", 4.5f}};
+    if (!overlays()[std::size_t(pane.overlay - 1)].scalar) return out;
+    out.push_back({"Scale", "view.overlay_range", 6.5f});
+    if (settings.view.overlay_range != int(OverlayRange::Manual)) return out;
+    out.push_back({"from", "view.overlay_min", 4.5f});
+    out.push_back({"to", "view.overlay_max", 4.5f});
+    return out;
+}
+
+/// Of their box, pixels.
+float width_of(const std::vector<LegendWidget>& widgets) {
+    const float em = ImGui::GetFontSize(), gap = em * 0.5f;
+    float width = gap;
+    for (const LegendWidget& w : widgets)
+        width += ImGui::CalcTextSize(w.label.data(), w.label.data() + w.label.size()).x + gap + em * w.ems + gap;
+    return width;
+}
+
 }  // namespace
+
+float legend_widgets_height(const Settings& settings, const Pane& pane, ImVec2 room) {
+    const float em = ImGui::GetFontSize();
+    if (pane.overlay <= 0 || std::size_t(pane.overlay) > overlays().size() || room.y < em * kSmall) return 0;
+    if (room.x < width_of(legend_widgets(settings, pane)) + em * 1.2f) return 0;
+    return ImGui::GetFrameHeight() + em * 0.8f;
+}
+
+void draw_legend_widgets(Settings& settings, const Pane& pane, float left, float bottom, ImVec2 room) {
+    const float height = legend_widgets_height(settings, pane, room), em = ImGui::GetFontSize(), gap = em * 0.5f;
+    if (height <= 0) return;
+    const std::vector<LegendWidget> widgets = legend_widgets(settings, pane);
+    ImGui::SetCursorScreenPos({left + em * 0.6f, bottom - em * 0.6f - height + em * 0.4f});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kVeil);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(gap, em * 0.2f));
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, em * kRounding);
+    ImGui::BeginChild("legend", {width_of(widgets), height - em * 0.4f}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+    for (const LegendWidget& w : widgets) {
+        if (w.key != widgets.front().key) ImGui::SameLine(0, gap);
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kOnPicture);
+        ImGui::TextUnformatted(w.label.data(), w.label.data() + w.label.size());
+        ImGui::PopStyleColor();
+        ImGui::SameLine(0, gap);
+        setting_widget(settings, w.key, em * w.ems);
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
+}
 
 void draw_legend(const Pane& pane, const FittedLight* light, float left, float bottom, ImVec2 room) {
     const int index = pane.overlay - 1;
@@ -60,7 +118,7 @@ void draw_legend(const Pane& pane, const FittedLight* light, float left, float b
     const float box_height = overlay.scalar ? head + bar + em * 1.35f : em * (keys.empty() ? 1.2f : 2.5f);
     const ImVec2 lo(left + em * 0.6f, bottom - em * 0.6f - box_height - pad),
         hi(lo.x + box_width + 2 * pad, bottom - em * 0.6f);
-    list.AddRectFilled(lo, hi, theme::kVeil, em * 0.25f);
+    list.AddRectFilled(lo, hi, theme::kVeil, em * kRounding);
     const float top = lo.y + pad * 0.6f;
     list.AddText({lo.x + pad + (small ? width + pad : 0), top + (small ? bar + em * 0.2f : 0)}, theme::kOnPicture,
                  title.c_str());

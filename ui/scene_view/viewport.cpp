@@ -23,6 +23,7 @@
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toolbar.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -30,8 +31,6 @@ namespace {
 ImTextureID texture_id(unsigned texture) {
     return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
 }
-
-constexpr const char* kPaneOverlays[] = {"view.overlay", "view.overlay_2", "view.overlay_3", "view.overlay_4"};
 
 /// Some light's source is ray traced or a light map, and its rays are still to be traced.
 bool awaits_rays(const FrameResult& result) {
@@ -56,15 +55,16 @@ void header(EditorState& state, const EditorFrame& frame) {
     Toolbar bar("scene tools");
     bar.title("Scene");
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) maximise(state, Panel::Scene);
-    const auto setting = [&](const char* label, const char* key, float width) {
-        bar.item(label, width, [&s, key](float room) { setting_widget(s, key, room); });
-    };
-    const bool off = chosen_view(state) == AgainstView::Off;
-    const bool one = !off || s.view.panes == int(Panes::One);
-    // Of several panes each has a choice of its own in its picture.
-    if (one) bar.item("Overlay", em * 11, [&s](float room) { overlay_widget(s, kPaneOverlays[0], room); });
-    bar.item("Compare", against_width(state), [&](float) { against_widgets(state, frame); });
-    if (off) setting("Panes", "view.panes", em * 5);
+    bar.item("Overlay", em * 9, [&s](float room) { overlay_widget(s, overlay_setting(0), room); });
+    bar.item("Compare", em * 6.5f, [&state](float room) { against_view_widget(state, room); });
+    bar.item("", em * 9, [&](float room) { against_other_widget(state, frame, room); });
+    bar.item("Panes", em * 4, [&state, &s](float room) {
+        const bool comparing = chosen_view(state) != AgainstView::Off;
+        ImGui::BeginDisabled(comparing);
+        setting_widget(s, "view.panes", room);
+        ImGui::EndDisabled();
+        if (comparing) wrapped_tooltip("Comparing shows one picture and the other side of it.");
+    });
     bar.item("", button_width("Through light"), [&](float) {
         if (toggle("Through light", s.camera.source == int(CameraSource::Light), "Look through the shown light (L)"))
             toggle_light_camera(state);
@@ -76,9 +76,7 @@ void header(EditorState& state, const EditorFrame& frame) {
                    "those that it reads."))
             toggle_frozen_camera(state, frame);
     });
-    setting("Lights", "view.frustum", ImGui::GetFrameHeight());
-    setting("Opacity", "view.overlay_opacity", em * 4.5f);
-    setting("Scale", "view.overlay_range", em * 7);
+    bar.item("Lights", ImGui::GetFrameHeight(), [&s](float room) { setting_widget(s, "view.frustum", room); });
     bar.end();
 }
 
@@ -172,6 +170,9 @@ void follow_probe(EditorState& state, const EditorFrame& frame, glm::ivec2 wante
     if (state.probe_anchor &&
         (state.probe_anchor->pixel != state.probe_pixel || state.probe_anchor->scene != state.scene_name))
         state.probe_anchor.reset();
+    // As probes are: one that was told for another picture lies within this one.
+    if (state.probe_pixel && !state.probe_anchor && settled)
+        state.probe_pixel = glm::clamp(*state.probe_pixel, glm::ivec2(0), glm::max(wanted, 1) - 1);
     if (!state.probe_pixel || !frame.probe) return;
     const Probe& probe = *frame.probe;
     const glm::ivec2 at(probe.x, probe.y);
@@ -196,6 +197,12 @@ const FittedLight* shown_fit(const EditorState& state, const FrameResult& result
     return light >= 0 && std::size_t(light) < result.lights.size() ? &result.lights[std::size_t(light)] : nullptr;
 }
 
+/// The first pane with an overlay, whose legend has the widgets of all; below 0: none has one.
+int overlaid_pane(const FrameResult& result) {
+    const auto at = std::ranges::find_if(result.panes, [](const Pane& pane) { return pane.overlay > 0; });
+    return at == result.panes.end() ? -1 : int(at - result.panes.begin());
+}
+
 void draw_pane(const EditorState& state, const EditorFrame& frame, const Panorama& panes, int index) {
     const FrameResult& result = *frame.result;
     // Beside the picture stands the other one; both under the same marks.
@@ -209,10 +216,12 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     draw_scene_marks(PicturePainter(view, list), state, frame);
     if (frame.anchor_place != AnchorPlace::Outside) draw_probe_mark(state, result, lo, size);
     draw_readers(state, frame, lo, size);
+    const bool widgets = index == overlaid_pane(result);
+    const float bottom = hi.y - (widgets ? legend_widgets_height(state.settings, pane, size) : 0);
     if (pane.overlay > 0 && overlays()[std::size_t(pane.overlay - 1)].names_causes)
-        draw_artefact_legend(frame.error, lo.x, hi.y, size.x);
+        draw_artefact_legend(frame.error, lo.x, bottom, size.x);
     else
-        draw_legend(pane, shown_fit(state, result), lo.x, hi.y, size);
+        draw_legend(pane, shown_fit(state, result), lo.x, bottom, size);
     if (state.hovered_pixel && index == state.active_pane) {
         const float below =
             panes.grid.count() > 1 ? ImGui::GetFrameHeight() * 1.3f : 0;  // the pane's overlay stands there
@@ -278,8 +287,13 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
         for (int i = 0; i < panes.grid.count(); ++i) {
             const ImVec2 lo = panes.lo(i);
             ImGui::SetCursorScreenPos({lo.x + em * 0.4f, lo.y + em * 0.3f});
-            overlay_widget(state.settings, kPaneOverlays[i], std::min(em * 11, panes.size().x - em));
+            ImGui::PushID("in the picture");
+            overlay_widget(state.settings, overlay_setting(i), std::min(em * 11, panes.size().x - em));
+            ImGui::PopID();
         }
+    if (const int i = overlaid_pane(*frame.result); i >= 0)
+        draw_legend_widgets(state.settings, frame.result->panes[std::size_t(i)], panes.lo(i).x,
+                            panes.lo(i).y + panes.size().y, panes.size());
     if (!frame.shader_log.empty())
         veiled_text({origin.x + em * 0.8f, origin.y + em * 2.2f},
                     "A shader does not compile; the last good one is in use (see Log)");

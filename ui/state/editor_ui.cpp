@@ -10,10 +10,12 @@
 
 #include "renderer/settings/overlays.h"
 #include "ui/scene_view/camera_steering.h"
+#include "ui/state/frame_times.h"
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
 #include "ui/state/quick_changes.h"
 #include "ui/state/selection.h"
+#include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 
@@ -21,6 +23,8 @@ namespace si {
 namespace {
 
 constexpr float kPictures = 10;        ///< least height of the pictures that the tabs below leave, ems
+constexpr float kTabs = 13;            ///< height of the tabs below, ems
+constexpr float kHighTabs = 18;        ///< of those with a drawing, a plot or many numbers
 constexpr float kAllTabs = 40;         ///< width in which all of them have room, ems
 constexpr float kEveryday = 24.6f;     ///< height in which the settings of every day need no scrolling, ems
 constexpr float kMapTexts = 6.2f;      ///< height of what stands above and below the map, ems
@@ -82,6 +86,21 @@ void steer_hiding(EditorState& state, const EditorFrame& frame) {
         hide(state.settings, chosen);
 }
 
+/// Digits, alone or with one of the keys that are held, choose the overlay of the pane that the mouse was over last.
+void choose_overlay(EditorState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const HeldKeys held{io.KeyShift, io.KeyAlt, io.KeyCtrl};
+    // Held against another, the picture is one pane.
+    const int pane = state.against.view == AgainstView::Off ? state.active_pane : 0;
+    const SettingRef of = *find_setting(overlay_setting(pane));
+    const int shown = std::get<int>(get_value(state.settings, of));
+    for (int digit = 0; digit <= 9; ++digit) {
+        if (!pressed(char('0' + digit))) continue;
+        const int wanted = overlay_of_digit(digit, held);
+        if (wanted > 0 || digit == 0) set_value(state.settings, of, wanted == shown ? 0 : wanted);
+    }
+}
+
 /// A picture of this frame, which shows what is to be seen in it.
 void take_shot(EditorState& state, EditorActions& actions, Shot of) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
@@ -122,8 +141,10 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
         if (pressed('O')) ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
         if (pressed('C') && io.KeyShift) actions.copy_command_line = true;
         if (pressed('Q')) actions.quit = true;
+        choose_overlay(state);
         return;
     }
+    choose_overlay(state);
     if (pressed(ImGuiKey_PageDown)) actions.load_preset = neighbour_preset(state, frame, +1);
     if (pressed(ImGuiKey_PageUp)) actions.load_preset = neighbour_preset(state, frame, -1);
     if (pressed('F')) frame_selection(state, frame);
@@ -156,11 +177,6 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
         state.probe_pixel.reset();
         state.show_shortcuts = false;
     }
-    for (char digit = '0'; digit <= '9'; ++digit) {
-        const int overlay = digit - '0';
-        if (pressed(digit) && std::size_t(overlay) <= overlays().size())
-            s.view.overlay = s.view.overlay == overlay ? 0 : overlay;
-    }
 }
 
 struct Dragged {
@@ -190,6 +206,7 @@ Dragged splitter(const char* id, bool vertical, ImVec2 size) {
 void tab(EditorState& state, BottomTab which, const char* label, const auto& draw) {
     const bool asked = state.open_tab == which;
     if (!ImGui::BeginTabItem(label, nullptr, asked ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None)) return;
+    if (!state.open_tab && state.tab != which) state.fitted_tab = which;
     if (!state.open_tab || asked) state.tab = which;
     ImGui::BeginChild(label, {0, 0}, false);
     draw();
@@ -346,6 +363,12 @@ float most_settings(float width) {
     return std::clamp(width - kBesideSettings * ImGui::GetFontSize(), width / 3, width / 2);
 }
 
+/// What a tab needs, ems. Never less than others, so that a click on a pixel, which opens one, finds room for it.
+float needed_height(BottomTab tab) {
+    constexpr BottomTab kHigh[] = {BottomTab::Probe, BottomTab::Error, BottomTab::Frontier};
+    return std::ranges::find(kHigh, tab) != std::end(kHigh) ? kHighTabs : kTabs;
+}
+
 void all_panels(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const float em = ImGui::GetFontSize(), bar = kSplitter * em / 15;
     const float top = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
@@ -364,14 +387,15 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorActions& act
     const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
     // Where there is little room the tabs below give way to the pictures.
     const float most = std::max(em * 4, std::min(rest.y * 0.7f, rest.y - strips - bar - time - em * kPictures));
-    const float bottom = std::clamp(layout.bottom_height * em, em * 4, most);
+    const float wanted = layout.bottom_height > 0 ? layout.bottom_height : needed_height(state.fitted_tab);
+    const float bottom = std::clamp(wanted * em, em * 4, most);
     const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
     pictures_row(state, frame, actions, {left, pictures}, bar);
     if (time > 0) child("time", {left, time}, spaced([&] { draw_time_bar(state, frame); }));
     if (const Dragged d = splitter("bottom splitter", false, {left, bar}); d.reset)
         layout.bottom_height = EditorLayout{}.bottom_height;
     else if (d.by != 0)
-        layout.bottom_height = (bottom - d.by) / em;
+        layout.bottom_height = std::max((bottom - d.by) / em, 2.0f);
     tabs_panel(state, frame, actions, {left, bottom});
     ImGui::EndGroup();
     ImGui::SameLine();
@@ -407,6 +431,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     use_driver(frame.driver);
     use_scene(frame.scene);
     use_result(frame.result);
+    if (frame.result) keep_times(state.times, *frame.result, ImGui::GetTime());
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
     // What is clicked in this very frame, as where frames are slow, may be a field that the letters are for.
     const bool keys_wait = ImGui::IsMouseClicked(ImGuiMouseButton_Left);

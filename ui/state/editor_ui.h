@@ -3,7 +3,6 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -29,6 +28,7 @@
 #include "ui/scene_view/cameras.h"
 #include "ui/scene_view/light_drag.h"
 #include "ui/scene_view/probe_anchor.h"
+#include "ui/state/frame_times.h"
 #include "ui/state/history.h"
 #include "ui/state/log.h"
 #include "ui/state/measured.h"
@@ -47,7 +47,7 @@ enum class Panel { Scene, Map, Tabs };
 /// scale.
 struct EditorLayout {
     float settings_width = 24;
-    float bottom_height = 13;
+    float bottom_height = 0;  ///< of the tabs below; 0: as high as the tab needs that was chosen by hand
     MapSpot map_place = MapSpot::AboveSettings;
     float map_height = 0.5f;  ///< of the settings' column, where it stands above them
     float map_share = 0.40f;  ///< of the width left of the settings, where it stands beside the scene
@@ -131,6 +131,8 @@ struct EditorState : PictureState {
     Playback playback;
     SweepPanel sweep;
     std::optional<BottomTab> open_tab = BottomTab::Effects;  ///< brought to the front in the next frame
+    BottomTab fitted_tab =
+        BottomTab::Effects;  ///< chosen by hand last: what else opens one leaves the picture in place
     std::string object_search;
     bool only_lost = false;               ///< the object list shows lost casters only
     std::string selected_object;          ///< node path, of several the one chosen first; empty: none
@@ -164,8 +166,7 @@ struct EditorState : PictureState {
     std::optional<Shot> shot_next;  ///< taken in the next frame, when what asked for it is gone from the picture
     ScreenRect scene_rect, map_rect, drawing_rect;  ///< where the pictures were drawn last
     SectionViews section_views;
-    std::map<std::string, double> last_pass_ms;  ///< of each pass when it was timed last
-    std::vector<float> frame_ms;                 ///< of the last timed frames, the present one at the end
+    FrameTimes times;
 };
 
 /// A scene that is being read while the editor shows another.

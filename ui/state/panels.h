@@ -52,6 +52,11 @@ std::optional<std::string> neighbour_preset(const EditorState& state, const Edit
 /// @param light that is shown; null: none is
 void draw_legend(const Pane& pane, const FittedLight* light, float left, float bottom, ImVec2 room);
 
+/// Opacity and scale of a pane's overlay, in a box over its picture's lower left corner, below the legend.
+void draw_legend_widgets(Settings& settings, const Pane& pane, float left, float bottom, ImVec2 room);
+/// What they take of the picture's height, pixels; 0: it is too small for them.
+float legend_widgets_height(const Settings& settings, const Pane& pane, ImVec2 room);
+
 /// The colours of the artefact overlay with what they mean and how many pixels have them, in its picture's corner.
 void draw_artefact_legend(const LiveError* error, float left, float bottom, float room);
 
@@ -61,9 +66,9 @@ std::string truth_status(const EditorFrame& frame);
 /// Over a picture whose overlay waits for rays: what is done about it, and how far.
 void draw_tracing(const EditorFrame& frame, EditorActions& actions, float left, float bottom, float width);
 
-/// Chooses what the picture is held against, in the present line.
-void against_widgets(EditorState& state, const EditorFrame& frame);
-float against_width(const EditorState& state);
+/// How the picture is compared with another one; and with which. @param width of the combo, pixels
+void against_view_widget(EditorState& state, float width);
+void against_other_widget(EditorState& state, const EditorFrame& frame, float width);
 /// What was chosen, which a key may have put aside while it is held.
 AgainstView chosen_view(const EditorState& state);
 /// A press of the mouse on the swipe's line drags it. Call before the picture's own gestures: returns whether it did.

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
@@ -17,23 +19,60 @@ namespace {
 
 constexpr const char* kGroups[] = {"What is wrong", "Bias", "Resolution", "Depth", "Debug"};
 
+// Nine digits alone, nine with each of these held.
+constexpr std::string_view kHeld[] = {"", "Shift+", "Alt+", "Ctrl+"};
+constexpr int kDigits = 9;
+
+constexpr std::string_view kPanes[] = {"view.overlay", "view.overlay_2", "view.overlay_3", "view.overlay_4"};
+
+constexpr float kLabel = 13.5f, kKey = 3.6f;  ///< widths in a line, ems
+
 /// A line of the list. @param number of the overlay's row + 1; 0: none
 bool line(const char* label, std::string_view help, int number, int chosen) {
+    const float em = ImGui::GetFontSize();
     ImGui::PushID(number);
-    const bool picked = ImGui::Selectable(label, number == chosen) && number != chosen;
+    const bool picked = ImGui::Selectable(label, number == chosen, 0, {em * (kLabel + kKey), 0}) && number != chosen;
     if (number == chosen) ImGui::SetItemDefaultFocus();
     if (!help.empty()) wrapped_tooltip(std::string(help));
-    if (number <= 9) {  // its key
-        const std::string digit = fmt::format("{}", number);
-        const ImVec2 hi = ImGui::GetItemRectMax();
-        const float top = ImGui::GetItemRectMin().y;
-        ImGui::GetWindowDrawList()->AddText({hi.x - ImGui::GetFontSize(), top}, theme::muted(), digit.c_str());
-    }
+    const std::string key = overlay_key(number);
+    const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddText(
+        {hi.x - ImGui::CalcTextSize(key.c_str()).x - em * 0.3f, lo.y + ImGui::GetStyle().ItemSpacing.y * 0.5f},
+        theme::muted(), key.c_str());
     ImGui::PopID();
     return picked;
 }
 
+/// A heading and the overlays below it. Returns the one that was picked; 0: none was.
+int group_lines(OverlayGroup group, int chosen) {
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.15f});
+    ImGui::TextDisabled("%s", kGroups[std::size_t(group)]);
+    int picked = 0;
+    const auto rows = overlays();
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].group == group && line(std::string(rows[i].label).c_str(), rows[i].help, int(i) + 1, chosen))
+            picked = int(i) + 1;
+    return picked;
+}
+
 }  // namespace
+
+int overlay_of_digit(int digit, const HeldKeys& held) {
+    if (digit < 1 || digit > kDigits || held.shift + held.alt + held.ctrl > 1) return 0;
+    const int number = digit + kDigits * (held.shift ? 1 : held.alt ? 2 : held.ctrl ? 3 : 0);
+    return std::size_t(number) <= overlays().size() ? number : 0;
+}
+
+std::string overlay_key(int number) {
+    if (number <= 0) return "0";
+    const int row = (number - 1) / kDigits;
+    if (std::size_t(row) >= std::size(kHeld)) return {};
+    return fmt::format("{}{}", kHeld[row], (number - 1) % kDigits + 1);
+}
+
+std::string_view overlay_setting(int pane) {
+    return kPanes[std::clamp(pane, 0, int(std::size(kPanes)) - 1)];
+}
 
 bool overlay_widget(Settings& settings, std::string_view key, float width) {
     const SettingRef ref = *find_setting(key);
@@ -46,13 +85,14 @@ bool overlay_widget(Settings& settings, std::string_view key, float width) {
     ImGui::SetNextItemWidth(width);
     if (begin_combo("##value", shown, ImGuiComboFlags_HeightLargest)) {
         if (line("none", "The shaded picture", 0, chosen)) wanted = 0;
-        for (std::size_t group = 0; group < std::size(kGroups); ++group) {
-            ImGui::Dummy({0, ImGui::GetFontSize() * 0.15f});
-            ImGui::TextDisabled("%s", kGroups[group]);
-            for (std::size_t i = 0; i < rows.size(); ++i)
-                if (rows[i].group == OverlayGroup(group) &&
-                    line(std::string(rows[i].label).c_str(), rows[i].help, int(i) + 1, chosen))
-                    wanted = int(i) + 1;
+        // Beside each other all are in sight in a small window, too.
+        for (const auto& column : {std::vector{OverlayGroup::Wrong, OverlayGroup::Bias},
+                                   {OverlayGroup::Resolution, OverlayGroup::Depth, OverlayGroup::Debug}}) {
+            if (column.front() != OverlayGroup::Wrong) ImGui::SameLine(0, ImGui::GetFontSize());
+            ImGui::BeginGroup();
+            for (const OverlayGroup group : column)
+                if (const int picked = group_lines(group, chosen)) wanted = picked;
+            ImGui::EndGroup();
         }
         ImGui::EndCombo();
     } else {

@@ -1,0 +1,135 @@
+// Smoothing at rest: it waits while something is measured, goes on afterwards, and is no part of what timed frames
+// took.
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include "app/editor/headless_editor.h"
+#include "renderer/frame/effects.h"
+#include "renderer/gl/target.h"
+
+namespace si {
+namespace {
+
+class EditorSmoothing : public testing::Test {
+protected:
+    HeadlessEditor editor{boxes()};
+    EditorModel& model = editor.model();
+
+    static EditorOptions boxes() {
+        EditorOptions options;
+        options.session.scene = "boxes";
+        options.session.sets = {"map.resolution=256"};
+        options.width = 1280, options.height = 720;
+        options.headless = true;
+        return options;
+    }
+    /// Another picture, of which there is one shading and no smooth one.
+    void begin_anew() {
+        model.smooths = false;
+        model.state.settings.lights[0].azimuth += 1;
+        editor.settle();
+        ASSERT_FALSE(is_smooth());
+        model.smooths = true;
+    }
+    bool is_smooth() const { return model.facts().result->smooth.texture != 0; }
+    /// The scene's picture as it is shown.
+    std::vector<std::uint8_t> picture() const {
+        const Image image = model.facts().result->panes.front().picture;
+        std::vector<std::uint8_t> out(std::size_t(image.width) * std::size_t(image.height) * 4);
+        gl::begin_reading();
+        glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.size()), out.data());
+        return out;
+    }
+};
+
+TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
+    struct Measurement {
+        const char* name;
+        void (*begin)(EditorActions&);
+        void (*cancel)(EditorActions&);  ///< null: it is waited for
+    };
+    const std::vector<Measurement> measurements = {
+        {"savings", [](EditorActions& a) { a.measure_saved = true; }, nullptr},
+        {"a sweep",
+         [](EditorActions& a) {
+             a.start_sweep = SweepWish{{"map.resolution=64,128"}, 64, 48, false};
+         },
+         nullptr},
+        {"tuning", [](EditorActions& a) { a.tune = TuneWish{}; }, [](EditorActions& a) { a.cancel_tune = true; }},
+        {"cures", [](EditorActions& a) { a.find_cures = CureWish{}; }, [](EditorActions& a) { a.cancel_cures = true; }},
+        {"advice", [](EditorActions& a) { a.find_advice = AdviceWish{}; },
+         [](EditorActions& a) { a.cancel_advice = true; }},
+        {"ways", [](EditorActions& a) { a.compare_pipelines = true; },
+         [](EditorActions& a) { a.cancel_pipelines = true; }},
+        {"shimmer", [](EditorActions& a) { a.measure_shimmer = ShimmerOptions{.steps = 2}; },
+         [](EditorActions& a) { a.cancel_shimmer = true; }},
+    };
+    for (const Measurement& m : measurements) {
+        SCOPED_TRACE(m.name);
+        ASSERT_NO_FATAL_FAILURE(begin_anew());
+        EditorActions actions = editor.frame();
+        ASSERT_TRUE(actions.at_rest && is_smooth()) << "nothing is measured yet";
+        const auto begun = picture();
+        m.begin(actions);
+        model.fulfil(actions);
+        ASSERT_TRUE(model.measuring());
+        EXPECT_TRUE(picture() == begun) << "in the frame in which it begins";
+        for (int i = 0; i < 5; ++i) {
+            editor.frame();
+            if (!model.measuring()) break;  // it may have been over when that frame was drawn
+            EXPECT_TRUE(picture() == begun) << "while it goes on";
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        if (m.cancel) {
+            actions = editor.frame();
+            m.cancel(actions);
+            model.fulfil(actions);
+        }
+        do {
+            model.finish_measuring();
+            editor.frame();
+        } while (model.measuring());
+        for (int i = 0; i < kSmoothedMost; ++i) editor.frame();
+        EXPECT_TRUE(is_smooth());
+        EXPECT_FALSE(picture() == begun) << "it stayed at one shading";
+        EXPECT_EQ(model.state.log.unseen_errors(), 0);
+    }
+}
+
+TEST_F(EditorSmoothing, IsNoPartOfWhatATimedFrameTook) {
+    editor.settle();
+    ASSERT_EQ(model.state.tab, BottomTab::Effects) << "which times frames";
+    model.state.settings.lights[0].azimuth += 1;
+    editor.frame(), editor.frame();
+    const std::vector<PassInfo> timed = model.facts().result->passes;
+    const std::size_t frames = model.state.times.frames.size();
+    ASSERT_TRUE(std::ranges::any_of(timed, [](const PassInfo& pass) { return pass.gpu_ms > 0; }));
+    ASSERT_GT(frames, 0u);
+    model.smooths = true;
+    for (int i = 0; i <= kSmoothedMost; ++i) editor.frame();
+    ASSERT_TRUE(is_smooth());
+    const std::vector<PassInfo>& told = model.facts().result->passes;
+    ASSERT_EQ(told.size(), timed.size());
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        SCOPED_TRACE(told[i].name);
+        EXPECT_EQ(told[i].name, timed[i].name);
+        EXPECT_EQ(told[i].gpu_ms, timed[i].gpu_ms);
+        EXPECT_EQ(told[i].cpu_ms, timed[i].cpu_ms);
+        if (told[i].name == kSmoothingPass) {
+            EXPECT_EQ(told[i].gpu_ms, 0);
+        }
+    }
+    const auto effects = model.facts().effects;
+    const auto row = std::ranges::find(effects, kSmoothingPass, &Effect::name);
+    ASSERT_NE(row, effects.end());
+    EXPECT_EQ(row->state, EffectState::Simulated) << row->reason;
+    EXPECT_EQ(model.state.times.frames.size(), frames) << "a shading counts as a frame";
+}
+
+}  // namespace
+}  // namespace si

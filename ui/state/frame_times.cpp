@@ -1,0 +1,19 @@
+#include "ui/state/frame_times.h"
+
+namespace si {
+
+void keep_times(FrameTimes& times, const FrameResult& shown, double now_s) {
+    TimedFrame frame{.at_s = now_s};
+    for (const PassInfo& pass : shown.passes) {
+        if (pass.state != PassState::Ran || pass.gpu_ms <= 0) continue;
+        times.pass_ms[pass.name] = pass.gpu_ms;
+        frame.ms += pass.gpu_ms;
+        if (pass.category == PassCategory::Maps) frame.maps_ms += pass.gpu_ms;
+    }
+    times.of_shown = frame.ms > 0;
+    const bool stays = !times.frames.empty() && times.frames.back().ms == frame.ms;
+    if (times.of_shown && !stays) times.frames.push_back(frame);
+    while (times.frames.size() > 1 && times.frames.front().at_s < now_s - FrameTimes::kKept_s) times.frames.pop_front();
+}
+
+}  // namespace si
