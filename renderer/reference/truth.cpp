@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <optional>
 
 #include "renderer/bias/light_receiver.h"
 #include "renderer/reference/truth_rays.h"
@@ -79,6 +80,8 @@ public:
         : scene_(scene.impl()), receivers_(receivers), query_(query), out_(out) {
         if (query.options.as_rasterised) culls_ = query.traits;
         to_light_ = glm::vec3(query.emitter.to_light);
+        const auto& objects = scene.geometry().objects;
+        if (!objects.empty() && objects.back().ground) ground_ = std::uint32_t(objects.size() - 1);
     }
 
     void trace_hard(const Workers& workers) {
@@ -88,13 +91,18 @@ public:
             thread_local Batch batch;
             thread_local std::vector<Hit> hits;
             std::array<std::size_t, kPixelStates> pixels{};
+            std::size_t on_ground = 0;
             batch.clear();
             for (int square_y = y0; square_y < y1; square_y += kSquare)
                 for (int square_x = x0; square_x < x1; square_x += kSquare)
                     for (int y = square_y; y < std::min(square_y + kSquare, y1); ++y)
                         for (int x = square_x; x < std::min(square_x + kSquare, x1); ++x) {
                             const std::size_t i = index(x, y);
-                            ++pixels[std::size_t(quick ? classify_quickly(i, batch) : classify(i, batch))];
+                            const PixelState state = quick ? classify_quickly(i, batch) : classify(i, batch);
+                            ++pixels[std::size_t(state)];
+                            if (ground_ && state == PixelState::Counted)
+                                on_ground +=
+                                    (quick ? receivers_.starts[i].object : receivers_.pixels[i].object) == ground_;
                         }
             batch.trace(scene_, culls_, [&](std::uint32_t i, bool occluded) {
                 if (!occluded) return;
@@ -103,6 +111,7 @@ public:
             });
             const std::lock_guard guard(lock_);
             for (std::size_t s = 0; s < kPixelStates; ++s) out_.pixels[s] += pixels[s];
+            out_.on_ground += on_ground;
             out_.rays += batch.size();
         });
     }
@@ -134,6 +143,7 @@ private:
     const TruthQuery& query_;
     Truth& out_;
     std::span<const ObjectTraits> culls_;
+    std::optional<std::uint32_t> ground_;  ///< the object under a model
     std::mutex lock_;
     std::vector<float>& error_ = out_.standard_error.data;
     std::vector<std::uint16_t> parts_;  ///< across the light, of each pixel's estimate
@@ -363,10 +373,6 @@ Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, cons
         out.point_visibility = out.visibility;
         tracer.trace_area(workers.part(0.05, 1));
     }
-    const auto& objects = scene.geometry().objects;
-    if (!objects.empty() && objects.back().ground)
-        for (std::size_t i = 0; i < out.state.size(); ++i)
-            out.on_ground += out.state[i] == PixelState::Counted && objects[receivers.pixels[i].object].ground;
     std::uint64_t bytes = array_bytes(out.state);
     for (const FloatImage* i :
          {&out.visibility, &out.point_visibility, &out.standard_error, &out.nearest_m, &out.blocker_m})
