@@ -32,13 +32,22 @@ Guided::Guided(const std::string& key, const std::vector<std::string>& changes, 
     for (const std::string& change : changes) apply_set(settings, change);
     shot = shoot(scene, settings, width, height);
     if (shot.frame.map_view.texture) map_view = hard_renderer().read_colour(shot.frame.map_view);
-    rays_.emplace(scene);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            glm::dvec3 origin, direction;
-            shot.frame.camera.pixel_ray(x, y, width, height, origin, direction);
-            hits_.push_back(rays_->first_hit(origin, direction));
-        }
+}
+
+const RayTruth& Guided::rays() const {
+    if (!rays_) rays_.emplace(scene);
+    return *rays_;
+}
+
+const std::vector<std::optional<Hit>>& Guided::hits() const {
+    if (hits_.empty())
+        for (int y = 0; y < shot.height; ++y)
+            for (int x = 0; x < shot.width; ++x) {
+                glm::dvec3 origin, direction;
+                shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, direction);
+                hits_.push_back(rays().first_hit(origin, direction));
+            }
+    return hits_;
 }
 
 ErrorMetrics Guided::error() const {
@@ -49,11 +58,11 @@ ErrorMetrics Guided::error() const {
 }
 
 bool Guided::looked_at(std::size_t pixel, const Nodes& receivers) const {
-    if (!hits_[pixel]) return false;
-    const Hit& hit = *hits_[pixel];
+    if (!hits()[pixel]) return false;
+    const Hit& hit = *hits()[pixel];
     // Edge-on to the light, where rounding decides the side, is left out.
     if (glm::dot(hit.normal, direction_to(shot.light(), hit.position)) <= 0.02) return false;
-    const int object = rays_->triangle(hit.triangle).object;
+    const int object = rays().triangle(hit.triangle).object;
     return receivers.empty() ||
            named(receivers, scene.nodes[std::size_t(scene.objects[std::size_t(object)].node)].path);
 }
@@ -61,13 +70,13 @@ bool Guided::looked_at(std::size_t pixel, const Nodes& receivers) const {
 /// Calls `use(hit, visibility)` for the pixels that are looked at.
 template <class Use>
 void Guided::each_pixel(const Nodes& receivers, Use use) const {
-    for (std::size_t i = 0; i < hits_.size(); ++i)
-        if (looked_at(i, receivers)) use(*hits_[i], shot.visibility.data[i]);
+    for (std::size_t i = 0; i < hits().size(); ++i)
+        if (looked_at(i, receivers)) use(*hits()[i], shot.visibility.data[i]);
 }
 
 int Guided::edges(const Nodes& receivers) const {
     int count = 0;
-    for (std::size_t i = 0; i + 1 < hits_.size(); ++i)
+    for (std::size_t i = 0; i + 1 < hits().size(); ++i)
         if ((i + 1) % std::size_t(shot.width) != 0 && looked_at(i, receivers) && looked_at(i + 1, receivers))
             count += (shot.visibility.data[i] < 0.5f) != (shot.visibility.data[i + 1] < 0.5f);
     return count;
@@ -92,7 +101,7 @@ bool Guided::shadowed(const RayTruth& rays, const Hit& hit) const {
 double Guided::wrongly_dark(const Nodes& receivers) const {
     int lit = 0, wrong = 0;
     each_pixel(receivers, [&](const Hit& hit, float v) {
-        if (!shadowed(*rays_, hit)) ++lit, wrong += v < 0.5f;
+        if (!shadowed(rays(), hit)) ++lit, wrong += v < 0.5f;
     });
     EXPECT_GT(lit, 100) << "too few pixels to say anything";
     return double(wrong) / std::max(lit, 1);
@@ -103,7 +112,7 @@ double Guided::wrongly_lit(const Nodes& receivers, const Nodes& casters) const {
     if (!casters.empty()) some.emplace(only(scene, casters));
     int shadow = 0, wrong = 0;
     each_pixel(receivers, [&](const Hit& hit, float v) {
-        if (shadowed(some ? *some : *rays_, hit)) ++shadow, wrong += v >= 0.5f;
+        if (shadowed(some ? *some : rays(), hit)) ++shadow, wrong += v >= 0.5f;
     });
     EXPECT_GT(shadow, 30) << "too few pixels to say anything";
     return double(wrong) / std::max(shadow, 1);
@@ -112,7 +121,7 @@ double Guided::wrongly_lit(const Nodes& receivers, const Nodes& casters) const {
 double Guided::lit_where(const std::function<bool(const glm::dvec4&, bool)>& chosen) const {
     int count = 0, lit = 0;
     each_pixel({}, [&](const Hit& hit, float v) {
-        if (!chosen(uvdw(view_of(shot.light(), hit.position), hit.position), shadowed(*rays_, hit))) return;
+        if (!chosen(uvdw(view_of(shot.light(), hit.position), hit.position), shadowed(rays(), hit))) return;
         ++count, lit += v >= 0.5f;
     });
     EXPECT_GT(count, 100) << "too few pixels to say anything";

@@ -52,8 +52,13 @@ private:
     void each_pixel(const Nodes& receivers, Use use) const;
     bool shadowed(const RayTruth& rays, const Hit& hit) const;
 
-    std::vector<std::optional<Hit>> hits_;
-    std::optional<RayTruth> rays_;
+    /// Once something asks for them: every triangle is tried for every ray.
+    const RayTruth& rays() const;
+    /// What each pixel shows.
+    const std::vector<std::optional<Hit>>& hits() const;
+
+    mutable std::vector<std::optional<Hit>> hits_;
+    mutable std::optional<RayTruth> rays_;
 };
 
 }  // namespace si::test
