@@ -32,9 +32,10 @@ stage() {
 # tests BUILD LABELS [LAUNCHER]: runs the tests that have one of the labels, and keeps how long each label took.
 tests() {
   local passed=0 seconds what again=()
+  # One more than there are processors: windows and searches wait now and then.
   # The leak sanitizer itself may crash where threads end; what it finds, it finds again.
   if [ "$1" = asan ]; then again=(--repeat until-pass:2); fi
-  ${3:+"$3"} ctest --test-dir "$root/build/$1" -L "$2" -LE long --output-on-failure --no-tests=error "${again[@]}" -j "$jobs" |
+  ${3:+"$3"} ctest --test-dir "$root/build/$1" -L "$2" -LE long --output-on-failure --no-tests=error "${again[@]}" -j $((jobs + 1)) |
     tee "$log" || passed=1
   while read -r seconds what; do
     times+=("$(minutes "$seconds")      on one core: $what")
@@ -64,7 +65,9 @@ drawn_over_and_over+=":*AreExactOverScenesAndLights*:*ProbeAgreesWithTheVisibili
 drawn_over_and_over+=":SlabsTest.StandWhereTheStoredDepthLies:MapViewTest.ShowsTheCamerasOwnDepth:*TapsAddUpToWhatTheGpuFound"
 drawn_over_and_over+=":ViewChoiceTest.*:ViewDepthsTest.*:WarpedMapsTest.*:LightMapTest.P*:LightMapTest.Fo*:LightRange.Probe*"
 drawn_over_and_over+=":*FourMissLessThanOne*:*CascadesTest.TheProbeNamesThem:BlocksTest.*:SurfaceIdsTest.WhatIsSeenEdgeOn*"
-drawn_over_and_over+=":FitsTest.*:MeasureTest.*:*GoldenTest.*:CausesTest.E*:TapsTest.W*:LightCamera.C*:Moments.*:ShadowVolumesTest.*"
+drawn_over_and_over+=":FitsTest.*:MeasureTest.*:*GoldenTest.*:CausesTest.E*:LightCamera.C*:Moments.*:ShadowVolumesTest.*"
+drawn_over_and_over+=":SectionTest.StepsAre*:FrameTest.Skipping*:FrameTest.Fused*:SourcesTest.Fused*:SourcesTest.TheTrue*"
+drawn_over_and_over+=":CascadesTest.Nothing*:PagesTest.AreSharper*:PagesTest.AreTheWhole*:TapsTest.*:DriverTest.Compiles*"
 drawn_over_and_over+=":SourcesTest.O*:SourcesTest.E*:FaceNormals*:LookTest.*:FramesApart.AProbeLeavesTheFrame*:GroundTest.Models*"
 # And what the unit tests compute as often, or read of the sources.
 drawn_over_and_over+=":Travel.MapsStay*:SettingsIdle.Every*:CastersFit.*:WarpedFit.*:ViewFit.*:CaseSessionsTest.AnAxis*:Recipes.*"

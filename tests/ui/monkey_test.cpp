@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using Json = nlohmann::json;
 
-constexpr int kUsualEvents = 150;
+constexpr int kUsualEvents = 90;
 constexpr std::uint32_t kUsualSeed = 1;
 constexpr int kRested = 3;          ///< reports in a row that hold as much as the one before
 constexpr int kMostReports = 60;    ///< until the editor is at rest: it may be told to trace for long

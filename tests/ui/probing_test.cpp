@@ -104,6 +104,17 @@ TEST(Probing, TheProbeSticksToItsSurface) {
     EXPECT_EQ(*editor.state().probe_pixel, glm::ivec2(40, 40));
 }
 
+TEST(Probing, APixelBelowThePictureIsItsNearest) {
+    EditorOptions options = boxes_under({});
+    options.probe_x = 120, options.probe_y = 5000;
+    HeadlessEditor editor(options);
+    editor.settle();
+    const EditorState& state = editor.model().state;
+    ASSERT_TRUE(editor.model().facts().probe && state.probe_pixel && state.scene_view);
+    EXPECT_EQ(*state.probe_pixel, glm::ivec2(120, int(state.scene_view->size.y) - 1)) << "where loupe and mark are";
+    EXPECT_EQ(editor.model().facts().probe->y, state.probe_pixel->y);
+}
+
 TEST(Probing, ArrowKeysMoveTheProbeAndTheLoupeShowsItsPixels) {
     Probing editor;
     const glm::ivec2 at(310, 62);               // so that slanted edges of the cube in the air come to lie in the loupe
