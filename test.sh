@@ -32,10 +32,9 @@ stage() {
 # tests BUILD LABELS [LAUNCHER]: runs the tests that have one of the labels, and keeps how long each label took.
 tests() {
   local passed=0 seconds what again=()
-  # One more than there are processors: windows and searches wait now and then.
   # The leak sanitizer itself may crash where threads end; what it finds, it finds again.
   if [ "$1" = asan ]; then again=(--repeat until-pass:2); fi
-  ${3:+"$3"} ctest --test-dir "$root/build/$1" -L "$2" -LE long --output-on-failure --no-tests=error "${again[@]}" -j $((jobs + 1)) |
+  ${3:+"$3"} ctest --test-dir "$root/build/$1" -L "$2" -LE long --output-on-failure --no-tests=error "${again[@]}" -j "$jobs" |
     tee "$log" || passed=1
   while read -r seconds what; do
     times+=("$(minutes "$seconds")      on one core: $what")

@@ -133,10 +133,12 @@ protected:
         }
         breathe();
     }
-    /// What the panel Frontier measures of the present settings is there in the twin.
+    /// What the panel Frontier measures of the present settings is there, in the window as in its twin.
     void measured() {
         editor_->settle();
         ASSERT_TRUE(editor_->model().facts().sweep->view.present) << editor_->model().facts().sweep->present_problem;
+        const glm::ivec2 said = place(U"Now");
+        EXPECT_TRUE(wait_until([&] { return written_at(said); })) << "the window measures nothing";
     }
     /// The window has letters around a place.
     bool written_at(glm::ivec2 at) const {
