@@ -66,9 +66,9 @@ private:
     /// One shading more of a view that rests. Returns whether there was one to add.
     bool smooth(const Scene& scene, const PictureState& state, const EditorActions& actions);
     void report(const std::string& error) { news_.remarks.push_back({.kind = LogKind::Error, .text = error}); }
-    /// Of what is likely to be asked after what was just drawn, programs are made while nothing happens.
     /// Of what the pass did in that frame, the shown one's effects tell.
     void tell_of_smoothing(const FrameResult& more);
+    /// Of what is likely to be asked after what was just drawn, programs are made while nothing happens.
     void foresee_programs(const Scene& scene);
     bool follow_readings(const Scene& scene, const PictureState& state, const EditorActions& actions, bool drawn);
     /// Traces and compares what is shown.

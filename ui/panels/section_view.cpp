@@ -102,7 +102,7 @@ const SectionDrawing& drawing_of(SectionViews& views, const Sections& sections, 
 
 /// Outside of the last item, which may be saved as it is seen. @param height of the tooltip, in pixels
 void place_legend(float height) {
-    const float gap = ImGui::GetFontSize() * 0.3f, wide = ImGui::GetFontSize() * 31;
+    const float gap = ImGui::GetFontSize() * kTooltipGap, wide = ImGui::GetFontSize() * kTooltipWidth;
     const ImVec2 screen = ImGui::GetIO().DisplaySize, lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
     // place_tooltip() takes the larger of these two.
     if (height + gap <= std::max(lo.y, screen.y - hi.y))

@@ -131,8 +131,8 @@ struct EditorState : PictureState {
     Playback playback;
     SweepPanel sweep;
     std::optional<BottomTab> open_tab = BottomTab::Effects;  ///< brought to the front in the next frame
-    BottomTab fitted_tab =
-        BottomTab::Effects;  ///< chosen by hand last: what else opens one leaves the picture in place
+    /// Chosen by hand last: what else opens one leaves the picture in place.
+    BottomTab fitted_tab = BottomTab::Effects;
     std::string object_search;
     bool only_lost = false;               ///< the object list shows lost casters only
     std::string selected_object;          ///< node path, of several the one chosen first; empty: none

@@ -8,10 +8,12 @@
 
 namespace si {
 
+inline constexpr float kTooltipGap = 0.3f, kTooltipWidth = 31;  ///< beside its item, and at most, ems
+
 /// Places the next tooltip so that it hides no neighbour of the last item: beside a narrow window as a list or a column
 /// of settings, below or above the item in a wide one as a toolbar. Where there is no room for either: as ImGui does.
 inline void place_tooltip() {
-    const float em = ImGui::GetFontSize(), gap = em * 0.3f, wide = em * 31;
+    const float em = ImGui::GetFontSize(), gap = em * kTooltipGap, wide = em * kTooltipWidth;
     const ImVec2 screen = ImGui::GetIO().DisplaySize, lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
     const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowSize().x;
     const bool upper = lo.y + hi.y < screen.y;
