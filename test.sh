@@ -1,13 +1,19 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the tests: all in Release on the driver at hand; what draws once more on a
-# second driver (zink over lavapipe); the unit and drawing tests under AddressSanitizer and UndefinedBehaviorSanitizer.
-# Besides, sources have to be as .clang-format wants them. Says at the end how long what took. Left out are the long
-# ones: ctest --test-dir build/release -L long
+# second driver (zink over lavapipe); the unit tests and the drawing of each preset under AddressSanitizer and
+# UndefinedBehaviorSanitizer. Besides, sources have to be as .clang-format wants them. Says at the end how long what took.
+# Left out are the long ones: ctest --test-dir build/release -L long
+# and the drawing tests under the sanitizers, some ten minutes: ./test.sh --memory
 set -euo pipefail
 case ${1:-} in
 -h | --help)
   sed -n '2,/^set /s/^# //p' "${BASH_SOURCE[0]}"
   exit
+  ;;
+--memory | "") ;;
+*)
+  echo "$1 is no option: see ./test.sh --help" >&2
+  exit 2
   ;;
 esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -47,8 +53,9 @@ build_release() {
     cmake --build "$root/build/release" --parallel "$jobs"
 }
 
+# build_asan TARGET...
 build_asan() {
-  cmake -S "$root" --preset asan && cmake --build "$root/build/asan" --parallel "$jobs" --target test_unit test_gl
+  cmake -S "$root" --preset asan && cmake --build "$root/build/asan" --parallel "$jobs" --target "$@"
 }
 
 # What one front end and one plan decide on every driver: what compiles, what is kept, what is left out, what is told of
@@ -69,7 +76,7 @@ drawn_over_and_over+=":SectionTest.StepsAre*:FrameTest.Skipping*:FrameTest.Fused
 drawn_over_and_over+=":CascadesTest.Nothing*:PagesTest.AreSharper*:PagesTest.AreTheWhole*:TapsTest.*:DriverTest.Compiles*"
 drawn_over_and_over+=":SourcesTest.O*:SourcesTest.E*:FaceNormals*:LookTest.*:FramesApart.AProbeLeavesTheFrame*:GroundTest.Models*"
 # And what the unit tests compute as often, or read of the sources.
-drawn_over_and_over+=":Travel.MapsStay*:SettingsIdle.Every*:CastersFit.*:WarpedFit.*:ViewFit.*:CaseSessionsTest.AnAxis*:Recipes.*"
+computed_over_and_over="Travel.MapsStay*:SettingsIdle.Every*:CastersFit.*:WarpedFit.*:ViewFit.*:CaseSessionsTest.AnAxis*:Recipes.*"
 
 # What the program's own code decides, rays included, and variants of what is drawn there as well.
 not_the_drivers="CasterSavingsTest.*:HeldTest.*:TroubleTest.*:GroundTest.Models*:MeasureTest.ErrorOfTheHardKernel*:SectionTest.*"
@@ -89,8 +96,13 @@ tests_on_zink() {
 }
 
 tests_asan() {
+  local -x GTEST_FILTER="-$computed_over_and_over"
+  tests asan '^(unit|presets)$'
+}
+
+drawing_tests_asan() {
   local -x GTEST_FILTER="-$drawn_over_and_over"
-  tests asan '^(unit|gl)$'
+  tests asan '^gl$'
 }
 
 # By clang-format of Debian 12, whose version decides what is well formed.
@@ -98,12 +110,17 @@ format() {
   find "$root"/{app,renderer,ui,tests} -name '*.h' -o -name '*.cpp' | xargs clang-format --dry-run -Werror
 }
 
-stage "format" format
-stage "build in Release" build_release
-stage "tests" tests release .
-stage "drawing tests on zink over lavapipe" tests_on_zink
-stage "build under AddressSanitizer and UndefinedBehaviorSanitizer" build_asan
-stage "tests under AddressSanitizer and UndefinedBehaviorSanitizer" tests_asan
+if [ "${1:-}" = --memory ]; then
+  stage "build under AddressSanitizer and UndefinedBehaviorSanitizer" build_asan test_gl
+  stage "drawing tests under AddressSanitizer and UndefinedBehaviorSanitizer" drawing_tests_asan
+else
+  stage "format" format
+  stage "build in Release" build_release
+  stage "tests" tests release .
+  stage "drawing tests on zink over lavapipe" tests_on_zink
+  stage "build under AddressSanitizer and UndefinedBehaviorSanitizer" build_asan test_unit draw_presets
+  stage "tests under AddressSanitizer and UndefinedBehaviorSanitizer" tests_asan
+fi
 
 say "== Times"
 printf '%s\n' "${times[@]}" >&2

@@ -23,7 +23,7 @@ constexpr const char *kService = "org.freedesktop.portal.Desktop", *kObject = "/
                      *kToken = "shadow_inspector";
 constexpr std::chrono::seconds kStart{20};  // a portal may have to be started first
 
-using Options = std::map<std::string, sdbus::Variant>;
+using VariantMap = std::map<std::string, sdbus::Variant>;
 using Patterns = std::vector<sdbus::Struct<std::uint32_t, std::string>>;
 using Filter = sdbus::Struct<std::string, Patterns>;
 
@@ -44,11 +44,11 @@ Filter filter_of(const std::string& label, const std::vector<std::string>& exten
     return Filter{label, patterns};
 }
 
-Options options_of(const DesktopFileDialog& wish) {
+VariantMap options_of(const DesktopFileDialog& wish) {
     std::string folder = wish.folder.string();
     std::vector<std::uint8_t> bytes(folder.begin(), folder.end());
     bytes.push_back(0);
-    Options options{{"handle_token", std::string(kToken)}, {"current_folder", bytes}};
+    VariantMap options{{"handle_token", std::string(kToken)}, {"current_folder", bytes}};
     if (wish.job == FileDialog::Job::SavePreset) {
         if (!wish.name.empty()) options["current_name"] = wish.name;
         options["filters"] = std::vector<Filter>{filter_of("Presets", {"json"})};
@@ -128,9 +128,9 @@ private:
         const Leavable leavable{*this};
         // Heard before the question is put, so that no answer is missed.
         const auto request = sdbus::createProxy(*connection, kService, request_path(connection->getUniqueName()));
-        request->uponSignal("Response").onInterface(kRequest).call([this](std::uint32_t code, const Options& results) {
-            hear(code, results);
-        });
+        request->uponSignal("Response")
+            .onInterface(kRequest)
+            .call([this](std::uint32_t code, const VariantMap& results) { hear(code, results); });
         request->finishRegistration();
         const auto portal = sdbus::createProxy(*connection, kService, kObject);
         const bool saving = wish_.job == FileDialog::Job::SavePreset;
@@ -150,7 +150,7 @@ private:
         if (unanswered) request->callMethod("Close").onInterface(kRequest).dontExpectReply();
     }
 
-    void hear(std::uint32_t code, const Options& results) {
+    void hear(std::uint32_t code, const VariantMap& results) {
         const auto uris = results.find("uris");
         if (code != 0 || uris == results.end()) return answer({.kind = Answer::Kind::Dismissed});
         const auto chosen = uris->second.get<std::vector<std::string>>();

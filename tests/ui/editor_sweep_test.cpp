@@ -3,11 +3,14 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <thread>
 
 #include "app/editor/headless_editor.h"
 #include "app/editor/sweep.h"
 #include "app/sweep/results.h"
+#include "renderer/base/error.h"
+#include "tests/support/fake_sweep.h"
 #include "tests/support/process.h"
 #include "ui/state/panels.h"
 
@@ -208,6 +211,21 @@ TEST(EditorSweep, SavedAndOpenedItIsTheSame) {
     EXPECT_EQ(s.state().sweep.width, 64);
     ASSERT_EQ(s.state().sweep.axes.size(), 2u);
     EXPECT_EQ(s.state().sweep.axes[1].values, "64,256");
+}
+
+TEST(EditorSweep, ErrorsOfAnotherMeaningAreNotOpened) {
+    const FakeSweep old(fresh_test_folder());
+    FakeMeter meter;
+    old.run(meter, 2);
+    const fs::path file = old.folder / kJournalFile;
+    std::string text = file_bytes(file);
+    const std::string number = "\"meaning\":" + std::to_string(kErrorMeaning);
+    SweepPanel panel;
+    EXPECT_NO_THROW(EditorSweep({}).open(old.folder, panel));
+    const std::size_t at = text.find(number);
+    ASSERT_NE(at, text.npos);
+    std::ofstream(file, std::ios::binary) << text.replace(at, number.size(), "\"meaning\":7");
+    EXPECT_THROW(EditorSweep({}).open(old.folder, panel), Error);
 }
 
 TEST(EditorSweep, WhatCannotBeSweptIsSaid) {
