@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/base/notes.h"
 #include "app/commands/commands.h"
 #include "app/commands/interruptible.h"
@@ -21,9 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 bool shows_truth(const Settings& s) {
-    const int shown[] = {s.view.overlay, s.view.overlay_2, s.view.overlay_3, s.view.overlay_4};
-    const int panes = s.view.panes == int(Panes::Four) ? 4 : s.view.panes == int(Panes::Two) ? 2 : 1;
-    return std::any_of(shown, shown + panes, [](int o) { return o > 0 && overlays()[std::size_t(o - 1)].reads_truth; });
+    return some_pane_shows(s.view, &Overlay::reads_truth);
 }
 
 /// What is traced before the frame, for pictures that need it.
@@ -60,20 +56,19 @@ Planned plan_of(const Session& session, const PlanOptions& options, Renderer& re
     Planned plan;
     FrameRequest request{.width = options.size.width, .height = options.size.height};
     Effect rays = trace_for(session, request, workers);
+    request.outputs.health = options.check_numeric;
     const FrameResult frame = renderer.render(session.scene, session.settings, request);
     plan.effects.push_back(posing_effect(session.scene, session.settings.scene, true));
     plan.effects.push_back(std::move(rays));
     for (Effect& effect : frame_effects(session.scene, session.settings, frame))
         plan.effects.push_back(std::move(effect));
     plan.notes = frame.notes;
-    if (options.check_numeric) {
-        FrameRequest searched = request;
-        searched.outputs.health = true;
-        plan.health = renderer.numeric_health(renderer.render(session.scene, session.settings, searched));
-    }
+    if (options.check_numeric) plan.health = renderer.numeric_health(frame);
     if (options.measure)
         plan.saved = measure_saved(renderer, session.scene, session.settings, request, named_savings(plan.effects),
                                    options.rounds, workers, [&](double share) { report(share, "frames in turns"); });
+    request.outputs.health = false;  // the search reads maps whole: what the picture needs of them would not show
+    request.timing = options.measure;
     if (options.waste)
         plan.waste = find_waste(renderer, session.scene, session.settings, request, workers,
                                 [&](double share) { report(share, "left out in turn"); });

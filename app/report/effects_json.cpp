@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 namespace si {
 namespace {
@@ -28,7 +30,9 @@ Json effects_json(std::span<const Effect> effects, const SavedTimes* saved) {
     Json rows = Json::array();
     for (const Effect& effect : effects) {
         Json row = {{"name", effect.name}, {"state", state_name(effect.state)}, {"reason", effect.reason}};
-        put_saved(row, saved ? saved->of(effect) : nullptr);
+        const Spread* spared = saved ? saved->of(effect) : nullptr;
+        put_saved(row, spared);
+        row["saved_together"] = spared ? Json(saved_together(effects, effect)) : Json();
         row["saving"] = effect.saving ? Json(row_of(*effect.saving).key) : Json();
         row["pass"] = effect.pass.empty() ? Json() : Json(effect.pass);
         row["part"] = effect.part;
@@ -56,26 +60,38 @@ Json waste_json(const Waste& waste) {
         rows.push_back({{"name", t.name},
                         {"changes_picture", t.changes},
                         {"texels_read", t.read < 0 ? Json() : Json(t.read)},
-                        {"triangles", t.triangles}});
+                        {"triangles", t.triangles},
+                        {"maps_ms", waste.maps_ms && !t.changes ? Json(t.maps_ms) : Json()}});
+    const std::optional<double> of_time = waste.share_of_time();
     return {{"tried", std::move(rows)},
             {"triangles", waste.triangles()},
             {"wasted_triangles", waste.wasted()},
-            {"share", waste.share()}};
+            {"share", waste.share()},
+            {"maps_ms", waste.maps_ms ? Json(*waste.maps_ms) : Json()},
+            {"wasted_ms", waste.maps_ms ? Json(waste.wasted_ms()) : Json()},
+            {"share_of_time", of_time ? Json(*of_time) : Json()}};
 }
 
-std::string saved_text(const Spread* ms) {
+std::string saved_text(const Spread* ms, std::size_t together) {
     if (!ms) return "–";
-    return fmt::format("{:.2f} ({:.2f} to {:.2f})", ms->median, ms->median_low, ms->median_high);
+    return fmt::format("{:.2f} ({:.2f} to {:.2f}){}", ms->median, ms->median_low, ms->median_high,
+                       together > 1 ? fmt::format(", of {} together", together) : "");
 }
 
 void print_effects(std::span<const Effect> effects, const SavedTimes* saved) {
-    std::size_t wide = 0;
-    for (const Effect& effect : effects) wide = std::max(wide, effect.name.size() + (effect.part ? 2 : 0));
-    fmt::print("{:<14} {:>10} {:>22}  {:<{}}  {}\n", "state", "ms", "saved ms", "effect", wide, "why");
+    std::size_t wide = 0, saved_wide = 22;
+    std::vector<std::string> saved_texts;
     for (const Effect& effect : effects) {
+        wide = std::max(wide, effect.name.size() + (effect.part ? 2 : 0));
+        saved_texts.push_back(saved_text(saved ? saved->of(effect) : nullptr, saved_together(effects, effect)));
+        saved_wide = std::max(saved_wide, saved_texts.back().size());
+    }
+    fmt::print("{:<14} {:>10} {:>{}}  {:<{}}  {}\n", "state", "ms", "saved ms", saved_wide, "effect", wide, "why");
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+        const Effect& effect = effects[i];
         const Spread* ms = time_of_pass(effect, saved);
-        fmt::print("{:<14} {:>10} {:>22}  {:<{}}  {}\n", state_name(effect.state),
-                   ms ? fmt::format("{:.2f}", ms->median) : "–", saved_text(saved ? saved->of(effect) : nullptr),
+        fmt::print("{:<14} {:>10} {:>{}}  {:<{}}  {}\n", state_name(effect.state),
+                   ms ? fmt::format("{:.2f}", ms->median) : "–", saved_texts[i], saved_wide,
                    fmt::format("{}{}", effect.part ? "  " : "", effect.name), wide, effect.reason);
     }
 }
@@ -94,6 +110,9 @@ void print_waste(const Waste& waste) {
     if (waste.tried.empty()) fmt::print("  there is nothing to leave out\n");
     fmt::print("{} of {} triangles drawn into maps are waste ({:.1f} %)\n", waste.wasted(), waste.triangles(),
                100 * waste.share());
+    if (const std::optional<double> share = waste.share_of_time())
+        fmt::print("{:.2f} of {:.2f} ms that maps take are waste ({:.1f} %)\n", waste.wasted_ms(), *waste.maps_ms,
+                   100 * *share);
 }
 
 }  // namespace si

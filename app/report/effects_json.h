@@ -17,8 +17,9 @@ nlohmann::ordered_json effects_json(std::span<const Effect> effects, const Saved
 nlohmann::ordered_json savings_json(const SavedTimes* saved);
 nlohmann::ordered_json waste_json(const Waste& waste);
 
-/// "1.2 (0.9 to 1.5)", or a dash where it is not known.
-std::string saved_text(const Spread* ms);
+/// "1.20 (0.90 to 1.50), of 3 together", or a dash where it is not known.
+/// @param together effects that the time is of
+std::string saved_text(const Spread* ms, std::size_t together);
 void print_effects(std::span<const Effect> effects, const SavedTimes* saved);
 void print_waste(const Waste& waste);
 

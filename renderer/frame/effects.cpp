@@ -144,20 +144,109 @@ void moment_parts(const Facts& f, const PassInfo& pass, Effects& out) {
 
 // Look-ups ------------------------------------------------------------------------------------------------------------
 
-void search_parts(const Facts& f, const PassInfo& pass, bool looked_up, Effects& out) {
-    const Filter& row = f.filter();
-    const auto add = [&](const char* name, bool called_for, std::string reason) {
-        out.push_back(part_of(pass, name, called_for && looked_up,
-                              !looked_up ? std::string("no light has its shadows from a map") : std::move(reason)));
+/// How a kernel finds out what stands before a pixel.
+enum class Search {
+    None,
+    Places,  ///< at places of its own, before it compares
+    Taps,    ///< at the places that it compares
+    Rays     ///< along rays through the map
+};
+
+Search search_of(const Filter& row) {
+    if (!row.searches_blockers) return row.reads_light_size ? Search::Rays : Search::None;
+    return owns(row, "filter.blocker_taps") ? Search::Places : Search::Taps;
+}
+
+/// Whether Saving::Blockers spares look-ups of a light anything.
+bool spares_search(const Facts& f, const FittedLight& light) {
+    const Search search = search_of(f.filter());
+    return light.size <= 0 && (search == Search::Places || search == Search::Rays);
+}
+
+/// "light.size is 0", of all these lights.
+std::string no_size_text(std::span<const std::size_t> lights) {
+    std::string out;
+    for (const std::size_t i : lights) out += fmt::format("{}{}", out.empty() ? "" : ", ", light_key(i, "size"));
+    return out + (lights.size() == 1 ? " is 0" : " are 0");
+}
+
+/// @param no_size why no penumbra opens; empty: one does
+std::string search_text(const Facts& f, const std::string& no_size) {
+    const std::string kernel = f.kernel();
+    const Search search = search_of(f.filter());
+    const bool forced = f.forced.contains(Saving::Blockers);
+    if (search == Search::None)
+        return fmt::format("kernel {} is as wide however far off what stands before a pixel is: nothing looks for it",
+                           kernel);
+    if (search == Search::Rays) {
+        if (no_size.empty())
+            return fmt::format("kernel {} follows rays from each pixel to places of the light, up to what they meet",
+                               kernel);
+        if (forced) return "forced: all rays of a pixel are followed, which go one way";
+        return no_size + ": all rays of a pixel go one way, and none is followed where nothing stands before it";
+    }
+    if (search == Search::Taps) {
+        if (no_size.empty())
+            return fmt::format("kernel {} learns by the taps that it compares how far off their occluders are", kernel);
+        return fmt::format("{}: no penumbra opens, and kernel {} compares alike whatever its taps find", no_size,
+                           kernel);
+    }
+    if (no_size.empty())
+        return fmt::format("kernel {} looks for what stands before each pixel, to know how wide the penumbra is there",
+                           kernel);
+    if (forced) return "forced: all places of the search are looked at, which are one";
+    return no_size + ": no penumbra opens, and one look tells whether anything stands before a pixel";
+}
+
+/// @param looked_up the lights in whose maps the kernel looks
+void search_parts(const Facts& f, const PassInfo& pass, std::span<const std::size_t> looked_up, Effects& out) {
+    const auto add = [&](const char* name, bool called_for, const std::string& reason) {
+        out.push_back(part_of(pass, name, called_for, reason));
     };
-    add("blocker search", row.searches_blockers,
-        row.searches_blockers
-            ? fmt::format("kernel {} looks for what stands before each pixel, to know how wide the penumbra is there",
-                          f.kernel())
-            : fmt::format("kernel {} is as wide everywhere: what stands before a pixel does not matter", f.kernel()));
-    add("light's size", row.reads_light_size,
-        row.reads_light_size ? "the kernel's penumbrae follow light.size"
-                             : fmt::format("kernel {} takes each light for a point or a direction", f.kernel()));
+    if (looked_up.empty()) {
+        const bool maps = std::ranges::any_of(f.frame.lights, &FittedLight::casts);
+        for (const char* name : {"blocker search", "light's size"})
+            add(name, false, maps ? "nothing is looked up in a map" : "no light has its shadows from a map");
+        return;
+    }
+    std::vector<std::size_t> sized, sizeless;
+    for (const std::size_t i : looked_up) (f.frame.lights[i].size > 0 ? sized : sizeless).push_back(i);
+    const bool opens = !sized.empty();
+    const std::string no_size = opens ? "" : no_size_text(sizeless);
+    const std::string but =
+        opens && !sizeless.empty() ? ". " + no_size_text(sizeless) + ": no penumbra opens there" : "";
+    const Search search = search_of(f.filter());
+    const bool all_the_same =
+        search == Search::Rays || (search == Search::Places && f.forced.contains(Saving::Blockers));
+    add("blocker search", search != Search::None && (opens || all_the_same),
+        search_text(f, no_size) + (search == Search::None ? "" : but));
+    if (!f.filter().reads_light_size)
+        add("light's size", false, fmt::format("kernel {} takes each light for a point or a direction", f.kernel()));
+    else
+        add("light's size", opens,
+            opens ? "the kernel's penumbrae follow light.size" + but : no_size + ": no penumbra opens");
+}
+
+/// Why no texel of a light's maps is read, as what draws them found out; empty: some may be.
+std::string why_unread(const Facts& f, const PassInfo& pass, std::size_t light) {
+    // Forced, look-ups that cannot matter are made, and foreseen by nothing that leaves maps undrawn.
+    if (pass.state == PassState::Skipped || f.forced.contains(Saving::Facing)) return {};
+    std::string why;
+    if (f.frame.pages && f.frame.pages->wanted == 0) why = "no pixel asks for a page";
+    for (const PassInfo& map : f.frame.passes)
+        if (map.light == int(light) && map.state == PassState::Skipped && map.name.starts_with("shadow map "))
+            why = map.reason;
+    return why.empty() ? why : why + ": no texel of its maps is read";
+}
+
+std::string lookup_text(const Facts& f, const FittedLight& light) {
+    int texels = cost_of(f.settings).texels;
+    if (keeps_mips(f.settings))
+        return fmt::format("kernel {} fetches {} texels at each place of each mip level that it reads", f.kernel(),
+                           texels);
+    if (search_of(f.filter()) == Search::Places && spares_search(f, light) && !f.forced.contains(Saving::Blockers))
+        texels -= disk_places(f.filter(), f.settings, f.settings.filter.blocker_taps) - 1;
+    return fmt::format("kernel {} fetches up to {} texel{} a look-up", f.kernel(), texels, texels == 1 ? "" : "s");
 }
 
 /// Of a light without shadows. Shading leaves it out of its program; a texture of its own is drawn where that is
@@ -177,6 +266,7 @@ Effect spared_part(const Facts& f, const PassInfo& pass, std::string name, Savin
 /// Of each light, where its visibility is looked up.
 void lookup_parts(const Facts& f, const PassInfo& pass, bool separate, Effects& out) {
     bool from_maps = false;
+    std::vector<std::size_t> looked_up;
     for (std::size_t i = 0; i < f.frame.lights.size(); ++i) {
         const FittedLight& light = f.frame.lights[i];
         const Source& source = source_of(f.settings, int(i));
@@ -184,30 +274,35 @@ void lookup_parts(const Facts& f, const PassInfo& pass, bool separate, Effects& 
         const std::string name = fmt::format("look-ups of light {}", i);
         const std::string told = fmt::format("{} is {}", light_key(i, "source"), source.key);
         const bool forced = f.forced.contains(Saving::Uncalled);
-        if (!separate && light.shadowed && shades_nothing(light, f.settings))
+        if (!separate && light.shadowed && shades_nothing(light, f.settings)) {
             out.push_back(part_of(pass, name, forced, (forced ? "forced: " : "") + light.dark, Saving::Uncalled));
-        else if (!separate && !forced && never_shadows(light, f.settings))
+            if (forced && light.casts) looked_up.push_back(i);
+        } else if (!separate && !forced && never_shadows(light, f.settings)) {
             out.push_back(part_of(pass, name, false, light.empty, Saving::Uncalled));
-        else if (!light.shadowed)
+        } else if (!light.shadowed) {
             out.push_back(lit_everywhere(f, pass, name, light.reason + ": it is lit wherever it shines", separate));
-        else if (source.file.empty() && !source.needs.truth)
+        } else if (source.file.empty() && !source.needs.truth) {
             out.push_back(lit_everywhere(f, pass, name, told, separate));
-        else
-            out.push_back(part_of(pass, name, true,
-                                  source.needs.map ? fmt::format("kernel {} fetches {} texels a pixel", f.kernel(),
-                                                                 cost_of(f.settings).texels)
-                                                   : told));
+        } else if (!source.needs.map) {
+            out.push_back(part_of(pass, name, true, told));
+        } else {
+            const std::string unread = why_unread(f, pass, i);
+            out.push_back(part_of(pass, name, unread.empty(), unread.empty() ? lookup_text(f, light) : unread));
+            if (unread.empty()) looked_up.push_back(i);
+        }
     }
-    search_parts(f, pass, from_maps, out);
+    search_parts(f, pass, looked_up, out);
     if (!from_maps) return;
     out.push_back(spared_part(f, pass, "look-ups where light does not arrive", Saving::Facing,
                               "what is turned away from a light, beyond its range or outside of its cone is dark, "
                               "whatever its map holds"));
-    for (std::size_t i = 0; i < f.frame.lights.size(); ++i)
-        if (f.filter().searches_blockers && f.frame.lights[i].casts && f.settings.lights[i].size <= 0)
-            out.push_back(
-                spared_part(f, pass, fmt::format("search for a penumbra of light {}", i), Saving::Blockers,
-                            light_key(i, "size") + " is 0: no penumbra opens, and all places of the search are one"));
+    const char* spared = search_of(f.filter()) == Search::Rays
+                             ? "no penumbra opens, and no ray is followed where nothing stands before its pixel"
+                             : "no penumbra opens, and all places of the search are one";
+    for (const std::size_t i : looked_up)
+        if (spares_search(f, f.frame.lights[i]))
+            out.push_back(spared_part(f, pass, fmt::format("search for a penumbra of light {}", i), Saving::Blockers,
+                                      fmt::format("{} is 0: {}", light_key(i, "size"), spared)));
 }
 
 void contact_parts(const Facts& f, const PassInfo& pass, Effects& out) {
@@ -469,6 +564,11 @@ Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool ane
                         skins == 1 ? "" : "es", anew ? "once for all passes and rays" : "as before");
     }
     return effect;
+}
+
+std::size_t saved_together(std::span<const Effect> effects, const Effect& effect) {
+    if (!effect.saving) return 1;
+    return std::size_t(std::ranges::count(effects, effect.saving, &Effect::saving));
 }
 
 std::string sentence(std::string_view text) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,9 @@ std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, 
 /// Moving the scene's nodes, skins and morph targets, which is done before a frame, by the CPU.
 /// @param anew the scene was posed since the frame before
 Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool anew);
+
+/// How many of `effects`, one of which is `effect`, share its saving: what was measured of that is of all together.
+std::size_t saved_together(std::span<const Effect> effects, const Effect& effect);
 
 /// `text` with a full stop, and with a capital letter unless it begins with a setting's key. Empty stays so.
 std::string sentence(std::string_view text);

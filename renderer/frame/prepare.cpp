@@ -280,12 +280,10 @@ void choose_kernel(FrameState& f) {
 }
 
 /// What truth the frame needs, and whether the request brings it.
-void find_truth(FrameState& f, std::span<const int> shown_overlays) {
+void find_truth(FrameState& f) {
     const Outputs& o = f.request.outputs;
     bool asked = o.error || o.true_colour || o.judged || o.evidence;
-    if (o.colour || o.overlay)
-        for (const int overlay : shown_overlays)
-            asked |= overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_truth;
+    if (o.colour || o.overlay) asked |= some_pane_shows(f.settings.view, &Overlay::reads_truth);
     if (!asked) return;
     const int light = f.settings.view.light;
     f.truth.key =
@@ -363,27 +361,24 @@ void find_light_maps(FrameState& f) {
 
 /// Which panes there are and what they need.
 void arrange_panes(FrameState& f) {
-    const ViewSettings& v = f.settings.view;
-    const int chosen[kMaxPanes] = {v.overlay, v.overlay_2, v.overlay_3, v.overlay_4};
-    const int count = v.panes == int(Panes::Four) ? 4 : v.panes == int(Panes::Two) ? 2 : 1;
+    const std::vector<int> chosen = pane_overlays(f.settings.view);
     const Outputs& o = f.request.outputs;
-    find_truth(f, {chosen, std::size_t(count)});
+    find_truth(f);
     f.separate_visibility = o.visibility || o.health || f.settings.shading.separate_visibility ||
                             f.request.forced.contains(Saving::Fused) ||
                             (f.truth.met && (o.error || o.judged || o.true_colour));
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         f.separate_visibility |= f.has_contacts(i) || (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused);
-    int shown[kMaxPanes];
-    bool lacks[kMaxPanes];
-    for (int i = 0; i < count; ++i) {
-        lacks[i] = chosen[i] > 0 && overlays()[std::size_t(chosen[i] - 1)].reads_truth && !f.truth.met;
-        shown[i] = lacks[i] ? 0 : chosen[i];
-        const int slot = int(std::find(shown, shown + i, shown[i]) - shown);
-        f.panes.push_back({shown[i], slot, lacks[i]});
+    std::vector<int> shown;
+    for (const int overlay : chosen) {
+        const bool lacks = overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_truth && !f.truth.met;
+        shown.push_back(lacks ? 0 : overlay);
+        const int slot = int(std::ranges::find(shown, shown.back()) - shown.begin());
+        f.panes.push_back({shown.back(), slot, lacks});
         const Overlay* row = f.panes.back().row();
         f.separate_visibility |= row && (row->reads_visibility || row->reads_truth) && (o.overlay || o.colour);
     }
-    f.slabs_shown = v.slabs != int(Slabs::None) && f.shown_view();
+    f.slabs_shown = f.settings.view.slabs != int(Slabs::None) && f.shown_view();
 }
 
 std::uint64_t next_number() {

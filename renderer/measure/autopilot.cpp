@@ -19,7 +19,8 @@ using AxisChoice = std::vector<std::size_t>;
 
 constexpr double kClose = 0.1;  ///< shares of the least time: those are timed against each other
 constexpr std::size_t kFinalists = 3;
-constexpr double kJudging = 0.6;  ///< share of the time
+// Shares of the time: judging ends with the first; the second is left for pricing what was dropped.
+constexpr double kJudging = 0.6, kPricing = 0.15;
 
 std::string value_of(const Settings& s, const std::string& key) {
     const SettingRef ref = *find_setting(key);
@@ -67,6 +68,8 @@ private:
 
     double spent_s() const { return meter_.now_s() - begun_s_; }
     bool late() const { return spent_s() > goals_.most_seconds; }
+    /// What is left is for pricing what was dropped.
+    bool late_to_search() const { return spent_s() > (1 - kPricing) * goals_.most_seconds; }
     /// What is left is for timing what was judged.
     bool late_to_judge() const { return spent_s() > kJudging * goals_.most_seconds; }
     void tell(const std::string& what) const {
@@ -109,7 +112,7 @@ private:
     /// Whether it holds both bounds; times it if need be. Nothing known when it is late.
     bool time_it(AutopilotCase& c) {
         if (!c.ms) {
-            if (late()) return ++untimed_, false;
+            if (late_to_search()) return ++untimed_, false;
             tell(name_of(c.at) + ", timing");
             c.ms = meter_.ms(c.settings);
         }
@@ -166,7 +169,7 @@ private:
         std::sort(close.begin(), close.end(), [](const auto* a, const auto* b) { return *a->ms < *b->ms; });
         if (close.size() > kFinalists) close.resize(kFinalists);
         for (AutopilotCase* c : close) {
-            if (late()) break;
+            if (late_to_search()) break;
             tell(name_of(c->at) + ", against the best");
             const CostChange more = meter_.time(best->settings, c->settings);
             if (more.told() && more.value < 0) best = c;
@@ -224,27 +227,41 @@ private:
             return axes_[i].key == "map.resolution" ? 0 : axes_[i].key == "filter.kernel" ? 1 : 2;
         };
         std::stable_sort(axes.begin(), axes.end(), [&](auto a, auto b) { return rank(a) < rank(b); });
-        for (int pass = 0; pass < 3 && !late(); ++pass) {
+        for (int pass = 0; pass < 3 && !late_to_search(); ++pass) {
             const AxisChoice before = at_;
             for (std::size_t i = 0; i < axes.size(); ++i)
-                for (std::size_t k = i + 1; k < axes.size() && !late(); ++k) search_block({axes[i], axes[k]});
+                for (std::size_t k = i + 1; k < axes.size() && !late_to_search(); ++k) search_block({axes[i], axes[k]});
             if (at_ == before) break;
         }
     }
 
     void find_dropped(AutopilotResult& out) {
+        std::string unpriced;
         for (std::size_t i = 0; i < axes_.size(); ++i) {
             const std::string& key = axes_[i].key;
             DroppedEffect d{key, value_of(start_, key), value_of(out.best.settings, key)};
             if (d.before == d.now) continue;
-            tell("what " + key + " would have cost");
-            Settings with = out.best.settings;
-            set_setting(with, key, d.before);
-            if (key == "filter.kernel") with.filter = start_.filter, with.bias = start_.bias;
-            d.error = meter_.judge(with, start_.view.light).error;
-            d.ms = meter_.time(out.best.settings, with);
+            if (!price(d, out.best.settings)) {
+                unpriced += (unpriced.empty() ? "" : ", ") + key;
+                continue;
+            }
             out.dropped.push_back(std::move(d));
         }
+        if (!unpriced.empty())
+            out.untried.push_back(fmt::format("what {} would have cost was not measured for want of time", unpriced));
+    }
+
+    /// What the effect adds to the best settings. False: it is too late to find out.
+    bool price(DroppedEffect& d, const Settings& best) const {
+        if (late()) return false;
+        tell("what " + d.key + " would have cost");
+        Settings with = best;
+        set_setting(with, d.key, d.before);
+        if (d.key == "filter.kernel") with.filter = start_.filter, with.bias = start_.bias;
+        d.error = meter_.judge(with, start_.view.light).error;
+        if (late()) return false;
+        d.ms = meter_.time(best, with);
+        return true;
     }
 
     void finish(AutopilotResult& out) {

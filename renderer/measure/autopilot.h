@@ -16,7 +16,7 @@ struct AutopilotGoals {
     std::optional<double> most_error, most_ms;  ///< one of them at least
     const Metric* error = &metrics().front();   ///< one that has a better
     CostCase cost = kDefaultCost;               ///< which frames most_ms bounds
-    double most_seconds = 100;                  ///< from then on nothing more is tried
+    double most_seconds = 100;                  ///< from then on nothing more is tried or priced
     std::size_t most_combinations = 160;        ///< more are not all tried, but searched by parts
 };
 
@@ -48,11 +48,11 @@ struct AutopilotResult {
     AutopilotCase best;  ///< where nothing holds the bounds: what came nearest
     JudgedSettings before;
     double before_ms = 0;
-    std::vector<AutopilotCase> cases;  ///< all that were judged
-    std::vector<DroppedEffect> dropped;
-    std::size_t combinations = 0;      ///< that the axes make
-    std::vector<std::string> untried;  ///< in sentences
-    std::string summary;               ///< one
+    std::vector<AutopilotCase> cases;    ///< all that were judged
+    std::vector<DroppedEffect> dropped;  ///< those that there was time to price
+    std::size_t combinations = 0;        ///< that the axes make
+    std::vector<std::string> untried;    ///< in sentences
+    std::string summary;                 ///< one
     double seconds = 0;
 };
 

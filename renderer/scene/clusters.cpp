@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace si {
@@ -35,19 +36,30 @@ Shows shown_side(const Cluster& cluster, const glm::dvec4& from) {
     if (cluster.axis == glm::dvec3(0)) return Shows::Either;
     const glm::dvec3 there = glm::dvec3(from) - from.w * cluster.box.centre();
     const double distance = glm::length(there), radius = from.w * cluster.box.radius();
-    if (!(distance > radius)) return Shows::Either;
+    const double off = cluster.spread + kClear;  // of a normal, about the axis
+    constexpr double kRightAngle = 0.5 * std::numbers::pi;
     // By how much of a right angle the way there is clear of the axis's plane, for all of the normals and places.
-    const double least = cluster.spread + std::asin(radius / distance) + kClear;
-    if (!(least < 0.5 * std::numbers::pi)) return Shows::Either;
-    const double cosine = glm::dot(cluster.axis, there) / distance;
-    return cosine > std::sin(least) ? Shows::Front : cosine < -std::sin(least) ? Shows::Back : Shows::Either;
+    const double least = distance > radius ? off + std::asin(radius / distance) : kRightAngle;
+    if (least < kRightAngle) {
+        const double cosine = glm::dot(cluster.axis, there) / distance;
+        if (cosine > std::sin(least)) return Shows::Front;
+        if (cosine < -std::sin(least)) return Shows::Back;
+    }
+    // Near what is flat its box says little, but how far above all corners one is does: for n at most `off` from the
+    // axis, n.v is cos(off) axis.v - sin(off) |v| at least.
+    if (!(off < kRightAngle)) return Shows::Either;
+    const double along = glm::dot(cluster.axis, glm::dvec3(from)), aside = std::tan(off) * (distance + radius);
+    if (along - from.w * cluster.highest > aside) return Shows::Front;
+    return from.w * cluster.lowest - along > aside ? Shows::Back : Shows::Either;
 }
 
 std::vector<Cluster> clusters_of(const Mesh& mesh) {
     const std::size_t triangles = mesh.indices.size() / 3;
-    if (triangles < kLeastTriangles || mesh.bounds.empty()) return {{mesh.bounds}};
+    if (triangles == 0 || mesh.bounds.empty()) return {{mesh.bounds}};
     const glm::dvec3 size = mesh.bounds.hi - mesh.bounds.lo;
-    const glm::ivec3 cells = divided(size, std::min(double(triangles) / kTrianglesACluster, kMostCells));
+    const double wanted =
+        triangles < kLeastTriangles ? 1 : std::min(double(triangles) / kTrianglesACluster, kMostCells);
+    const glm::ivec3 cells = divided(size, wanted);
     const glm::dvec3 per_m = glm::dvec3(cells) / glm::max(size, glm::dvec3(1e-300));
     std::vector<Cluster> all(std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z));
     const auto each_triangle = [&](auto&& add) {
@@ -68,9 +80,12 @@ std::vector<Cluster> clusters_of(const Mesh& mesh) {
     });
     std::vector<double> least(all.size(), 1);  // cosines to the axis
     for (Cluster& c : all) c.axis = glm::length(c.axis) > 0 ? glm::normalize(c.axis) : glm::dvec3(0);
+    for (Cluster& c : all) c.lowest = std::numeric_limits<double>::infinity(), c.highest = -c.lowest;
     each_triangle([&](Cluster& to, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
         double& cosine = least[std::size_t(&to - all.data())];
         cosine = std::min(cosine, glm::dot(to.axis, unit_normal(a, b, c)));
+        const auto [low, high] = std::minmax({glm::dot(to.axis, a), glm::dot(to.axis, b), glm::dot(to.axis, c)});
+        to.lowest = std::min(to.lowest, low), to.highest = std::max(to.highest, high);
     });
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!(least[i] > 0)) all[i].axis = glm::dvec3(0);

@@ -10,8 +10,9 @@ namespace si {
 /// Triangles that lie together, in their mesh's space.
 struct Cluster {
     Bounds box;
-    glm::dvec3 axis{0};  ///< unit, about which the triangles' normals lie; 0: they look anywhere
-    double spread = 0;   ///< radians that a normal is off it at most
+    glm::dvec3 axis{0};              ///< unit, about which the triangles' normals lie; 0: they look anywhere
+    double spread = 0;               ///< radians that a normal is off it at most
+    double lowest = 0, highest = 0;  ///< of corners along the axis
 };
 
 /// Which side of its triangles all of a cluster shows.
@@ -20,8 +21,8 @@ enum class Shows { Either, Front, Back };
 /// @param from in the mesh's space: a point with w of 1, or a direction towards it with w of 0, of any length
 Shows shown_side(const Cluster& cluster, const glm::dvec4& from);
 
-/// Clusters that hold every triangle of a mesh between them: one that looks anywhere of small meshes, at most some
-/// thousand of large ones. Takes time in proportion to the triangles.
+/// Clusters that hold every triangle of a mesh between them: one of small meshes, at most some thousand of large ones.
+/// Takes time in proportion to the triangles.
 std::vector<Cluster> clusters_of(const Mesh& mesh);
 
 /// Indices of large meshes are drawn in runs of so many.

@@ -1,5 +1,6 @@
 #include "renderer/settings/overlays.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "renderer/settings/choices_of.h"
@@ -319,6 +320,24 @@ std::span<const Choice> overlay_choices() {
         return out;
     }();
     return choices;
+}
+
+int& overlay_of_pane(ViewSettings& view, std::size_t pane) {
+    int* const panes[] = {&view.overlay, &view.overlay_2, &view.overlay_3, &view.overlay_4};
+    return *panes[pane];
+}
+
+std::vector<int> pane_overlays(const ViewSettings& view) {
+    ViewSettings all = view;
+    const std::size_t count = view.panes == int(Panes::Four) ? 4 : view.panes == int(Panes::Two) ? 2 : 1;
+    std::vector<int> shown;
+    for (std::size_t pane = 0; pane < count; ++pane) shown.push_back(overlay_of_pane(all, pane));
+    return shown;
+}
+
+bool some_pane_shows(const ViewSettings& view, bool Overlay::*what) {
+    return std::ranges::any_of(pane_overlays(view),
+                               [&](int n) { return n > 0 && overlays()[std::size_t(n - 1)].*what; });
 }
 
 }  // namespace si

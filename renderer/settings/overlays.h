@@ -3,8 +3,10 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "renderer/settings/param.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
 
@@ -35,5 +37,13 @@ struct Overlay {
 
 std::span<const Overlay> overlays();
 std::span<const Choice> overlay_choices();  ///< "none" first
+
+/// What a pane shows: a row's number + 1, 0 for none.
+int& overlay_of_pane(ViewSettings& view, std::size_t pane);
+/// That of each pane that there is.
+std::vector<int> pane_overlays(const ViewSettings& view);
+
+/// Some pane shows an overlay that has this.
+bool some_pane_shows(const ViewSettings& view, bool Overlay::*what);
 
 }  // namespace si

@@ -82,8 +82,7 @@ std::string_view grey_idle(const Settings& s, int) {
 }
 
 bool no_overlay_shown(const Settings& s) {
-    const bool two = s.view.panes >= at(Panes::Two), four = s.view.panes == at(Panes::Four);
-    return s.view.overlay == 0 && !(two && s.view.overlay_2) && !(four && (s.view.overlay_3 || s.view.overlay_4));
+    return std::ranges::all_of(pane_overlays(s.view), [](int overlay) { return overlay == 0; });
 }
 constexpr std::string_view kNoOverlay = "without effect: no overlay is shown";
 

@@ -243,21 +243,26 @@ SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
         const Lies where = out.view.lies(box);
         if (where == Lies::Beyond) continue;
         const std::span<const Cluster> parts = clusters(std::size_t(object.mesh));
+        const auto has_sides = [](const Cluster& part) { return part.axis != glm::dvec3(0); };
+        const bool sides = std::ranges::any_of(parts, has_sides) && keeps_sides(object.world);
+        glm::dmat4& mesh_from_world = out.mesh_from_world[number];
+        if (sides) mesh_from_world = glm::inverse(object.world);
+        const glm::dvec4 eye =
+            mesh_from_world * (camera.orthographic ? glm::dvec4(camera.axes[2], 0) : glm::dvec4(camera.eye, 1));
+        const auto side = [&](const Cluster& part) { return sides ? shown_side(part, eye) : Shows::Either; };
         if (parts.size() > 1) {
-            const bool sides = keeps_sides(object.world);
-            glm::dmat4& mesh_from_world = out.mesh_from_world[number];
-            if (sides) mesh_from_world = glm::inverse(object.world);
-            const glm::dvec4 eye =
-                mesh_from_world * (camera.orthographic ? glm::dvec4(camera.axes[2], 0) : glm::dvec4(camera.eye, 1));
             for (const Cluster& part : parts) {
                 const Box corners = part.box.corners(object.world);
                 if (where != Lies::Within && out.view.lies(corners) == Lies::Beyond) continue;
-                out.bodies.push_back({corners, {}, part, sides ? shown_side(part, eye) : Shows::Either, number});
+                out.bodies.push_back({corners, {}, part, side(part), number});
             }
-        } else if (where == Lies::Within) {
-            out.bodies.push_back({.box = box, .seen = {}});
+            continue;
+        }
+        const Cluster whole = parts.empty() ? Cluster{mesh.bounds} : parts[0];
+        if (where == Lies::Within) {
+            out.bodies.push_back({box, {}, whole, side(whole), number});
         } else if (std::vector<glm::dvec3> seen = out.view.seen_of(box); !seen.empty()) {
-            out.bodies.push_back({.box = box, .seen = std::move(seen)});
+            out.bodies.push_back({box, std::move(seen), whole, side(whole), number});
         }
     }
     return out;

@@ -23,17 +23,33 @@ namespace {
 
 constexpr int kWidth = 1280, kHeight = 720;
 
+bool is_file(const std::string& name) {
+    return name.ends_with(".glb") || name.ends_with(".gltf");
+}
+std::filesystem::path beside_project(const std::string& name) {
+    return std::filesystem::path(SI_SOURCE_DIR) / "../shared" / name;
+}
+
 /// Nothing stands in for a scene that is missing.
 std::string missing_file(const std::string& name) {
-    const auto path = std::filesystem::path(SI_SOURCE_DIR) / "../shared" / name;
-    return !name.ends_with(".glb") || std::filesystem::exists(path) ? "" : "../shared/" + name + " is missing";
+    return !is_file(name) || std::filesystem::exists(beside_project(name)) ? "" : "../shared/" + name + " is missing";
+}
+
+/// Without normal maps, and solid where it is blended, for both: the bare program draws neither, and no downloaded
+/// model has masks but such as have these, too.
+Scene plainly_textured(Scene scene) {
+    for (Material& m : scene.materials) {
+        m.normal_texture = -1, m.unlit = false;
+        if (m.alpha == AlphaMode::Blend) m.alpha = AlphaMode::Opaque;
+    }
+    return scene;
 }
 
 /// "100k" or "1M": the agreed scenes; a file of ../shared; a built-in scene.
 Scene bench_scene(const std::string& name) {
     if (name == "100k") return test::agreed_scene(test::AgreedSize::Triangles100k);
     if (name == "1M") return test::agreed_scene(test::AgreedSize::Triangles1M);
-    if (name.ends_with(".glb")) return load_scene((std::filesystem::path(SI_SOURCE_DIR) / "../shared" / name).string());
+    if (is_file(name)) return plainly_textured(load_scene(beside_project(name).string()));
     return load_scene(name);
 }
 
@@ -101,8 +117,8 @@ struct Match {
 
 /// The renderer against the least that any program takes ("floor"), the least that draws the same light ("like": with
 /// `separate` in the same passes), and bare PCF 3 x 3 by a shadow sampler.
-void whole_frame(benchmark::State& state, const char* file, const Row& row, int resolution, bool separate) {
-    Settings s = around_the_scene();
+void whole_frame(benchmark::State& state, const char* file, const Row& row, int resolution, bool separate,
+                 Settings s = around_the_scene()) {
     s.shading.separate_visibility = separate;
     const Match match(Machine::get(file), s, row, resolution);
     BareForward sampler = match.bare(kSampler);
@@ -180,19 +196,27 @@ double picture_difference(const BareForward& bare, const ByteImage& ours) {
     return sum / double(a.size()) / 255;
 }
 
-/// A scene with textures and masks against the bare program that draws them ("like") and the one that draws neither
-/// ("plain"); the depth pass by itself likewise.
-void textured_frame(benchmark::State& state, const std::string& name, const Row& row, int resolution) {
+/// As the scene suggests, but as bright as the bare program has it.
+Settings textured_settings(const Scene& scene) {
+    Settings s = around_the_scene();
+    apply_suggested(scene, s);
+    s.lights[0].intensity = LightSettings{}.intensity, s.shading.ambient = Settings{}.shading.ambient;
+    return s;
+}
+
+/// A scene with textures and masks against the bare program that draws them ("like": with `separate` in the same
+/// passes) and the one that draws neither ("plain"); fused, the depth pass by itself likewise.
+void textured_frame(benchmark::State& state, const std::string& name, const Row& row, int resolution, bool separate) {
     if (const std::string why = missing_file(name); !why.empty()) return state.SkipWithError(why.c_str());
     Machine& m = Machine::get(name);
-    Settings s = around_the_scene();
-    apply_suggested(m.scene, s);
-    // As bright as the bare program has it.
-    s.lights[0].intensity = LightSettings{}.intensity, s.shading.ambient = Settings{}.shading.ambient;
+    Settings s = textured_settings(m.scene);
+    s.shading.separate_visibility = separate;
     const Match match(m, s, row, resolution);
-    BareForward like =
-        match.bare({.kernel = row.bare, .size = row.size, .materials = BareMaterials::Textures, .cull_casters = false});
-    BareForward plain = match.bare({.kernel = row.bare, .size = row.size, .cull_casters = false});
+    const BareOptions options{
+        .kernel = row.bare, .size = row.size, .cull_casters = false, .separate_visibility = separate};
+    BareOptions textured = options;
+    textured.materials = BareMaterials::Textures;
+    BareForward like = match.bare(textured), plain = match.bare(options);
     match.draw(like);
     const double difference = picture_difference(like, m.renderer.read_colour(match.facts.colour));
     state.counters["picture_difference"] = difference;
@@ -201,19 +225,20 @@ void textured_frame(benchmark::State& state, const std::string& name, const Row&
     FrameRequest map = match.request;
     map.outputs = {.colour = false, .shadow_map = true};
     map.timing = true;
-    const bool casts = row.bare != BareKernel::None;
+    // Of moments the bare program draws all in its depth pass, ours in passes of their own.
+    const bool times_map = row.bare != BareKernel::None && row.bare != BareKernel::Vsm && !separate;
     Rotation rotation;
     rotation.add_draw("ours", [&] { match.draw_ours(); });
     rotation.add_draw("like", [&] { match.draw(like); });
     rotation.add_draw("plain", [&] { match.draw(plain); });
-    if (casts) {
+    if (times_map) {
         rotation.add_draw("depth_like", [&] { like.draw(match.facts.camera, match.light, true, false); });
         rotation.add("depth_ours", [&] { return m.renderer.render(m.scene, match.settings, map).passes[0].gpu_ms; });
     }
     rotation.run(state);
     rotation.ratio(state, "ratio", "ours", "like");
     rotation.ratio(state, "plain_ratio", "ours", "plain");
-    if (casts) rotation.ratio(state, "depth_ratio", "depth_ours", "depth_like");
+    if (times_map) rotation.ratio(state, "depth_ratio", "depth_ours", "depth_like");
 }
 
 /// The shadow map by itself against the bare program's, which leaves back faces out ("culled") or not; and with
@@ -258,9 +283,10 @@ void gather_against_sampler(benchmark::State& state, const char* kernel) {
     rotation.ratio(state, "ratio", "gather", "sampler");
 }
 
-void unchanged_frame(benchmark::State& state) {
-    Machine& m = Machine::get("100k");
-    const Settings s = around_the_scene();
+void unchanged_frame(benchmark::State& state, const std::string& name) {
+    if (const std::string why = missing_file(name); !why.empty()) return state.SkipWithError(why.c_str());
+    Machine& m = Machine::get(name);
+    const Settings s = textured_settings(m.scene);
     FrameRequest forced{.width = kWidth, .height = kHeight}, cached = forced;
     forced.force = true;
     Rotation rotation;
@@ -268,6 +294,13 @@ void unchanged_frame(benchmark::State& state) {
     rotation.add_draw("forced", [&] { m.renderer.render(m.scene, s, forced); });
     rotation.run(state);
     rotation.ratio(state, "ratio", "cached", "forced");
+}
+
+/// The agreed scene as ../shared has it, which others' programs draw.
+void shared_scene(benchmark::State& state, const Row& row) {
+    const std::string name = "perf/scene100k.glb";
+    if (const std::string why = missing_file(name); !why.empty()) return state.SkipWithError(why.c_str());
+    whole_frame(state, name.c_str(), row, 2048, false, textured_settings(Machine::get(name).scene));
 }
 
 void first_frame_of_a_scene(benchmark::State& state, const char* name) {
@@ -284,6 +317,27 @@ void first_frame_of_a_scene(benchmark::State& state, const char* name) {
 int rounds() {
     const char* text = std::getenv("SI_BENCH_ROUNDS");
     return text ? std::clamp(std::atoi(text), 1, 10000) : 30;
+}
+
+/// The stage is always there. Downloaded are the flowers, 7,636 triangles of masked leaves in vases of 6,400, and the
+/// graveyard, 84,413 textured ones in 637 nodes. The forest is 10,000 trees of masked leaves.
+void register_textured(const auto& add) {
+    for (const auto& [scene, file] : {std::pair{"stage", "stage"},
+                                      {"flowers", "models/khr_GlassVaseFlowers/glTF/GlassVaseFlowers.gltf"},
+                                      {"graveyard", "models/kaykit_graveyard/kaykit_graveyard.glb"}}) {
+        for (const Row& row : kRows) {
+            add(fmt::format("textured/{}/{}/2048", scene, row.name),
+                [row, file](benchmark::State& s) { textured_frame(s, file, row, 2048, false); });
+            if (row.bare != BareKernel::None)
+                add(fmt::format("textured_separate/{}/{}/2048", scene, row.name),
+                    [row, file](benchmark::State& s) { textured_frame(s, file, row, 2048, true); });
+        }
+        add(fmt::format("textured_unchanged/{}", scene), [file](benchmark::State& s) { unchanged_frame(s, file); });
+    }
+    for (const Row& row : {kRows[0], kRows[1], kRows[3]})
+        add(fmt::format("textured/forest/{}/2048", row.name), [row](benchmark::State& s) {
+            textured_frame(s, "models/gen_forest_10k/forest_10k.glb", row, 2048, false);
+        });
 }
 
 void register_all() {
@@ -305,11 +359,10 @@ void register_all() {
     }
     for (const Row& row : kRows)
         add(fmt::format("moving_camera/{}/2048", row.name), [row](benchmark::State& s) { moving_camera(s, row); });
-    // The stage is always there; the forest is 10,000 trees of masked leaves.
-    for (const auto& [scene, file] : {std::pair{"stage", "stage"}, {"forest", "models/gen_forest_10k/forest_10k.glb"}})
-        for (const Row& row : {kRows[0], kRows[1], kRows[3]})
-            add(fmt::format("textured/{}/{}/2048", scene, row.name),
-                [row, file](benchmark::State& s) { textured_frame(s, file, row, 2048); });
+    register_textured(add);
+    // scripts/beside_bare.sh runs these beside others' programs.
+    for (const Row& row : {kRows[1], kRows[3], kRows[4]})
+        add(fmt::format("shared_scene/{}/2048", row.name), [row](benchmark::State& s) { shared_scene(s, row); });
     for (const Row& row : {kRows[0], kRows[1], kRows[3]}) {
         add(fmt::format("look/{}", row.name), [row](benchmark::State& s) { look(s, "100k", row); });
         add(fmt::format("look_stage/{}", row.name), [row](benchmark::State& s) { look(s, "stage", row); });
@@ -321,7 +374,7 @@ void register_all() {
     for (const char* kernel : {"hw2x2", "pcf3", "pcf5", "pcf7"})
         add(fmt::format("gather_against_sampler/{}", kernel),
             [kernel](benchmark::State& s) { gather_against_sampler(s, kernel); });
-    add("unchanged_frame", unchanged_frame);
+    add("unchanged_frame", [](benchmark::State& s) { unchanged_frame(s, "100k"); });
     add("first_frame/landscape", [](benchmark::State& s) { first_frame_of_a_scene(s, "landscape"); });
     register_load_benchmarks(rounds());
     register_lookup_benchmarks(rounds());

@@ -60,32 +60,59 @@ Json choice(const std::string& key, const std::string& question, const Way& a, c
             {"rounds", rounds}};
 }
 
+/// Those that are asked for.
+class Choices {
+public:
+    explicit Choices(const GpuReportOptions& options) : options_(options), met_(options.choices.size(), false) {}
+
+    void add(const std::string& key, const std::string& question, const Way& a, const Way& b) {
+        bool wanted = options_.choices.empty();
+        for (std::size_t i = 0; i < met_.size(); ++i)
+            if (key.starts_with(options_.choices[i])) wanted = met_[i] = true;
+        keys_ += (keys_.empty() ? "" : ", ") + key;
+        if (wanted) rows_.push_back(choice(key, question, a, b, options_.rounds));
+    }
+    /// @throws UsageError when something was asked for that there is not
+    Json rows() const {
+        for (std::size_t i = 0; i < met_.size(); ++i)
+            if (!met_[i])
+                throw UsageError(
+                    fmt::format("--choices {}: no choice begins so; there are {}", options_.choices[i], keys_));
+        return rows_;
+    }
+    const GpuReportOptions& options() const { return options_; }
+
+private:
+    const GpuReportOptions& options_;
+    std::vector<bool> met_;  ///< of options_.choices
+    std::string keys_;       ///< of all there are
+    Json rows_ = Json::array();
+};
+
 /// The renderer's choices on the agreed scene: two sets of settings, or a saving made and not.
 class RendererChoices {
 public:
-    RendererChoices(Renderer& renderer, Json& to, int rounds) : renderer_(renderer), to_(to), rounds_(rounds) {}
+    RendererChoices(Renderer& renderer, Choices& to) : renderer_(renderer), to_(to) {}
 
     void add(const std::string& key, const std::string& question, const Sets& common, const Sets& a, const Sets& b) {
-        to_.push_back(choice(key, question, way(common, a, {}), way(common, b, {}), rounds_));
+        to_.add(key, question, way(common, a, {}), way(common, b, {}));
     }
     void add_saving(const SavingRow& row, Saving saving) {
         Way made = way({{"filter.kernel", "pcf3"}}, {}, {}), forced = way({{"filter.kernel", "pcf3"}}, {}, {saving});
         made.name = "made", forced.name = "not made";
-        to_.push_back(choice(fmt::format("saving/{}", row.key), std::string(row.help), made, forced, rounds_));
+        to_.add(fmt::format("saving/{}", row.key), std::string(row.help), made, forced);
     }
     void add_blocks(const std::string& kernel) {
         Way blocks = way({{"filter.kernel", kernel}}, {}, {}, false),
             images = way({{"filter.kernel", kernel}}, {}, {}, true);
         blocks.name = "uniform blocks", images.name = "images";
-        to_.push_back(choice("uniform_blocks_or_images/" + kernel,
-                             "Read the frame's numbers from uniform blocks, or four at a time from images?", blocks,
-                             images, rounds_));
+        to_.add("uniform_blocks_or_images/" + kernel,
+                "Read the frame's numbers from uniform blocks, or four at a time from images?", blocks, images);
     }
 
 private:
     Renderer& renderer_;
-    Json& to_;
-    int rounds_;
+    Choices& to_;
     Scene scene_ = test::agreed_scene(test::AgreedSize::Triangles100k);
 
     Way way(const Sets& common, const Sets& own, const SavingSet& forced, std::optional<bool> as_images = {}) {
@@ -95,7 +122,7 @@ private:
         for (const Sets* sets : {&common, &own})
             for (const auto& [key, value] : *sets) set_setting(s, key, value);
         for (const auto& [key, value] : own) name += fmt::format("{}{}={}", name.empty() ? "" : " ", key, value);
-        FrameRequest request{.width = 1280, .height = 720};
+        FrameRequest request{.width = to_.options().width, .height = to_.options().height};
         request.timing = request.force = true;
         request.forced = forced;
         request.blocks_as_images = as_images;
@@ -152,15 +179,14 @@ void main() {
 /// A picture that full-screen programs draw into.
 class Screen {
 public:
-    static constexpr int kWidth = 1280, kHeight = 720;
-    Screen() {
-        glTextureStorage2D(colour_.id(), 1, GL_RGBA8, kWidth, kHeight);
+    Screen(int width, int height) : width_(width), height_(height) {
+        glTextureStorage2D(colour_.id(), 1, GL_RGBA8, width_, height_);
         glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, colour_.id(), 0);
     }
     /// Finished wall time: one draw is too little for a frame's clock.
     double ms(GLuint program) const {
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-        glViewport(0, 0, kWidth, kHeight);
+        glViewport(0, 0, width_, height_);
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_BLEND);
         glBindVertexArray(vao_.id());
@@ -174,13 +200,14 @@ public:
     }
 
 private:
+    int width_, height_;
     gl::VertexArray vao_ = gl::VertexArray::create("gpu report");
     gl::Texture colour_ = gl::Texture::create("gpu report", GL_TEXTURE_2D);
     gl::Framebuffer framebuffer_ = gl::Framebuffer::create("gpu report");
 };
 
-void add_light_loops(Json& to, int rounds) {
-    const Screen screen;
+void add_light_loops(Choices& to) {
+    const Screen screen(to.options().width, to.options().height);
     for (const int lights : {1, 4, 16}) {
         const gl::Program constant = program_of(light_loop(false, lights)),
                           uniform = program_of(light_loop(true, lights));
@@ -188,15 +215,15 @@ void add_light_loops(Json& to, int rounds) {
         for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = GLint(i % 2);
         glProgramUniform1i(uniform.id(), glGetUniformLocation(uniform.id(), "count"), lights);
         glProgramUniform1iv(uniform.id(), glGetUniformLocation(uniform.id(), "kind"), 16, kinds.data());
-        to.push_back(choice(fmt::format("light_loop/{}", lights),
-                            "A program for each number and kind of lights, or one that branches on uniforms?",
-                            {"a program each", [&] { return screen.ms(constant.id()); }},
-                            {"uniform branches", [&] { return screen.ms(uniform.id()); }}, rounds));
+        to.add(fmt::format("light_loop/{}", lights),
+               "A program for each number and kind of lights, or one that branches on uniforms?",
+               {"a program each", [&] { return screen.ms(constant.id()); }},
+               {"uniform branches", [&] { return screen.ms(uniform.id()); }});
     }
 }
 
-void add_renderer_choices(Renderer& renderer, Json& to, int rounds) {
-    RendererChoices choices(renderer, to, rounds);
+void add_renderer_choices(Renderer& renderer, Choices& to) {
+    RendererChoices choices(renderer, to);
     for (const char* kernel : {"hw2x2", "pcf3", "pcf5", "pcf7"})
         choices.add(fmt::format("gather_or_sampler/{}", kernel),
                     "Gather four texels and compare them in the shader, or have the shadow sampler compare?",
@@ -218,20 +245,21 @@ void add_renderer_choices(Renderer& renderer, Json& to, int rounds) {
 
 }  // namespace
 
-void write_gpu_report(const std::filesystem::path& file, int rounds) {
+void write_gpu_report(const std::filesystem::path& file, const GpuReportOptions& options) {
     require_writable(file);
     const HeadlessContext context;
     Json report{{"what", "shadow-inspector GPU report"}, {"version", 1}, {"context", context.description()}};
-    Json choices = Json::array();
+    report["width"] = options.width, report["height"] = options.height;
+    Choices choices(options);
     {
         Renderer renderer;
         const DriverInfo& driver = renderer.driver();
         report["driver"] = driver_json(driver);
         report["clock"] = {{"used", driver.clock}, {"query_share_of_wall_time", driver.query_share}};
-        add_renderer_choices(renderer, choices, rounds);
+        add_renderer_choices(renderer, choices);
     }
-    add_light_loops(choices, rounds);
-    report["choices"] = std::move(choices);
+    add_light_loops(choices);
+    report["choices"] = choices.rows();
     write_file(file, report.dump(1) + "\n");
 }
 

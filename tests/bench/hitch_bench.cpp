@@ -1,19 +1,25 @@
 // What a person waits for in the editor, drawn without a window: the longest frame of the editor while something is
-// done for the first time, with frames drawn on a thread of their own and without, and when it is done again. Each with
-// an empty shader cache of its own.
+// done for the first time, with frames drawn on a thread of their own and without, and when it is done again; and each
+// tool's first use. Each with an empty shader cache of its own.
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <imgui.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <thread>
 
 #include "app/editor/headless_editor.h"
 #include "app/editor/rehearsals.h"
+#include "renderer/base/error.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/rounds.h"
+#include "ui/scene_view/light_handles.h"
 
 namespace si {
 namespace {
@@ -36,15 +42,24 @@ struct EmptyShaderCache {
     }
 };
 
+/// What a first use was like, milliseconds.
+struct Use {
+    double took = 0;     ///< longest frame in which the hand did something, or of the two after: what it chose is shown
+    double longest = 0;  ///< longest frame until all was shown
+    double until = 0;    ///< from the beginning until then
+};
+
 struct Hands {
     EmptyShaderCache cache;
     double start_ms = 0;
     std::unique_ptr<HeadlessEditor> editor;
 
-    explicit Hands(bool apart) {
+    /// @param tab in front at the start; empty: the first
+    explicit Hands(bool apart, const std::string& tab = {}) {
         EditorOptions options;
         options.session.scene = "stage";
         options.headless = true;
+        options.tab = tab;
         if (apart) options.frame_patience = kFramePatience;
         start_ms = wall_ms([&] {
             editor = std::make_unique<HeadlessEditor>(options);
@@ -81,8 +96,186 @@ struct Hands {
         if (until) until->push_back(shown_ms);
         return ms;
     }
+    /// Does one thing a frame, then waits for what it calls for, rays too.
+    Use use(const std::vector<std::function<void(Hands&)>>& steps) {
+        Use u;
+        const auto begin = std::chrono::steady_clock::now(), end = begin + std::chrono::seconds(20);
+        const auto since_ms = [&] {
+            return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+        };
+        for (std::size_t i = 0; i < steps.size() + 2; ++i) {
+            if (i < steps.size()) steps[i](*this);
+            u.took = std::max(u.took, frame());
+        }
+        u.longest = u.took, u.until = since_ms();
+        for (int still = 0; still < 4 && std::chrono::steady_clock::now() < end;) {
+            const bool waits = editor->model().tracing() || state().artefact_tour.waits_for != 0;
+            if (waits) std::this_thread::sleep_for(std::chrono::milliseconds(16));
+            u.longest = std::max(u.longest, frame());
+            still = waits ? 0 : still + 1;
+            if (waits) u.until = since_ms();
+        }
+        return u;
+    }
+    /// Of an editor that rests.
+    double usual_ms() {
+        std::vector<double> ms;
+        for (int i = 0; i < 9; ++i) ms.push_back(frame());
+        return median(ms);
+    }
     EditorState& state() { return editor->model().state; }
+    /// Of the shown light's, which take presses.
+    std::vector<PlacedHandle> handles() {
+        const FittedLight& fitted = editor->model().facts().result->lights[0];
+        return place_handles(light_pose(state().settings.lights[0], fitted, 0), *state().scene_view);
+    }
+    /// A place in the lower half of the scene's picture, where surfaces are, as far from handles as there is one.
+    glm::vec2 free_place() {
+        const PictureView& view = *state().scene_view;
+        const std::vector<PlacedHandle> taken = handles();
+        glm::dvec2 best(0);
+        double farthest = -1;
+        for (const double x : {0.25, 0.35, 0.45, 0.55, 0.65, 0.75})
+            for (const double y : {0.55, 0.65, 0.75}) {
+                const glm::dvec2 at = view.origin + glm::dvec2(x, y) * view.size;
+                double nearest = 1e9;
+                for (const PlacedHandle& h : taken) nearest = std::min(nearest, glm::distance(at, h.on_screen));
+                if (nearest > farthest) farthest = nearest, best = at;
+            }
+        return glm::vec2(best);
+    }
 };
+
+/// A tool's first use.
+struct Tool {
+    using Step = std::function<void(Hands&)>;
+    std::string name;
+    std::vector<Step> steps;  ///< one a frame
+    Step before = {};         ///< done and waited for before
+    std::string tab = {};     ///< in front at the start; empty: the first
+};
+
+void over_scene(Hands& h) {
+    h.editor->mouse.at = h.free_place();
+}
+void over_map(Hands& h) {
+    const ScreenRect& map = h.state().map_rect;
+    h.editor->mouse.at = map.lo + 0.5f * map.size;
+}
+Tool::Step left_button(bool down) {
+    return [down](Hands& h) { h.editor->mouse.left = down; };
+}
+Tool::Step move_by(float x, float y) {
+    return [x, y](Hands& h) { *h.editor->mouse.at += glm::vec2(x, y); };
+}
+/// The window feeds codes that equal ASCII's.
+Tool::Step hold_key(int code, bool down) {
+    return [code, down](Hands&) { ImGui::GetIO().KeysDown[code] = down; };
+}
+/// A key while the mouse is over the scene.
+Tool press_key(const std::string& name, int code, Tool::Step before = over_scene) {
+    return {.name = name, .steps = {hold_key(code, true), hold_key(code, false)}, .before = std::move(before)};
+}
+/// The mouse on the handle that turns the light, or on another that is in the picture.
+void over_handle(Hands& h) {
+    const std::vector<PlacedHandle> all = h.handles();
+    const auto turns = std::ranges::find(all, LightHandle::Direction, &PlacedHandle::handle);
+    if (all.empty()) throw Error("no handle of the light is in the picture");
+    h.editor->mouse.at = glm::vec2((turns == all.end() ? all.front() : *turns).on_screen);
+}
+void pin_and_change(Hands& h) {
+    over_scene(h);
+    h.state().pinned = PinnedSettings{h.state().settings, h.state().scene_name};
+    h.state().settings.bias.normal += 1;
+}
+/// As a click on a tab does, which may make the pictures smaller.
+Tool::Step open_tab(BottomTab tab) {
+    return [tab](Hands& h) { h.state().open_tab = h.state().fitted_tab = tab; };
+}
+
+constexpr std::pair<const char*, BottomTab> kTabs[] = {
+    {"effects", BottomTab::Effects}, {"probe", BottomTab::Probe},     {"error", BottomTab::Error},
+    {"objects", BottomTab::Objects}, {"compare", BottomTab::Compare}, {"frontier", BottomTab::Frontier},
+    {"advice", BottomTab::Advice},   {"lab", BottomTab::Lab},         {"numbers", BottomTab::Numbers},
+    {"log", BottomTab::Log}};
+
+std::vector<Tool> all_tools() {
+    constexpr int kF11 = 300;  // as the window feeds it (GLFW)
+    std::vector<Tool> all = {
+        {.name = "hover", .steps = {over_scene}},
+        {.name = "probe", .steps = {left_button(true), left_button(false)}, .before = over_scene},
+        {.name = "turn_camera",
+         .steps = {left_button(true), move_by(9, 4), move_by(9, 4), left_button(false)},
+         .before = over_scene},
+        {.name = "zoom", .steps = {[](Hands& h) { h.editor->mouse.wheel = 1; }}, .before = over_scene},
+        {.name = "drag_light",
+         .steps = {left_button(true), move_by(8, -5), move_by(8, -5), left_button(false)},
+         .before = over_handle},
+        {.name = "hover_handle", .steps = {over_handle}},
+        {.name = "hover_map", .steps = {over_map}},
+        {.name = "zoom_map", .steps = {[](Hands& h) { h.editor->mouse.wheel = 1; }}, .before = over_map},
+        press_key("loupe", 'G'),
+        press_key("pin_a", 'P'),
+        {.name = "flicker_to_a", .steps = {hold_key('A', true)}, .before = pin_and_change},
+        press_key("compare_with_truth", 'B'),
+        {.name = "compare_with_a",
+         .steps = {[](Hands& h) {
+             h.state().against = {.view = AgainstView::SideBySide, .truth = false};
+             h.state().compare = {CompareKind::Pinned, {}};
+         }},
+         .before = pin_and_change},
+        press_key("freeze_view", 'K'),
+        press_key("through_light", 'L'),
+        press_key("frame_scene", 'F'),
+        press_key("overlay_depth_difference", '4'),
+        {.name = "overlay_artefacts",
+         .steps = {[](Hands& h) { h.editor->mouse.shift = ImGui::GetIO().KeysDown[int('3')] = true; },
+                   [](Hands& h) { h.editor->mouse.shift = ImGui::GetIO().KeysDown[int('3')] = false; }},
+         .before = over_scene},
+        {.name = "two_panes",
+         .steps = {[](Hands& h) { h.state().settings.view.panes = int(Panes::Two); }},
+         .before = over_scene},
+        press_key("next_artefact", 'X'),
+        press_key("texel_quads", 'Q'),
+        press_key("next_light_type", 'T'),
+        press_key("twice_the_texels", ']'),
+        press_key("no_bias", 'U'),
+        press_key("map_elsewhere", 'N'),
+        press_key("map_view", 'M'),
+        press_key("scene_alone", kF11),
+    };
+    for (const auto& [name, tab] : kTabs)
+        all.push_back({.name = fmt::format("tab_{}", name),
+                       .steps = {open_tab(tab)},
+                       .tab = tab == BottomTab::Effects ? "log" : ""});
+    return all;
+}
+
+/// A tool's first use in an editor that nobody has touched, against that editor's usual frame: over_ms is to be
+/// below 50.
+void first_use(benchmark::State& state, const Tool& tool) {
+    std::vector<double> usual, took, over, longest, until;
+    for (auto _ : state) {
+        Hands hands(true, tool.tab);
+        hands.settle();
+        try {
+            if (tool.before) tool.before(hands), hands.settle();
+        } catch (const Error& e) {
+            return state.SkipWithError(e.what());
+        }
+        usual.push_back(hands.usual_ms());
+        const Use use = hands.use(tool.steps);
+        took.push_back(use.took), longest.push_back(use.longest), until.push_back(use.until);
+        over.push_back(took.back() - usual.back());
+        state.SetIterationTime(took.back() / 1000);
+    }
+    state.counters["usual_ms"] = median(usual);
+    state.counters["took_ms"] = median(took);
+    state.counters["over_ms"] = median(over);
+    state.counters["over_worst_ms"] = *std::max_element(over.begin(), over.end());
+    state.counters["longest_ms"] = median(longest);
+    state.counters["until_ms"] = median(until);
+}
 
 /// The first time, each kernel of a few; then each again.
 void switch_filter(benchmark::State& state, bool apart) {
@@ -129,7 +322,8 @@ void first_touch(benchmark::State& state, bool apart) {
 
 /// The editor's own work: a frame in which the light turned, with each tab in front, less the same picture drawn by a
 /// renderer alone; a frame in which nothing changes; and what a still editor's threads take while nobody asks for a
-/// frame. Processor time. What follows in the background (rays, the frontier's dot) is waited for, and not counted.
+/// frame. Processor time. What follows in the background (rays, the frontier's dot) is waited for; what of it falls
+/// into the frame that began it is counted.
 void editor_overhead(benchmark::State& state) {
     Hands hands(false);
     std::vector<double> idle, over;
@@ -142,8 +336,7 @@ void editor_overhead(benchmark::State& state) {
     };
     for (auto _ : state) {
         Renderer alone;
-        for (const BottomTab tab :
-             {BottomTab::Effects, BottomTab::Probe, BottomTab::Objects, BottomTab::Compare, BottomTab::Log}) {
+        for (const auto& [name, tab] : kTabs) {
             hands.state().open_tab = tab;
             hands.state().probe_pixel = tab == BottomTab::Probe ? std::optional(glm::ivec2(300, 200)) : std::nullopt;
             hands.settle();
@@ -152,6 +345,7 @@ void editor_overhead(benchmark::State& state) {
             for (int round = 0; round < 4; ++round) {
                 hands.state().settings.lights[0].azimuth += 1;
                 const double whole = taken([&] { hands.frame(); });
+                hands.editor->model().finish_tracing(), hands.editor->model().finish_measuring();
                 const EditorFrame shown = hands.editor->model().facts();
                 const FrameRequest request{.width = shown.result->colour.width, .height = shown.result->colour.height};
                 const double bare = taken([&] { alone.render(*shown.scene, hands.state().settings, request); });
@@ -159,7 +353,7 @@ void editor_overhead(benchmark::State& state) {
             }
             over.push_back(median(own));
             worst = std::max(worst, over.back());
-            state.counters[fmt::format("tab_{}_ms", int(tab))] = over.back();
+            state.counters[fmt::format("tab_{}_ms", name)] = over.back();
         }
         state.SetIterationTime(median(over) / 1000);
     }
@@ -186,6 +380,8 @@ const bool registered_hitches = [] {
             [apart](benchmark::State& s) { first_touch(s, apart); });
     }
     add("editor_overhead", editor_overhead);
+    for (const Tool& tool : all_tools())
+        add(("first_use/" + tool.name).c_str(), [tool](benchmark::State& s) { first_use(s, tool); });
     return true;
 }();
 

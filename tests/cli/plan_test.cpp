@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "renderer/frame/savings.h"
 #include "tests/support/process.h"
@@ -36,7 +37,7 @@ TEST(PlanCommand, TellsEachEffectWithItsReasonAndNoTimeUnlessMeasured) {
         const std::string state = e["state"];
         EXPECT_TRUE(state == "simulated" || state == "reused" || state == "not called for") << state;
         EXPECT_FALSE(e["reason"].get<std::string>().empty()) << e["name"];
-        for (const char* time : {"saved_ms", "saved_ms_low", "saved_ms_high", "ms"})
+        for (const char* time : {"saved_ms", "saved_ms_low", "saved_ms_high", "saved_together", "ms"})
             EXPECT_TRUE(e.at(time).is_null()) << e["name"];
     }
     EXPECT_EQ(effect_of(plan, "shadow map 0 (directional)")["state"], "simulated");
@@ -61,11 +62,49 @@ TEST(PlanCommand, MeasuresWhatEffectsName) {
     EXPECT_TRUE(effect_of(plan, "depth blur")["saved_ms"].is_null()) << "nothing spares it: never estimated";
 }
 
+TEST(PlanCommand, TellsOfHowManyEffectsATimeIs) {
+    const Words measured = {"--measure", "--rounds", "3", "--set", "light.type=point", "--set", "map.resolution=256"};
+    const Json plan = plan_of(measured);
+    int faces = 0;
+    for (const Json& e : plan["effects"]) faces += e["saving"] == "views";
+    ASSERT_GT(faces, 1);
+    for (const Json& e : plan["effects"]) {
+        if (e["saving"] == "views") EXPECT_EQ(e["saved_together"], faces) << e["name"];
+        EXPECT_EQ(e["saved_together"].is_null(), e["saved_ms"].is_null()) << e["name"];
+    }
+    EXPECT_EQ(effect_of(plan, "visibility texture")["saved_together"], 1);
+    Words words = {"plan", "boxes", "--size", "160x90"};
+    words.insert(words.end(), measured.begin(), measured.end());
+    const ProcessResult text = run_program(words);
+    EXPECT_EQ(text.code, 0) << text.err;
+    EXPECT_NE(text.out.find("), of " + std::to_string(faces) + " together"), std::string::npos) << text.out;
+}
+
+TEST(PlanCommand, TellsOfTheSearchThatItMakes) {
+    EXPECT_EQ(effect_of(plan_of({}), "numeric health")["state"], "not called for");
+    const Json plan = plan_of({"--check-numeric"});
+    EXPECT_EQ(effect_of(plan, "numeric health")["state"], "simulated");
+    EXPECT_EQ(effect_of(plan, "visibility texture")["state"], "simulated") << "which is searched, too";
+}
+
 TEST(PlanCommand, ListsWaste) {
     const Json waste = plan_of({"--waste", "--set", "light.cascades=2"})["waste"];
-    EXPECT_EQ(waste["tried"].size(), 2u);
+    std::vector<std::string> maps, others;
+    for (const Json& tried : waste["tried"])
+        (tried["texels_read"].is_null() ? others : maps).push_back(tried["name"].get<std::string>());
+    EXPECT_EQ(maps.size(), 2u);
+    EXPECT_EQ(others, (std::vector<std::string>{"sky and its ambient light", "tone curve"}));
     EXPECT_GT(waste["triangles"], 0);
     EXPECT_LE(waste["wasted_triangles"], waste["triangles"]);
+    for (const char* time : {"maps_ms", "wasted_ms", "share_of_time"}) EXPECT_TRUE(waste.at(time).is_null()) << time;
+}
+
+TEST(PlanCommand, WeighsWasteByTimeWhereTimeIsMeasured) {
+    const Json waste = plan_of({"--waste", "--measure", "--rounds", "3", "--set", "light.intensity=1e-10"})["waste"];
+    EXPECT_EQ(waste["share"], 1) << "nobody sees so dim a light";
+    EXPECT_GT(waste["maps_ms"], 0);
+    EXPECT_LE(waste["share_of_time"], 1);
+    EXPECT_TRUE(waste["tried"][0]["maps_ms"].is_number());
 }
 
 TEST(PlanCommand, TracesForWhatIsShown) {

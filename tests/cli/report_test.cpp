@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 #include "app/base/output.h"
 #include "app/sweep/html_report.h"
@@ -13,6 +14,9 @@
 
 namespace si {
 namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
 
 /// Hard is cheap and rough; a wide kernel is dear and smooth; 4096 texels fail.
 struct PlausibleMeter : FakeMeter {

@@ -105,6 +105,23 @@ TEST_F(EffectsTest, WhatAReasonNamesIsWhatCallsForTheEffect) {
          {{"filter.kernel", "vsm"}, {"map.samples", "4"}}},
         {"blocker search", {}, "Kernel", {{"filter.kernel", "pcss"}}},
         {"light's size", {}, "Kernel", {{"filter.kernel", "pcss"}}},
+        {"blocker search",
+         {{"filter.kernel", "pcss"}, {"light.size", "0"}},
+         "light.size is 0",
+         {{"filter.kernel", "pcss"}, {"light.size", "1"}}},
+        {"blocker search",
+         {{"filter.kernel", "dpcf"}, {"light.size", "0"}},
+         "light.size is 0",
+         {{"filter.kernel", "dpcf"}, {"light.size", "1"}}},
+        {"light's size",
+         {{"filter.kernel", "smrt"}, {"light.size", "0"}},
+         "light.size is 0",
+         {{"filter.kernel", "smrt"}, {"light.size", "1"}}},
+        {"look-ups of light 0", {{"camera.source", "manual"}, {"camera.target_x", "500"}}, "camera sees nothing", {}},
+        {"look-ups of light 0",
+         {{"camera.source", "manual"}, {"camera.target_x", "500"}, {"map.virtual", "true"}},
+         "No pixel asks for a page",
+         {{"map.virtual", "true"}}},
         {"overlay values", {}, "overlay", {{"view.overlay", "visibility"}}},
         {"texel slabs", {}, "view.slabs", {{"view.slabs", "both"}}},
         {"visibility texture", {}, "shading", {{"shading.separate_visibility", "true"}}},
@@ -212,6 +229,83 @@ TEST_F(EffectsTest, WhatSavingsSpareWithinAPassIsNamedWithThemAndSimulatedWhereT
     const std::vector<Effect> sized = effects(scene, {{"filter.kernel", "pcss"}, {"light.size", "1"}});
     EXPECT_FALSE(effect_named(sized, "search for a penumbra of light 0")) << "one opens: it is searched for";
     EXPECT_FALSE(effect_named(effects(scene, {{"light.cast", "false"}}), "look-ups where light does not arrive"));
+}
+
+std::string reason_of(const std::vector<Effect>& effects, std::string_view name) {
+    const Effect* effect = effect_named(effects, name);
+    EXPECT_TRUE(effect) << name;
+    return effect ? effect->reason : "";
+}
+
+TEST_F(EffectsTest, ASearchIsToldAsTheKernelMakesItUnderEachLight) {
+    const Scene scene = load_scene("boxes");
+    const std::vector<Effect> rays = effects(scene, {{"filter.kernel", "smrt"}, {"light.size", "1"}});
+    EXPECT_EQ(state_of_effect(rays, "blocker search"), EffectState::Simulated);
+    EXPECT_NE(reason_of(rays, "blocker search").find("follows rays"), std::string::npos);
+    EXPECT_FALSE(effect_named(rays, "search for a penumbra of light 0"));
+    const Sets no_size = {{"filter.kernel", "smrt"}, {"light.size", "0"}};
+    const std::vector<Effect> spared = effects(scene, no_size);
+    EXPECT_NE(reason_of(spared, "blocker search").find("none is followed where nothing"), std::string::npos);
+    ASSERT_TRUE(effect_named(spared, "search for a penumbra of light 0")) << "it could not be forced";
+    EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->saving, Saving::Blockers);
+    FrameRequest request = small();
+    request.forced = {Saving::Blockers};
+    EXPECT_EQ(state_of_effect(effects(scene, no_size, request), "search for a penumbra of light 0"),
+              EffectState::Simulated);
+    EXPECT_EQ(
+        state_of_effect(effects(scene, {{"filter.kernel", "pcss"}, {"light.size", "0"}}, request), "blocker search"),
+        EffectState::Simulated)
+        << "all places are looked at";
+    EXPECT_FALSE(effect_named(effects(scene, {{"filter.kernel", "dpcf"}, {"light.size", "0"}}),
+                              "search for a penumbra of light 0"))
+        << "its taps compare whatever the light's size: nothing is spared";
+    const std::vector<Effect> two =
+        effects(scene, {{"filter.kernel", "pcss"}, {"light.count", "2"}, {"light.0.size", "1"}, {"light.1.size", "0"}});
+    for (const char* name : {"blocker search", "light's size"}) {
+        EXPECT_EQ(state_of_effect(two, name), EffectState::Simulated);
+        EXPECT_NE(reason_of(two, name).find("light.1.size is 0"), std::string::npos) << reason_of(two, name);
+    }
+    EXPECT_FALSE(effect_named(two, "search for a penumbra of light 0"));
+    EXPECT_TRUE(effect_named(two, "search for a penumbra of light 1"));
+    for (const std::vector<Effect>* all : {&rays, &spared, &two})
+        for (const Effect& e : *all) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
+}
+
+TEST_F(EffectsTest, TexelsOfLookUpsAreThoseThatAreFetchedAtMost) {
+    const Scene scene = load_scene("boxes");
+    const Sets no_size = {
+        {"filter.kernel", "pcss"}, {"filter.taps", "20"}, {"filter.blocker_taps", "10"}, {"light.size", "0"}};
+    EXPECT_EQ(reason_of(effects(scene, no_size), "look-ups of light 0"),
+              "Kernel PCSS fetches up to 21 texels a look-up.");
+    FrameRequest request = small();
+    request.forced = {Saving::Blockers};
+    EXPECT_EQ(reason_of(effects(scene, no_size, request), "look-ups of light 0"),
+              "Kernel PCSS fetches up to 30 texels a look-up.");
+    EXPECT_EQ(reason_of(effects(scene, {{"filter.kernel", "hard"}}), "look-ups of light 0"),
+              "Kernel Hard (nearest) fetches up to 1 texel a look-up.");
+}
+
+TEST_F(EffectsTest, WhatIsNotLookedUpIsNotSearched) {
+    const Scene scene = load_scene("boxes");
+    Sets away = {{"filter.kernel", "pcss"}, {"camera.source", "manual"}, {"camera.target_x", "500"}};
+    for (const bool separate : {false, true}) {
+        if (separate) away.emplace_back("shading.separate_visibility", "true");
+        const std::vector<Effect> all = effects(scene, away);
+        for (const char* name : {"look-ups of light 0", "blocker search", "light's size"})
+            EXPECT_EQ(state_of_effect(all, name), EffectState::NotCalledFor) << name << ": " << reason_of(all, name);
+        for (const Effect& e : all) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
+    }
+}
+
+TEST(SharedSavings, CountTheEffectsThatNameThem) {
+    const std::vector<Effect> all = {{.name = "a", .saving = Saving::Views},
+                                     {.name = "b"},
+                                     {.name = "c", .saving = Saving::Casters},
+                                     {.name = "d", .saving = Saving::Views},
+                                     {.name = "e"}};
+    EXPECT_EQ(saved_together(all, all[0]), 2u);
+    EXPECT_EQ(saved_together(all, all[1]), 1u) << "what no saving spares is alone";
+    EXPECT_EQ(saved_together(all, all[2]), 1u);
 }
 
 TEST_F(EffectsTest, AnEmptySceneAndFarLightsHaveEffectsToo) {

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 
 #include "app/session/command_line.h"
@@ -17,11 +15,10 @@
 #include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/shared_models.h"
 
 namespace si {
 namespace {
-
-namespace fs = std::filesystem;
 
 Session session_of(Scene scene, std::vector<std::string> sets = {}) {
     sets.insert(sets.begin(), "map.resolution=512");  // as the pictures here are a fourth of a window's
@@ -173,26 +170,6 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
     EXPECT_LT(differ, box / 100);
 }
 
-/// A file of ../shared/models that is to be read.
-struct Model {
-    fs::path file;
-    bool may_be_refused = false;
-};
-
-std::vector<Model> models() {
-    std::vector<Model> out;
-    const fs::path folder = fs::path(SI_SOURCE_DIR) / "../shared/models";
-    std::ifstream list(folder / "EXPECT.tsv");
-    std::string line;
-    while (std::getline(list, line)) {
-        const std::size_t name = line.find('\t');
-        if (name == line.npos || !line.substr(name).starts_with("\tload\t")) continue;
-        const fs::path file = folder / line.substr(0, name);
-        if (fs::exists(file)) out.push_back({file, line.substr(name).starts_with("\tload\trefuse")});
-    }
-    return out;
-}
-
 /// What cannot be as the others are, and why.
 constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
     {"04_lights.gltf", "it is one sheet, and nothing stands on it"},
@@ -208,11 +185,11 @@ constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
 // What a file's own camera shows of the shadow is the file's affair; the camera that frames the scene is asked for it.
 // But a file opens with its own: there has to be a picture.
 TEST_F(GroundTest, ModelsShowTheirShadowsAtOnce) {
-    const std::vector<Model> files = models();
+    const std::vector<test::SharedModel> files = test::shared_models();
     if (files.empty()) GTEST_SKIP() << "../shared/models is not there";
     int shown = 0, with_camera = 0;
     std::string by_own_cameras;
-    for (const Model& model : files) {
+    for (const test::SharedModel& model : files) {
         SCOPED_TRACE(model.file);
         std::optional<Session> session;
         try {

@@ -148,6 +148,32 @@ TEST_F(ViewSavingsTest, AgainstTheLightWhatFacesAwayCallsForNoCasters) {
         }
 }
 
+TEST_F(ViewSavingsTest, FloorsAndWallsThatFaceAwayCallForNoMap) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(40, 40), grey), moved(7, 3, -2) * turned(20));
+    add_object(scene, "Ball", -1, add_mesh(scene, "Ball", make_sphere(1), grey), moved(67, 2, -2));
+    finalise(scene);
+    for (const char* type : {"directional", "spot", "point"})
+        for (const bool below : {false, true}) {
+            const Settings s = settings_for(scene, {{"camera.source", "manual"},
+                                                    {"camera.target_x", "7"},
+                                                    {"camera.target_y", "3"},
+                                                    {"camera.elevation", "40"},
+                                                    {"camera.distance", "8"},
+                                                    {"light.type", type},
+                                                    {"light.fit", "scene"},
+                                                    {"light.elevation", below ? "-50" : "50"},
+                                                    {"light.distance", "30"}});
+            const auto [saved, forced] = expect_one_picture(scene, s, type);
+            EXPECT_GT(forced, 0u);
+            if (below)
+                EXPECT_EQ(saved, 0u) << type << ": nothing is seen of the side that it shines on";
+            else
+                EXPECT_GT(saved, 0u) << type;
+        }
+}
+
 // A face is chosen by the surface's place, whatever the kernel: also where those of moments, or maps that repeat, read
 // all of it.
 TEST_F(ViewSavingsTest, PicturesAreTheSameFromAnywhere) {

@@ -6,19 +6,23 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
+#include "renderer/scene/ground.h"
+#include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/shared_models.h"
 
 namespace si {
 namespace {
 
-/// Of all triangles that are drawn into maps.
+/// Of all triangles that are drawn into maps, and of the time that they take.
 constexpr double kMostWaste = 0.05;
 
 class WasteTest : public FrameTest {
 protected:
-    Waste waste_of(const Scene& scene, const Sets& sets) {
-        return find_waste(renderer, scene, settings_for(scene, sets), {.width = 320, .height = 180});
+    Waste waste_of(const Scene& scene, const Sets& sets, bool timing = false) {
+        return find_waste(renderer, scene, settings_for(scene, sets), {.width = 320, .height = 180, .timing = timing});
     }
 };
 
@@ -77,63 +81,236 @@ TEST_F(WasteTest, EffectsThatSettingsPutOnAreTriedToo) {
     EXPECT_TRUE(tried_named(moments, "blur of the moments").changes);
 }
 
+bool was_tried(const Waste& waste, std::string_view name) {
+    return std::ranges::any_of(waste.tried, [&](const Tried& t) { return t.name == name; });
+}
+
+TEST_F(WasteTest, WhatMakesThePictureOfLightIsTriedWhereItIsOn) {
+    const Scene scene = load_scene("boxes");
+    const Waste waste = waste_of(scene, {});
+    EXPECT_TRUE(tried_named(waste, "sky and its ambient light").changes);
+    EXPECT_TRUE(tried_named(waste, "tone curve").changes);
+    const Waste plain = waste_of(scene, {{"shading.sky", "plain"}, {"shading.curve", "plain"}});
+    for (const char* name : {"sky and its ambient light", "tone curve", "ground", "alpha test in maps", "texel slabs"})
+        EXPECT_FALSE(was_tried(plain, name)) << name << " is not simulated";
+    EXPECT_TRUE(was_tried(waste_of(scene, {{"shading.curve", "plain"}, {"shading.exposure", "1"}}), "tone curve"));
+}
+
+TEST_F(WasteTest, TheGroundIsTriedWhereOneWasPutUnderTheScene) {
+    Scene scene = make_scene(make_box({1, 2, 1.5}));
+    add_ground(scene);
+    ASSERT_FALSE(scene.ground_bounds.empty());
+    EXPECT_TRUE(tried_named(waste_of(scene, {}), "ground").changes);
+    EXPECT_FALSE(scene.ground_bounds.empty()) << "it is still there";
+    EXPECT_TRUE(std::ranges::any_of(scene.objects, [](const Object& o) { return o.ground; }));
+}
+
+TEST_F(WasteTest, PagesAreTriedLightByLight) {
+    const Scene scene = load_scene("boxes");
+    const Sets paged = {{"map.virtual", "true"}, {"light.contact", "0.5"}};
+    const Waste waste = waste_of(scene, paged);
+    EXPECT_TRUE(tried_named(waste, "pages of light 0").changes);
+    EXPECT_GT(tried_named(waste, "pages of light 0").triangles, 0u);
+    EXPECT_TRUE(was_tried(waste, "contact shadows of light 0")) << "by itself";
+    EXPECT_EQ(waste.share(), 0);
+    // Seen from where nothing is looked up.
+    Sets away = paged;
+    away.emplace_back("camera.source", "manual"), away.emplace_back("camera.target_x", "500");
+    EXPECT_FALSE(tried_named(waste_of(scene, away), "pages of light 0").changes);
+}
+
+TEST_F(WasteTest, TheLightsSizeIsTriedUnderKernelsThatReadIt) {
+    const Scene scene = load_scene("boxes");
+    const Sets soft = {{"filter.kernel", "pcss"}, {"light.size", "3"}};
+    EXPECT_TRUE(tried_named(waste_of(scene, soft), "size of light 0").changes);
+    EXPECT_FALSE(was_tried(waste_of(scene, {{"light.size", "3"}}), "size of light 0"));
+    // Its truth reads it, the picture does not.
+    EXPECT_FALSE(was_tried(waste_of(scene, {{"light.size", "3"}, {"truth.area", "true"}}), "size of light 0"));
+}
+
+/// A fence that stands on a floor, or on nothing.
+Scene fence(bool cut_out, bool floor = true) {
+    Scene scene;
+    Texture holes;
+    holes.width = holes.height = 8;
+    for (int i = 0; i < 64; ++i)
+        holes.rgba.append({90, 90, 90, std::uint8_t(cut_out && (i + i / 8) % 2 == 0 ? 0 : 255)});
+    holes.nearest_mag = holes.nearest_min = true;
+    holes.mipmaps = false;
+    scene.textures.push_back(holes);
+    scene.materials.push_back(
+        {.name = "fence", .base_colour_texture = 0, .alpha = AlphaMode::Mask, .double_sided = true});
+    add_object(scene, "Fence", -1, add_mesh(scene, "fence", make_quad(2, 2), 0));
+    if (floor)
+        add_object(scene, "Floor", -1,
+                   add_mesh(scene, "floor", make_plane(12, 12), add_material(scene, "grey", {0.6f, 0.6f, 0.6f})));
+    finalise(scene);
+    return scene;
+}
+
+TEST_F(WasteTest, TheAlphaTestInMapsIsTriedByTheShadowsOfWhatItCuts) {
+    EXPECT_TRUE(tried_named(waste_of(fence(true), {}), "alpha test in maps").changes);
+    EXPECT_FALSE(tried_named(waste_of(fence(false), {}), "alpha test in maps").changes) << "it cuts nothing";
+    EXPECT_FALSE(was_tried(waste_of(fence(true), {{"light.cast", "false"}}), "alpha test in maps"));
+    // Holes that the camera sees through are not the map's.
+    EXPECT_FALSE(tried_named(waste_of(fence(true, false), {}), "alpha test in maps").changes);
+}
+
+TEST_F(WasteTest, BlendedCastersAreTriedWhereTheyCast) {
+    Scene scene = fence(false);
+    scene.materials[0].alpha = AlphaMode::Blend;
+    refresh(scene);
+    EXPECT_TRUE(tried_named(waste_of(scene, {{"caster.blend", "mask"}}), "shadows of blended casters").changes);
+    EXPECT_FALSE(was_tried(waste_of(scene, {{"caster.blend", "none"}}), "shadows of blended casters"));
+}
+
+TEST_F(WasteTest, WhatIsShownOverThePictureIsTriedPaneByPane) {
+    const Scene scene = load_scene("boxes");
+    const Waste waste = waste_of(
+        scene,
+        {{"view.panes", "two"}, {"view.overlay_2", "n-dot-l"}, {"view.slabs", "stored"}, {"view.slabs_texels", "256"}});
+    EXPECT_TRUE(tried_named(waste, "overlay n-dot-l in pane 2").changes);
+    EXPECT_FALSE(was_tried(waste, "overlay n-dot-l in pane 1"));
+    EXPECT_TRUE(tried_named(waste, "texel slabs").changes);
+    const Waste see_through = waste_of(scene, {{"view.overlay", "n-dot-l"}, {"view.overlay_opacity", "0"}});
+    EXPECT_FALSE(tried_named(see_through, "overlay n-dot-l").changes) << "drawn, and nobody sees it";
+    EXPECT_FALSE(was_tried(waste_of(scene, {{"view.overlay", "truth"}}), "overlay truth")) << "there is no truth";
+    EXPECT_TRUE(tried_named(see_through, "map of light 0").changes) << "the picture is judged without it";
+}
+
+TEST_F(WasteTest, TimesAreTakenOfWasteWhereTheyAreAskedFor) {
+    const Scene scene = load_scene("boxes");
+    const Waste untimed = waste_of(scene, {});
+    EXPECT_FALSE(untimed.maps_ms);
+    EXPECT_FALSE(untimed.share_of_time());
+    const Waste needed = waste_of(scene, {}, true);
+    ASSERT_TRUE(needed.maps_ms);
+    EXPECT_GT(*needed.maps_ms, 0);
+    EXPECT_EQ(needed.wasted_ms(), 0);
+    EXPECT_EQ(needed.share_of_time(), 0);
+    // What cuts nothing into a map that is itself waste takes no time of its own.
+    const Waste twice = waste_of(fence(false), {{"light.intensity", "1e-10"}}, true);
+    EXPECT_GT(tried_named(twice, "map of light 0").maps_ms, 0);
+    EXPECT_FALSE(tried_named(twice, "alpha test in maps").changes);
+    EXPECT_EQ(tried_named(twice, "alpha test in maps").maps_ms, 0);
+    // A light so dim that no byte shows whether it is shadowed: its map is drawn all the same.
+    const Waste dim = waste_of(scene, {{"light.intensity", "1e-10"}}, true);
+    const Tried& unseen = tried_named(dim, "map of light 0");
+    EXPECT_FALSE(unseen.changes);
+    EXPECT_GT(unseen.triangles, 0u);
+    EXPECT_GT(unseen.maps_ms, 0);
+    EXPECT_EQ(dim.share(), 1);
+    EXPECT_GT(dim.share_of_time().value_or(0), 0);
+    EXPECT_LE(dim.share_of_time().value_or(2), 1);
+    Waste some;
+    some.maps_ms = 8;
+    some.tried = {{.name = "needed", .changes = true, .maps_ms = 5},
+                  {.name = "waste", .maps_ms = 2.5},
+                  {.name = "noise", .maps_ms = -0.5}};
+    EXPECT_EQ(some.wasted_ms(), 2);
+    EXPECT_EQ(some.share_of_time(), 0.25);
+    some.tried.pop_back();
+    some.tried.push_back({.name = "more noise", .maps_ms = -9});
+    EXPECT_EQ(some.share_of_time(), 0) << "never below nothing";
+}
+
 struct Sum {
     std::uint64_t drawn = 0, unread = 0, changes_nothing = 0;  ///< triangles; of the wasted ones: not read, and read
+    double maps_ms = 0, wasted_ms = 0;
     std::string list;
     void add(const std::string& what, const Waste& waste) {
         drawn += waste.triangles();
+        maps_ms += waste.maps_ms.value_or(0), wasted_ms += waste.wasted_ms();
         for (const Tried& t : waste.tried) {
+            if (!t.changes && t.read < 0 && t.triangles == 0)
+                list += fmt::format("  {}: {} changes nothing, {:.2f} ms\n", what, t.name, t.maps_ms);
             if (t.changes || t.triangles == 0) continue;
             (t.read > 0 ? changes_nothing : unread) += t.triangles;
-            list += fmt::format("  {}: {}, {} triangles, {:.2f} % read\n", what, t.name, t.triangles, 100 * t.read);
+            list += fmt::format("  {}: {}, {} triangles, {:.2f} ms, {:.2f} % read\n", what, t.name, t.triangles,
+                                t.maps_ms, 100 * std::max(t.read, 0.0));
         }
     }
     double share(std::uint64_t n) const { return drawn ? double(n) / double(drawn) : 0; }
+    double share_of_time() const { return maps_ms > 0 ? wasted_ms / maps_ms : 0; }
     void print() const {
-        fmt::print("of {} triangles drawn into maps {:.1f} % change nothing though read, {:.1f} % are not read:\n{}",
-                   drawn, 100 * share(changes_nothing), 100 * share(unread), list);
+        fmt::print("of {} triangles drawn into maps {:.1f} % change nothing though read, {:.1f} % are not read", drawn,
+                   100 * share(changes_nothing), 100 * share(unread));
+        if (maps_ms > 0) fmt::print("; of {:.0f} ms that they take {:.1f} % are waste", maps_ms, 100 * share_of_time());
+        fmt::print(":\n{}", list);
     }
 };
 
-/// Keys of built-in scenes and paths of models.
-std::vector<std::string> scene_names() {
-    std::vector<std::string> names;
-    for (const BuiltinScene& row : builtin_scenes()) names.emplace_back(row.key);
-    const std::filesystem::path models = SI_SOURCE_DIR "/../shared/models";
-    for (const char* folder : {"godot_room", "kaykit_graveyard", "khr_SimpleInstancing", "gen_mirrored_sheared",
-                               "gen_leaf_mask_uv1", "gen_far_from_origin"}) {
-        if (!std::filesystem::exists(models / folder)) continue;
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(models / folder))
-            if (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb") {
-                names.push_back(entry.path().string());
+bool takes_long() {
+    return std::getenv("SI_LONG") != nullptr;
+}
+
+struct Named {
+    std::string name;  ///< key of a built-in scene, or a model's path
+    bool is_model = false, may_be_refused = false;
+};
+
+/// Built-in scenes, and models: a few, or under SI_LONG all.
+std::vector<Named> scene_names() {
+    std::vector<Named> names;
+    for (const BuiltinScene& row : builtin_scenes()) names.push_back({std::string(row.key)});
+    static const std::string_view kFew[] = {"godot_room",           "kaykit_graveyard",  "khr_SimpleInstancing",
+                                            "gen_mirrored_sheared", "gen_leaf_mask_uv1", "gen_far_from_origin"};
+    for (const std::string_view few : kFew)
+        for (const test::SharedModel& model : test::shared_models())
+            if (!takes_long() && model.file.string().find(fmt::format("/{}/", few)) != std::string::npos) {
+                names.push_back({model.file.string(), true, model.may_be_refused});
                 break;
             }
-    }
+    if (takes_long())
+        for (const test::SharedModel& model : test::shared_models())
+            names.push_back({model.file.string(), true, model.may_be_refused});
     return names;
 }
 
+/// Nothing: a model that may be refused was.
+std::optional<Scene> loaded(const Named& named) {
+    try {
+        Scene scene = load_scene(named.name);
+        if (named.is_model) add_ground(scene);  // as it opens: where it has no floor
+        return scene;
+    } catch (const std::exception& e) {
+        EXPECT_TRUE(named.may_be_refused) << named.name << ": " << e.what();
+        return {};
+    }
+}
+
+// Over all models, and by time too: SI_LONG=1, or ctest -L long.
 TEST_F(WasteTest, OfMapsOverScenesAndModelsAsTheyAreIsSmall) {
     Sum sum;
-    for (const std::string& name : scene_names())
-        sum.add(std::filesystem::path(name).stem().string(), waste_of(load_scene(name), {}));
+    for (const Named& named : scene_names())
+        if (const std::optional<Scene> scene = loaded(named))
+            sum.add(std::filesystem::path(named.name).stem().string(), waste_of(*scene, {}, takes_long()));
     sum.print();
     EXPECT_GT(sum.drawn, 0u);
     EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMostWaste);
+    if (takes_long()) {
+        EXPECT_GT(sum.maps_ms, 0);
+    }
+    EXPECT_LE(sum.share_of_time(), kMostWaste);
 }
 
 // Lights of several maps: of these there are some that nobody reads.
 // Label `long`: SI_LONG=1, or ctest -L long.
 TEST_F(WasteTest, OfFacesAndCascadesOverScenesAndModelsIsSmall) {
-    if (!std::getenv("SI_LONG")) GTEST_SKIP() << "every scene and model under six faces and four cascades: SI_LONG=1";
+    if (!takes_long()) GTEST_SKIP() << "every scene and model under six faces and four cascades: SI_LONG=1";
     Sum sum;
-    for (const std::string& name : scene_names())
+    for (const Named& named : scene_names()) {
+        const std::optional<Scene> scene = loaded(named);
         for (const Sets& sets : {Sets{{"light.type", "point"}}, Sets{{"light.cascades", "4"}}})
-            sum.add(std::filesystem::path(name).stem().string() + ", " + sets[0].second,
-                    waste_of(load_scene(name), sets));
+            if (scene)
+                sum.add(std::filesystem::path(named.name).stem().string() + ", " + sets[0].second,
+                        waste_of(*scene, sets, true));
+    }
     sum.print();
     EXPECT_GT(sum.drawn, 0u);
     EXPECT_LE(sum.share(sum.changes_nothing), kMostWaste);
     EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMostWaste);
+    EXPECT_GT(sum.maps_ms, 0) << "its share is printed: the limit is for scenes as they are";
 }
 
 }  // namespace

@@ -44,7 +44,14 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     ui.effects.saved = &saved, ui.effects.saved_current = true;
     ui.frames(2);
     EXPECT_NE(letters(ui).find("3.25"), std::string::npos);
+    EXPECT_EQ(letters(ui).find("3.25of"), std::string::npos) << "one effect has that saving";
     EXPECT_EQ(letters(ui).find("ofothersettings"), std::string::npos);
+    std::vector<Effect> more(ui.effects.effects.begin(), ui.effects.effects.end());
+    more.push_back({.name = "look-ups of light 8", .reason = "light.8.cast is off.", .saving = Saving::Uncalled});
+    ui.effects.effects = more;
+    ui.frames(2);
+    EXPECT_NE(letters(ui).find("3.25of2"), std::string::npos) << "two share it";
+    ui.effects.effects = made_up_effects();
     ui.effects.saved_current = false;
     ui.frames(2);
     EXPECT_NE(letters(ui).find("ofothersettings"), std::string::npos);

@@ -243,6 +243,8 @@ TEST(ArtefactTour, GoesFromClusterToClusterAndProbesThem) {
         EXPECT_NEAR(editor.probe()->x, 0.5 * editor.probe()->width, 1.5) << "in the middle of the picture";
         EXPECT_NEAR(editor.probe()->y, 0.5 * editor.probe()->height, 1.5);
         seen.push_back(spot.position_ws);
+        EXPECT_TRUE(state.log.lines().back().text.starts_with("At " + artefact_tour_text(state)))
+            << "the status bar still says: " << state.log.lines().back().text;
         if (i == 0) write_png(kOut / "editor_next_artefact.png", editor.picture());
     }
     EXPECT_NE(seen[0], seen[1]);

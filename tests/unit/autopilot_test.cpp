@@ -15,6 +15,7 @@ namespace {
 struct World {
     double now = 0;
     double seconds_each = 0;  ///< of a judgement or a time
+    double seconds_pair = 0;  ///< that times against each other take besides
     int judged = 0, timed = 0;
 
     static double ms(const Settings& s) {
@@ -41,7 +42,7 @@ struct World {
         };
         m.ms = [this](const Settings& s) { return ++timed, now += seconds_each, ms(s); };
         m.time = [this](const Settings& a, const Settings& b) {
-            now += seconds_each;
+            now += seconds_each + seconds_pair;
             return CostChange{ms(b) - ms(a), 1e-6};
         };
         m.now_s = [this] { return now; };
@@ -148,9 +149,38 @@ TEST(Autopilot, EndsInTimeAndSaysWhatItDidNotTry) {
     world.seconds_each = 1;
     const AutopilotResult r =
         run_autopilot(Settings{}, axes_of(false), {.most_error = 0.01, .most_seconds = 20}, world.meter());
-    EXPECT_LE(r.seconds, 20 + 10) << "what was under way, and what dropped effects cost";
+    EXPECT_LE(r.seconds, 20 + 1) << "what was under way";
     EXPECT_FALSE(r.untried.empty());
     EXPECT_LT(r.cases.size(), 60u);
+}
+
+TEST(Autopilot, PricesNothingOnceTheTimeIsUpAndSaysWhat) {
+    World world;
+    world.seconds_each = 1, world.seconds_pair = 8;
+    const std::vector<SweepAxis> axes = {
+        {"map.resolution", {"", "256"}}, {"map.format", {"", "d16"}}, {"light.0.contact", {"", "0"}}};
+    const AutopilotResult r =
+        run_autopilot(with_contact(), axes, {.most_error = 0.05, .most_seconds = 30}, world.meter());
+    ASSERT_TRUE(r.held) << r.summary;
+    EXPECT_EQ(r.best.at, (std::vector<std::size_t>{1, 1, 1})) << "the search itself had time enough";
+    EXPECT_EQ(r.dropped.size(), 2u);
+    EXPECT_LE(r.seconds, 30 + 9) << "what was under way";
+    ASSERT_EQ(r.untried.size(), 1u);
+    EXPECT_EQ(r.untried[0], "what light.0.contact would have cost was not measured for want of time");
+}
+
+TEST(Autopilot, KeepsTimeForPricingFromALongSearch) {
+    World world;
+    world.seconds_each = 1;
+    // None does less of everything than another, so that all would be timed.
+    const std::vector<SweepAxis> axes = {{"map.format", {"", "d16"}},
+                                         {"light.0.contact", {"", "0", "0.02", "0.03", "0.04", "0.05"}}};
+    const AutopilotResult r =
+        run_autopilot(with_contact(), axes, {.most_error = 0.05, .most_seconds = 20}, world.meter());
+    ASSERT_TRUE(r.held) << r.summary;
+    EXPECT_FALSE(r.untried.empty()) << "not all were timed";
+    EXPECT_GE(r.dropped.size(), 1u);
+    EXPECT_LE(r.seconds, 20 + 1) << "what was under way";
 }
 
 TEST(Autopilot, TurnsAnEffectOffOnlyWhereThereIsOne) {

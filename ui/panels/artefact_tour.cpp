@@ -113,6 +113,7 @@ void next_artefact(EditorState& state, const EditorFrame& frame) {
     if (tour.scene == state.scene_name && !tour.of.spots.empty() && same_picture(state.settings, tour.left)) {
         tour.at = (tour.at + 1) % tour.of.spots.size();
         go_to_spot(state, frame);
+        state.log.add(LogKind::Info, "At " + artefact_tour_text(state));
         return;
     }
     tour.of = {};
@@ -151,6 +152,7 @@ bool follow_artefact_tour(EditorState& state, const EditorFrame& frame) {
     }
     tour.waits_for = 0;
     go_to_spot(state, frame);
+    state.log.add(LogKind::Info, "At " + artefact_tour_text(state));
     return false;
 }
 

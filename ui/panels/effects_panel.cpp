@@ -55,12 +55,17 @@ void state_cell(EffectState state, Room room) {
     if (room <= Room::Narrow) wrapped_tooltip(word);
 }
 
-void saved_cell(const Spread* ms, bool current) {
-    right_aligned(ms ? fmt::format("{:.2f}", ms->median) : "–", ms && current ? theme::text() : theme::muted());
+/// @param together effects that share the saving
+void saved_cell(const Spread* ms, std::size_t together, bool current) {
+    const std::string shared = together > 1 ? fmt::format(" of {}", together) : "";
+    right_aligned(ms ? fmt::format("{:.2f}{}", ms->median, shared) : "–",
+                  ms && current ? theme::text() : theme::muted());
     if (ms)
-        wrapped_tooltip(fmt::format("{} ms, 95 % interval {} to {} ms, by {} pairs of frames in turns.{}",
-                                    digits_text(ms->median), digits_text(ms->median_low), digits_text(ms->median_high),
-                                    ms->samples, current ? "" : " Of other settings or another size: measure again."));
+        wrapped_tooltip(fmt::format(
+            "{} ms, 95 % interval {} to {} ms, by {} pairs of frames in turns.{}{}", digits_text(ms->median),
+            digits_text(ms->median_low), digits_text(ms->median_high), ms->samples,
+            together > 1 ? fmt::format(" Of all {} effects with this saving together, not of each.", together) : "",
+            current ? "" : " Of other settings or another size: measure again."));
     else
         wrapped_tooltip("Not measured, or nothing spares it. Times are never estimated.");
 }
@@ -136,7 +141,7 @@ void header(Room room) {
         ImGui::TableSetupColumn("Effect", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("Why", ImGuiTableColumnFlags_WidthStretch | (reasons ? 0 : ImGuiTableColumnFlags_Disabled));
     fixed("Time ms", 4), fixed("CPU ms", 4, counts), fixed("Draws", 3.2f, counts), fixed("Triangles", 5, counts);
-    fixed("Saved ms", 4.5f, saved), fixed("Force", 2.8f, saved);
+    fixed("Saved ms", 5.2f, saved), fixed("Force", 2.8f, saved);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (int column = 0; column < kColumns; ++column) {
         if (!ImGui::TableSetColumnIndex(column)) continue;
@@ -215,7 +220,8 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
         sum.draws += pass->draws, sum.triangles += pass->triangles;
     }
     if (ImGui::TableSetColumnIndex(int(Column::Saved)))
-        saved_cell(frame.saved ? frame.saved->of(effect) : nullptr, frame.saved_current);
+        saved_cell(frame.saved ? frame.saved->of(effect) : nullptr, saved_together(frame.effects, effect),
+                   frame.saved_current);
     if (effect.saving && ImGui::TableSetColumnIndex(int(Column::Force)))
         force_box(state.effects.forced, *effect.saving, "##force");
 }

@@ -216,11 +216,7 @@ void tab(EditorState& state, BottomTab which, const char* label, const auto& dra
 
 /// The legend of that overlay has numbers.
 bool shows_artefacts(const Settings& settings) {
-    const ViewSettings& v = settings.view;
-    const int shown[] = {v.overlay, v.overlay_2, v.overlay_3, v.overlay_4};
-    const int panes = v.panes == int(Panes::Four) ? 4 : v.panes == int(Panes::Two) ? 2 : 1;
-    return std::any_of(shown, shown + panes,
-                       [](int overlay) { return overlay > 0 && overlays()[std::size_t(overlay - 1)].names_causes; });
+    return some_pane_shows(settings.view, &Overlay::names_causes);
 }
 
 /// On a tab, or in the row beside them; the arrows that scroll them are pressed fast, too, and lie without.
