@@ -117,6 +117,41 @@ TEST_F(ViewSavingsTest, FacesThatNothingSeenIsLookedUpInAreNotDrawn) {
         }
 }
 
+TEST_F(ViewSavingsTest, CascadesThatNothingSeenIsLookedUpInAreNotDrawn) {
+    // A ball near the camera and a wall far behind it; between them, beside the picture, balls that only cast.
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    const int ball = add_mesh(scene, "Ball", make_sphere(0.5), grey);
+    add_object(scene, "Ball", -1, ball, moved(0, 0.5, 0));
+    for (const double z : {-20, -30, -40})
+        for (const double x : {-60, 60}) add_object(scene, "Ball", -1, ball, moved(x, 0.5, z));
+    add_object(scene, "Wall", -1, add_mesh(scene, "Wall", make_box({100, 80, 1}), grey), moved(0, -40, -70));
+    finalise(scene);
+    const Settings s = settings_for(scene, {{"camera.source", "manual"},
+                                            {"camera.target_y", "0.5"},
+                                            {"camera.distance", "5"},
+                                            {"camera.elevation", "0"},
+                                            {"camera.azimuth", "0"},
+                                            {"light.azimuth", "30"},
+                                            {"light.cascades", "4"},
+                                            {"light.split", "uniform"}});
+    const auto [saved, forced] = expect_one_picture(scene, s, "cascades");
+    EXPECT_LT(saved, forced);
+    const FrameResult f = frame(scene, s, cold());
+    const PassInfo& pass = map_pass(f);
+    std::vector<const PartInfo*> cascades;
+    for (const PartInfo& part : pass.parts)
+        if (part.name.starts_with("cascade ")) cascades.push_back(&part);
+    ASSERT_EQ(cascades.size(), 4u);
+    for (const std::size_t between : {1u, 2u}) {
+        EXPECT_EQ(cascades[between]->state, PassState::Skipped) << cascades[between]->name;
+        EXPECT_EQ(cascades[between]->draws, 0u);
+        EXPECT_EQ(cascades[between]->by, Saving::Views);
+    }
+    EXPECT_EQ(cascades[0]->state, PassState::Ran) << "it holds the ball";
+    EXPECT_EQ(cascades[3]->state, PassState::Ran) << "it holds the wall";
+}
+
 TEST_F(ViewSavingsTest, AgainstTheLightWhatFacesAwayCallsForNoCasters) {
     // A large ball that fills the picture, and beside the picture many small ones between it and the light.
     Scene scene;

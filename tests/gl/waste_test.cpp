@@ -289,9 +289,8 @@ TEST_F(WasteTest, OfMapsOverScenesAndModelsAsTheyAreIsSmall) {
     EXPECT_GT(sum.drawn, 0u);
     EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMostWaste);
     if (takes_long()) {
-        EXPECT_GT(sum.maps_ms, 0);
+        EXPECT_GT(sum.maps_ms, 0) << "its share is printed: times are no test's";
     }
-    EXPECT_LE(sum.share_of_time(), kMostWaste);
 }
 
 // Lights of several maps: of these there are some that nobody reads.
@@ -310,7 +309,7 @@ TEST_F(WasteTest, OfFacesAndCascadesOverScenesAndModelsIsSmall) {
     EXPECT_GT(sum.drawn, 0u);
     EXPECT_LE(sum.share(sum.changes_nothing), kMostWaste);
     EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMostWaste);
-    EXPECT_GT(sum.maps_ms, 0) << "its share is printed: the limit is for scenes as they are";
+    EXPECT_GT(sum.maps_ms, 0) << "its share is printed: times are no test's";
 }
 
 }  // namespace
