@@ -2,6 +2,7 @@
 
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
+#include "app/context/large_pages.h"
 #include "app/report/report.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/settings/param.h"
@@ -15,12 +16,14 @@ void run_info(bool json) {
     if (json) {
         nlohmann::ordered_json facts = {
             {"program", "shadow-inspector"}, {"version", SI_VERSION}, {"context", context.description()}};
+        facts["memory_pages"] = memory_pages();
         facts["driver"] = driver_json(d);
         fmt::print("{}", json_text(facts));
         return;
     }
     fmt::print("shadow-inspector {}\n", SI_VERSION);
     fmt::print("context        {}\n", context.description());
+    fmt::print("memory pages   {}\n", memory_pages());
     fmt::print("driver         {} ({})\n", d.renderer, d.vendor);
     fmt::print("OpenGL         {}, GLSL {}\n", d.version, d.glsl);
     fmt::print("kind           {}\n", d.software ? "a CPU rasteriser: times are not those of a GPU" : "hardware");

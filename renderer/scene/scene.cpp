@@ -117,9 +117,8 @@ void place_nodes(std::vector<Node>& nodes) {
 template <class T>
 void unweld(SharedArray<T>& values, const SharedArray<std::uint32_t>& indices) {
     if (values.empty()) return;
-    std::vector<T> out;
-    out.reserve(indices.size());  // not filled first: new memory is what this takes its time for
-    for (const std::uint32_t index : indices) out.push_back(values[index]);
+    std::vector<T> out(indices.size());
+    for (std::size_t i = 0; i < indices.size(); ++i) out[i] = values[indices[i]];
     values = std::move(out);
 }
 
@@ -138,10 +137,11 @@ void make_flat(Mesh& mesh) {
     unweld(mesh.colours, mesh.indices);
     std::vector<std::uint32_t>& indices = mesh.indices.edit();
     std::iota(indices.begin(), indices.end(), 0u);
-    std::vector<glm::vec3> normals;
-    normals.reserve(indices.size());
-    for (std::size_t i = 0; i < indices.size(); i += 3)
-        normals.insert(normals.end(), 3, glm::vec3(glm::normalize(face_cross(mesh, i))));
+    std::vector<glm::vec3> normals(mesh.positions.size());
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        const glm::vec3 n(glm::normalize(face_cross(mesh, i)));
+        normals[i] = normals[i + 1] = normals[i + 2] = n;
+    }
     mesh.normals = std::move(normals);
 }
 

@@ -298,6 +298,25 @@ TEST(Probe, ExplainsThePixelAndNamesWhatPutsItRight) {
         EXPECT_NE(text.out.find(part), std::string::npos) << part;
 }
 
+TEST(Info, MemoryComesInLargePagesUnlessTheEnvironmentSaysOtherwise) {
+    const std::string mode = file_bytes("/sys/kernel/mm/transparent_hugepage/enabled");
+    const auto pages = [](const std::string& environment) {
+        const ProcessResult result = run_shell(environment + " $SI info --json");
+        EXPECT_EQ(result.code, 0) << result.err;
+        return Json::parse(result.out)["memory_pages"].get<std::string>();
+    };
+    const bool always = mode.find("[always]") != mode.npos, asked = mode.find("[madvise]") != mode.npos;
+    const std::string usual = always || asked ? "large" : "small";
+    EXPECT_EQ(pages("env -u GLIBC_TUNABLES"), usual) << mode;
+    EXPECT_EQ(pages("GLIBC_TUNABLES=glibc.malloc.perturb=0"), usual) << "what else it says stays";
+    EXPECT_EQ(pages("GLIBC_TUNABLES=glibc.malloc.hugetlb=0"), always ? "large" : "small");
+    // The process stays the same, and so does its name.
+    const ProcessResult named = run_shell(
+        "$SI info > info.txt & pid=$!; sleep 0.2; cat /proc/$pid/comm || true; wait $pid", fresh_test_folder());
+    EXPECT_EQ(named.code, 0) << named.err;
+    EXPECT_TRUE(named.out.empty() || named.out.starts_with("shadow-inspecto")) << named.out;
+}
+
 TEST(Info, NamesTheDriver) {
     const Json info = json_of({"info", "--json"});
     EXPECT_FALSE(info["driver"]["renderer"].get<std::string>().empty());

@@ -69,7 +69,9 @@ TEST(PlanCommand, TellsOfHowManyEffectsATimeIs) {
     for (const Json& e : plan["effects"]) faces += e["saving"] == "views";
     ASSERT_GT(faces, 1);
     for (const Json& e : plan["effects"]) {
-        if (e["saving"] == "views") EXPECT_EQ(e["saved_together"], faces) << e["name"];
+        if (e["saving"] == "views") {
+            EXPECT_EQ(e["saved_together"], faces) << e["name"];
+        }
         EXPECT_EQ(e["saved_together"].is_null(), e["saved_ms"].is_null()) << e["name"];
     }
     EXPECT_EQ(effect_of(plan, "visibility texture")["saved_together"], 1);
