@@ -43,7 +43,8 @@ void restart_with_large_pages(char** arguments) {
     std::error_code error;
     // By its own name: processes are told apart by the name of what was started.
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-    if (error || !std::filesystem::exists(program, error)) return;
+    // Started by the dynamic linker's own name, that is what would be started, with the arguments of this program.
+    if (error || !std::filesystem::exists(program, error) || program.filename().string().starts_with("ld")) return;
     const std::string with = (before.empty() ? "" : before + ":") + kTunable + "=1";
     if (setenv(kVariable, with.c_str(), 1) != 0) return;
     execv(program.c_str(), arguments);

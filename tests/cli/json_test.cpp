@@ -310,6 +310,11 @@ TEST(Info, MemoryComesInLargePagesUnlessTheEnvironmentSaysOtherwise) {
     EXPECT_EQ(pages("env -u GLIBC_TUNABLES"), usual) << mode;
     EXPECT_EQ(pages("GLIBC_TUNABLES=glibc.malloc.perturb=0"), usual) << "what else it says stays";
     EXPECT_EQ(pages("GLIBC_TUNABLES=glibc.malloc.hugetlb=0"), always ? "large" : "small");
+    const ProcessResult linked = run_shell(
+        "linker=$(ls /lib64/ld-linux-*.so.* /lib/ld-linux-*.so.* 2>/dev/null | head -n 1); "
+        "if [ -n \"$linker\" ]; then $linker $SI --version; else $SI --version; fi");
+    EXPECT_EQ(linked.code, 0) << linked.err;
+    EXPECT_TRUE(linked.out.starts_with("shadow-inspector ")) << linked.out;
     // The process stays the same, and so does its name.
     const ProcessResult named = run_shell(
         "$SI info > info.txt & pid=$!; sleep 0.2; cat /proc/$pid/comm || true; wait $pid", fresh_test_folder());
