@@ -99,6 +99,8 @@ TEST(PlanCommand, ListsWaste) {
     EXPECT_GT(waste["triangles"], 0);
     EXPECT_LE(waste["wasted_triangles"], waste["triangles"]);
     for (const char* time : {"maps_ms", "wasted_ms", "share_of_time"}) EXPECT_TRUE(waste.at(time).is_null()) << time;
+    const std::string off = run_program({"plan", "boxes", "--waste", "--size", "64x36", "--set", "light.on=false"}).out;
+    EXPECT_NE(off.find("not drawn          0 triangles  map of light 0\n"), std::string::npos) << off;
 }
 
 TEST(PlanCommand, WeighsWasteByTimeWhereTimeIsMeasured) {
