@@ -76,7 +76,8 @@ TEST_F(SavingsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
         expect_one_picture(scene, cases()[0], std::string(row.key));
         // By turns: each scene meets two, each is met by several scenes.
         for (int i = 0; i < 2; ++i, next = next % (cases().size() - 1) + 1)
-            expect_one_picture(scene, cases()[next], std::string(row.key) + ", " + cases()[next][0].second);
+            expect_one_picture(scene, settings_for(scene, cases()[next]),
+                               std::string(row.key) + ", " + cases()[next][0].second);
     }
     expect_made({Saving::Uncalled, Saving::Blockers, Saving::EarlyOut, Saving::Facing, Saving::Order, Saving::InSight,
                  Saving::Fused, Saving::BackFaces, Saving::Casters, Saving::Views, Saving::Fragments});
