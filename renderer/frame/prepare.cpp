@@ -457,7 +457,7 @@ FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, 
     f.origin = counted_from(f.settings, f.camera.origin());
     if (!resources.scene || (resources.scene->scene_id() != scene.id && !resources.scene->goes_on_with(scene)))
         resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
-    resources.scene->arrange(scene, f.settings, !request.forced.contains(Saving::Order));
+    resources.scene->arrange(scene, f.settings);
 
     f.geometry_key = resources.scene->key();
     f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);

@@ -33,7 +33,7 @@ constexpr SavingRow kRows[] = {
      .help =
          "What is near is drawn before what it hides, so that less of that is shaded. The depth test finds the same "
          "surfaces in any order, unless two lie in exactly one place: objects whose boxes touch keep theirs, large "
-         "meshes after small ones, whatever the camera. Forced, all are drawn in the scene's order."},
+         "meshes after small ones, whatever the camera. Forced, all keep theirs."},
     {.key = "in-sight",
      .label = "Objects beside the picture",
      .help =

@@ -266,10 +266,10 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
     }
 }
 
-void SceneGpu::arrange(const Scene& scene, const Settings& settings, bool large_last) {
+void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
     Key key;
     const bool blend_casts = settings.caster.blend == int(BlendCasters::Mask);
-    key.add(scene.id).add(settings.shading.textures).add(blend_casts).add(large_last);
+    key.add(scene.id).add(settings.shading.textures).add(blend_casts);
     for (const auto& [path, o] : settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
     if (key.value() == arrangement_.value()) return;
     arrangement_ = key;
@@ -289,7 +289,7 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings, bool large_
     };
     std::vector<Entry> entries;
     entries.reserve(scene.objects.size());
-    const std::vector<int> sizes = large_last ? mesh_sizes(scene) : std::vector<int>(scene.meshes.size());
+    const std::vector<int> sizes = mesh_sizes(scene);
     for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
         const Object& o = scene.objects[i];
         const Mesh& mesh = scene.meshes[std::size_t(o.mesh)];

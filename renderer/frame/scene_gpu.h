@@ -45,9 +45,9 @@ public:
     /// alone have changed. False: it needs another.
     bool goes_on_with(const Scene& scene);
 
-    /// Sorts the objects into batches under the object settings; cheap when nothing changed.
-    /// @param large_last see Saving::Order; else meshes are drawn in the scene's order
-    void arrange(const Scene& scene, const Settings& settings, bool large_last = true);
+    /// Sorts the objects into batches under the object settings, large meshes after small ones; cheap when nothing
+    /// changed.
+    void arrange(const Scene& scene, const Settings& settings);
     const std::vector<Batch>& batches() const { return batches_; }
     /// Has the camera draw some of the arranged instances, in another order. @param instances their numbers
     void arrange_seen(std::span<const std::uint32_t> instances);
