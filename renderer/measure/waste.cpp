@@ -6,7 +6,9 @@
 #include <memory>
 #include <set>
 
+#include "renderer/inspect/texel_usage.h"
 #include "renderer/measure/axes.h"
+#include "renderer/measure/frontier.h"
 #include "renderer/passes/casters.h"
 #include "renderer/scene/same_parts.h"
 #include "renderer/settings/filters.h"
@@ -52,13 +54,6 @@ double time_of_maps(const FrameResult& frame) {
     for (const PassInfo& pass : frame.passes)
         if (pass.state == PassState::Ran && pass.category == PassCategory::Maps) ms += pass.gpu_ms;
     return ms;
-}
-
-double middle_of(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 std::vector<Trial> map_trials(const Settings& settings, const FrameResult& frame) {
@@ -290,9 +285,7 @@ private:
         request.outputs = {.colour = false, .texels_read = true};
         const FrameResult frame = draw(scene_, trial.settings, request);
         if (frame.texels_read.texture == 0) return 0;
-        const FloatImage read = renderer_.read_float(frame.texels_read, 1);
-        const auto count = std::count_if(read.data.begin(), read.data.end(), [](float v) { return v > 0; });
-        return read.data.empty() ? 0 : double(count) / double(read.data.size());
+        return exact_utilisation(renderer_.read_float(frame.texels_read, 1));
     }
 
     /// What is needed is needed whatever it takes, and a map that nothing is drawn into takes the same without. What is
@@ -320,13 +313,13 @@ private:
             whole_ms_.push_back(with);
             spared.push_back(with - without);
         }
-        return middle_of(std::move(spared));
+        return spread_of(std::move(spared)).median;
     }
 
     double whole_ms() {
         while (whole_ms_.size() < std::size_t(kTimedTurns))
             whole_ms_.push_back(time_of_maps(draw(scene_, measured_, timed_request())));
-        return middle_of(whole_ms_);
+        return spread_of(whole_ms_).median;
     }
 };
 

@@ -8,6 +8,9 @@
 namespace si {
 namespace {
 
+constexpr int ViewSettings::*kOfPanes[] = {&ViewSettings::overlay, &ViewSettings::overlay_2, &ViewSettings::overlay_3,
+                                           &ViewSettings::overlay_4};
+
 constexpr Overlay kOverlays[] = {
     {.key = "visibility",
      .label = "Visibility",
@@ -323,15 +326,13 @@ std::span<const Choice> overlay_choices() {
 }
 
 int& overlay_of_pane(ViewSettings& view, std::size_t pane) {
-    int* const panes[] = {&view.overlay, &view.overlay_2, &view.overlay_3, &view.overlay_4};
-    return *panes[pane];
+    return view.*kOfPanes[pane];
 }
 
 std::vector<int> pane_overlays(const ViewSettings& view) {
-    ViewSettings all = view;
     const std::size_t count = view.panes == int(Panes::Four) ? 4 : view.panes == int(Panes::Two) ? 2 : 1;
     std::vector<int> shown;
-    for (std::size_t pane = 0; pane < count; ++pane) shown.push_back(overlay_of_pane(all, pane));
+    for (std::size_t pane = 0; pane < count; ++pane) shown.push_back(view.*kOfPanes[pane]);
     return shown;
 }
 
