@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "renderer/base/lengths_text.h"
+#include "renderer/frame/lookup_effects.h"
 #include "renderer/passes/casters.h"
 #include "renderer/scene/animation.h"
 #include "renderer/settings/filters.h"
@@ -17,70 +17,34 @@
 namespace si {
 namespace {
 
-/// What effects are told from.
-struct Facts {
-    const Scene& scene;
-    Settings settings;  ///< repaired
-    const FrameResult& frame;
-    SavingSet forced;
-    int casters = 0, masked_casters = 0;  ///< objects
-
-    const Filter& filter() const { return filter_of(settings); }
-    std::string kernel() const { return kernel_label(settings); }
-};
-
-using Effects = std::vector<Effect>;
-
-constexpr EffectState state_of(PassState state) {
-    return state == PassState::Ran      ? EffectState::Simulated
-           : state == PassState::Reused ? EffectState::Reused
-                                        : EffectState::NotCalledFor;
-}
-
 /// A kind of effect: what passes it is, what calls for it, what else those passes do.
 struct EffectRow {
     std::string_view pass;  ///< how the names of its passes begin
     std::string_view name;  ///< of the effect; empty: as the pass is called
     /// What calls for it where it is simulated, a clause.
-    std::string (*why)(const Facts&, const PassInfo&);
+    std::string (*why)(const EffectFacts&, const PassInfo&);
     /// What it consists of besides the parts that the pass reports.
-    void (*parts)(const Facts&, const PassInfo&, Effects&) = nullptr;
+    void (*parts)(const EffectFacts&, const PassInfo&, Effects&) = nullptr;
     /// Why no frame has such a pass; empty: one without it says nothing.
-    std::string (*absent)(const Facts&) = nullptr;
+    std::string (*absent)(const EffectFacts&) = nullptr;
     /// Why a skipped pass is not called for, where the pass names one of two things that it lacks; empty: as it says.
-    std::string (*unasked)(const Facts&) = nullptr;
+    std::string (*unasked)(const EffectFacts&) = nullptr;
 };
-
-/// An effect that is a part of a pass: where the pass does its work and `reason` is empty, the pass's own state.
-Effect part_of(const PassInfo& pass, std::string name, bool called_for, std::string_view reason,
-               std::optional<Saving> saving = {}) {
-    const bool lives = pass.state != PassState::Skipped;
-    Effect effect{.name = std::move(name), .saving = saving, .pass = pass.name, .part = true};
-    effect.state = called_for ? state_of(pass.state) : EffectState::NotCalledFor;
-    effect.reason = sentence(lives || !called_for ? reason : std::string_view(pass.reason));
-    return effect;
-}
-
-std::string light_key(std::size_t light, std::string_view setting) {
-    SettingRef ref = *find_setting(fmt::format("light.{}", setting));
-    ref.light = int(light);
-    return setting_key(ref);
-}
 
 // Maps ----------------------------------------------------------------------------------------------------------------
 
-std::string why_map(const Facts& f, const PassInfo& pass) {
+std::string why_map(const EffectFacts& f, const PassInfo& pass) {
     return fmt::format("light {} has its shadows from a map, and {} object{} cast{}", pass.light, f.casters,
                        f.casters == 1 ? "" : "s", f.casters == 1 ? "s" : "");
 }
 
-std::string masks_text(const Facts& f) {
+std::string masks_text(const EffectFacts& f) {
     if (f.masked_casters == 0) return "no caster is masked: what is drawn into maps is drawn without its alpha";
     return fmt::format("{} of {} casters {} masked: each of their fragments looks up the mask", f.masked_casters,
                        f.casters, f.masked_casters == 1 ? "is" : "are");
 }
 
-void map_parts(const Facts& f, const PassInfo& pass, Effects& out) {
+void map_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     const auto number = std::size_t(pass.light);
     if (number >= f.frame.lights.size() || !f.frame.lights[number].casts) return;
     const FittedLight& light = f.frame.lights[number];
@@ -92,12 +56,12 @@ void map_parts(const Facts& f, const PassInfo& pass, Effects& out) {
         part_of(pass, fmt::format("alpha test in maps of light {}", number), f.masked_casters > 0, masks_text(f)));
 }
 
-std::string why_pages(const Facts& f, const PassInfo&) {
+std::string why_pages(const EffectFacts& f, const PassInfo&) {
     return fmt::format("map.virtual is on: {}x{} texels a map are drawn by pages, where look-ups read them",
                        f.frame.map_resolution, f.frame.map_resolution);
 }
 
-void page_parts(const Facts& f, const PassInfo& pass, Effects& out) {
+void page_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     if (!f.frame.pages) return;
     const PageFacts& p = *f.frame.pages;
     const long side = p.page_texels > 0 ? f.frame.map_resolution / p.page_texels : 0;
@@ -120,11 +84,11 @@ void page_parts(const Facts& f, const PassInfo& pass, Effects& out) {
     out.push_back(part_of(pass, "alpha test in pages", f.masked_casters > 0, masks_text(f)));
 }
 
-std::string why_moments(const Facts& f, const PassInfo&) {
+std::string why_moments(const EffectFacts& f, const PassInfo&) {
     return fmt::format("kernel {} reads averages of functions of depth", f.kernel());
 }
 
-void moment_parts(const Facts& f, const PassInfo& pass, Effects& out) {
+void moment_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     const FilterSettings& s = f.settings.filter;
     if (f.filter().samples != Samples::Moments) return;
     const bool summed = f.filter().moments.summed;
@@ -142,267 +106,30 @@ void moment_parts(const Facts& f, const PassInfo& pass, Effects& out) {
                               : fmt::format("map.samples is {}", samples)));
 }
 
-// Look-ups ------------------------------------------------------------------------------------------------------------
-
-/// How a kernel finds out what stands before a pixel.
-enum class Search {
-    None,
-    Places,  ///< at places of its own, before it compares
-    Taps,    ///< at the places that it compares
-    Rays     ///< along rays through the map
-};
-
-Search search_of(const Filter& row) {
-    if (!row.searches_blockers) return row.reads_light_size ? Search::Rays : Search::None;
-    return owns(row, "filter.blocker_taps") ? Search::Places : Search::Taps;
-}
-
-/// Whether Saving::Blockers spares look-ups of a light anything.
-bool spares_search(const Facts& f, const FittedLight& light) {
-    const Search search = search_of(f.filter());
-    return light.size <= 0 && (search == Search::Places || search == Search::Rays);
-}
-
-/// "light.size is 0", of all these lights.
-std::string no_size_text(std::span<const std::size_t> lights) {
-    std::string out;
-    for (const std::size_t i : lights) out += fmt::format("{}{}", out.empty() ? "" : ", ", light_key(i, "size"));
-    return out + (lights.size() == 1 ? " is 0" : " are 0");
-}
-
-/// @param no_size why no penumbra opens; empty: one does
-std::string search_text(const Facts& f, const std::string& no_size) {
-    const std::string kernel = f.kernel();
-    const Search search = search_of(f.filter());
-    const bool forced = f.forced.contains(Saving::Blockers);
-    if (search == Search::None)
-        return fmt::format("kernel {} is as wide however far off what stands before a pixel is: nothing looks for it",
-                           kernel);
-    if (search == Search::Rays) {
-        if (no_size.empty())
-            return fmt::format("kernel {} follows rays from each pixel to places of the light, up to what they meet",
-                               kernel);
-        if (forced) return "forced: all rays of a pixel are followed, which go one way";
-        return no_size + ": all rays of a pixel go one way, and none is followed where nothing stands before it";
-    }
-    if (search == Search::Taps) {
-        if (no_size.empty())
-            return fmt::format("kernel {} learns by the taps that it compares how far off their occluders are", kernel);
-        return fmt::format("{}: no penumbra opens, and kernel {} compares alike whatever its taps find", no_size,
-                           kernel);
-    }
-    if (no_size.empty())
-        return fmt::format("kernel {} looks for what stands before each pixel, to know how wide the penumbra is there",
-                           kernel);
-    if (forced) return "forced: all places of the search are looked at, which are one";
-    return no_size + ": no penumbra opens, and one look tells whether anything stands before a pixel";
-}
-
-/// @param looked_up the lights in whose maps the kernel looks
-void search_parts(const Facts& f, const PassInfo& pass, std::span<const std::size_t> looked_up, Effects& out) {
-    const auto add = [&](const char* name, bool called_for, const std::string& reason) {
-        out.push_back(part_of(pass, name, called_for, reason));
-    };
-    if (looked_up.empty()) {
-        const bool maps = std::ranges::any_of(f.frame.lights, &FittedLight::casts);
-        for (const char* name : {"blocker search", "light's size"})
-            add(name, false, maps ? "nothing is looked up in a map" : "no light has its shadows from a map");
-        return;
-    }
-    std::vector<std::size_t> sized, sizeless;
-    for (const std::size_t i : looked_up) (f.frame.lights[i].size > 0 ? sized : sizeless).push_back(i);
-    const bool opens = !sized.empty();
-    const std::string no_size = opens ? "" : no_size_text(sizeless);
-    const std::string but =
-        opens && !sizeless.empty() ? ". " + no_size_text(sizeless) + ": no penumbra opens there" : "";
-    const Search search = search_of(f.filter());
-    const bool all_the_same =
-        search == Search::Rays || (search == Search::Places && f.forced.contains(Saving::Blockers));
-    add("blocker search", search != Search::None && (opens || all_the_same),
-        search_text(f, no_size) + (search == Search::None ? "" : but));
-    if (!f.filter().reads_light_size)
-        add("light's size", false, fmt::format("kernel {} takes each light for a point or a direction", f.kernel()));
-    else
-        add("light's size", opens,
-            opens ? "the kernel's penumbrae follow light.size" + but : no_size + ": no penumbra opens");
-}
-
-/// Why no texel of a light's maps is read, as what draws them found out; empty: some may be.
-std::string why_unread(const Facts& f, const PassInfo& pass, std::size_t light) {
-    // Forced, look-ups that cannot matter are made, and foreseen by nothing that leaves maps undrawn.
-    if (pass.state == PassState::Skipped || f.forced.contains(Saving::Facing)) return {};
-    std::string why;
-    if (f.frame.pages && f.frame.pages->wanted == 0) why = "no pixel asks for a page";
-    for (const PassInfo& map : f.frame.passes)
-        if (map.light == int(light) && map.state == PassState::Skipped && map.name.starts_with("shadow map "))
-            why = map.reason;
-    return why.empty() ? why : why + ": no texel of its maps is read";
-}
-
-std::string lookup_text(const Facts& f, const FittedLight& light) {
-    int texels = cost_of(f.settings).texels;
-    if (keeps_mips(f.settings))
-        return fmt::format("kernel {} fetches {} texels at each place of each mip level that it reads", f.kernel(),
-                           texels);
-    if (search_of(f.filter()) == Search::Places && spares_search(f, light) && !f.forced.contains(Saving::Blockers))
-        texels -= disk_places(f.filter(), f.settings, f.settings.filter.blocker_taps) - 1;
-    return fmt::format("kernel {} fetches up to {} texel{} a look-up", f.kernel(), texels, texels == 1 ? "" : "s");
-}
-
-/// Of a light without shadows. Shading leaves it out of its program; a texture of its own is drawn where that is
-/// forced.
-Effect lit_everywhere(const Facts& f, const PassInfo& pass, std::string name, std::string reason, bool separate) {
-    if (!separate) return part_of(pass, std::move(name), false, reason);
-    const bool forced = f.forced.contains(Saving::Uncalled);
-    return part_of(pass, std::move(name), forced, forced ? "forced: " + reason : reason, Saving::Uncalled);
-}
-
-/// Work that a saving spares within a pass which is done anyway.
-Effect spared_part(const Facts& f, const PassInfo& pass, std::string name, Saving saving, std::string_view why) {
-    const bool forced = f.forced.contains(saving);
-    return part_of(pass, std::move(name), forced, forced ? "forced: it is done all the same" : why, saving);
-}
-
-/// Of each light, where its visibility is looked up.
-void lookup_parts(const Facts& f, const PassInfo& pass, bool separate, Effects& out) {
-    bool from_maps = false;
-    std::vector<std::size_t> looked_up;
-    for (std::size_t i = 0; i < f.frame.lights.size(); ++i) {
-        const FittedLight& light = f.frame.lights[i];
-        const Source& source = source_of(f.settings, int(i));
-        from_maps |= light.casts;
-        const std::string name = fmt::format("look-ups of light {}", i);
-        const std::string told = fmt::format("{} is {}", light_key(i, "source"), source.key);
-        const bool forced = f.forced.contains(Saving::Uncalled);
-        if (!separate && light.shadowed && shades_nothing(light, f.settings)) {
-            out.push_back(part_of(pass, name, forced, (forced ? "forced: " : "") + light.dark, Saving::Uncalled));
-            if (forced && light.casts) looked_up.push_back(i);
-        } else if (!separate && !forced && never_shadows(light, f.settings)) {
-            out.push_back(part_of(pass, name, false, light.empty, Saving::Uncalled));
-        } else if (!light.shadowed) {
-            out.push_back(lit_everywhere(f, pass, name, light.reason + ": it is lit wherever it shines", separate));
-        } else if (source.file.empty() && !source.needs.truth) {
-            out.push_back(lit_everywhere(f, pass, name, told, separate));
-        } else if (!source.needs.map) {
-            out.push_back(part_of(pass, name, true, told));
-        } else {
-            const std::string unread = why_unread(f, pass, i);
-            out.push_back(part_of(pass, name, unread.empty(), unread.empty() ? lookup_text(f, light) : unread));
-            if (unread.empty()) looked_up.push_back(i);
-        }
-    }
-    search_parts(f, pass, looked_up, out);
-    if (!from_maps) return;
-    out.push_back(spared_part(f, pass, "look-ups where light does not arrive", Saving::Facing,
-                              "what is turned away from a light, beyond its range or outside of its cone is dark, "
-                              "whatever its map holds"));
-    const char* spared = search_of(f.filter()) == Search::Rays
-                             ? "no penumbra opens, and no ray is followed where nothing stands before its pixel"
-                             : "no penumbra opens, and all places of the search are one";
-    for (const std::size_t i : looked_up)
-        if (spares_search(f, f.frame.lights[i]))
-            out.push_back(spared_part(f, pass, fmt::format("search for a penumbra of light {}", i), Saving::Blockers,
-                                      fmt::format("{} is 0: {}", light_key(i, "size"), spared)));
-}
-
-void contact_parts(const Facts& f, const PassInfo& pass, Effects& out) {
-    for (std::size_t i = 0; i < f.frame.lights.size(); ++i) {
-        const double length = f.settings.lights[i].contact;
-        const bool shadowed = f.frame.lights[i].shadowed;
-        out.push_back(
-            part_of(pass, fmt::format("contact shadows of light {}", i), shadowed && length > 0,
-                    length <= 0 ? light_key(i, "contact") + " is 0"
-                    : !shadowed ? f.frame.lights[i].reason
-                                : fmt::format("{} is {}: a ray is marched so far through the "
-                                              "picture's depth, in {} steps",
-                                              light_key(i, "contact"), metres_text(length), f.settings.contact.steps)));
-    }
-}
-
-bool is_separate(const Facts& f) {
-    const PassInfo* visibility = f.frame.pass("visibility");
-    return visibility && visibility->state != PassState::Skipped;
-}
-
-void visibility_parts(const Facts& f, const PassInfo& pass, Effects& out) {
-    if (is_separate(f)) lookup_parts(f, pass, true, out);
-    contact_parts(f, pass, out);
-}
-
-/// What makes a picture of light, and touches no visibility.
-void look_parts(const Facts& f, const PassInfo& pass, Effects& out) {
-    const ShadingSettings& s = f.settings.shading;
-    const bool ground = !f.scene.ground_bounds.empty();
-    out.push_back(part_of(pass, "ground", ground,
-                          ground ? "scene.ground is auto, and the file has no large level surface: a disc receives the "
-                                   "shadows"
-                          : f.settings.scene.ground == int(Ground::Off)
-                              ? "scene.ground is off"
-                              : "the scene has what its shadows fall on, or is none of a file"));
-    const bool sky = s.sky == int(SkyLook::Gradient), filmic = s.curve == int(ToneCurve::Filmic);
-    out.push_back(part_of(pass, "sky and its ambient light", sky,
-                          sky ? "shading.sky is gradient: where nothing stands is sky, and what is turned up gets "
-                                "light from it, what is turned down from the ground"
-                              : "shading.sky is plain: ambient light is the same from everywhere"));
-    out.push_back(
-        part_of(pass, "tone curve", filmic || s.exposure != 0,
-                filmic ? fmt::format("shading.curve is filmic, after an exposure of {:g} EV", s.exposure)
-                : s.exposure != 0
-                    ? fmt::format("shading.exposure is {:g} EV; what is brighter than white is cut off", s.exposure)
-                    : "shading.curve is plain: light is encoded as it is"));
-}
-
-void shading_parts(const Facts& f, const PassInfo& pass, Effects& out) {
-    if (!is_separate(f)) lookup_parts(f, pass, false, out);
-    if (f.scene.objects.size() > 1)
-        out.push_back(spared_part(f, pass, "shading of what is hidden", Saving::Order,
-                                  "what is near is drawn before what it hides, large meshes after small ones that they "
-                                  "touch: the depth test drops most of what would be shaded and hidden again"));
-    look_parts(f, pass, out);
-}
-
-/// What makes visibility a texture of its own, as far as the settings do.
-std::string why_visibility(const Facts& f, const PassInfo&) {
-    if (f.settings.shading.separate_visibility) return "shading.separate_visibility is on";
-    for (std::size_t i = 0; i < f.frame.lights.size(); ++i) {
-        if (!f.frame.lights[i].shadowed) continue;
-        if (f.settings.lights[i].contact > 0)
-            return fmt::format("contact shadows darken it ({})", light_key(i, "contact"));
-        if (!source_of(f.settings, int(i)).fused)
-            return fmt::format("{} is {}, which shading cannot evaluate itself", light_key(i, "source"),
-                               source_of(f.settings, int(i)).key);
-    }
-    for (const Pane& pane : f.frame.panes)
-        if (pane.overlay > 0 && (overlays()[std::size_t(pane.overlay - 1)].reads_visibility ||
-                                 overlays()[std::size_t(pane.overlay - 1)].reads_truth))
-            return fmt::format("overlay {} reads it", overlays()[std::size_t(pane.overlay - 1)].key);
-    return f.frame.truth.met ? "it is compared with the truth" : "it was asked for";
-}
-
 // What is unasked for -------------------------------------------------------------------------------------------------
 
-bool skips(const Facts& f, std::string_view name) {
+bool skips(const EffectFacts& f, std::string_view name) {
     const PassInfo* pass = f.frame.pass(name);
     return !pass || pass->state == PassState::Skipped;
 }
 
-std::string truth_unasked(const Facts& f) {
+std::string truth_unasked(const EffectFacts& f) {
     return f.frame.truth.key == 0 && !f.frame.lights.empty() ? "nothing that is asked for needs the truth" : "";
 }
 
-std::string viewer_unasked(const Facts& f) {
+std::string viewer_unasked(const EffectFacts& f) {
     const PassInfo* viewer = f.frame.pass("map viewer");
     return viewer && viewer->state == PassState::Skipped ? viewer->reason : "";
 }
 
-std::string causes_unasked(const Facts& f) {
+std::string causes_unasked(const EffectFacts& f) {
     return skips(f, "causes found") && skips(f, "trials of every pixel") ? "not needed: causes are not shown" : "";
 }
 
 // The table -----------------------------------------------------------------------------------------------------------
 
-#define SI_WHY(text) [](const Facts&, const PassInfo&) { return std::string(text); }
-#define SI_ABSENT(text) [](const Facts&) { return std::string(text); }
+#define SI_WHY(text) [](const EffectFacts&, const PassInfo&) { return std::string(text); }
+#define SI_ABSENT(text) [](const EffectFacts&) { return std::string(text); }
 
 /// The first row that a pass's name begins like counts.
 const EffectRow kRows[] = {
@@ -414,21 +141,21 @@ const EffectRow kRows[] = {
      .why = why_pages,
      .parts = page_parts,
      .absent =
-         [](const Facts& f) {
+         [](const EffectFacts& f) {
              return std::string(f.settings.map.paged ? "no light has a map that is drawn by pages"
                                                      : "map.virtual is off");
          }},
     {.pass = "shadow maps", .why = why_map},
     {.pass = "shadow map ", .why = why_map, .parts = map_parts},
     {.pass = "depth blur",
-     .why = [](const Facts& f,
+     .why = [](const EffectFacts& f,
                const PassInfo&) { return fmt::format("map.blur_texels is {}", f.settings.map.blur_texels); }},
     {.pass = "moments", .why = why_moments, .parts = moment_parts},
     {.pass = "camera depth", .why = SI_WHY("something reads the depth that the camera sees")},
     {.pass = "surface ids", .why = SI_WHY("somebody asks which triangle each pixel shows")},
     {.pass = "shadow volumes",
      .why =
-         [](const Facts& f, const PassInfo& pass) {
+         [](const EffectFacts& f, const PassInfo& pass) {
              const auto light = std::size_t(pass.light);
              return fmt::format("{} is {}", light_key(light, "source"), source_of(f.settings, int(light)).key);
          },
@@ -493,7 +220,7 @@ std::string part_reason(const PartInfo& part) {
                        part.left_out == 1 ? "is" : "are");
 }
 
-void add_pass(const Facts& f, const PassInfo& pass, Effects& out) {
+void add_pass(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     const EffectRow* row = effect_row(pass);
     Effect effect{.name = row && !row->name.empty() ? std::string(row->name) : pass.name,
                   .state = state_of(pass.state),
@@ -521,7 +248,7 @@ void add_pass(const Facts& f, const PassInfo& pass, Effects& out) {
 }
 
 /// Keeping what rests apart is told of by the maps' passes once something has moved.
-void add_resting(const Facts& f, int animation, Effects& out) {
+void add_resting(const EffectFacts& f, int animation, Effects& out) {
     for (const PassInfo& pass : f.frame.passes)
         for (const PartInfo& part : pass.parts)
             if (part.by == Saving::Resting) return;
@@ -534,7 +261,7 @@ void add_resting(const Facts& f, int animation, Effects& out) {
     out.push_back({.name = "casters at rest", .reason = sentence(why), .saving = Saving::Resting});
 }
 
-void count_casters(Facts& f) {
+void count_casters(EffectFacts& f) {
     for (const Object& object : f.scene.objects) {
         if (!casts_at_all(f.scene, f.settings, object)) continue;
         const int material = f.scene.meshes[std::size_t(object.mesh)].material;
@@ -544,6 +271,21 @@ void count_casters(Facts& f) {
 }
 
 }  // namespace
+
+Effect part_of(const PassInfo& pass, std::string name, bool called_for, std::string_view reason,
+               std::optional<Saving> saving) {
+    const bool lives = pass.state != PassState::Skipped;
+    Effect effect{.name = std::move(name), .saving = saving, .pass = pass.name, .part = true};
+    effect.state = called_for ? state_of(pass.state) : EffectState::NotCalledFor;
+    effect.reason = sentence(lives || !called_for ? reason : std::string_view(pass.reason));
+    return effect;
+}
+
+std::string light_key(std::size_t light, std::string_view setting) {
+    SettingRef ref = *find_setting(fmt::format("light.{}", setting));
+    ref.light = int(light);
+    return setting_key(ref);
+}
 
 std::string_view state_name(EffectState state) {
     return state == EffectState::Simulated ? "simulated" : state == EffectState::Reused ? "reused" : "not called for";
@@ -582,7 +324,7 @@ std::string sentence(std::string_view text) {
 
 std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,
                                   SavingSet forced) {
-    Facts facts{.scene = scene, .settings = settings, .frame = frame, .forced = forced};
+    EffectFacts facts{.scene = scene, .settings = settings, .frame = frame, .forced = forced};
     sanitise(facts.settings);
     count_casters(facts);
     Effects out;

@@ -12,9 +12,8 @@
 #include "renderer/view/scene_lights.h"
 
 namespace si {
+namespace gltf {
 namespace {
-
-using namespace gltf;
 
 std::string about(const Json& root) {
     const auto& asset = root["asset"];
@@ -58,6 +57,11 @@ void load(Context& context, Scene& scene) {
     }
 }
 
+}  // namespace
+}  // namespace gltf
+
+namespace {
+
 /// Foliage that is blended casts by its mask: a tree without the shadow of its leaves is none.
 void suggest_casters(Scene& scene) {
     constexpr std::string_view kKey = "caster.blend";
@@ -85,9 +89,9 @@ void suggest_casters(Scene& scene) {
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
     Scene scene;
     scene.name = path.string();
-    Context context(path, options, scene.warnings);
+    gltf::Context context(path, options, scene.warnings);
     try {
-        load(context, scene);
+        gltf::load(context, scene);
         context.close_warnings();
         context.progress(0.95);
         finalise(scene);
@@ -97,7 +101,7 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
         suggest_casters(scene);
     } catch (const std::bad_alloc&) {
         context.fail("there is not enough memory to load it", "free some memory or use a smaller model");
-    } catch (const Json::exception& error) {
+    } catch (const gltf::Json::exception& error) {
         context.fail(error.what(), "repair the file or export it again");
     }
     context.progress(1);

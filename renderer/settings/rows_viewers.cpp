@@ -1,4 +1,6 @@
 // Rows of what is looked at: the map viewer, the panes with their overlays, the texel slabs.
+#include <algorithm>
+
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/rows.h"
