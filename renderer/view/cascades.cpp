@@ -44,12 +44,14 @@ CameraSlice::CameraSlice(const Camera& camera, double from_m, double to_m) : eye
     }
 }
 
+glm::dvec3 CameraSlice::in_view(const glm::dvec3& p) const {
+    const glm::dvec3 v = glm::transpose(axes_) * (p - eye_);
+    return {v.x, v.y, -v.z};
+}
+
 Box CameraSlice::in_view(const Box& box) const {
     Box out;
-    for (std::size_t i = 0; i < 8; ++i) {
-        const glm::dvec3 v = glm::transpose(axes_) * (box[i] - eye_);
-        out[i] = {v.x, v.y, -v.z};
-    }
+    for (std::size_t i = 0; i < 8; ++i) out[i] = in_view(box[i]);
     return out;
 }
 
@@ -68,8 +70,17 @@ std::vector<glm::dvec3> CameraSlice::seen_of(const Box& box, const Box* within) 
     } else {
         points = seen_in_view(box);
     }
-    for (glm::dvec3& p : points) p = eye_ + axes_ * glm::dvec3(p.x, p.y, -p.z);
+    for (glm::dvec3& p : points) p = in_world(p);
     return points;
+}
+
+std::vector<glm::dvec3> CameraSlice::seen_of(const SceneShape& shape, std::size_t box) const {
+    if (box != shape.ground || shape.ground_shadow.empty()) return seen_of(shape.boxes[box]);
+    Polygon part = shape.ground_shadow;
+    for (glm::dvec3& p : part) p = in_view(p);
+    for (const HalfSpace& plane : planes_) clip(part, plane);
+    for (glm::dvec3& p : part) p = in_world(p);
+    return part;
 }
 
 std::optional<DepthSpan> seen_depths(const Camera& camera, const std::vector<Box>& boxes,

@@ -25,12 +25,16 @@ public:
     /// Points whose convex hull is the part of a box that is seen, world space; none when nothing of it is.
     /// @param within only what lies in this body counts
     std::vector<glm::dvec3> seen_of(const Box& box, const Box* within = nullptr) const;
+    /// The same of one of the shape's boxes; of the ground the part in shadow.
+    std::vector<glm::dvec3> seen_of(const SceneShape& shape, std::size_t box) const;
     /// The same in view space: x right, y up, z the distance along the axis.
     std::vector<glm::dvec3> seen_in_view(const Box& box) const;
     /// Whether all of a box, or nothing of it, is seen; Across where that is not sure.
     Lies lies(const Box& box) const { return si::lies(in_view(box), planes_); }
 
 private:
+    glm::dvec3 in_view(const glm::dvec3& p) const;
+    glm::dvec3 in_world(const glm::dvec3& p) const { return eye_ + axes_ * glm::dvec3(p.x, p.y, -p.z); }
     Box in_view(const Box& box) const;
 
     glm::dvec3 eye_;

@@ -28,17 +28,21 @@ struct SceneShape {
     std::vector<double> box_tolerance;  ///< metres
     std::vector<bool> box_travels;      ///< of all the places that an animation takes an object to: triangles say less
     std::optional<std::size_t> ground;  ///< which box is that of the ground under a model; nothing: there is none
-    bool triangles = false;             ///< the scene has any
-    bool casters = false;               ///< an object with triangles casts
-    bool receivers = false;             ///< an object with triangles receives shadows
+    /// Of one light: around its shadows on the ground, a convex polygon or a point; empty: all of the ground's box.
+    std::vector<glm::dvec3> ground_shadow;
+    bool triangles = false;  ///< the scene has any
+    bool casters = false;    ///< an object with triangles casts
+    bool receivers = false;  ///< an object with triangles receives shadows
 };
 
 /// Boxes of all objects, over all of the animation where measure_travel() was called; above 20000 objects the scene's
 /// box stands for them. Always finite, also for empty scenes. Meshes are read to find the flat ones.
 SceneShape scene_shape(const Scene& scene, const Settings& settings);
 
-/// The shape as a light's maps have to hold it: of the ground under a model no more than where casters may shadow it.
-SceneShape with_shadowed_ground(const SceneShape& shape, const PlacedLight& light);
+/// The shape as a light's maps have to hold it: of the ground under a model no more than where casters shadow it, which
+/// across the light is within the casters.
+/// @param scene that the shape is of
+SceneShape with_shadowed_ground(const SceneShape& shape, const Scene& scene, const PlacedLight& light);
 
 /// Extent in a view: x and y across, z metres along the axis (positive in front).
 struct ViewExtent {
@@ -54,6 +58,16 @@ ViewExtent extent_of(const SceneShape& shape, const LightView& view);
 
 /// Of what lies of a box within the sides of a parallel view.
 ViewExtent extent_within(const Box& box, const LightView& view);
+/// The same of one of the shape's boxes; of the ground the part that lies in shadow.
+ViewExtent extent_within(const SceneShape& shape, std::size_t box, const LightView& view);
+
+/// Points whose hull is what lies within planes of one of the shape's boxes; of the ground the part in shadow.
+std::vector<glm::dvec3> points_within(const SceneShape& shape, std::size_t box, std::span<const HalfSpace> planes);
+
+/// What of these extents, of shadows on the ground, sticks out of a model's own across the view is added to these, and
+/// all of what they have along it. Less than a millionth is rounding.
+void add_shadow_on_ground(ViewExtent& model, const ViewExtent& ground);
+constexpr double kNoWider = 1e-6;
 
 /// The least distance along the axis at which a box can meet the pyramid |x|, |y| <= z tan; infinite when it cannot.
 double entry_into_pyramid(const ViewExtent& e, double tan_half);

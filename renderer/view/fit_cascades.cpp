@@ -53,17 +53,21 @@ std::vector<double> cascade_ends(FittedLight& light, const FitContext& c, const 
 /// it reaches to the first caster.
 void fit_slice(FittedLight& light, LightView view, const FitContext& c, const Camera& camera, const DepthSpan& span,
                double margin) {
-    std::vector<glm::dvec3> points;
+    std::vector<glm::dvec3> points, on_ground;
     const CameraSlice slice(camera, span.from_m, span.to_m);
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
         if (!c.shape.box_receives[i]) continue;
-        const std::vector<glm::dvec3> part = slice.seen_of(c.shape.boxes[i]);
-        points.insert(points.end(), part.begin(), part.end());
+        const std::vector<glm::dvec3> part = slice.seen_of(c.shape, i);
+        std::vector<glm::dvec3>& all = i == c.shape.ground ? on_ground : points;
+        all.insert(all.end(), part.begin(), part.end());
     }
+    if (points.empty()) points.swap(on_ground);
     if (points.empty())  // nothing will be looked up in it
-        for (const Box& box : c.shape.boxes) points.insert(points.end(), box.begin(), box.end());
-    if (is_warped(c)) return fit_warped(light, view, c, camera, points, margin);
+        for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
+            if (i != c.shape.ground) points.insert(points.end(), c.shape.boxes[i].begin(), c.shape.boxes[i].end());
+    if (is_warped(c)) return fit_warped(light, view, c, camera, points, on_ground, margin);
     ViewExtent seen = extent_of(points, view);
+    if (!on_ground.empty()) add_shadow_on_ground(seen, extent_of(on_ground, view));
     const DepthSpan receivers{seen.lo.z, seen.hi.z};
     const glm::dvec3 middle = 0.5 * (seen.lo + seen.hi);
     view.half_width =

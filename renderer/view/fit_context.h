@@ -61,9 +61,11 @@ void fit_one_view(FittedLight& light, const FitContext& c);
 /// Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004.
 /// @param view its axes: the third one towards the light
 /// @param points that are looked up, world; at least one
+/// @param on_ground the same, of a ground under a model: where what holds `points` holds these, too, only its depths
+///     change
 /// @param margin texels at each side
 void fit_warped(FittedLight& light, LightView view, const FitContext& c, const Camera& camera,
-                std::span<const glm::dvec3> points, double margin);
+                std::span<const glm::dvec3> points, std::span<const glm::dvec3> on_ground, double margin);
 
 /// Whether the light's maps are made for slices of what the camera sees: several, or one that is stabilised or warped.
 bool is_sliced(const LightSettings& settings);

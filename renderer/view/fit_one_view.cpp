@@ -64,7 +64,7 @@ std::optional<DepthSpan> seen_receivers(const LightView& view, const FitContext&
     const CameraSlice slice(*c.camera, depths.from_m, depths.to_m);
     ViewExtent seen;
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
-        if (c.shape.box_receives[i]) seen.add(extent_of(slice.seen_of(c.shape.boxes[i]), view));
+        if (c.shape.box_receives[i]) seen.add(extent_of(slice.seen_of(c.shape, i), view));
     if (!(seen.lo.z <= seen.hi.z)) return std::nullopt;
     return DepthSpan{seen.lo.z, seen.hi.z};
 }
@@ -83,11 +83,27 @@ void fit_region(FittedLight& light, LightView view, const FitContext& c, const M
     view.eye += view.axes * glm::dvec3(0.5 * (region.lo + region.hi), 0);
     view.half_width = with_margin(0.5 * std::max(size.x, size.y), c.shape.radius, c.resolution, c.margin_texels);
     ViewExtent held;
-    for (const Box& box : c.shape.boxes) held.add(extent_within(box, view));
+    for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) held.add(extent_within(c.shape, i, view));
     if (!(held.lo.z <= held.hi.z)) held = extent_of(c.shape, view);  // too far away for doubles to tell
     const std::optional<DepthSpan> receivers = seen_receivers(view, c);
     set_parallel_range(view, c, {held.lo.z, held.hi.z}, receivers ? &*receivers : nullptr);
     finish_view(light, view, c, 1);
+}
+
+/// What a fit finds. A ground under the model widens it by no more than shadows that fall on the ground, and are not in
+/// what the model alone needs; nothing where the model alone needs nothing, as the whole scene's map then holds all.
+std::optional<MapRegion> region_of(const FitInput& in, Fit find) {
+    if (!in.shape.ground) return find(in);
+    FitInput part = in;
+    part.receiving = Receiving::Model;
+    std::optional<MapRegion> region = find(part);
+    if (!region) return std::nullopt;
+    part.receiving = Receiving::Ground;
+    const std::optional<MapRegion> ground = find(part);
+    if (!ground) return region;
+    ViewExtent all{glm::dvec3(region->lo, 0), glm::dvec3(region->hi, 0)};
+    add_shadow_on_ground(all, {glm::dvec3(ground->lo, 0), glm::dvec3(ground->hi, 0)});
+    return MapRegion{glm::dvec2(all.lo), glm::dvec2(all.hi)};
 }
 
 }  // namespace
@@ -105,8 +121,9 @@ void fit_one_view(FittedLight& light, const FitContext& c) {
     if (perspective != directional) {  // else its rays are not the light's
         view.curve.perspective = perspective;
         view.half_width = directional ? 1 : std::tan(light.half_cone_rad);
-        const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera, c.seen_m};
-        if (const auto region = fit_row(c.settings.fit).find(input)) return fit_region(light, view, c, *region);
+        const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera, c.seen_m, Receiving::All};
+        if (const auto region = region_of(input, fit_row(c.settings.fit).find))
+            return fit_region(light, view, c, *region);
     }
     if (perspective) {
         const double by_hand = directional ? 0 : manual_half_extent(c.settings) / light.distance_m;

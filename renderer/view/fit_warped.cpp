@@ -64,8 +64,9 @@ double texel_in_row(const LightView& view, double row, int resolution) {
 }
 
 /// The view with a margin of that many texels on each side of what is looked up.
+/// @param deep of what is looked up, too, what counts along the rays only
 LightView warped_view(LightView view, const FitContext& c, const Camera& camera, std::span<const glm::dvec3> points,
-                      double margin) {
+                      std::span<const glm::dvec3> deep, double margin) {
     const double sine = turn_to_camera(view, camera);
     const glm::dmat3 to_view = glm::transpose(view.axes);
     Extent x, y;
@@ -129,8 +130,9 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     Extent casters;
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
         if (near_far == NearFar::Scene || (near_far != NearFar::Pancaking && c.shape.box_casts[i]))
-            for (const glm::dvec3& p : points_within(c.shape.boxes[i], sides)) casters.add(depth_of(p));
+            for (const glm::dvec3& p : points_within(c.shape, i, sides)) casters.add(depth_of(p));
     for (const glm::dvec3& p : points) all.add(depth_of(p));
+    for (const glm::dvec3& p : deep) all.add(depth_of(p));
     // A caster behind all that is looked up says nothing of where the map begins.
     if (casters.lo <= all.hi) all.lo = near_far == NearFar::Casters ? casters.lo : std::min(all.lo, casters.lo);
     if (near_far == NearFar::Scene) all.hi = std::max(all.hi, casters.hi);
@@ -144,7 +146,8 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     all.widen(std::max(2 * texel, least_m));
     const double pad = kDepthMargin * all.size();
     // A floor that the light meets straight has no depth of its own to take a share of.
-    const double begin = all.lo - pad - room, end = all.hi + pad + (view.clamps_near ? texel : 0);
+    const double begin = all.lo - pad - room;
+    const double end = all.hi + pad + (view.clamps_near ? texel : 0) + room_beyond_shadow(view, c, texel);
 
     const bool reversed = c.convention.reversed;
     // Depth rises by ad per unit of (z - middle) / w from bd.
@@ -160,26 +163,47 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     return view;
 }
 
+/// Whether points lie across the rays within what a warped view has of others, up to rounding.
+bool holds_across(const LightView& view, std::span<const glm::dvec3> points, std::span<const glm::dvec3> others) {
+    const glm::dmat4 m = view.clip_from_relative(view.eye);
+    Extent x, y;
+    const auto map = [&](const glm::dvec3& p) { return m * glm::dvec4(p - view.eye, 1); };
+    for (const glm::dvec3& p : points) {
+        const glm::dvec4 h = map(p);
+        x.add(h.x / h.w), y.add(h.y / h.w);
+    }
+    return std::ranges::all_of(others, [&](const glm::dvec3& p) {
+        const glm::dvec4 h = map(p);
+        const auto within = [&](double at, const Extent& e) { return at >= e.lo - kNoWider && at <= e.hi + kNoWider; };
+        return h.w > 0 && within(h.x / h.w, x) && within(h.y / h.w, y);
+    });
+}
+
 }  // namespace
 
 void fit_warped(FittedLight& light, LightView view, const FitContext& c, const Camera& camera,
-                std::span<const glm::dvec3> points, double margin) {
+                std::span<const glm::dvec3> points, std::span<const glm::dvec3> on_ground, double margin) {
     Extent depths;
     for (const glm::dvec3& p : points) depths.add(glm::dot(view.axes[2], view.eye - p));
     view.eye -= view.axes[2] * step_forward(depths.lo, depths.hi);
-    LightView warped = warped_view(view, c, camera, points, margin);
+    LightView warped = warped_view(view, c, camera, points, {}, margin);
+    std::vector<glm::dvec3> seen(points.begin(), points.end());
+    if (!on_ground.empty()) {
+        if (!holds_across(warped, points, on_ground)) seen.insert(seen.end(), on_ground.begin(), on_ground.end());
+        warped = warped_view(view, c, camera, seen, on_ground, margin);
+    }
     // The normal offset goes by a texel's longest side, which a margin in texels does not hold; a wider map has longer
     // ones.
     const double normal = std::abs(finite_or(c.all_settings.bias.normal, 0));
     std::vector<glm::dvec3> held;
     for (int i = 0; i < 3 && normal > 0; ++i) {
-        held.assign(points.begin(), points.end());
-        for (const glm::dvec3& p : points) {
+        held = seen;
+        for (const glm::dvec3& p : seen) {
             const double offset = normal * warped.texel_size_at(p, c.resolution).longest;
             for (int axis = 0; axis < 2; ++axis)
                 for (const double by : {-offset, offset}) held.push_back(p + by * warped.axes[axis]);
         }
-        warped = warped_view(view, c, camera, held, margin);
+        warped = warped_view(view, c, camera, held, on_ground, margin);
     }
     if (camera.orthographic)
         note(light, "light.fit lispsm: an orthographic camera sees all depths at one size, so its map is not warped");

@@ -153,16 +153,13 @@ double fit_margin_texels(const Settings& settings, int resolution) {
 std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
                                   const Camera* camera, int max_resolution, const std::optional<DepthSpan>& seen_m,
                                   int picture_lines) {
-    const SceneShape& whole = *placed.shape;
     const int resolution = std::clamp(settings.map.resolution, 1, std::max(1, max_resolution));
     std::vector<FittedLight> lights;
     for (std::size_t i = 0; i < placed.lights.size(); ++i) {
         const LightSettings& s = settings.lights[i];
         FittedLight& light = lights.emplace_back();
         static_cast<PlacedLight&>(light) = placed.lights[i];
-        std::optional<SceneShape> own;
-        if (whole.ground) own = with_shadowed_ground(whole, light);
-        const SceneShape& shape = own ? *own : whole;
+        const SceneShape& shape = *placed.shapes[i];
         const FitContext context{scene,
                                  shape,
                                  s,

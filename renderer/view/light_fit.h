@@ -85,6 +85,7 @@ constexpr bool within_range(double distance_m, double range_m) {
 struct PlacedLights {
     std::shared_ptr<const SceneShape> shape;
     std::vector<PlacedLight> lights;
+    std::vector<std::shared_ptr<const SceneShape>> shapes;  ///< of each light; on a ground each has its own
 };
 
 /// Spot and point intensities fall with the square of the distance and are scaled together so that the brightest light

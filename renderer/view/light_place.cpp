@@ -106,11 +106,14 @@ glm::dvec3 direction_from_angles(double azimuth_deg, double elevation_deg) {
 
 PlacedLights place_lights(const Scene& scene, const Settings& settings) {
     const auto shape = std::make_shared<const SceneShape>(scene_shape(scene, settings));
-    PlacedLights out{shape, {}};
+    PlacedLights out{shape, {}, {}};
     for (int i = 0; i < std::clamp(settings.light_count, 0, kMaxLights); ++i)
         out.lights.push_back(place(settings.lights[std::size_t(i)], *shape));
     for (PlacedLight& light : out.lights) light.map_origin = counted_from(settings, shape->centre);
     normalise_punctual(out.lights, settings, *shape);
+    for (const PlacedLight& light : out.lights)
+        out.shapes.push_back(
+            shape->ground ? std::make_shared<const SceneShape>(with_shadowed_ground(*shape, scene, light)) : shape);
     return out;
 }
 

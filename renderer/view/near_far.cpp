@@ -9,6 +9,9 @@
 namespace si {
 namespace {
 
+constexpr double kFlattest = 3;       // cotangent of a sun's height
+constexpr double kMostOfMap = 0.125;  // of its width, that kernels have room for beyond a shadow on the ground
+
 NearFar choice_of(const FitContext& c) {
     return NearFar(c.settings.near_far);
 }
@@ -51,6 +54,15 @@ double reach_of_lookups(const Settings& s) {
     return reach_of(s).read + std::max(s.bias.normal, 0.0) + s.map.blur_texels + 1;
 }
 
+double room_beyond_shadow(const LightView& view, const FitContext& c, double texel_m) {
+    if (!c.shape.ground || !c.shape.box_receives[*c.shape.ground]) return 0;
+    const double rise = view.axes[2].y;
+    if (c.settings.type != int(LightType::Directional) || !(rise > 0)) return 0;
+    // A flatter light's shadows run to the ground's end.
+    const double texels = std::min(reach_of_lookups(c.all_settings), kMostOfMap * c.resolution);
+    return texels * texel_m * std::min(std::sqrt(std::max(1 - rise * rise, 0.0)) / rise, kFlattest);
+}
+
 void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, const DepthSpan* receivers) {
     view.curve.perspective = false;
     view.curve.convention = c.convention;
@@ -62,7 +74,7 @@ void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, c
         ViewExtent near, far;
         for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
             if (!bounds_near(c, i) && !bounds_far(c, i)) continue;
-            const ViewExtent e = extent_within(c.shape.boxes[i], view);
+            const ViewExtent e = extent_within(c.shape, i, view);
             if (bounds_near(c, i)) near.add(e);
             if (bounds_far(c, i)) far.add(e);
         }
@@ -71,7 +83,12 @@ void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, c
         // A caster behind all receivers, or none at all, says nothing.
         if (near.lo.z <= far.hi.z) found = {near.lo.z, far.hi.z};
     }
-    const double pad = kDepthMargin * (found.to_m - found.from_m), texel = view.texel_size(1, c.resolution);
+    const double texel = view.texel_size(1, c.resolution);
+    if (const double beyond = room_beyond_shadow(view, c, texel); beyond > 0) {
+        const double shadow_ends = receivers ? receivers->to_m : extent_within(c.shape, *c.shape.ground, view).hi.z;
+        found.to_m = std::max(found.to_m, shadow_ends + beyond);
+    }
+    const double pad = kDepthMargin * (found.to_m - found.from_m);
     view.clamps_near = choice == NearFar::Pancaking;
     const double room = view.clamps_near ? room_for_bias(c, texel, found.to_m - found.from_m) : 0;
     view.curve.near = found.from_m - pad - room;

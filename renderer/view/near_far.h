@@ -16,6 +16,11 @@ void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, c
 /// @param range_m of the depths without it
 double room_for_bias(const FitContext& c, double texel_m, double range_m);
 
+/// How much deeper than the end of a shadow on the ground under a model lies what a kernel there may read for, metres
+/// along a sun's rays; 0 without such a ground.
+/// @param texel_m across the rays
+double room_beyond_shadow(const LightView& view, const FitContext& c, double texel_m);
+
 /// Sets the range of a perspective view whose width is set, from what lies inside its pyramid and the light's range.
 void set_perspective_range(LightView& view, const FitContext& c);
 

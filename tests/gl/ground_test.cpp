@@ -14,6 +14,8 @@
 #include "renderer/reference/truth_geometry.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/view/camera.h"
+#include "renderer/view/light_fit.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/shared_models.h"
 
@@ -33,6 +35,45 @@ Scene box_alone() {
                moved(3, 5, -2) * turned(20));
     finalise(scene);
     return scene;
+}
+
+/// Of a flat top no caster of which is thick, so that shadows fall mostly on the ground.
+Scene table_alone() {
+    Scene scene;
+    scene.name = "table";
+    const int grey = add_material(scene, "grey", {1, 1, 1});
+    add_object(scene, "top", -1, add_mesh(scene, "top", make_plane(2, 1.2), grey), moved(0, 1, 0));
+    const int leg = add_mesh(scene, "leg", make_box({0.1, 1, 0.1}), grey);
+    for (const double x : {-0.9, 0.9})
+        for (const double z : {-0.5, 0.5}) add_object(scene, "leg", -1, leg, moved(x, 0.5, z));
+    add_object(scene, "block", -1, add_mesh(scene, "block", make_box({0.3, 0.3, 0.3}), grey), moved(0.3, 1.2, 0.1));
+    finalise(scene);
+    return scene;
+}
+
+/// A scene on a ground, and without.
+struct Stood {
+    std::string name;
+    Session with, without;
+};
+Stood stood(const std::string& name, Scene (*make)()) {
+    return {name, session_of(make()), session_of(make(), {"scene.ground=off"})};
+}
+/// The box, and those of the models that are there.
+std::vector<Stood> stood_models() {
+    std::vector<Stood> out{stood("box", box_alone)};
+    for (const test::SharedModel& model : test::shared_models()) {
+        const std::string name = model.file.filename().string();
+        if (name != "sunflower.gltf" && name != "GlassVaseFlowers.gltf" && name != "Suzanne.gltf" &&
+            name != "living_room.glb")
+            continue;
+        const std::vector<std::string> sets{"map.resolution=512", "camera.index=-1"};
+        std::vector<std::string> off = sets;
+        off.push_back("scene.ground=off");
+        out.push_back({name, open_session({.scene = model.file.string(), .sets = sets}),
+                       open_session({.scene = model.file.string(), .sets = off})});
+    }
+    return out;
 }
 
 /// What a first picture shows of the shadow on the ground, or on the floor that a file brings.
@@ -127,17 +168,17 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
     EXPECT_EQ(with.scene.object_count(), without.scene.object_count());
     EXPECT_EQ(with.scene.bounds.lo, without.scene.bounds.lo);
     EXPECT_EQ(with.scene.bounds.hi, without.scene.bounds.hi);
+    const Camera camera = make_camera(with.scene, with.settings, 16.0 / 9);
     for (const Choice& fit : find_setting("light.fit")->param->choices())
-        for (const char* type : {"directional", "spot", "point"}) {
-            SCOPED_TRACE(std::string(fit.key) + " " + type);
-            Settings s = with.settings;
-            set_setting(s, "light.fit", fit.key);
-            set_setting(s, "light.type", type);
-            if (fit.key == "stabilised" || fit.key == "lispsm" || fit.key == "view") continue;  // go by what is seen
-            const auto a = fit_lights(with.scene, s), b = fit_lights(without.scene, s);
-            // A fit that narrows has a kernel's room about it.
-            EXPECT_LE(a[0].views[0].half_width, b[0].views[0].half_width * (fit.key == "casters" ? 1.04 : 1 + 1e-9));
-        }
+        for (const char* type : {"directional", "spot", "point"})
+            for (const Camera* seen_by : {static_cast<const Camera*>(nullptr), &camera}) {
+                SCOPED_TRACE(std::string(fit.key) + " " + type + (seen_by ? " of the picture" : ""));
+                Settings s = with.settings;
+                set_setting(s, "light.fit", fit.key);
+                set_setting(s, "light.type", type);
+                const auto a = fit_lights(with.scene, s, seen_by), b = fit_lights(without.scene, s, seen_by);
+                EXPECT_LE(a[0].views[0].half_width, b[0].views[0].half_width * (1 + 1e-9));
+            }
     const auto drawn = [&](const Scene& scene) {
         FrameRequest whole = small();
         whole.outputs.shadow_map = whole.force = true;
@@ -168,6 +209,144 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
     for (std::size_t i = 0; i < alone.size(); ++i) box += alone[i] >= 0, differ += stood[i] != alone[i];
     EXPECT_GT(box, 5000u);
     EXPECT_LT(differ, box / 100);
+}
+
+// Where the picture shows all of a model.
+TEST_F(GroundTest, MapsOfModelsAreNoWiderForIt) {
+    for (const Stood& model : stood_models()) {
+        ASSERT_FALSE(model.with.scene.ground_bounds.empty()) << model.name;
+        const Camera camera = make_camera(model.with.scene, model.with.settings, 16.0 / 9);
+        for (const Choice& fit : find_setting("light.fit")->param->choices()) {
+            SCOPED_TRACE(model.name + " " + std::string(fit.key));
+            Settings s = model.with.settings;
+            set_setting(s, "light.type", "directional");
+            set_setting(s, "light.fit", fit.key);
+            const auto a = fit_lights(model.with.scene, s, &camera), b = fit_lights(model.without.scene, s, &camera);
+            ASSERT_EQ(a[0].views.size(), b[0].views.size());
+            const LightView &stands = a[0].views[0], &floats = b[0].views[0];
+            EXPECT_LE(stands.half_width, floats.half_width * (1 + 1e-9));
+            EXPECT_NEAR(stands.texel_sizes(512).longest / floats.texel_sizes(512).longest, 1, 1e-9);
+            EXPECT_EQ(a[0].closed, b[0].closed);
+        }
+    }
+}
+
+// Depths up to where the shadow ends, and a kernel's room: what lies beyond a map's far plane is not looked up.
+TEST_F(GroundTest, MapsAreDeeperUpToTheShadowsEnd) {
+    const Stood box = stood("box", box_alone);
+    const Camera camera = make_camera(box.with.scene, box.with.settings, 16.0 / 9);
+    for (const char* fit : {"scene", "casters", "view", "stabilised"}) {
+        SCOPED_TRACE(fit);
+        Settings s = box.with.settings;
+        set_setting(s, "light.fit", fit);
+        const FittedLight stands = fit_lights(box.with.scene, s, &camera)[0];
+        const FittedLight floats = fit_lights(box.without.scene, s, &camera)[0];
+        const auto along = [](const LightView& v, const glm::dvec3& p) { return -glm::dot(v.axes[2], p); };
+        const LightView &a = stands.views[0], &b = floats.views[0];
+        double shadow_ends = -1e300;
+        for (const glm::dvec3& p : box.with.scene.meshes[0].bounds.corners(box.with.scene.objects[0].world)) {
+            const double steps = (p.y - box.with.scene.ground_bounds.hi.y) / stands.to_light.y;
+            shadow_ends = std::max(shadow_ends, along(a, p - stands.to_light * steps));
+        }
+        const double begins = along(a, a.eye) + a.curve.near, ends = along(a, a.eye) + a.curve.far;
+        EXPECT_NEAR(begins, along(b, b.eye) + b.curve.near, 1e-3 * (ends - begins));
+        EXPECT_GT(ends, shadow_ends);
+        EXPECT_LT(ends, shadow_ends + 0.05 * (ends - begins));
+    }
+}
+
+// All of the model is seen, and the map has the same texels.
+TEST_F(GroundTest, AModelsOwnPixelsHaveTheSameVisibility) {
+    for (const Stood& model : stood_models())
+        for (const Choice& fit : find_setting("light.fit")->param->choices()) {
+            SCOPED_TRACE(model.name + " " + std::string(fit.key));
+            Settings s = model.with.settings;
+            set_setting(s, "light.type", "directional");
+            set_setting(s, "light.fit", fit.key);
+            s.camera = manual_camera(model.with.scene, model.with.settings, 16.0 / 9);
+            Settings bare = s;
+            bare.scene = model.without.settings.scene;
+            FrameRequest request = small();
+            request.outputs.visibility = request.outputs.surface_ids = true;
+            const FrameResult stands = renderer.render(model.with.scene, s, request);
+            const SurfaceIds ids = renderer.read_surface_ids(stands.surface_ids);
+            const FloatImage on = renderer.read_float(stands.visibility, 1);
+            const FrameResult floats = renderer.render(model.without.scene, bare, request);
+            const SurfaceIds own_ids = renderer.read_surface_ids(floats.surface_ids);
+            const FloatImage off = renderer.read_float(floats.visibility, 1);
+            std::size_t own = 0, elsewhere = 0, differ = 0;
+            for (std::size_t i = 0; i < ids.data.size(); ++i) {
+                if (own_ids.data[i].x == 0) continue;
+                ++own;
+                elsewhere += ids.data[i].x != own_ids.data[i].x;
+                differ += ids.data[i].x == own_ids.data[i].x && on.data[i] != off.data[i];
+            }
+            EXPECT_GT(own, 300u);
+            EXPECT_LE(elsewhere, own / 500) << "hidden by the ground, or as deep as something else";
+            // A warped map's depths are divided, and round otherwise.
+            EXPECT_LE(differ, fit.key == "lispsm" ? own / 1000 : 0) << "of " << own;
+        }
+}
+
+// Also where the picture shows a part of the model, and maps are for that part, or for slices of it.
+TEST_F(GroundTest, ItsShadowIsWholeUnderEveryFit) {
+    for (const auto& make : {box_alone, table_alone}) {
+        const Session session = session_of(make(), {"map.resolution=1024"});
+        ASSERT_FALSE(session.scene.ground_bounds.empty());
+        const std::size_t ground = session.scene.objects.size();
+        for (const double nearer : {1.0, 0.4}) {
+            Settings s = session.settings;
+            s.camera = manual_camera(session.scene, session.settings, 16.0 / 9);
+            s.camera.distance *= nearer;
+            FrameRequest request = small();
+            request.outputs.visibility = request.outputs.surface_ids = true;
+            const auto visibility = [&](std::string_view fit, const char* cascades) {
+                set_setting(s, "light.fit", fit);
+                set_setting(s, "light.cascades", cascades);
+                return renderer.read_float(renderer.render(session.scene, s, request).visibility, 1);
+            };
+            const FloatImage whole = visibility("scene", "1");
+            const SurfaceIds ids = renderer.read_surface_ids(renderer.render(session.scene, s, request).surface_ids);
+            for (const Choice& fit : find_setting("light.fit")->param->choices())
+                for (const char* cascades : {"1", "4"}) {
+                    SCOPED_TRACE(session.scene.name + " " + std::string(fit.key) + " " + cascades + " from " +
+                                 std::to_string(nearer));
+                    const FloatImage fitted = visibility(fit.key, cascades);
+                    std::size_t dark = 0, lost = 0, lit = 0, made = 0;
+                    for (std::size_t i = 0; i < ids.data.size(); ++i) {
+                        if (ids.data[i].x != ground) continue;
+                        const float was = whole.data[i], is = fitted.data[i];
+                        dark += was < 0.01f, lost += was < 0.01f && is > 0.99f;
+                        lit += was > 0.99f, made += was > 0.99f && is < 0.01f;
+                    }
+                    EXPECT_GT(dark, nearer == 1 ? 500u : 50u);
+                    EXPECT_LE(lost, dark / 30 + 5);
+                    EXPECT_LE(made, lit / 30 + 5);
+                }
+        }
+    }
+}
+
+// What is seen of the ground asks for shadows of what is not seen: for those the map grows, but never beyond its
+// casters.
+TEST_F(GroundTest, APartOfAModelHasAMapOfNoMoreThanItsCasters) {
+    const Stood table = stood("table", table_alone);
+    Settings s = table.with.settings;
+    s.camera = manual_camera(table.with.scene, table.with.settings, 16.0 / 9);
+    const auto half_width = [&](const Scene& scene, std::string_view fit, double nearer) {
+        Settings t = s;
+        t.camera.distance *= nearer;
+        set_setting(t, "light.fit", fit);
+        const Camera camera = make_camera(scene, t, 16.0 / 9);
+        return fit_lights(scene, t, &camera)[0].views[0].half_width;
+    };
+    const double margin = 2 * fit_margin_texels(s, 512) / 512;
+    const double casters = half_width(table.without.scene, "scene", 1) * (1 - 4.0 / 512) / (1 - margin);
+    for (const double nearer : {1.0, 0.6, 0.4, 0.25}) {
+        SCOPED_TRACE(nearer);
+        EXPECT_LE(half_width(table.with.scene, "view", nearer), casters * (1 + 1e-9));
+        EXPECT_LE(half_width(table.with.scene, "casters", nearer), casters * (1 + 1e-9));
+    }
 }
 
 /// What cannot be as the others are, and why.

@@ -1,15 +1,20 @@
 // What makes a picture pleasant to look at touches no number: sky, ambient light, tone curve, smoothing at rest.
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/editor/frame_loop.h"
 #include "app/report/against.h"
 #include "app/session/session.h"
 #include "renderer/frame/effects.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/view/camera.h"
 #include "renderer/view/sky.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/shared_models.h"
 
 namespace si {
 namespace {
@@ -41,7 +46,7 @@ TEST_F(LookTest, VisibilityHasTheSameBytesWithAllOfItOnAndOff) {
         FrameRequest request{.width = 96, .height = 54};
         request.outputs.visibility = true;
         FrameRequest smooth = request;
-        smooth.smoothed = 2;
+        smooth.smoothed = kSmoothedMost;
         const FrameResult drawn = renderer.render(scene, on, smooth);
         const FloatImage visibility = renderer.read_float(drawn.visibility, 1);
         const ByteImage picture = renderer.read_colour(drawn.colour);
@@ -51,6 +56,65 @@ TEST_F(LookTest, VisibilityHasTheSameBytesWithAllOfItOnAndOff) {
         request.force = true;
         const FloatImage anew = renderer.read_float(renderer.render(scene, plain(on), request).visibility, 1);
         EXPECT_TRUE(anew.data == visibility.data);
+    }
+}
+
+// The ground that a loaded model gets is a part of the look, too: the model's own pixels know nothing of it.
+TEST_F(LookTest, AModelHasTheSameVisibilityWithAllOfItOnAndOff) {
+    std::vector<std::string> files{""};
+    for (const test::SharedModel& model : test::shared_models()) {
+        const std::string name = model.file.filename().string();
+        if (name == "Suzanne.gltf" || name == "Fox.glb") files.push_back(model.file.string());
+    }
+    for (const std::string& file : files) {
+        SCOPED_TRACE(file);
+        const auto open = [&](const char* ground) {
+            std::vector<std::string> sets{"map.resolution=512", "camera.index=-1",
+                                          std::string("scene.ground=") + ground};
+            // Of boxes that shadow each other the map of other fits holds only where they do, unless there is a ground.
+            if (file.empty()) sets.emplace_back("light.fit=scene");
+            if (!file.empty()) return open_session({.scene = file, .sets = sets});
+            Scene scene;
+            const int mesh = add_mesh(scene, "box", make_box({1, 2, 1.5}), add_material(scene, "grey", {1, 1, 1}));
+            add_object(scene, "box", -1, mesh, turned(20));
+            add_object(scene, "lid", -1, mesh, moved(0.4, 1.8, 0.2) * turned(50));
+            finalise(scene);
+            scene.file_scenes = {""};  // as if from a file
+            return compose_session(plan_session({.scene = "a file", .sets = sets}), std::move(scene));
+        };
+        const Session with = open("auto"), without = open("off");
+        ASSERT_FALSE(with.scene.ground_bounds.empty());
+        ASSERT_TRUE(without.scene.ground_bounds.empty());
+        Settings on = with.settings;
+        on.shading.exposure = 1;
+        on.camera = manual_camera(with.scene, with.settings, 16.0 / 9);
+        FrameRequest request = small();
+        request.force = request.outputs.visibility = request.outputs.surface_ids = true;
+        struct Drawn {
+            FloatImage visibility;
+            SurfaceIds ids;
+        };
+        const auto draw = [&](const Session& session, bool look, int smoothed) {
+            Settings s = look ? on : plain(on);
+            s.scene = session.settings.scene;
+            request.smoothed = smoothed;
+            const FrameResult frame = renderer.render(session.scene, s, request);
+            return Drawn{renderer.read_float(frame.visibility, 1), renderer.read_surface_ids(frame.surface_ids)};
+        };
+        const Drawn all = draw(with, true, kSmoothedMost), none = draw(without, false, 0);
+        EXPECT_TRUE(draw(with, false, 0).visibility.data == all.visibility.data) << "sky, tone curve and smoothing";
+        EXPECT_TRUE(draw(with, true, 0).visibility.data == all.visibility.data) << "smoothing";
+        EXPECT_TRUE(draw(with, false, kSmoothedMost).visibility.data == all.visibility.data) << "sky and tone curve";
+        EXPECT_TRUE(draw(without, true, kSmoothedMost).visibility.data == none.visibility.data) << "without a ground";
+        std::size_t own = 0, dark = 0, differ = 0;
+        for (std::size_t i = 0; i < none.ids.data.size(); ++i) {
+            if (none.ids.data[i].x == 0 || none.ids.data[i].x != all.ids.data[i].x) continue;
+            ++own, dark += none.visibility.data[i] < 0.5f;
+            differ += none.visibility.data[i] != all.visibility.data[i];
+        }
+        EXPECT_GT(own, 1000u);
+        EXPECT_GT(dark, own / 50);
+        EXPECT_EQ(differ, 0u) << "with all of it and with nothing, of " << own;
     }
 }
 

@@ -233,9 +233,7 @@ private:
 
 ViewExtent lit_extent(const FitInput& in, std::size_t box, const CameraSlice* seen) {
     const Box& corners = in.shape.boxes[box];
-    const auto all = [&] {
-        return seen ? seen->seen_of(corners) : std::vector<glm::dvec3>(corners.begin(), corners.end());
-    };
+    const auto all = [&] { return seen ? seen->seen_of(in.shape, box) : points_within(in.shape, box, {}); };
     if (!in.view.curve.perspective) return seen_from_light(in.view, all());
     const ViewExtent e = extent_of(corners, in.view);
     const double far = std::min(e.hi.z, in.reach_m), near = kViewBegins * far;

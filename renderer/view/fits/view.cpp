@@ -11,7 +11,7 @@ std::optional<MapRegion> fit_view(const FitInput& in) {
     const CameraSlice seen(*in.camera, depths.from_m, depths.to_m);
     std::vector<ViewExtent> receivers(in.shape.boxes.size());
     for (std::size_t i = 0; i < receivers.size(); ++i)
-        if (in.shape.box_receives[i]) receivers[i] = lit_extent(in, i, &seen);
+        if (in.receives(i)) receivers[i] = lit_extent(in, i, &seen);
     return shadowed_region(in, receivers);
 }
 
