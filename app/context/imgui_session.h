@@ -1,6 +1,10 @@
 // Dear ImGui over OpenGL, without a window: its context, the editor's font and style, its GL objects.
 #pragma once
 
+#include "renderer/frame/frame.h"
+
+struct ImDrawList;
+
 namespace si {
 
 /// One at a time. Needs a current OpenGL context from construction to destruction.
@@ -14,6 +18,9 @@ public:
 
     /// Draws what ImGui::Render() left into the bound framebuffer of this size.
     void draw(int width, int height);
+    /// A picture of a list alone, in pixels from the upper left corner, top row first. Leaves the default framebuffer
+    /// bound.
+    ByteImage picture(ImDrawList& list, int width, int height);
 };
 
 }  // namespace si

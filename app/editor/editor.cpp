@@ -177,8 +177,9 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         imgui.draw(width, height);
         if (const GLenum error = glGetError(); error != GL_NO_ERROR)
             model.session().note_driver(fmt::format("the editor's window: glGetError {:#x}", error));
-        if (actions.shot)
-            model.save_shot(*actions.shot, read_window(width, height), ImGui::GetIO().DisplayFramebufferScale.x);
+        const float scale = ImGui::GetIO().DisplayFramebufferScale.x;
+        if (actions.shot && !model.save_drawing(*actions.shot, imgui))
+            model.save_shot(*actions.shot, read_window(width, height), scale);
         window.swap();
         try {
             gl::require_context();

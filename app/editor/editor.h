@@ -23,6 +23,7 @@ struct EditorOptions {
     double scale = 0;                ///< of text and widgets; 0: from the monitor, or from the screenshot's height
     int probe_x = -1, probe_y = -1;  ///< pixel of the scene picture probed at the start; negative: none
     std::string tab;                 ///< of the strip below, in front at the start; empty: effects
+    std::string theme;               ///< dark or light; empty: as kept, or dark
     std::filesystem::path sweep;     ///< folder of a sweep to show; may be empty
     bool welcome = false;            ///< nothing was asked for: a person who is new here is welcomed
     bool check_numeric = false;      ///< search every picture of the scene; run_editor() throws at the end

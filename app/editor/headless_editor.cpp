@@ -95,7 +95,7 @@ EditorActions HeadlessEditor::frame() {
     ImGui::Render();
     glBindFramebuffer(GL_FRAMEBUFFER, canvas_->framebuffer);
     imgui_.draw(width_, height_);
-    if (actions.shot) model_->save_shot(*actions.shot, picture(), 1);
+    if (actions.shot && !model_->save_drawing(*actions.shot, imgui_)) model_->save_shot(*actions.shot, picture(), 1);
     model_->fulfil(actions);
     return actions;
 }

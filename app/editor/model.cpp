@@ -13,6 +13,7 @@
 #include "app/session/command_line.h"
 #include "renderer/base/error.h"
 #include "renderer/base/small_letters.h"
+#include "ui/panels/section_view.h"
 
 namespace si {
 
@@ -50,12 +51,13 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
     SessionPlan plan = plan_session(options.session);
     scenes_.begin(plan.settings);
     state.layout = memory_.workspace().layout;
+    if (!options.theme.empty()) state.layout.light_theme = options.theme == "light";
     state.show_welcome = options.welcome && !options.headless && !options.state_folder.empty() &&
                          !memory_.workspace().welcomed && !memory_.lost();
     if (!options.preset.empty()) state.preset_path = options.preset.string();
     if (options.probe_x >= 0 && options.probe_y >= 0) {
         state.probe_pixel = glm::ivec2(options.probe_x, options.probe_y);
-        state.open_tab = BottomTab::Probe;
+        state.open_tab = state.fitted_tab = BottomTab::Probe;
     }
     if (!options.tab.empty()) state.open_tab = state.fitted_tab = tab_named(options.tab);
     if (!options.sweep.empty()) {
@@ -75,6 +77,7 @@ EditorFrame EditorModel::facts() const {
     EditorFrame f;
     f.scene = scenes_.scene();
     frames_.facts().fill(f);
+    f.verdict_follows = frames_.busy();
     work_.fill(f, scenes_.scene(), picture_size());
     presets_.fill(f);
     memory_.fill(f);
@@ -118,6 +121,16 @@ void EditorModel::save_shot(const ShotWish& wish, const ByteImage& window, float
                                      : problem.empty() ? saved + ", and copied the picture"
                                                        : fmt::format("{}; not copied: {}", saved, problem));
     });
+}
+
+bool EditorModel::save_drawing(const ShotWish& wish, ImGuiSession& imgui) {
+    const Sections& sections = frames_.facts().readings.sections;
+    const auto light = std::size_t(std::max(state.settings.view.light, 0));
+    if (wish.of != Shot::Drawing || !sections || light >= sections->size()) return false;
+    const SectionSheet sheet = section_sheet((*sections)[light]);
+    const ByteImage drawn = imgui.picture(*sheet.list, sheet.width, sheet.height);
+    save_shot({Shot::Drawing, {{0, 0}, {float(sheet.width), float(sheet.height)}}}, drawn, 1);
+    return true;
 }
 
 void EditorModel::copy_command_line() {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/context/imgui_session.h"
 #include "app/editor/background_work.h"
 #include "app/editor/editor.h"
 #include "app/editor/frame_desk.h"
@@ -43,6 +44,9 @@ public:
     /// Writes what was wished for out of a picture of the window that this frame drew. Errors go to the log.
     /// @param window top row first @param pixels of it per unit of the screen
     void save_shot(const ShotWish& wish, const ByteImage& window, float pixels);
+    /// Writes the probe's drawing with its verdict and legend, where that was wished for: small in the panel, it is
+    /// drawn anew. Returns whether it was.
+    bool save_drawing(const ShotWish& wish, ImGuiSession& imgui);
     /// Whether shader files were saved since the last frame.
     bool poll_shaders() { return frames_.poll_shaders(); }
     /// A scene is being read, or the thread of a cancelled one has not ended yet.
@@ -84,7 +88,7 @@ public:
     /// The window has this size in screen coordinates at scale 1.
     void keep_window(int width, int height, bool maximised) { memory_.note_window(width, height, maximised); }
     /// The end: what no preset holds is kept and offered again.
-    void end() { memory_.end(state, presets_.unsaved()), session_.write(state.log); }
+    void end() { memory_.end(state, presets_.would_be_lost()), session_.write(state.log); }
     /// What became of this session.
     SessionReport& session() { return session_; }
 

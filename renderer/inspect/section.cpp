@@ -19,31 +19,26 @@ const LightView& view_of(const Probe::PerLight& p) {
     return p.fitted.views[std::size_t(p.face)];
 }
 
-/// The plane of a cut in world space and in its own metres.
+/// The plane of a cut in world space and in its own metres. It holds the look-up, the line of the map through it, and
+/// the rays to that line. A point beside it is seen along its normal: no length is drawn longer than it is.
 class CutPlane {
 public:
     CutPlane(const Probe::PerLight& p, int axis, int resolution)
         : p_(p), view_(view_of(p)), axis_(axis), n_(resolution), tap_(p.tap) {
-        const BiasAccount& a = p.account;
-        // The surface's place in the cut: where it has the point's own depth.
-        const double own = a.plane.gradient[axis], other = a.plane.gradient[1 - axis];
-        surface_along_ = p.uvd[axis];
-        if (!a.plane.edge_on() && std::abs(own) >= std::abs(other) && own != 0)
-            surface_along_ += other / own * (p.uvd[1 - axis] - tap_[1 - axis]);
-        tap_m_ = view_.curve.perspective ? a.receiver.tap_m : curve().distance(p.tap.z);
-        origin_ = world(surface_along_, p.own_m);
+        const bool perspective = view_.curve.perspective;
+        tap_m_ = perspective ? p.account.receiver.tap_m : curve().distance(p.tap.z);
+        origin_ = view_.position_ws(glm::dvec2(p.uvd), p.own_m);
         const glm::dvec3 here = world(tap_[axis], tap_m_);
-        up_ = glm::normalize(view_.curve.perspective ? view_.eye - here : view_.axes[2]);
+        up_ = glm::normalize(perspective ? view_.eye - here : view_.axes[2]);
         const double step = 0.5 / n_;
         const glm::dvec3 across = world(tap_[axis] + step, tap_m_) - world(tap_[axis] - step, tap_m_);
-        texel_m_ = glm::length(across);
         right_ = glm::normalize(across - up_ * glm::dot(across, up_));
+        texel_m_ = glm::dot(across, right_);
+        texel_long_m_ = glm::length(across);
+        light_ray_ = glm::normalize(seen(perspective ? view_.eye - origin_ : view_.axes[2]));
     }
 
-    glm::dvec2 at(double along, double axis_m) const {
-        const glm::dvec3 from = world(along, axis_m) - origin_;
-        return {glm::dot(from, right_), glm::dot(from, up_)};
-    }
+    glm::dvec2 at(double along, double axis_m) const { return seen(world(along, axis_m) - origin_); }
     glm::dvec3 world(double along, double axis_m) const {
         glm::dvec2 uv(tap_);
         uv[axis_] = along;
@@ -66,10 +61,12 @@ public:
     /// 1 where nearer surfaces have smaller depths, else -1.
     double towards() const { return view_.curve.convention.reversed ? -1 : 1; }
 
-    double surface_along() const { return surface_along_; }
     double tap_along() const { return tap_[axis_]; }
     double tap_m() const { return tap_m_; }
     double texel_m() const { return texel_m_; }
+    double texel_long_m() const { return texel_long_m_; }
+    /// Unit, from the surface towards the light.
+    glm::dvec2 light_ray() const { return light_ray_; }
     int n() const { return n_; }
 
 private:
@@ -77,8 +74,11 @@ private:
     const LightView& view_;
     int axis_, n_;
     glm::dvec3 tap_;
-    double surface_along_ = 0, tap_m_ = 1, texel_m_ = 1;
+    double tap_m_ = 1, texel_m_ = 1, texel_long_m_ = 1;
     glm::dvec3 origin_{0}, up_{0, 1, 0}, right_{1, 0, 0};
+    glm::dvec2 light_ray_{0, 1};
+
+    glm::dvec2 seen(const glm::dvec3& way) const { return {glm::dot(way, right_), glm::dot(way, up_)}; }
 };
 
 /// Texels from the look-up to the nearest one of the row whose comparison meets another kind of surface.
@@ -170,7 +170,7 @@ void add_moments(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
     s.moments = m;
 }
 
-void add_truth(Section& s, const Probe::PerLight& p, const Dossier& d, const CutPlane& plane) {
+void add_truth(Section& s, const Probe::PerLight& p, const Dossier& d) {
     s.judged = true;
     s.verdict = d.verdict;
     s.true_lit = d.truth.lit;
@@ -178,19 +178,19 @@ void add_truth(Section& s, const Probe::PerLight& p, const Dossier& d, const Cut
         if (style.artefact == d.cause().artefact) s.artefact = style.label;
     if (d.truth.state != PixelState::Counted) return;
     s.least = d.least, s.has = d.has, s.lifted = d.lifted;
-    const double axis_per_ray = p.account.receiver.axis_per_ray;
     s.occluder_in_map = std::isfinite(d.truth.gap_m);
     const double gap = s.occluder_in_map ? d.truth.gap_m : d.truth.blocker_m;
     if (std::isfinite(gap)) {
-        s.occluder = plane.at(plane.surface_along(), p.own_m - gap * axis_per_ray);
+        s.occluder = gap * s.light_ray;
         s.occluder_m = gap;
     }
     if (!std::isfinite(d.least.depth) || p.account.plane.edge_on()) return;
-    // The surface's own depth where the look-up reads, less what it needs.
-    const double own = p.account.plane.at(glm::dvec2(p.tap)), t = plane.towards();
-    s.window_from = plane.at(plane.tap_along(), plane.nearer_m(t * (p.tap.z - own) + d.least.depth)).y;
-    if (std::isfinite(d.occluder.depth))
-        s.window_to = plane.at(plane.tap_along(), plane.nearer_m(t * (p.tap.z - p.uvd.z) + d.occluder.depth)).y;
+    // A surface at own depth z needs z moved by `least`, and no farther than to the occluder. An offset by h along the
+    // normal leads the look-up to where the plane lies h sin^2 / cos lower than the surface: counted from there the
+    // near end would sink by as much, below the surface itself, while the far end stays. So both count from the
+    // surface.
+    s.window_from = d.least.metres;
+    if (std::isfinite(d.occluder.depth)) s.window_to = d.occluder.metres;
     s.has_window = true;
 }
 
@@ -207,9 +207,11 @@ SectionCut section_cut(const Probe::PerLight& p, const Dossier* d, const Setting
     if (!p.casts || p.rows[0].empty() || resolution <= 0) return cut;
     const glm::dvec2 gradient = glm::abs(p.account.plane.gradient);
     cut.axis = gradient.y > gradient.x ? 1 : 0;
-    const bool of_plane = d && (d->cause().artefact == Artefact::Acne || d->cause().faint);
+    // Whatever a bias makes of the pixel, the cut stays: along the plane's slope where the light sees the surface and
+    // no edge of a shadow is near, else across the nearest edge.
     const int change[2] = {change_within(p.rows[0]), change_within(p.rows[1])};
-    if (!of_plane && change[0] != change[1]) cut.axis = change[1] < change[0] ? 1 : 0;
+    const bool at_an_edge = !d || !d->truth.lit || std::min(change[0], change[1]) <= kEdgeShown;
+    if (at_an_edge && change[0] != change[1]) cut.axis = change[1] < change[0] ? 1 : 0;
     // Moments are read of an area that their blur has gathered; other kernels say which texels they read.
     const int look_up = p.texel[cut.axis];
     if (p.taps.empty()) {
@@ -261,6 +263,7 @@ Section cross_section(const Probe::PerLight& p, const Dossier* d, const SectionC
     s.light = p.fitted.type;
     s.visibility = p.visibility, s.lit = p.visibility >= 0.5;
     s.verdict = p.verdict;
+    s.tested = !d || d->truth.state == PixelState::Counted;
     s.shadowed = cut.count > 0;
     if (!s.shadowed) {
         if (d) s.judged = true, s.verdict = d->verdict, s.true_lit = d->truth.lit;
@@ -271,12 +274,13 @@ Section cross_section(const Probe::PerLight& p, const Dossier* d, const SectionC
     s.row = p.texel[1 - cut.axis];
     s.row_aside = s.row + 0.5 - p.tap[1 - cut.axis] * resolution;
     s.looked_up_texel = p.texel[cut.axis];
-    s.texel_m = plane.texel_m();
+    s.surface_aside = (p.uvd[1 - cut.axis] - p.tap[1 - cut.axis]) * resolution;
+    s.texel_m = plane.texel_m(), s.texel_long_m = plane.texel_long_m();
     s.light_m = view_of(p).curve.perspective ? p.own_m : p.own_m - plane.curve().near;
     s.theta_rad = a.theta_rad;
     s.per_texel = a.per_texel;
     s.normal_offset_m = p.normal_offset_m;
-    s.light_ray = plane.ray(plane.surface_along(), p.own_m);
+    s.light_ray = plane.light_ray();
     s.moved = plane.at(plane.tap_along(), plane.tap_m());
     s.compared = plane.at(plane.tap_along(), plane.metres(p.compared));
     if (a.plane.edge_on()) {
@@ -288,14 +292,14 @@ Section cross_section(const Probe::PerLight& p, const Dossier* d, const SectionC
             const double nearer = plane.towards() * (p.tap.z - a.plane.at(other));
             return plane.at(along, plane.nearer_m(nearer));
         };
-        const double at = plane.surface_along(), step = 0.25 / resolution;
+        const double at = p.uvd[cut.axis], step = 0.25 / resolution;
         s.surface_at = on_surface(at);
         s.surface_along = unit(on_surface(at + step) - on_surface(at - step));
     }
     add_steps(s, p, plane);
     add_terms(s, p, plane);
     add_moments(s, p, plane);
-    if (d) add_truth(s, p, *d, plane);
+    if (d) add_truth(s, p, *d);
     std::vector<glm::dvec2> points;
     for (const TruePoint& point : profile) points.push_back(plane.at(point.along, point.axis_m));
     s.profile = surfaces(points, s.texel_m);

@@ -29,7 +29,8 @@ struct TruePoint {
 };
 
 /// Lengths are metres. Points count from where the light's ray meets the surface: y towards the light along the ray of
-/// the look-up, x across it, the way that map coordinates grow.
+/// the look-up, x across it, the way that map coordinates grow. The cut runs through the look-up; a surface that a
+/// normal offset has left beside it is seen along the cut's normal.
 struct Section {
     /// A texel of the row, cut along its middle line in the other direction.
     struct Step {
@@ -56,17 +57,21 @@ struct Section {
     };
 
     SectionCut cut;
-    int row = 0;           ///< texel in the other direction
-    double row_aside = 0;  ///< by how many texels the middle line of the row lies beside the cut
-    double texel_m = 0;    ///< width of a texel along the cut, at the look-up
+    int row = 0;               ///< texel in the other direction
+    double row_aside = 0;      ///< by how many texels the middle line of the row lies beside the cut
+    double surface_aside = 0;  ///< by how many texels the surface itself lies beside the cut
+    double texel_m = 0;        ///< width of a texel along the cut, at the look-up, across its ray
+    double texel_long_m = 0;   ///< the same along the map, to which rays off its axis are slanted
     LightType light = LightType::Directional;
     double light_m = 0;  ///< along its axis from the light to the surface; directional: from the map's near plane
     bool lit = true, shadowed = false;  ///< what the kernel answers, above one half; whether the cut has any texels
     double visibility = 1, theta_rad = 0;
     std::vector<Step> steps;
-    glm::dvec2 surface_at{0}, surface_along{1, 0};  ///< the surface's plane in the cut: a point of it, and unit
-    glm::dvec2 light_ray{0, 1};                     ///< unit, from the surface's point towards the light
-    glm::dvec2 moved{0}, compared{0};               ///< the point after the normal offset, and after the depth bias
+    /// The surface's plane in the cut: a point of it, and unit. It misses the surface's own point where that lies
+    /// beside the cut.
+    glm::dvec2 surface_at{0}, surface_along{1, 0};
+    glm::dvec2 light_ray{0, 1};        ///< unit, from the surface's point towards the light
+    glm::dvec2 moved{0}, compared{0};  ///< the point after the normal offset, and after the depth bias
     double normal_offset_m = 0;
     std::vector<Term> terms;                       ///< of the depth bias, those that are not 0
     DepthAmount raster;                            ///< by which polygon offset has moved the stored depths
@@ -79,8 +84,11 @@ struct Section {
     std::string artefact;  ///< label; empty: nothing is wrong
     std::string verdict;   ///< a sentence
     bool true_lit = true;
+    bool tested = true;  ///< else the surface is dark, or lit, without a look at the map
     DepthAmount least, has, lifted;
-    /// y on the ray of the look-up: depths from `window_from` towards the light up to `window_to` are right.
+    /// Metres from the surface along its own ray of the light, as the dossier's `least` and `occluder` have them: bias
+    /// must bring its depth towards the light at least so far, and less than so far. With an offset, too: `has` is what
+    /// meets the near end, `lifted` what meets the far one.
     double window_from = 0, window_to = std::numeric_limits<double>::infinity();
     bool has_window = false;
     bool window_open() const { return window_from < window_to; }

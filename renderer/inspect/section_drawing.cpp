@@ -180,6 +180,7 @@ private:
     std::optional<Viewport> far_;
     double left_ = 0, right_ = 0, top_ = 0, bottom_ = 0, below_ = 0;
     double stretch_ = 1;
+    bool surface_apart_ = false;  ///< from the line of its plane in the cut, by pixels that show
     std::vector<Label> labels_;
 
     double width_of(std::string_view text) const {
@@ -300,6 +301,20 @@ private:
                (step.meets == KernelTap::Meets::Own || step.meets == KernelTap::Meets::Farther);
     }
 
+    /// Whether the rays meet the map so aslant that a texel across them is another length than one along the map, in
+    /// which bias is counted.
+    bool aslant() const { return s_.texel_long_m - s_.texel_m > 0.005 * s_.texel_m; }
+    std::string bias_text(const DepthAmount& a) const {
+        return aslant() ? fmt::format("{} = {}", texels_text(a.texels), metres_text(a.metres)) : texels_text(a.texels);
+    }
+    /// A place on the light's ray of the surface.
+    glm::dvec2 on_ray(double metres) const { return metres * s_.light_ray; }
+    /// Whether the bias is worth another distance than the disk's to the surface: of an offset, and of one of the
+    /// stored depths.
+    bool marks_worth() const {
+        return s_.has_window && (glm::length(s_.moved) > 0.02 * s_.texel_m || s_.raster.depth != 0);
+    }
+
     /// Which metres are shown where: what the comparison is about, and far above it, at a break, what is far.
     void frame(double margin, double top) {
         const double gutter = std::min(18 * em_, 0.42 * page_.width);
@@ -311,13 +326,16 @@ private:
             if (std::isfinite(y)) lo = std::min(lo, y), hi = std::max(hi, y);
         };
         show(s_.moved.y), show(s_.compared.y);
-        if (s_.has_window) show(s_.window_from);
+        if (s_.has_window) show(on_ray(s_.window_from).y);
         for (const Section::Step& step : s_.steps) {
             if (is_near(step) && step.meets == KernelTap::Meets::Own) show(step.from.y), show(step.to.y);
             if (step.in_map && step.meets == KernelTap::Meets::Nearer) far.push_back(std::max(step.from.y, step.to.y));
         }
         if (s_.occluder) far.push_back(s_.occluder->y);
-        if (s_.has_window && std::isfinite(s_.window_to)) far.push_back(s_.window_to);
+        if (s_.has_window && std::isfinite(s_.window_to)) far.push_back(on_ray(s_.window_to).y);
+        // Where the disk stands lower than the window's near end only that mark tells why it is enough, or not.
+        if (marks_worth() && s_.lifted.metres < s_.window_from && s_.has.metres < 3 * std::max(hi, -lo))
+            show(on_ray(s_.has.metres).y);
         if (s_.moments) {
             const double spread = std::isnan(s_.moments->spread) ? 0 : s_.moments->spread;
             far.push_back(s_.moments->mean + spread), far.push_back(s_.moments->mean - spread);
@@ -394,7 +412,10 @@ private:
         }
         if (const Section::Step* own = s_.looked_up(); own && shows(*own)) {
             const glm::dvec2 side = own->to;
-            label(side, fmt::format("stored in texel {}", own->texel), Ink::Step, Need::Rest);
+            label(side,
+                  fmt::format("stored in texel {}, {}", s_.cut.axis == 0 ? own->texel : s_.row,
+                              s_.cut.axis == 0 ? s_.row : own->texel),
+                  Ink::Step, Need::Rest);
         }
     }
 
@@ -413,8 +434,19 @@ private:
 
     void truth() {
         const glm::dvec2 far = s_.surface_along * 4.0 * (near_.hi.x - near_.lo.x + near_.hi.y - near_.lo.y);
-        if (const auto part = clipped(s_.surface_at - far, s_.surface_at + far, near_))
-            line({near_.px(part->first), near_.px(part->second)}, Ink::Plane, 1.2, true);
+        double missed = std::numeric_limits<double>::infinity();
+        if (const auto part = clipped(s_.surface_at - far, s_.surface_at + far, near_)) {
+            const glm::dvec2 a = near_.px(part->first), b = near_.px(part->second);
+            line({a, b}, Ink::Plane, 1.2, true);
+            missed = pixels_to(near_.px({0, 0}), a, b);
+        }
+        // A surface beside the cut: parallel cuts of a plane are parallel lines.
+        surface_apart_ = missed > 0.15 * em_;
+        if (surface_apart_) {
+            const glm::dvec2 piece =
+                s_.surface_along * (1.5 * s_.texel_m / std::max(std::abs(s_.surface_along.x), 0.2));
+            line_m(-piece, piece, Ink::Plane, 1.2, true);
+        }
         for (const auto& run : s_.profile) polyline_m(run, Ink::Surface, 2);
     }
 
@@ -422,19 +454,23 @@ private:
         if (!s_.has_window) return;
         const double end = std::isfinite(s_.window_to) ? s_.window_to : beyond();
         const bool open = s_.window_open();
-        // Where something is wrong and an offset looks up elsewhere, what is right there is not right for the surface.
-        const bool elsewhere = !s_.artefact.empty() && std::abs(s_.moved.x) > 0.5 * s_.texel_m;
-        const double over = elsewhere ? 0 : s_.moved.x;
-        const double half = 0.3 * em_ / near_.across, x = over - 0.75 * em_ / near_.across;
-        const double from = std::min(s_.window_from, end), to = std::max(s_.window_from, end);
-        area_m({{x - half, from}, {x + half, from}, {x + half, to}, {x - half, to}}, open ? Ink::Window : Ink::NoWindow,
-               0.55);
         const Ink ink = open ? Ink::Window : Ink::NoWindow;
-        for (const double y : {s_.window_from, end})
-            if (const auto at = seen({x, y})) line({{at->x - 0.45 * em_, at->y}, {at->x + 0.45 * em_, at->y}}, ink, 2);
-        label({x, s_.window_from}, fmt::format("needs {} of bias", texels_text(s_.least.texels)), ink, Need::Bias);
+        // Along the surface's ray, and so far beside it that both are seen.
+        const glm::dvec2 half(0.3 * em_ / near_.across, 0), aside(-0.75 * em_ / near_.across, 0);
+        const auto at = [&](double metres) { return aside + on_ray(metres); };
+        const glm::dvec2 lower = at(std::min(s_.window_from, end)), upper = at(std::max(s_.window_from, end));
+        area_m({lower - half, lower + half, upper + half, upper - half}, ink, 0.55);
+        const auto tick = [&](double metres, Ink of, double reach) {
+            const glm::dvec2 side(reach * em_, 0);
+            if (const auto px = seen(at(metres))) line({*px - side, *px + side}, of, 2);
+        };
+        tick(s_.window_from, ink, 0.45), tick(end, ink, 0.45);
+        label(at(s_.window_from), "needs " + bias_text(s_.least) + (aslant() ? "" : " of bias"), ink, Need::Bias);
         if (std::isfinite(s_.window_to))
-            label({x, s_.window_to}, open ? "more bias loses the shadow" : "no bias is right", ink, Need::Rest);
+            label(at(s_.window_to), open ? "more bias loses the shadow" : "no bias is right", ink, Need::Rest);
+        if (!marks_worth()) return;
+        tick(s_.has.metres, Ink::Bias, 0.6);
+        label(at(s_.has.metres), fmt::format("has {}", bias_text(s_.has)), Ink::Bias, Need::Bias);
     }
 
     void ray() {
@@ -461,18 +497,26 @@ private:
               Ink::Occluder, Need::Always);
     }
 
+    /// How much of the normal offset the cut holds, in words; empty: all of it.
+    std::string offset_in_cut() const {
+        const double drawn = glm::length(s_.moved), whole = std::abs(s_.normal_offset_m);
+        return std::abs(drawn - whole) <= 1e-3 * whole ? "" : metres_text(drawn);
+    }
+
     void comparison() {
         for (const Section::Step& step : s_.steps) {
             const bool read = step.weight > 0 || (s_.steps.size() > 0 && step.texel == s_.looked_up_texel);
-            if (read && step.in_map && !s_.moments)
+            if (read && step.in_map && !s_.moments && s_.tested)
                 line_m(step.compared_from, step.compared_to, step.lit ? Ink::ComparedLit : Ink::ComparedDark, 1.6,
                        true);
         }
         const glm::dvec2 point = near_.px({0, 0}), moved = near_.px(s_.moved), compared = near_.px(s_.compared);
         if (glm::length(moved - point) > 0.15 * em_) {
             line({point, moved}, Ink::Offset, 2, false, true);
-            label(0.5 * s_.moved, fmt::format("normal offset {}", metres_text(s_.normal_offset_m)), Ink::Offset,
-                  Need::Bias);
+            label(0.5 * s_.moved,
+                  offset_in_cut().empty() ? "normal offset " + metres_text(s_.normal_offset_m)
+                                          : fmt::format("offset {} in the cut", offset_in_cut()),
+                  Ink::Offset, Need::Bias);
         }
         for (const Section::Term& term : s_.terms) {
             const glm::dvec2 a = near_.px(term.from), b = near_.px(term.to);
@@ -483,11 +527,12 @@ private:
                   Ink::Bias, Need::Bias);
         }
         dot(point, Ink::Text, 4.5), dot(point, Ink::Paper, 2.4);
-        dot(compared, Ink::Text, 6), dot(compared, s_.lit ? Ink::Lit : Ink::Dark, 4.4);
+        dot(compared, Ink::Text, 6), dot(compared, !s_.tested ? Ink::Paper : s_.lit ? Ink::Lit : Ink::Dark, 4.4);
         label({0, 0}, fmt::format("surface, {:.0f}° from the light", s_.theta_rad * 180 / M_PI), Ink::Text,
               Need::Always);
         label(s_.compared,
-              s_.visibility > 0 && s_.visibility < 1 ? fmt::format("compared: {:.0f} % lit", 100 * s_.visibility)
+              !s_.tested                               ? std::string("not compared")
+              : s_.visibility > 0 && s_.visibility < 1 ? fmt::format("compared: {:.0f} % lit", 100 * s_.visibility)
                                                      : fmt::format("compared: {}", s_.lit ? "lit" : "in shadow"),
               Ink::Text, Need::Always);
     }
@@ -498,7 +543,7 @@ private:
         for (const Section::Step& step : s_.steps) heaviest = std::max(heaviest, step.weight);
         const double y0 = bottom_ + 0.3 * em_, y1 = y0 + 0.8 * em_;
         below_ = y1;
-        if (heaviest == 0) return;
+        if (heaviest == 0 || !s_.tested) return;
         for (const Section::Step& step : s_.steps) {
             if (step.weight == 0) continue;
             const double x0 = std::max(near_.px(step.compared_from).x + 1, left_);
@@ -508,7 +553,8 @@ private:
             box(x0, y0, x1, y1, ink, 0.35 + 0.65 * step.weight / heaviest);
             line({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}, {x0, y0}}, Ink::Muted, 0.6);
         }
-        words({right_ + 0.8 * em_, y1 - 0.02 * em_}, "the kernel's taps in this row", Ink::Muted);
+        words({right_ + 0.8 * em_, y1 - 0.02 * em_},
+              s_.cut.axis == 0 ? "the kernel's taps in this row" : "the kernel's taps in this column", Ink::Muted);
     }
 
     void scales() {
@@ -577,6 +623,16 @@ private:
         if (std::abs(s_.row_aside) >= 0.005)
             note += fmt::format(", whose middle lies {:.2f} texels beside the cut", std::abs(s_.row_aside));
         note += ".";
+        if (std::abs(s_.surface_aside) >= 0.005) {
+            note += fmt::format(" The surface itself lies {} beside the cut", texels_text(std::abs(s_.surface_aside)));
+            if (!offset_in_cut().empty())
+                note += fmt::format(", as of {} of normal offset the cut holds {}", metres_text(s_.normal_offset_m),
+                                    offset_in_cut());
+            note += surface_apart_ ? "; the short dashes are its plane there." : ".";
+        }
+        if (aslant())
+            note += fmt::format(" Rays meet the map aslant: along it, as bias counts them, texels are {} long.",
+                                metres_text(s_.texel_long_m));
         if (s_.raster.depth != 0)
             note += fmt::format(" Polygon offset has moved the stored depths by {}.", texels_text(s_.raster.texels));
         if (s_.moments)

@@ -2,6 +2,11 @@
 // and map, and on a tilted plane all of it follows from the plane's angle.
 #include "renderer/inspect/section.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/base/lengths_text.h"
+#include "renderer/inspect/section_drawing.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/projection.h"
 #include "tests/gl/frame_fixture.h"
@@ -40,6 +45,73 @@ protected:
     /// y of the surface's line.
     static double surface_y(const Section& s, double x) {
         return s.surface_at.y + (x - s.surface_at.x) * s.surface_along.y / s.surface_along.x;
+    }
+
+    /// No depth bias, and an offset of so many texels, by one hard comparison.
+    static Settings offset_alone(LightType type, double texels) {
+        Settings s = test::texel_settings("hard", 256, 0);
+        s.lights[0].type = int(type);
+        s.bias.normal = texels;
+        return s;
+    }
+
+    const LightView& view() const { return light().fitted.views.at(std::size_t(light().face)); }
+    /// Both ends are the dossier's, by the projection of places on the surface's ray; and drawn so far before the ring.
+    void expect_window_before_surface(const Section& s, const SectionDrawing& d) const {
+        const Probe::PerLight& p = light();
+        const glm::dmat4 uvd_from_surface =
+            uvd_from_clip(view().curve.convention) * view().clip_from_relative(probed.position_ws);
+        const auto depth_nearer = [&](double metres) {
+            const glm::dvec4 h = uvd_from_surface * glm::dvec4(metres * p.account.receiver.to_light, 1);
+            return (view().curve.convention.reversed ? -1 : 1) * (p.uvd.z - h.z / h.w);
+        };
+        EXPECT_NEAR(depth_nearer(s.window_from), dossier.least.depth, 1e-6 * dossier.least.depth);
+        if (s.light == LightType::Directional) {
+            EXPECT_NEAR(s.window_from, dossier.least.metres, 1e-6 * dossier.least.metres);
+            EXPECT_NEAR(s.window_from, s.least.texels * p.texel_m, 1e-6 * dossier.least.metres) << "as is printed";
+        }
+        EXPECT_EQ(std::isfinite(s.window_to), std::isfinite(dossier.occluder.depth));
+        if (std::isfinite(s.window_to)) {
+            EXPECT_NEAR(depth_nearer(s.window_to), dossier.occluder.depth, 1e-6 * dossier.occluder.depth);
+        }
+        const auto end = std::ranges::find_if(d.marks, [](const Mark& m) {
+            return m.kind == Mark::Kind::Line && (m.ink == Ink::Window || m.ink == Ink::NoWindow);
+        });
+        ASSERT_NE(end, d.marks.end());
+        const glm::dvec2 drawn = 0.5 * (end->points[0] + end->points[1]) + glm::dvec2(0.75 * SectionPage().em, 0);
+        const glm::dvec2 wanted = dossier.least.metres * s.light_ray;
+        EXPECT_NEAR(drawn.x - d.zero_x, wanted.x * d.across, 1e-6 * d.across * glm::length(wanted));
+        EXPECT_NEAR(d.zero_y - drawn.y, wanted.y * d.along, 1e-6 * d.along * glm::length(wanted));
+    }
+    /// The scale's bar is as wide as the texels, and the offset's arrow as long as its label says.
+    void expect_to_scale(const Section& s, const SectionDrawing& d) const {
+        const auto scale = std::ranges::find_if(d.marks, [](const Mark& m) {
+            return m.kind == Mark::Kind::Text && m.ink == Ink::Muted && m.text.find(" = ") != std::string::npos;
+        });
+        ASSERT_NE(scale, d.marks.end());
+        const std::vector<glm::dvec2>& bar = (scale - 1)->points;
+        const double texel = (bar.back().x - bar.front().x) / std::stod(scale->text);
+        ASSERT_TRUE(s.looked_up());
+        const Section::Step& step = *s.looked_up();
+        EXPECT_NEAR(texel, (step.compared_to.x - step.compared_from.x) * d.across, 1e-3 * texel) << scale->text;
+        EXPECT_NE(scale->text.find(metres_text(std::stod(scale->text) * texel / d.across)), std::string::npos)
+            << scale->text;
+
+        const auto arrow = std::ranges::find_if(
+            d.marks, [](const Mark& m) { return m.kind == Mark::Kind::Line && m.ink == Ink::Offset && m.arrow; });
+        if (glm::length(s.moved * glm::dvec2(d.across, d.along)) < 0.2 * SectionPage().em) return;
+        ASSERT_NE(arrow, d.marks.end());
+        const glm::dvec2 way = (arrow->points[1] - arrow->points[0]) / glm::dvec2(d.across, d.along);
+        // By vectors in the world: without what leaves the plane of the cut.
+        const glm::dvec3 offset = light().offset_position_ws - light().point.position_ws;
+        const glm::dvec3 ray = view().curve.perspective ? view().eye - light().offset_position_ws : view().axes[2];
+        const glm::dvec3 normal = glm::normalize(glm::cross(view().axes[s.cut.axis], ray));
+        const double whole = glm::length(offset), held = glm::length(offset - normal * glm::dot(offset, normal));
+        EXPECT_NEAR(glm::length(way), held, 1e-6 * whole);
+        const bool leaves = whole - held > 1e-3 * whole;
+        const std::string words =
+            leaves ? "offset " + metres_text(held) + " in the cut" : "normal offset " + metres_text(whole);
+        EXPECT_TRUE(std::ranges::any_of(d.marks, [&](const Mark& m) { return m.text == words; })) << words;
     }
 };
 
@@ -151,6 +223,51 @@ TEST_F(SectionTest, ANormalOffsetOfHClearsHOverCosine) {
     EXPECT_TRUE(s.lit && s.artefact.empty());
     EXPECT_GT(s.compared.y, s.window_from);
     EXPECT_TRUE(s.terms.empty()) << "no depth bias";
+}
+
+TEST_F(SectionTest, TheWindowOfAcneWithAnOffsetCountsFromTheSurface) {
+    const Scene scene = make_scene(make_plane(10, 10));
+    for (const LightType type : test::kLightTypes) {
+        SCOPED_TRACE(int(type));
+        std::optional<Section> found;
+        Settings settings = offset_alone(type, 0.1);
+        settings.lights[0].elevation = 25;  // so low that no face of a point light's map lies along the floor
+        for (int y = 40; y < 80 && !found; ++y) {
+            const Section s = section(scene, settings, {80, y});
+            if (s.artefact == "acne" && s.has_window) found = s;
+        }
+        ASSERT_TRUE(found) << "hardly any bias, no acne?";
+        const SectionDrawing d = draw_section(*found, {.captions = false});
+        EXPECT_GT(glm::length(found->moved), 0);
+        EXPECT_GT(found->window_from, 0) << "behind the surface";
+        expect_window_before_surface(*found, d);
+        expect_to_scale(*found, d);
+    }
+}
+
+TEST_F(SectionTest, WindowAndScaleHoldUnderEveryLightWithAnOffsetAndWithout) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.3);
+    int aslant = 0, leave_the_cut = 0;
+    for (const LightType type : test::kLightTypes)
+        for (const double texels : {0.0, 3.0}) {
+            int judged = 0, bounded = 0;
+            for (int y = 18; y <= 114 && (judged < 12 || bounded < 2); y += 6)
+                for (int x = 16; x <= 144 && (judged < 12 || bounded < 2); x += 8) {
+                    const Section s = section(scene, offset_alone(type, texels), {x, y});
+                    if (!s.has_window || !s.looked_up()) continue;
+                    SCOPED_TRACE(testing::Message() << int(type) << ", " << texels << " texels, " << x << "," << y);
+                    const SectionDrawing d = draw_section(s, {.captions = false});
+                    expect_window_before_surface(s, d);
+                    expect_to_scale(s, d);
+                    ++judged, bounded += std::isfinite(s.window_to);
+                    aslant += s.texel_long_m > 1.02 * s.texel_m;
+                    leave_the_cut += std::abs(s.surface_aside) > 0.5;
+                }
+            EXPECT_GE(judged, 12) << int(type);
+            EXPECT_GE(bounded, 2) << int(type);
+        }
+    EXPECT_GT(aslant, 0);
+    EXPECT_GT(leave_the_cut, 0);
 }
 
 TEST_F(SectionTest, PeterPanningPutsTheComparedPointBeforeItsOccluder) {

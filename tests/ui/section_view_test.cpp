@@ -1,10 +1,13 @@
 // The cross-section in the probe panel: beside the verdict, laid out once while nothing changes, and not at all while
 // the panel is hidden.
+#include "ui/panels/section_view.h"
+
 #include <gtest/gtest.h>
 
 #include "app/editor/headless_editor.h"
 #include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"
+#include "ui/widgets/theme.h"
 
 namespace si::test {
 namespace {
@@ -61,7 +64,7 @@ TEST(SectionView, StandsBesideTheVerdictAndIsLaidOutOnce) {
 }
 
 TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
-    for (const bool fills : {false, true}) {  // the window: then there is no room above the drawing nor below
+    for (const bool fills : {false, true}) {  // the window
         SCOPED_TRACE(fills);
         UiHarness ui(1600, fills ? 600 : 900);
         if (fills) ui.state.maximised = Panel::Tabs;
@@ -83,10 +86,15 @@ TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
             EXPECT_FALSE(printed(ui, U"tap lit"));
             const auto words = ui.drawn().find(U"atexelastep");
             ASSERT_TRUE(words);
-            if (fills)
-                EXPECT_GT(words->x, drawing.lo.x + drawing.size.x) << "hidden by its words";
-            else
-                EXPECT_LT(words->y, drawing.lo.y) << "hidden by its words";
+            EXPECT_GT(words->x, drawing.lo.x + drawing.size.x) << "hidden by its words";
+            for (const LegendRow& row : legend) {
+                std::u32string letters;
+                for (const char c : row.text)
+                    if (c != ' ') letters += char32_t(static_cast<unsigned char>(c));
+                const auto at = ui.drawn().find(letters);
+                ASSERT_TRUE(at) << row.text;
+                EXPECT_GT(at->y, drawing.lo.y) << row.text << ": over the tabs' titles and the words on the pixel";
+            }
         }
         const int drawn = ui.state.section_views.drawn;
         ui.frames(5);
@@ -99,6 +107,22 @@ TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
         EXPECT_TRUE(printed(ui, U"Save the drawing (PNG and SVG)"));
         EXPECT_FALSE(printed(ui, U"a texel a step")) << "the menu stands alone";
     }
+}
+
+TEST(SectionView, IsWholeForAPicture) {
+    UiHarness ui(700, 480);  // where the panel has no room for it
+    ui.frames(2);
+    const Section section = step_of_shadow();
+    const SectionSheet sheet = section_sheet(section);
+    EXPECT_NEAR(sheet.width, SectionPage().width / SectionPage().em * theme::small()->FontSize, 1) << "as an SVG";
+    EXPECT_GT(sheet.height, sheet.width / 2);
+    ASSERT_TRUE(sheet.list);
+    EXPECT_GT(sheet.list->IdxBuffer.Size, 1000);
+    for (const ImDrawVert& v : sheet.list->VtxBuffer) {
+        EXPECT_TRUE(v.pos.x >= -2 && v.pos.x <= float(sheet.width) + 2) << v.pos.x;
+        EXPECT_TRUE(v.pos.y >= -2 && v.pos.y <= float(sheet.height) + 2) << v.pos.y;
+    }
+    ui.frames(2);  // and the next picture is as ever
 }
 
 TEST(SectionView, LeavesTheVerdictItsRoomAtAnySize) {

@@ -63,7 +63,7 @@ Section peter_panning() {
 Section led_aside() {
     Section s = acne();
     s.artefact = "peter-panning by normal offset";
-    s.moved = {0.1, 0.06}, s.normal_offset_m = 0.117, s.looked_up_texel = 107;
+    s.moved = {0.1, 0.06}, s.normal_offset_m = std::hypot(0.1, 0.06), s.looked_up_texel = 107;
     s.compared = {0.1, 0.064};
     s.terms = {{"constant bias", {0.001, 0.1, 0.004}, s.moved, s.compared}};
     s.steps[4].lit = true;
@@ -263,6 +263,132 @@ TEST(SectionDrawing, PlacesAreThoseOfTheSection) {
         });
     }
     EXPECT_GE(found, 3) << "each step that the page holds, where it lies";
+}
+
+/// Middles of the lines that mark the ends of the window, the near one first, counted from the ring.
+std::vector<glm::dvec2> ends_of_window(const SectionDrawing& d) {
+    std::vector<glm::dvec2> out;
+    for (const Mark& m : d.marks)
+        if (m.kind == Mark::Kind::Line && (m.ink == Ink::Window || m.ink == Ink::NoWindow))
+            out.push_back(0.5 * (m.points[0] + m.points[1]) - glm::dvec2(d.zero_x, d.zero_y));
+    return out;
+}
+
+const Mark* words_of(const SectionDrawing& d, std::string_view text) {
+    const auto m = std::ranges::find(d.marks, text, &Mark::text);
+    return m == d.marks.end() ? nullptr : &*m;
+}
+
+/// The note, and the other less important words.
+std::string muted_words(const SectionDrawing& d) {
+    std::string out;
+    for (const Mark& m : d.marks)
+        if (m.kind == Mark::Kind::Text && m.ink == Ink::Muted) out += m.text + " ";
+    return out;
+}
+
+TEST(SectionDrawing, TheWindowStandsBesideTheRingSoFarUpItsRayAsIsNeeded) {
+    Section right = led_aside();
+    right.artefact.clear();
+    Section slanted = acne();
+    slanted.light_ray = glm::normalize(glm::dvec2(0.3, 1));
+    for (Section s : {acne(), led_aside(), right, slanted}) {
+        s.window_to = 0.05;
+        SCOPED_TRACE(s.artefact + (s.light_ray.x > 0 ? ", slanted" : ""));
+        const SectionPage page{.height = 640};
+        const SectionDrawing d = draw_section(s, page);
+        ASSERT_FALSE(d.broken);
+        const auto ring = std::ranges::find_if(
+            d.marks, [](const Mark& m) { return m.kind == Mark::Kind::Dot && m.ink == Ink::Text; });
+        ASSERT_NE(ring, d.marks.end());
+        EXPECT_NEAR(glm::length(ring->points[0] - glm::dvec2(d.zero_x, d.zero_y)), 0, 1e-9);
+        const std::vector<glm::dvec2> ends = ends_of_window(d);
+        ASSERT_EQ(ends.size(), 2u);
+        for (const auto& [end, metres] : {std::pair{ends[0], s.window_from}, {ends[1], s.window_to}}) {
+            EXPECT_NEAR(end.x + 0.75 * page.em, metres * s.light_ray.x * d.across, 1e-6);
+            EXPECT_NEAR(-end.y, metres * s.light_ray.y * d.along, 1e-6);
+        }
+        EXPECT_TRUE(words_of(d, "needs 0.6 texels of bias"));
+        // The bar between them.
+        const auto bar = std::ranges::find_if(
+            d.marks, [](const Mark& m) { return m.kind == Mark::Kind::Area && m.ink == Ink::Window; });
+        ASSERT_NE(bar, d.marks.end());
+        const auto [top, bottom] = std::ranges::minmax(bar->points, {}, [](const glm::dvec2& p) { return p.y; });
+        EXPECT_NEAR(top.y - d.zero_y, ends[1].y, 1e-6);
+        EXPECT_NEAR(bottom.y - d.zero_y, ends[0].y, 1e-6);
+    }
+}
+
+TEST(SectionDrawing, WhatAnOffsetIsWorthIsMarkedBesideTheWindow) {
+    EXPECT_FALSE(words_of(draw_section(acne(), {}), "has 0.1 texels")) << "that is the disk's height";
+    Section s = led_aside();
+    s.has = {0.005, 0.5, 0.02};
+    const SectionDrawing d = draw_section(s, {});
+    EXPECT_TRUE(words_of(d, "has 0.5 texels"));
+    EXPECT_TRUE(std::ranges::any_of(d.marks, [&](const Mark& m) {
+        return m.kind == Mark::Kind::Line && m.ink == Ink::Bias && m.points[0].y == m.points[1].y &&
+               std::abs(d.zero_y - m.points[0].y - 0.02 * d.along) < 1e-6;
+    }));
+}
+
+TEST(SectionDrawing, TheBarOfTexelsIsAsWideAsTexels) {
+    Section aslant = acne();
+    aslant.texel_long_m = 0.05;
+    for (const Section& s : {acne(), aslant}) {
+        const SectionDrawing d = draw_section(s, {});
+        const auto scale = std::ranges::find_if(
+            d.marks, [](const Mark& m) { return m.ink == Ink::Muted && m.text.find(" = ") != std::string::npos; });
+        ASSERT_NE(scale, d.marks.end());
+        const std::vector<glm::dvec2>& bar = (scale - 1)->points;
+        EXPECT_NEAR((bar.back().x - bar.front().x) / std::stod(scale->text),
+                    (s.steps[4].to.x - s.steps[4].from.x) * d.across, 1e-6);
+        const bool told = muted_words(d).find("as bias counts them, texels are 50 mm long") != std::string::npos;
+        EXPECT_EQ(told, s.texel_long_m > 0);
+        EXPECT_EQ(words_of(d, "needs 0.6 texels = 24 mm") != nullptr, s.texel_long_m > 0);
+    }
+}
+
+TEST(SectionDrawing, TheArrowIsAsLongAsItsLabelSays) {
+    Section leaves = led_aside();
+    leaves.normal_offset_m = 0.15, leaves.surface_aside = 2.35, leaves.surface_at = {0, -0.08};
+    for (const Section& s : {led_aside(), leaves}) {
+        const SectionDrawing d = draw_section(s, {});
+        const auto arrow = std::ranges::find_if(
+            d.marks, [](const Mark& m) { return m.kind == Mark::Kind::Line && m.ink == Ink::Offset; });
+        ASSERT_NE(arrow, d.marks.end());
+        const glm::dvec2 way = (arrow->points[1] - arrow->points[0]) / glm::dvec2(d.across, d.along);
+        EXPECT_NEAR(glm::length(way), std::hypot(0.1, 0.06), 1e-9);
+        const bool in_cut = s.surface_aside == 0;
+        EXPECT_EQ(words_of(d, "normal offset 117 mm") != nullptr, in_cut);
+        EXPECT_EQ(words_of(d, "offset 117 mm in the cut") != nullptr, !in_cut);
+    }
+}
+
+TEST(SectionDrawing, ASurfaceBesideTheCutHasItsOwnPlaneAndTheNoteSaysSo) {
+    Section s = led_aside();
+    s.row_aside = 0.49;
+    const auto planes = [](const SectionDrawing& d) {
+        std::vector<const Mark*> out;
+        for (const Mark& m : d.marks)
+            if (m.kind == Mark::Kind::Line && m.ink == Ink::Plane) out.push_back(&m);
+        return out;
+    };
+    const SectionDrawing inside = draw_section(s, {.captions = false});
+    EXPECT_EQ(planes(inside).size(), 1u);
+    EXPECT_EQ(muted_words(draw_section(s, {})).find("surface itself"), std::string::npos);
+
+    s.surface_aside = -7.32, s.surface_at = {0, -0.08}, s.normal_offset_m = 0.15;
+    const SectionDrawing beside = draw_section(s, {.captions = false});
+    ASSERT_EQ(planes(beside).size(), 2u);
+    const Mark& own = *planes(beside)[1];
+    const glm::dvec2 way = own.points[1] - own.points[0];
+    const glm::dvec2 middle = 0.5 * (own.points[0] + own.points[1]);
+    EXPECT_NEAR(middle.x, beside.zero_x, 1e-6) << "through the ring";
+    EXPECT_NEAR(middle.y, beside.zero_y, 1e-6);
+    EXPECT_NEAR(way.y / way.x, -beside.along / beside.across, 1e-6) << "parallel";
+    const std::string told = muted_words(draw_section(s, {}));
+    for (const char* part : {"0.49 texels beside the cut", "7.32 texels beside the cut", "150 mm", "117 mm", "dashes"})
+        EXPECT_NE(told.find(part), std::string::npos) << part << " in: " << told;
 }
 
 TEST(SectionDrawing, WhatIsFarStandsBeyondABreak) {

@@ -11,36 +11,37 @@ namespace {
 
 class SectionPainter {
 public:
-    explicit SectionPainter(ImVec2 at) : at_(at) {
+    SectionPainter(ImDrawList& list, ImVec2 at) : list_(list), at_(at) {
         const ImVec4 ground = ImGui::GetStyleColorVec4(ImGuiCol_ChildBg);
         on_dark_ = 0.2126f * ground.x + 0.7152f * ground.y + 0.0722f * ground.z < 0.5f;
     }
 
     void paint(const Mark& m) const {
         const ImU32 colour = of(m.ink, m.opacity);
-        ImDrawList& list = *ImGui::GetWindowDrawList();
         switch (m.kind) {
             case Mark::Kind::Line:
                 return line(m, colour);
             case Mark::Kind::Area: {
                 std::vector<ImVec2> points;
                 for (const glm::dvec2& p : m.points) points.push_back(screen(p));
-                return list.AddConvexPolyFilled(points.data(), int(points.size()), colour);
+                return list_.AddConvexPolyFilled(points.data(), int(points.size()), colour);
             }
             case Mark::Kind::Dot:
-                return list.AddCircleFilled(screen(m.points[0]), float(m.width), colour, 16);
+                return list_.AddCircleFilled(screen(m.points[0]), float(m.width), colour, 16);
             case Mark::Kind::Text: {
-                ImFont* const font = theme::small();
+                ImFont* const font = m.strong ? theme::strong() : theme::small();
                 ImVec2 at = screen(m.points[0]);
                 const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, m.text.c_str()).x;
                 at.x -= m.anchor == Mark::Anchor::End ? width : m.anchor == Mark::Anchor::Middle ? 0.5f * width : 0;
                 at.y -= font->Ascent;
-                return list.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, colour, m.text.c_str());
+                return list_.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, colour,
+                                     m.text.c_str());
             }
         }
     }
 
 private:
+    ImDrawList& list_;
     ImVec2 at_;
     bool on_dark_ = true;
 
@@ -52,12 +53,11 @@ private:
     }
 
     void line(const Mark& m, ImU32 colour) const {
-        ImDrawList& list = *ImGui::GetWindowDrawList();
         const float width = float(m.width);
         if (!m.dashed) {
             std::vector<ImVec2> points;
             for (const glm::dvec2& p : m.points) points.push_back(screen(p));
-            list.AddPolyline(points.data(), int(points.size()), colour, ImDrawFlags_None, width);
+            list_.AddPolyline(points.data(), int(points.size()), colour, ImDrawFlags_None, width);
         } else {
             for (std::size_t i = 0; i + 1 < m.points.size(); ++i) dashes(m.points[i], m.points[i + 1], colour, width);
         }
@@ -67,18 +67,20 @@ private:
         const double length = glm::length(b - a), dash = 6, gap = 4;
         const glm::dvec2 along = length > 0 ? (b - a) / length : glm::dvec2(0);
         for (double from = 0; from < length; from += dash + gap)
-            ImGui::GetWindowDrawList()->AddLine(screen(a + along * from),
-                                                screen(a + along * std::min(from + dash, length)), colour, width);
+            list_.AddLine(screen(a + along * from), screen(a + along * std::min(from + dash, length)), colour, width);
     }
     void head(const Mark& m, ImU32 colour) const {
         const glm::dvec2 tip = m.points.back(), from = m.points[m.points.size() - 2];
         const double length = glm::length(tip - from), size = std::min(4.5 * m.width, length);
         if (!(length > 0)) return;
         const glm::dvec2 along = (tip - from) / length * size, aside(-0.45 * along.y, 0.45 * along.x);
-        ImGui::GetWindowDrawList()->AddTriangleFilled(screen(tip), screen(tip - along + aside),
-                                                      screen(tip - along - aside), colour);
+        list_.AddTriangleFilled(screen(tip), screen(tip - along + aside), screen(tip - along - aside), colour);
     }
 };
+
+double width_of(ImFont* font, std::string_view text) {
+    return double(font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.data(), text.data() + text.size()).x);
+}
 
 const SectionDrawing& drawing_of(SectionViews& views, const Sections& sections, std::size_t light, ImVec2 size) {
     ImFont* const font = theme::small();
@@ -90,9 +92,7 @@ const SectionDrawing& drawing_of(SectionViews& views, const Sections& sections, 
     for (const SectionViews::View& v : views.views)
         if (v.light == light) return v.drawing;
     ++views.drawn;
-    const auto text_width = [&](std::string_view text) {
-        return double(font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.data(), text.data() + text.size()).x);
-    };
+    const auto text_width = [font](std::string_view text) { return width_of(font, text); };
     views.views.push_back(
         {light, width, height, em,
          draw_section((*sections)[light],
@@ -100,15 +100,39 @@ const SectionDrawing& drawing_of(SectionViews& views, const Sections& sections, 
     return views.views.back().drawing;
 }
 
-/// Outside of the last item, which may be saved as it is seen. @param height of the tooltip, in pixels
-void place_legend(float height) {
-    const float gap = ImGui::GetFontSize() * kTooltipGap, wide = ImGui::GetFontSize() * kTooltipWidth;
+/// Of the legend's window.
+struct LegendPlace {
+    ImVec2 at;
+    std::size_t columns = 1;
+    float column_width = 0;
+};
+
+constexpr float kBetweenColumns = 1.5f;  ///< ems
+
+/// Beside the last item, which may be saved as it is seen, and nowhere above its top, where the tabs' titles and the
+/// words on the pixel are: as low as the item, so that what is on top beside it can be read, and in further columns
+/// where it is higher than the screen is below there.
+LegendPlace place_of(const std::vector<LegendRow>& legend) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float em = ImGui::GetFontSize(), gap = em * kTooltipGap;
     const ImVec2 screen = ImGui::GetIO().DisplaySize, lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
-    // place_tooltip() takes the larger of these two.
-    if (height + gap <= std::max(lo.y, screen.y - hi.y))
-        place_tooltip();
-    else if (hi.x + gap + wide <= screen.x)
-        ImGui::SetNextWindowPos({hi.x + gap, std::clamp(lo.y, 0.0f, std::max(screen.y - height, 0.0f))});
+    const float top = std::max(lo.y, ImGui::GetWindowPos().y), bottom = std::min(hi.y, screen.y);
+    LegendPlace place;
+    for (const LegendRow& row : legend)
+        place.column_width = std::max(place.column_width, float(width_of(theme::strong(), row.text)));
+    place.column_width += (float(kSwatchEms) + 0.6f) * em;
+    const auto height = [&] {
+        const std::size_t rows = (legend.size() + place.columns - 1) / place.columns;
+        return float(rows) * ImGui::GetTextLineHeightWithSpacing() + 2 * style.WindowPadding.y;
+    };
+    while (place.columns < 3 && height() > screen.y - top) ++place.columns;
+    const float width = float(place.columns) * (place.column_width + kBetweenColumns * em) - kBetweenColumns * em +
+                        2 * style.WindowPadding.x;
+    place.at.x = hi.x + gap + width <= screen.x ? hi.x + gap
+                 : lo.x - gap - width >= 0      ? lo.x - gap - width
+                                                : std::max(screen.x - width, 0.0f);
+    place.at.y = std::max(std::min(std::max(top, bottom - height()), screen.y - height()), 0.0f);
+    return place;
 }
 
 /// What the marks of the drawing mean that is the last item; strong: what is under the mouse.
@@ -118,16 +142,25 @@ void legend_tooltip(const SectionDrawing& drawing) {
     const LegendRow* const meant =
         legend_row_at(drawing, {mouse.x - at.x, mouse.y - at.y}, 0.5 * theme::small()->FontSize);
     const float em = ImGui::GetFontSize();
-    place_legend(float(drawing.legend.size()) * ImGui::GetTextLineHeightWithSpacing() +
-                 2 * ImGui::GetStyle().WindowPadding.y);
+    const LegendPlace place = place_of(drawing.legend);
+    const std::size_t rows = (drawing.legend.size() + place.columns - 1) / place.columns;
+    ImGui::SetNextWindowPos(place.at);
     ImGui::BeginTooltip();
-    for (const LegendRow& row : drawing.legend) {
-        SectionPainter(ImGui::GetCursorScreenPos()).paint(legend_swatch(row, {0, 0.5 * em}, em));
-        ImGui::Dummy({float(kSwatchEms) * em, em});
-        ImGui::SameLine(0, 0.6f * em);
-        ImGui::PushFont(&row == meant ? theme::strong() : ImGui::GetFont());
-        ImGui::TextUnformatted(row.text.data(), row.text.data() + row.text.size());
-        ImGui::PopFont();
+    const float left = ImGui::GetCursorPosX();
+    for (std::size_t column = 0; column * rows < drawing.legend.size(); ++column) {
+        if (column > 0) ImGui::SameLine(left + float(column) * (place.column_width + kBetweenColumns * em));
+        ImGui::BeginGroup();
+        for (std::size_t i = column * rows; i < std::min((column + 1) * rows, drawing.legend.size()); ++i) {
+            const LegendRow& row = drawing.legend[i];
+            SectionPainter(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos())
+                .paint(legend_swatch(row, {0, 0.5 * em}, em));
+            ImGui::Dummy({float(kSwatchEms) * em, em});
+            ImGui::SameLine(0, 0.6f * em);
+            ImGui::PushFont(&row == meant ? theme::strong() : ImGui::GetFont());
+            ImGui::TextUnformatted(row.text.data(), row.text.data() + row.text.size());
+            ImGui::PopFont();
+        }
+        ImGui::EndGroup();
     }
     ImGui::EndTooltip();
 }
@@ -139,12 +172,34 @@ void draw_section_view(SectionViews& views, const Sections& sections, std::size_
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::Dummy(size);
     if (!ImGui::IsItemVisible()) return;
-    const SectionPainter painter(at);
+    const SectionPainter painter(*ImGui::GetWindowDrawList(), at);
     const SectionDrawing& drawing = drawing_of(views, sections, light, size);
     ImGui::GetWindowDrawList()->PushClipRect(at, {at.x + size.x, at.y + size.y}, true);
     for (const Mark& mark : drawing.marks) painter.paint(mark);
     ImGui::GetWindowDrawList()->PopClipRect();
     legend_tooltip(drawing);
+}
+
+SectionSheet section_sheet(const Section& section) {
+    ImFont* const font = theme::small();
+    const SectionPage as_svg;
+    const double em = font->FontSize, scale = em / as_svg.em;
+    // Strong letters are the widest: no line is longer than the page.
+    const auto text_width = [](std::string_view text) {
+        return std::max(width_of(theme::small(), text), width_of(theme::strong(), text));
+    };
+    const SectionDrawing drawing = draw_section(
+        section, {.width = scale * as_svg.width, .height = scale * as_svg.height, .em = em, .text_width = text_width});
+    SectionSheet sheet;
+    sheet.width = int(std::ceil(drawing.width)), sheet.height = int(std::ceil(drawing.height));
+    sheet.list = std::make_unique<ImDrawList>(ImGui::GetDrawListSharedData());
+    sheet.list->_ResetForNewFrame();
+    sheet.list->PushTextureID(ImGui::GetIO().Fonts->TexID);
+    sheet.list->PushClipRect({0, 0}, {float(sheet.width), float(sheet.height)});
+    sheet.list->AddRectFilled({0, 0}, {float(sheet.width), float(sheet.height)}, theme::panel());
+    const SectionPainter painter(*sheet.list, {0, 0});
+    for (const Mark& mark : drawing.marks) painter.paint(mark);
+    return sheet;
 }
 
 }  // namespace si
