@@ -198,7 +198,9 @@ void add_probe(CLI::App& app, Options& o, std::function<void()>& run) {
 void add_list(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* c = app.add_subcommand("list", "List what there is, with explanations");
     c->add_option("WHAT", o.list.kind, fmt::format("{}", fmt::join(list_kinds(), ", ")))->required();
-    c->add_option("KEY", o.list.prefix, "Only keys that start with this, such as bias or bias.slope");
+    c->add_option("KEY", o.list.prefix,
+                  "Only keys that start with this, such as bias or bias.slope; of settings, where none does, those "
+                  "found by these words, such as \"normal bias\"");
     c->add_flag("--json", o.json, "An array of rows as JSON");
     c->callback([&o, &run] {
         run = [&o] {
@@ -269,6 +271,9 @@ void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_option("--tab", o.editor.tab,
                   "The tab in front at the start: effects, probe, error, objects, compare, frontier, advice, lab, "
                   "numbers or log");
+    c->add_option("--theme", o.editor.theme, "dark or light; else as it was chosen last under View")
+        ->type_name("T")
+        ->check(CLI::IsMember({"dark", "light"}));
     c->add_option("--sweep", o.editor.sweep, "Show the sweep in this folder in the tab frontier")->type_name("DIR");
     add_numeric_option(*c, o.editor.check_numeric);
     c->add_option("--report", o.editor.report,

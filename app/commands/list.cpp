@@ -19,6 +19,7 @@
 #include "renderer/settings/fits.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/search.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
@@ -276,9 +277,16 @@ void run_list(const ListOptions& options) {
     for (Json& r : list) {
         if (r["key"].get<std::string>().starts_with(prefix)) chosen.push_back(std::move(r));
     }
+    if (chosen.empty() && kind == "settings") {
+        // Words, then: the list has a row for each of the table's.
+        for (std::size_t i = 0; i < list.size(); ++i)
+            if (setting_matches(listed(params()[i]), options.prefix)) chosen.push_back(std::move(list[i]));
+    }
     if (chosen.empty() && !options.prefix.empty()) {
-        const std::string nearest = kind == "settings" ? did_you_mean(nearest_key(options.prefix)) : "";
-        throw UsageError(fmt::format("list {}: no key starts with '{}'{}", kind, options.prefix, nearest));
+        const bool settings = kind == "settings";
+        throw UsageError(fmt::format("list {}: no key starts with '{}'{}{}", kind, options.prefix,
+                                     settings ? ", and no setting is found by these words" : "",
+                                     settings ? did_you_mean(nearest_key(options.prefix)) : ""));
     }
     if (options.json) {
         fmt::print("{}", json_text(chosen));

@@ -40,13 +40,13 @@ void print_cures(const CureTable& table, std::size_t rows) {
     fmt::print("  {:>8} {:>8} {:>10} {:>9}\n", "cured", "broken", "time", "map");
     for (const Cure& cure : table.rows) {
         if (!cure.untried.empty()) {
-            fmt::print("  {:>38}  {}: not tried, {}\n", "", cure.name, cure.untried);
+            fmt::print("  {:>38}  {}: not tried, {}\n", "", cure.shown_name(), cure.untried);
             continue;
         }
         if (rows == 0) continue;
         --rows;
         fmt::print("  {:>8} {:>8} {:>10} {:>9}  {}{}\n      {}\n", cure.cured, cure.broken, time_text(cure.ms),
-                   map_bytes_text(cure.map_bytes), cure.name,
+                   map_bytes_text(cure.map_bytes), cure.shown_name(),
                    cure.pixel_right ? *cure.pixel_right ? ": this pixel is right" : ": this pixel stays wrong" : "",
                    sets_text(cure.settings));
     }

@@ -189,7 +189,9 @@ const EffectRow kRows[] = {
     {.pass = "smoothing", .why = SI_WHY("the view rests, and view.smooth is on")},
     {.pass = "overlay values", .why = SI_WHY("an overlay is shown")},
     {.pass = "overlay over picture", .why = SI_WHY("an overlay is shown over the picture")},
-    {.pass = "texel slabs", .why = SI_WHY("view.slabs shows stored-depth quads in the scene")},
+    {.pass = "texel slabs",
+     .name = "stored-depth quads",
+     .why = SI_WHY("view.slabs shows stored-depth quads in the scene")},
     {.pass = "map coordinates", .why = SI_WHY("somebody asks which texels pixels read")},
     {.pass = "texels read", .why = SI_WHY("somebody asks which texels are read, exactly")},
     {.pass = "map channel",
@@ -220,11 +222,16 @@ std::string part_reason(const PartInfo& part) {
                        part.left_out == 1 ? "is" : "are");
 }
 
+/// With the pane that the pass is of, where its name ends with one: "stored-depth quads (n-dot-l)".
+std::string effect_name(const EffectRow* row, const PassInfo& pass) {
+    if (!row || row->name.empty()) return pass.name;
+    const std::string end = pass.name.substr(row->pass.size());
+    return std::string(row->name) + (end.starts_with(" (") ? end : "");
+}
+
 void add_pass(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     const EffectRow* row = effect_row(pass);
-    Effect effect{.name = row && !row->name.empty() ? std::string(row->name) : pass.name,
-                  .state = state_of(pass.state),
-                  .pass = pass.name};
+    Effect effect{.name = effect_name(row, pass), .state = state_of(pass.state), .pass = pass.name};
     const bool skipped = pass.state == PassState::Skipped;
     if (row && !skipped) effect.reason = sentence(row->why(f, pass)) + " ";
     const std::string unasked = row && row->unasked && skipped ? row->unasked(f) : std::string();

@@ -58,7 +58,7 @@ std::string_view result_name(Result result) {
         case Result::Composed:
             return "picture with overlay";
         case Result::Slabs:
-            return "picture with texel slabs";
+            return "picture with stored-depth quads";
         case Result::MapCoordinates:
             return "map coordinates";
         case Result::TexelsRead:

@@ -43,7 +43,9 @@ std::string unreached(const FittedLight& light, const glm::dvec3& position_ws) {
 
 std::string verdict(const Settings& settings, const Probe::PerLight& p) {
     if (!p.receives) return "lit: this object receives no shadows";
-    if (!faces_light(p.n_dot_l)) return fmt::format("no shadow test: the surface faces away (N·L = {:.2f})", p.n_dot_l);
+    if (!faces_light(p.n_dot_l))
+        return fmt::format("no shadow test: the surface faces away (N·L = {}{:.2f})", p.n_dot_l <= -0.005 ? "−" : "",
+                           std::abs(p.n_dot_l));
     if (p.where == "behind") return "outside the map: behind the light";
     if (p.where == "beyond shadows") return "lit: where light.fit has found that nothing can cast a shadow";
     if (p.where == "beyond far" && settings.map.far_guard)

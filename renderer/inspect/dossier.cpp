@@ -362,6 +362,15 @@ private:
         const std::string text = fmt::format("{:g}", value);
         return {{{std::string(key), text}}, fmt::format("set {} to {} {}", key, text, unit_of(key))};
     }
+    /// The same, and what the pixel's bias is worth with it.
+    Remedy set_to_be_worth(Settings s, std::string_view key, double value) const {
+        Remedy r = set(key, value);
+        s.map.resolution = probe_.map_resolution;
+        value_of(s, key) = value;
+        const BiasAccount a = under(s);
+        r.worth_texels = a.amount(a.clears()).texels;
+        return r;
+    }
 
     std::optional<Remedy> remedy() const {
         switch (truth_.cause.artefact) {
@@ -377,7 +386,7 @@ private:
                     if (!acts(key) || (value_of(bare, key) <= 0 && key == "bias.slope")) continue;
                     const auto value = least_value(bare, key);
                     if (!value) continue;
-                    Remedy r = set(key, *value);
+                    Remedy r = set_to_be_worth(bare, key, *value);
                     r.settings.insert(r.settings.begin(), {"bias.normal", "0"});
                     r.text = "set bias.normal to 0 and " + r.text.substr(4);
                     return r;
@@ -406,7 +415,7 @@ private:
         if (d_.has.depth >= d_.least.depth && truth_.lit) return dark() ? bent_remedy() : std::nullopt;
         for (const std::string_view key : bias_keys()) {
             if (!d_.window_open()) break;
-            if (const auto value = least_value(settings_, key)) return set(key, *value);
+            if (const auto value = least_value(settings_, key)) return set_to_be_worth(settings_, key, *value);
         }
         if (d_.window_open() || d_.opening_resolution > driver_.max_texture_size) return {};
         Settings s = settings_;
@@ -438,6 +447,21 @@ double rounded_up(double v) {
     const double digits = 2 - std::floor(std::log10(v));
     const double unit = std::pow(10.0, std::abs(digits));
     return digits >= 0 ? std::ceil(v * unit * (1 - 1e-12)) / unit : std::ceil(v / unit * (1 - 1e-12)) * unit;
+}
+
+std::string fix_text(const Remedy& remedy, const Settings& settings) {
+    std::string text;
+    for (const auto& [key, value] : remedy.settings) {
+        const SettingRef ref = *find_setting(key);
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", ref.param->label,
+                            shown_value(settings, ref, parse_value(ref, value)));
+    }
+    return text;
+}
+
+std::string fix_worth_text(const Remedy& remedy) {
+    if (!(remedy.worth_texels > 0) || !std::isfinite(remedy.worth_texels)) return {};
+    return fmt::format(" (worth {} of depth bias here)", texels_text(remedy.worth_texels));
 }
 
 Dossier explain(const Probe& probe, const Probe::PerLight& light, const FragmentTruth& truth, const Settings& settings,

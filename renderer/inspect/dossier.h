@@ -19,7 +19,13 @@ double rounded_up(double v);
 struct Remedy {
     std::vector<std::pair<std::string, std::string>> settings;  ///< key and value, as set_setting() takes them
     std::string text;                                           ///< "set bias.slope to 1.8 texels"
+    double worth_texels = 0;  ///< depth bias that the pixel has with it, where a bias is what it sets; 0: not known
 };
+
+/// What it sets by the names that are on the screen: "Slope bias 1.8 texels".
+std::string fix_text(const Remedy& remedy, const Settings& settings);
+/// " (worth 1.2 texels of depth bias here)"; empty where that is not known.
+std::string fix_worth_text(const Remedy& remedy);
 
 /// A light's verdict about the pixel. The window of depth biases that are right for it is [least, occluder): less, and
 /// its surface shadows itself; as much or more, and the surface that keeps the light from it is lost.

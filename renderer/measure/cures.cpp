@@ -282,7 +282,10 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
 }
 
 CureIdea idea_of(const Remedy& remedy, const Settings& settings) {
-    CureIdea idea{.name = remedy.text, .settings = settings, .untried = {}};
+    CureIdea idea{.name = remedy.text,
+                  .settings = settings,
+                  .untried = {},
+                  .label = fix_text(remedy, settings) + fix_worth_text(remedy)};
     for (const auto& [key, value] : remedy.settings) set_setting(idea.settings, key, value);
     return idea;
 }
@@ -340,8 +343,9 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
     for (std::size_t k = 0; k < ideas.size(); ++k) {
         const CureIdea& idea = ideas[k];
         Cure row{.name = idea.name, .settings = setting_changes(base, idea.settings), .untried = idea.untried};
+        row.label = idea.label;
         if (row.untried.empty()) {
-            tell((double(k) + 1) / (double(ideas.size()) + 1), idea.name);
+            tell((double(k) + 1) / (double(ideas.size()) + 1), row.shown_name());
             const MeasuredError after = measure(idea.settings);
             if (after.camera.eye != before.camera.eye || after.camera.clip_from_relative(after.camera.eye) !=
                                                              before.camera.clip_from_relative(before.camera.eye)) {

@@ -17,9 +17,10 @@ namespace si {
 
 /// A change that may put pixels right.
 struct CureIdea {
-    std::string name;     ///< "least bias, constant alone"
-    Settings settings;    ///< with the change
-    std::string untried;  ///< why it is not drawn; empty: it is
+    std::string name;        ///< "least bias, constant alone"
+    Settings settings;       ///< with the change
+    std::string untried;     ///< why it is not drawn; empty: it is
+    std::string label = {};  ///< as people read it; empty: as it is named
 };
 
 /// What ideas depend on beside the settings.
@@ -60,7 +61,7 @@ std::string time_text(const std::optional<CostChange>& ms);
 std::string map_bytes_text(long long bytes);
 
 struct Cure {
-    std::string name;
+    std::string name;  ///< in files
     std::vector<std::pair<std::string, std::string>>
         settings;                       ///< key and value of what changes, as set_setting() takes them
     std::string untried;                ///< why nothing of the following is known; empty: it is
@@ -69,6 +70,8 @@ struct Cure {
     std::optional<bool> pixel_right;                 ///< whether the pixel asked for is right with it
     std::optional<CostChange> ms;                    ///< of the passes that it changes; nothing unless timed
     long long map_bytes = 0;                         ///< more of them than before
+    std::string label = {};                          ///< as people read it; empty: as it is named
+    const std::string& shown_name() const { return label.empty() ? name : label; }
     long long gain() const { return (long long)cured - (long long)broken; }
 };
 

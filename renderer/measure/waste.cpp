@@ -160,7 +160,7 @@ std::vector<Trial> shown_trials(const Settings& settings, const FrameResult& sho
         return p.state == PassState::Ran && p.name.starts_with("texel slabs");
     };
     if (std::ranges::any_of(shown.passes, has_slabs)) {
-        Trial& trial = out.emplace_back("texel slabs", settings);
+        Trial& trial = out.emplace_back("stored-depth quads", settings);
         trial.settings.view.slabs = int(Slabs::None);
         trial.by = ComparedBy::Shown;
     }

@@ -171,7 +171,7 @@ void add_smooth_pass(FrameState& f, std::uint64_t of) {
     pass.category = PassCategory::Tool;
     pass.reads = lookup_reads(f);
     pass.writes = {Result::Smooth};
-    pass.idle_reason = "the view moves, or nobody asks for a smooth picture";
+    pass.idle_reason = "not needed: the view moves, or no smooth picture is called for";
     const int count = std::min(f.request.smoothed, kSmoothedMost);
     bool fused = true;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)

@@ -122,7 +122,7 @@ Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane) {
             s.instances_key = slabs_key;
         }
         const int w = f.request.width, h = f.request.height;
-        const CameraPass pass_over(f, "picture with texel slabs", GL_RGBA8, picture);
+        const CameraPass pass_over(f, "picture with stored-depth quads", GL_RGBA8, picture);
         glCopyImageSubData(f.result(under).texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, picture.texture.id(), GL_TEXTURE_2D,
                            0, 0, 0, 0, w, h, 1);
         draw_slabs(f, s, info);

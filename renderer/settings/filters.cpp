@@ -98,7 +98,7 @@ constexpr Filter kFilters[] = {
      .file = "filters/hard.glsl",
      .size = 1},
     {.key = "hw2x2",
-     .label = "2x2 bilinear",
+     .label = "2×2 bilinear",
      .help = "One bilinear comparison over 2x2 texels, as a shadow sampler with linear filtering gives.",
      .paper = "Reeves, Salesin, Cook: Rendering Antialiased Shadows with Depth Maps, SIGGRAPH 1987",
      .file = "filters/pcf.glsl",
@@ -115,7 +115,7 @@ constexpr Filter kFilters[] = {
      .settings = kPcfSettings,
      .swept = kPcfSwept},
     {.key = "tent3",
-     .label = "Tent 3x3",
+     .label = "Tent 3×3",
      .help = "3x3 nearest comparisons that weigh 1, 2 and 4 sixteenths: softer at its ends than the plain mean.",
      .paper = "Jaehne: Digital Image Processing, on binomial filters",
      .file = "filters/tent3.glsl",
@@ -400,7 +400,7 @@ std::string kernel_label(const Settings& settings) {
     const Filter& row = filter_of(settings);
     const int across = taps_across(row, settings);
     if (row.size > 0) return std::string(row.label);
-    return fmt::format("{} {}x{}{}", row.label, across, across,
+    return fmt::format("{} {}×{}{}", row.label, across, across,
                        row.bilinear && !is_bilinear(row, settings) ? " of points" : "");
 }
 

@@ -95,7 +95,7 @@ bool owns(const Filter& row, std::string_view key);
 int taps_across(const Filter& row, const Settings& settings);
 /// Whether each tap weighs 2x2 texels.
 bool is_bilinear(const Filter& row, const Settings& settings);
-/// The kernel's label, with its size where that is a setting: "PCF 5x5".
+/// The kernel's label, with its size where that is a setting: "PCF 5×5".
 std::string kernel_label(const Settings& settings);
 /// How many of so many places a kernel samples: its table may end before.
 int disk_places(const Filter& row, const Settings& settings, int places);

@@ -152,7 +152,8 @@ constexpr auto kCount = std::to_array<Param>({
      .unit = "lights",
      .min = 0,
      .max = kMaxLights,
-     .help = "How many lights shine: light.0 up to this many. Each has a shadow map of its own."},
+     .help = "How many lights shine: light.0 up to this many. Each has a shadow map of its own.",
+     .also = "number of lights, light count"},
 });
 
 constexpr auto kLight = with_scope(
@@ -160,14 +161,17 @@ constexpr auto kLight = with_scope(
         {SI_LIGHT_FIELD(name), .label = "Name", .unit = "", .max = 60,
          .help = "What people call the light, such as key or sun. Keys, commands and messages go by its number.",
          .also = "rename, label"},
-        {SI_LIGHT_FIELD(type), .label = "Type", .unit = "", SI_CHOICES(kTypes), .help = "The kind of light."},
+        {SI_LIGHT_FIELD(type), .label = "Type", .unit = "", SI_CHOICES(kTypes), .help = "The kind of light.",
+         .also = "sun, lamp, omni, OmniLight, PointLight, SpotLight, DirectionalLight"},
         {SI_LIGHT_FIELD(on), .label = "On", .unit = "",
          .help = "Whether the light shines. Off: no map is drawn for it, and it keeps its settings.",
          .also = "enabled, visible, mute, solo"},
         {SI_LIGHT_FIELD(azimuth), .label = "Azimuth", .unit = "deg", .min = -360, .max = 360,
-         .help = "Where the light stands as seen from its target, about the vertical axis: 0 is +z, 90 is +x."},
+         .help = "Where the light stands as seen from its target, about the vertical axis: 0 is +z, 90 is +x.",
+         .also = "sun direction, light rotation, yaw, heading"},
         {SI_LIGHT_FIELD(elevation), .label = "Elevation", .unit = "deg", .min = -90, .max = 90,
-         .help = "Where the light stands as seen from its target, above the horizon: 90 is straight overhead."},
+         .help = "Where the light stands as seen from its target, above the horizon: 90 is straight overhead.",
+         .also = "sun direction, sun height, light rotation, pitch"},
         {SI_LIGHT_FIELD(distance), .label = "Distance", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
          .zero_is_auto = true, .idle = place_idle,
          .help = "Distance of the light from its target; 0 lets the fit choose from the scene's size."},
@@ -181,8 +185,9 @@ constexpr auto kLight = with_scope(
          .idle = size_idle,
          .help = "How large the light is: angular radius in degrees for directional lights (the sun: 0.27), radius in "
                  "metres for spot and point lights. Larger lights make wider penumbrae.",
-         .also = "source radius, source angle, angular size, angular diameter, softness, soft falloff, light size, "
-                 "penumbra, area light"},
+         .also =
+             "source radius, source angle, angular size, angular diameter, softness, soft falloff, light size, "
+             "penumbra, area light, angular distance, light radius, shadow soft size, shadowBulbRadius, penumbraScale"},
         {SI_LIGHT_FIELD(range), .label = "Range", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          SI_IDLE(has_type(s, i, LightType::Directional), "without effect: a directional light reaches everywhere"),
          .help = "Distance at which the light has faded to nothing; 0 is unlimited. Within it the light falls with the "
@@ -202,46 +207,55 @@ constexpr auto kLight = with_scope(
          .help = "Brightness relative to the other lights. Directional lights: as given. Spot and point lights: scaled "
                  "together so that the brightest of them is 1 at the scene's centre, their ranges left aside.",
          .also = "energy, strength, brightness, power"},
-        {SI_LIGHT_FIELD(red), .label = "Red", .unit = "", .min = 0, .max = 1, .help = "Colour, linear red."},
-        {SI_LIGHT_FIELD(green), .label = "Green", .unit = "", .min = 0, .max = 1, .help = "Colour, linear green."},
-        {SI_LIGHT_FIELD(blue), .label = "Blue", .unit = "", .min = 0, .max = 1, .help = "Colour, linear blue."},
+        {SI_LIGHT_FIELD(red), .label = "Red", .unit = "", .min = 0, .max = 1, .help = "Colour, linear red.",
+         .also = "light color"},
+        {SI_LIGHT_FIELD(green), .label = "Green", .unit = "", .min = 0, .max = 1, .help = "Colour, linear green.",
+         .also = "light color"},
+        {SI_LIGHT_FIELD(blue), .label = "Blue", .unit = "", .min = 0, .max = 1, .help = "Colour, linear blue.",
+         .also = "light color"},
         {SI_LIGHT_FIELD(cast), .label = "Casts shadows", .unit = "",
          .help = "Whether the light casts shadows. Off: everything it reaches is lit, and no map is drawn for it.",
-         .also = "castShadow, shadow enabled, no shadows"},
+         .also = "castShadow, castShadows, shadow enabled, enable shadows, no shadows"},
         {SI_LIGHT_FIELD(contact), .label = "Contact shadows", .unit = "m", .min = 0, .max = 100, .logarithmic = true,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
          .help = "Length of the ray that is marched from each surface towards the light through what the camera sees; "
                  "what it meets shadows the surface, whatever light.source says. Brings back the small shadows that a "
                  "bias loses at contacts. It knows only what is in the picture. 0 is off.",
-         .also = "contact shadow length, screen-space shadows, contact distance"},
+         .also = "contact shadow length, screen-space shadows, contact distance, screenSpaceContactShadows"},
         {SI_LIGHT_FIELD(source), .label = "Source", .unit = "", .choices = source_choices,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
          .help = "Where the light's shadows come from. All can be compared with the ray-traced truth.",
-         .also = "shadow type, ray-traced shadows, baked shadows, stencil shadows"},
+         .also = "shadow type, ray-traced shadows, baked shadows, stencil shadows, lightmap, shadowmask, capsule "
+                 "shadows, blob shadows, decal shadows"},
         {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", .choices = fit_choices, .idle = map_idle,
          .help = "Who chooses what the shadow map covers.",
-         .also = "shadow distance, max distance, shadow camera, stable cascades, stabilized, shadow frustum"},
+         .also = "shadow distance, max distance, shadow camera, stable cascades, stabilized, shadow frustum, stable "
+                 "fit, close fit, shadow projection, dynamic shadow distance, directional shadow max distance, "
+                 "maxShadowDistance, perspective shadow maps"},
         {SI_LIGHT_FIELD(snap), .label = "Whole texels", .unit = "",
          SI_IDLE(of(s, i).fit != at(LightFit::Stabilised),
                  "without effect: only the fit stabilised moves by whole texels"),
          .help = "Moves the stabilised map by whole texels, so that edges of shadows stay as they are while the camera "
                  "moves. Off: it follows by fractions of them, and edges crawl.",
-         .also = "texel snapping, stable, shimmer, swimming"},
+         .also = "texel snapping, stable, shimmer, swimming, shimmering, flicker, edge crawling"},
         {SI_LIGHT_FIELD(projection), .label = "Projection", .unit = "", SI_CHOICES(kProjections),
-         .idle = projection_idle, .help = "The projection of the shadow map."},
+         .idle = projection_idle, .help = "The projection of the shadow map.",
+         .also = "orthographic, perspective, shadow camera"},
         {SI_LIGHT_FIELD(near_far), .label = "Near and far", .unit = "", SI_CHOICES(kNearFar), .idle = near_far_idle,
          .help = "Between which depths the map stores. Shorter ranges have finer steps.",
-         .also = "shadow near plane, near plane offset, pancaking, depth range"},
+         .also = "shadow near plane, near plane offset, pancaking, depth range, directional shadow pancake size"},
         {SI_LIGHT_FIELD(near), .label = "Near", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .zero_is_auto = true, .idle = planes_idle,
          .help = "Distance of the map's near plane from the light; 0 is the fit's value. Casters nearer than this are "
                  "lost.",
-         .also = "shadow near plane, clip start, shadow camera near"},
+         .also =
+             "shadow near plane, clip start, shadow camera near, shadow.camera.near, shadowNearHint, clipping planes"},
         {SI_LIGHT_FIELD(far), .label = "Far", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .zero_is_auto = true, .idle = planes_idle,
          .help = "Distance of the map's far plane from the light; 0 is the fit's value. A longer range makes coarser "
                  "steps of depth.",
-         .also = "shadow far, clip end, max distance, shadow distance, shadow camera far"},
+         .also = "shadow far, clip end, max distance, shadow distance, shadow camera far, shadow.camera.far, "
+                 "shadowFar, shadowFarHint, clipping planes"},
         {SI_LIGHT_FIELD(stretch), .label = "Range stretched", .unit = "", .min = 1, .max = 1e5, .logarithmic = true,
          .idle = near_far_idle,
          .help =
@@ -252,51 +266,61 @@ constexpr auto kLight = with_scope(
          .idle = extent_idle,
          .help =
              "Half the width of an orthographic map, or of a spot light's at its target, at most its cone's; 0 is the "
-             "fit's value. A texel is 2 * extent / map.resolution wide there."},
+             "fit's value. A texel is 2 * extent / map.resolution wide there.",
+         .also = "orthographicSize, ortho size, ortho scale, shadow camera size, left, right, top, bottom"},
         {SI_LIGHT_FIELD(cascades), .label = "Cascades", .unit = "maps", .min = 1, .max = kMaxCascades,
          .idle = cascades_idle,
          .help = "Maps of a directional light, each fitted to what the camera sees of receivers in an interval of its "
                  "depth, and drawn at map.resolution. 1 is the map of light.fit, whatever the camera sees.",
-         .also = "cascade count, CSM, PSSM, shadow splits, num dynamic shadow cascades, shadowCascades"},
+         .also = "cascade count, CSM, PSSM, shadow splits, num dynamic shadow cascades, shadowCascades, directional "
+                 "shadow mode, cascaded shadow maps"},
         {SI_LIGHT_FIELD(depth_bounds), .label = "Depth bounds", .unit = "", SI_CHOICES(kDepthBounds),
          .idle = depth_bounds_idle,
          .help = "Which camera depths the maps are made for: of cascades, and of a fit to what is seen."},
         {SI_LIGHT_FIELD(split), .label = "Split", .unit = "", .choices = split_choices, .idle = between_cascades_idle,
          .help = "How the camera's depth is divided among cascades.",
-         .also = "cascade splits, cascade distribution, partition"},
+         .also = "cascade splits, cascade distribution, partition, split distance, cascadeSplitPositions"},
         {SI_LIGHT_FIELD(split_lambda), .label = "Split lambda", .unit = "", .min = 0, .max = 1, .idle = lambda_idle,
          .help = "How the camera's depth is divided among cascades: 0 evenly, 1 by equal ratios, between them the mean "
                  "of both, weighted by it (Zhang et al., 2006).",
          .also = "cascade distribution exponent, PSSM lambda, fade-in"},
         {SI_LIGHT_FIELD(split_1), .label = "Split 1", .unit = "", .min = 0, .max = 1, .idle = split_idle<1>,
          .help = "Where the first cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-                 "split moves those that it would overtake."},
+                 "split moves those that it would overtake.",
+         .also = "split distance, directional shadow split"},
         {SI_LIGHT_FIELD(split_2), .label = "Split 2", .unit = "", .min = 0, .max = 1, .idle = split_idle<2>,
          .help =
              "Where the second cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-             "split moves those that it would overtake."},
+             "split moves those that it would overtake.",
+         .also = "split distance, directional shadow split"},
         {SI_LIGHT_FIELD(split_3), .label = "Split 3", .unit = "", .min = 0, .max = 1, .idle = split_idle<3>,
          .help = "Where the third cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-                 "split moves those that it would overtake."},
+                 "split moves those that it would overtake.",
+         .also = "split distance, directional shadow split"},
         {SI_LIGHT_FIELD(split_4), .label = "Split 4", .unit = "", .min = 0, .max = 1, .idle = split_idle<4>,
          .help =
              "Where the fourth cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-             "split moves those that it would overtake."},
+             "split moves those that it would overtake.",
+         .also = "split distance"},
         {SI_LIGHT_FIELD(split_5), .label = "Split 5", .unit = "", .min = 0, .max = 1, .idle = split_idle<5>,
          .help = "Where the fifth cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-                 "split moves those that it would overtake."},
+                 "split moves those that it would overtake.",
+         .also = "split distance"},
         {SI_LIGHT_FIELD(split_6), .label = "Split 6", .unit = "", .min = 0, .max = 1, .idle = split_idle<6>,
          .help = "Where the sixth cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-                 "split moves those that it would overtake."},
+                 "split moves those that it would overtake.",
+         .also = "split distance"},
         {SI_LIGHT_FIELD(split_7), .label = "Split 7", .unit = "", .min = 0, .max = 1, .idle = split_idle<7>,
          .help =
              "Where the seventh cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-             "split moves those that it would overtake."},
+             "split moves those that it would overtake.",
+         .also = "split distance"},
         {SI_LIGHT_FIELD(cascade_blend), .label = "Cascade blend", .unit = "", .min = 0, .max = 1,
          .idle = between_cascades_idle,
          .help = "Share of a cascade's interval, at its end, over which the next one's shadow is blended in; both are "
                  "read there. 0 changes from one to the next at once.",
-         .also = "cascade border, transition fraction, blend splits, cascade fade"},
+         .also = "cascade border, transition fraction, blend splits, cascade fade, directional shadow blend splits, "
+                 "cascade transition"},
         {SI_LIGHT_FIELD(cascade_choice), .label = "Cascade chosen", .unit = "", SI_CHOICES(kCascadeChoices),
          .idle = between_cascades_idle, .help = "Which cascade a point is looked up in."},
     }),

@@ -101,8 +101,9 @@ constexpr auto kMap = of_map(std::to_array<Param>({
              "and takes four times the memory. Clamped to what the driver can allocate. While casters move "
              "below a light whose map stays, as much again for those at rest. Under map.virtual only pages that are "
              "read take memory.",
-     .also = "shadow map size, shadow resolution, texture size, atlas size, mapSize", .shader = true,
-     .read_by = ReadBy::Maps},
+     .also = "shadow map size, shadow resolution, texture size, atlas size, mapSize, cube size, cascade size, "
+             "shadow.mapSize",
+     .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(map.format), .label = "Format", .unit = "", .cost = Cost::Target, SI_CHOICES(kFormats),
      .help = "How the map stores depth. Fewer bits make larger steps of depth, which call for more bias.",
      .also = "depth precision, depth bits, depth buffer format", .shader = true, .read_by = ReadBy::Maps},
@@ -140,7 +141,7 @@ constexpr auto kMap = of_map(std::to_array<Param>({
      .help = "Draws the casters with several samples a texel (MSAA), and averages the moments of all: an edge that "
              "crosses a texel covers a share of it. What the driver cannot do is said, and the next that it can is "
              "used.",
-     .read_by = ReadBy::Moments},
+     .also = "MSAA, multisampling, antialiasing, msaaSamples", .read_by = ReadBy::Moments},
     {SI_FIELD(map.transform), .label = "Texture matrix", .unit = "", .cost = Cost::Program, SI_CHOICES(kTransforms),
      .help = "How a surface's place in the map is found. Both are the same in exact numbers; the overlay "
              "transform-difference shows by how many texels they differ in single precision.",
@@ -158,7 +159,7 @@ constexpr auto kMap = of_map(std::to_array<Param>({
              "moves. A directional light has clip levels about the camera, each twice as wide as the one before, so "
              "that a texel is about a pixel everywhere; other lights' maps, and those of light.fit manual, are drawn "
              "by pages as they are (Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3).",
-     .also = "virtual shadow maps, clipmap, sparse, paged",
+     .also = "virtual shadow maps, clipmap, sparse, paged, VSM, virtual texture",
      .read_by = ReadBy::Pages},
     {SI_FIELD(map.page_size), .label = "Page", .unit = "texels", .min = 16, .max = 1024, .logarithmic = true,
      .cost = Cost::Target,
@@ -236,7 +237,8 @@ constexpr Choice kBlends[] = {
 constexpr auto kCaster = std::to_array<Param>({
     {SI_FIELD(caster.cull), .label = "Cull casters", .unit = "", SI_CHOICES(kCulls),
      .help = "Which faces are left out of the shadow map. Objects may differ (object.PATH.cull).",
-     .also = "shadow side, shadowSide, double sided, two-sided, cull mode, front face culling, back face culling",
+     .also = "shadow side, shadowSide, double sided, two-sided, cull mode, front face culling, back face culling, "
+             "shadow reverse cull face, face culling",
      .of_map = true, .read_by = ReadBy::Maps},
     {SI_FIELD(caster.blend), .label = "Blended casters", .unit = "", SI_CHOICES(kBlends),
      .help =
@@ -260,7 +262,8 @@ constexpr auto kBias = of_map(std::to_array<Param>({
     {SI_FIELD(bias.constant), .label = "Constant bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
      .help = "Bias = max(slope bias * (1 - N·L), constant bias), subtracted from the fragment's depth before the "
              "comparison. Too little: acne. Too much: shadows come off their objects (peter-panning).",
-     .also = "depth bias, shadow bias, constantBias", .shader = true, .read_by = ReadBy::Slabs},
+     .also = "depth bias, shadow bias, constantBias, shadow.bias, shadow acne", .shader = true,
+     .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.slope), .label = "Slope bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
      SI_IDLE(s.bias.slope <= s.bias.constant,
              "without effect: bias = max(slope bias * (1 - N·L), constant bias), and slope bias is not above constant "
@@ -277,7 +280,9 @@ constexpr auto kBias = of_map(std::to_array<Param>({
     {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "texels", .min = 0, .max = 100, .slider_max = 20,
      .help = "Moves the point that is looked up along its normal by this many texels (normal-offset shadows). Cures "
              "acne at any angle of light; too much lets light in at inner edges.",
-     .also = "normal bias, normalBias, shadow normal bias, normal-offset shadows", .shader = true},
+     .also =
+         "normal bias, normalBias, shadow normal bias, normal-offset shadows, shadow.normalBias, normal offset bias",
+     .shader = true},
     {SI_FIELD(bias.normal_source), .label = "Normal", .unit = "", .cost = Cost::Program, SI_CHOICES(kNormals),
      SI_IDLE(!slope_acts(s) && s.bias.normal == 0, "without effect: neither slope nor normal offset acts"),
      .help = "The normal that slope bias and normal offset use.", .shader = true, .read_by = ReadBy::SurfacesSeen},
@@ -285,13 +290,15 @@ constexpr auto kBias = of_map(std::to_array<Param>({
      SI_IDLE(holds_distances(s.map.format), kNoOffset),
      .help = "glPolygonOffset factor while the map is drawn: depth per texel of the triangle's own slope, times this. "
              "Towards the far plane when positive, under reversed depth too.",
-     .also = "slope scale, slope-scaled depth bias, SlopeScaledDepthBias, glPolygonOffset", .shader = true,
-     .read_by = ReadBy::Maps},
+     .also = "slope scale, slope-scaled depth bias, SlopeScaledDepthBias, glPolygonOffset, polygonOffset, "
+             "polygonOffsetFactor, polygonOffsetSlope",
+     .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(bias.raster_units), .label = "Polygon offset units", .unit = "depth steps", .min = -1e7, .max = 1e7,
      .logarithmic = true, SI_IDLE(holds_distances(s.map.format), kNoOffset),
      .help = "glPolygonOffset units while the map is drawn: smallest steps of the depth format, as the driver defines "
              "them. Towards the far plane when positive, under reversed depth too.",
-     .also = "depth bias, DepthBias, glPolygonOffset", .shader = true, .read_by = ReadBy::Maps},
+     .also = "depth bias, DepthBias, glPolygonOffset, polygonOffset, polygonOffsetUnits, polygonOffsetConstant",
+     .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(bias.raster_clamp), .label = "Polygon offset clamp", .unit = "depth", .min = 0, .max = 1,
      SI_IDLE(!offsets_polygons(s), holds_distances(s.map.format)
                                        ? kNoOffset
@@ -307,15 +314,17 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.kernel), .label = "Kernel", .unit = "", .cost = Cost::Program, .choices = filter_choices,
      .swept = swept_kernels,
      .help = "How the shadow test is filtered. Wider kernels blur the stair steps and call for more bias.",
-     .also = "softness, soft shadows, shadow type, shadow quality, filter quality, filter mode, contact hardening",
+     .also = "softness, soft shadows, shadow type, shadow quality, filter quality, filter mode, contact hardening, "
+             "hard shadows, shadowMap.type, PCFSoftShadowMap, PCFShadowMap, BasicShadowMap, VSMShadowMap, "
+             "percentage-closer filtering",
      .shader = true},
     {SI_FIELD(filter.method), .label = "Method", .unit = "", .cost = Cost::Program, SI_CHOICES(kMethods),
      .idle = method_idle, .help = "How the kernel reads the map. Both give the same picture at different cost.",
-     .shader = true},
+     .also = "sampler2DShadow, textureGather, comparison sampler, hardware PCF", .shader = true},
     {SI_FIELD(filter.size), .label = "Size", .unit = "texels", .min = 2, .max = 15, .cost = Cost::Program,
      .help = "Width of the kernel: comparisons, or texels that the weights span, along each axis. An even one is "
              "centred between texels.",
-     .also = "kernel size, filter size, softness", .shader = true},
+     .also = "kernel size, filter size, softness, PCF 3x3, 5x5, 7x7", .shader = true},
     {SI_FIELD(filter.point), .label = "Points", .unit = "", .cost = Cost::Program,
      .help = "Compares single texels, as the lectures write it by hand: size^2 + 1 grey levels. Off: each comparison "
              "blends 2x2 texels, and edges are without steps.",
@@ -327,7 +336,8 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .also = "samples, sample count, filter samples", .shader = true},
     {SI_FIELD(filter.radius), .label = "Radius", .unit = "filter.radius_unit", .min = 0, .max = 32, .logarithmic = true,
      .help = "Radius of the disk of taps. Wider is softer and calls for more bias.",
-     .also = "softness, filter radius, shadow radius, shadow blur", .shader = true},
+     .also = "softness, filter radius, shadow radius, shadow blur, shadow.radius, shadow filter sharpen",
+     .shader = true},
     {SI_FIELD(filter.radius_unit), .label = "Radius unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kRadiusUnits),
      .help = "What filter.radius counts in. In metres the shadow is as soft whatever the map's resolution, and at any "
              "distance from a light with a place.",
@@ -335,7 +345,7 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.rotate), .label = "Turn by pixel", .unit = "", .cost = Cost::Program,
      .help = "Turns the disk of taps by an angle of each pixel's own: noise in place of the steps that few taps leave. "
              "Off: the same taps everywhere.",
-     .shader = true},
+     .also = "jitter, dither, random rotation, noise, interleaved gradient noise", .shader = true},
     {SI_FIELD(filter.disk), .label = "Disk", .unit = "", .cost = Cost::Program, SI_CHOICES(kDisks),
      .help = "Which places of the disk are searched and compared.", .shader = true},
     {SI_FIELD(filter.blocker_taps), .label = "Blocker taps", .unit = "taps", .min = 1, .max = 4096, .logarithmic = true,
@@ -352,7 +362,7 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.rays), .label = "Rays", .unit = "rays", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
      .help = "How many places of the light are looked at. Few of them show as noise, or without turns as steps.",
-     .shader = true},
+     .also = "SMRT ray count, samples", .shader = true},
     {SI_FIELD(filter.steps), .label = "Steps", .unit = "steps", .min = 1, .max = 64, .logarithmic = true,
      .cost = Cost::Program,
      .help = "How many texels each ray is compared with on its way through the widest penumbra. Steps wider than an "
@@ -365,11 +375,12 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.blur), .label = "Blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
      .help = "The moments of each texel become the mean of those up to this many texels away, along x and y: once for "
              "the map, however many pixels read it. 0 leaves the 2x2 that bilinear sampling blends.",
-     .also = "blur radius, softness, blurSamples", .shader = true, .read_by = ReadBy::Moments},
+     .also = "blur radius, softness, blurSamples, blurWidth, shadow.blurSamples", .shader = true,
+     .read_by = ReadBy::Moments},
     {SI_FIELD(filter.bleed), .label = "Light-bleed reduction", .unit = "", .min = 0, .max = 0.99,
      .help = "Visibility below this share counts as shadow, and the rest is stretched to fill 0 to 1. Takes away light "
              "that leaks in where shadows overlap, and hardens every edge.",
-     .also = "light bleeding, lightBleedReduction", .shader = true},
+     .also = "light bleeding, lightBleedReduction, bleed bias, light leaking", .shader = true},
     {SI_FIELD(filter.min_variance), .label = "Least variance", .unit = "range^2", .min = 0, .max = 0.01,
      .logarithmic = true,
      .help = "Variance that every texel has at least, in squares of the map's depth range. Stands in for rounding: too "
@@ -381,14 +392,14 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.mips), .label = "Mip levels", .unit = "", .cost = Cost::Program,
      .help = "Coarser copies of the moments, blended by the pixel's footprint in the map: distant shadows turn soft "
              "instead of noisy. A third more memory.",
-     .shader = true, .read_by = ReadBy::Moments},
+     .also = "mipmaps, mipmapping", .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.anisotropy), .label = "Anisotropy", .unit = "samples", .min = 1, .max = 16, .logarithmic = true,
      SI_IDLE(!s.filter.mips, "without effect: filter.mips is off"),
      .help = "Most samples along the footprint's long side, where light or view grazes the surface: less blur across "
              "it. Beyond the driver's limit that is used, and said.",
      .shader = true},
     {SI_FIELD(filter.moment_format), .label = "Moments", .unit = "", .cost = Cost::Program, SI_CHOICES(kMomentFormats),
-     .help = "How each moment is stored.", .shader = true, .read_by = ReadBy::Moments},
+     .help = "How each moment is stored.", .also = "highPrecision", .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.exponent), .label = "Exponent", .unit = "", .min = 0.5, .max = 88, .logarithmic = true,
      .help = "c of e^(c x), where x runs from -1 at the near to 1 at the far plane. Higher: less light bleeds, sharper "
              "contacts. What the stored numbers can hold is the limit (32-bit: esm 87.3, evsm 43.6, less by the "

@@ -33,7 +33,9 @@ constexpr auto kShading = std::to_array<Param>({
     {SI_FIELD(shading.ambient), .label = "Ambient", .unit = "", .min = 0, .max = 10,
      .help = "Share of light that comes from everywhere and is never shadowed: colour = (ambient + visibility * "
              "(diffuse + specular)) * base colour.",
-     .also = "skylight, ambient light, environment light, indirect", .shader = true},
+     .also = "skylight, ambient light, environment light, indirect, shadow strength, shadow color, shadow colour, "
+             "shadow opacity, shadow darkness",
+     .shader = true},
     {SI_FIELD(shading.diffuse), .label = "Diffuse", .unit = "", .min = 0, .max = 10,
      .help = "Weight of the diffuse term, which falls with the cosine to the light.", .shader = true},
     {SI_FIELD(shading.specular), .label = "Specular", .unit = "", .min = 0, .max = 10,
@@ -43,12 +45,13 @@ constexpr auto kShading = std::to_array<Param>({
      .help = "Exponent of the Blinn-Phong highlight; larger is smaller and sharper.", .shader = true},
     {SI_FIELD(shading.sky), .label = "Sky", .unit = "", SI_CHOICES(kSkies),
      .help = "What stands behind the scene and lights its shadows. No visibility depends on it.",
-     .read_by = ReadBy::Shading},
+     .also = "skybox, background, world", .read_by = ReadBy::Shading},
     {SI_FIELD(shading.exposure), .label = "Exposure", .unit = "EV", .min = -8, .max = 8,
      .help = "Brightens the picture, sky included, by powers of two before the tone curve.",
-     .read_by = ReadBy::Shading},
+     .also = "exposure compensation, toneMappingExposure, post exposure", .read_by = ReadBy::Shading},
     {SI_FIELD(shading.curve), .label = "Tone curve", .unit = "", SI_CHOICES(kCurves),
-     .help = "How light becomes the picture's colours. No visibility depends on it.", .read_by = ReadBy::Shading},
+     .help = "How light becomes the picture's colours. No visibility depends on it.",
+     .also = "tone mapping, toneMapping, tonemapper, gamma, view transform", .read_by = ReadBy::Shading},
     {SI_FIELD(shading.composition), .label = "Composition", .unit = "", .cost = Cost::Program,
      SI_CHOICES(kCompositions), .help = "How light and shadow become a picture.", .shader = true},
     {SI_FIELD(shading.dim), .label = "Dim light", .unit = "", .min = 0, .max = 1,
@@ -58,7 +61,7 @@ constexpr auto kShading = std::to_array<Param>({
     {SI_FIELD(shading.textures), .label = "Textures", .unit = "", .cost = Cost::Program,
      .help = "Use base colour textures and normal maps. Off: plain material colours, so that shadows stand out. Alpha "
              "masks cut out either way.",
-     .shader = true},
+     .also = "albedo, normal map", .shader = true},
     {SI_FIELD(shading.separate_visibility), .label = "Visibility as its own pass", .unit = "",
      .help = "Draw visibility into a texture of its own even when nothing else reads it. The picture stays the same; "
              "the cost of the filter shows by itself.",
@@ -112,13 +115,16 @@ constexpr auto kCamera = std::to_array<Param>({
      .help = "Vertical opening angle of a perspective camera.", .also = "focal length, lens, fov"},
     {SI_FIELD(camera.near), .label = "Near", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
      .zero_is_auto = true, .idle = camera_idle,
-     .help = "Distance of the camera's near plane; 0 is automatic. Nearer surfaces are cut away."},
+     .help = "Distance of the camera's near plane; 0 is automatic. Nearer surfaces are cut away.",
+     .also = "near clip plane, clip start, clipping planes"},
     {SI_FIELD(camera.far), .label = "Far", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true, .zero_is_auto = true,
-     .idle = camera_idle, .help = "Distance of the camera's far plane; 0 is automatic. Farther surfaces are cut away."},
+     .idle = camera_idle, .help = "Distance of the camera's far plane; 0 is automatic. Farther surfaces are cut away.",
+     .also = "far clip plane, clip end, clipping planes"},
     {SI_FIELD(camera.orthographic), .label = "Orthographic", .unit = "", .idle = camera_idle,
-     .help = "Parallel instead of perspective projection of the camera."},
+     .help = "Parallel instead of perspective projection of the camera.", .also = "ortho, isometric"},
     {SI_FIELD(camera.height), .label = "Height", .unit = "m", .min = 1e-6, .max = 1e8, .logarithmic = true,
-     .idle = height_idle, .help = "Height of what an orthographic camera shows."},
+     .idle = height_idle, .help = "Height of what an orthographic camera shows.",
+     .also = "orthographic size, orthographicSize, ortho size, ortho scale"},
 });
 static_assert(kCamera.size() == members<CameraSettings>(), "a member of CameraSettings has no row");
 
@@ -131,8 +137,9 @@ constexpr Choice kPlacedAlong[] = {
 
 constexpr Choice kGrounds[] = {
     {"auto", "where there is none",
-     "A file without a large level surface is stood on a ground, which receives shadows and casts none. Maps are not "
-     "made larger for it, and its pixels are counted apart. Built-in scenes have their own."},
+     "A file without a large level surface is stood on a ground, which receives shadows and casts none. Maps hold "
+     "no more of it than where the model may shadow it, which is never beyond what casts there, and reach as deep as "
+     "that; its pixels are counted apart. Built-in scenes have their own."},
     {"off", "off", "The file as it is."},
 };
 
@@ -160,15 +167,16 @@ constexpr auto kScene = std::to_array<Param>({
          "By how much the scene is larger than its file has it, with its cameras and lights. The camera by hand and "
          "settings in metres grow with it; what --set says in metres is taken as it is."},
     {SI_FIELD(scene.ground), .label = "Ground", .unit = "", SI_CHOICES(kGrounds),
-     .help = "Whether a loaded model is stood on a ground that shows its shadow."},
+     .help = "Whether a loaded model is stood on a ground that shows its shadow.",
+     .also = "floor, ground plane, shadow catcher"},
     {SI_FIELD(scene.fit_animation), .label = "Fit over the animation", .unit = "",
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
      .help =
          "Fits shadow maps to all the places that the chosen animation takes each object to: they neither swim nor "
          "change their size while it plays, and their texels are larger. Off: they follow the pose that is shown. "
          "A fit to what the camera sees follows the camera either way. Without effect on scenes without animations.",
-     .also = "stable fit, swimming, shimmer, whole animation, animated bounds, fixed skel bounds, bounds scale, "
-             "update when offscreen, skinned bounds",
+     .also = "stable fit, swimming, shimmer, whole animation, animated bounds, fixed skel bounds, bounds scale, update "
+             "when offscreen, skinned bounds",
      .of_animation = true},
 });
 static_assert(kScene.size() == members<SceneSettings>(), "a member of SceneSettings has no row");
@@ -213,9 +221,9 @@ constexpr auto kObject = with_scope(
                  "under front-face culling.",
          .also = "shadow side, double sided, two-sided", .of_map = true},
         {SI_OBJECT_FIELD(cast), .label = "Casts", .unit = "", .help = "Whether this object casts shadows.",
-         .also = "cast shadow, castShadow"},
+         .also = "cast shadow, castShadow, castShadows, shadow casting mode, cast shadow setting"},
         {SI_OBJECT_FIELD(receive), .label = "Receives", .unit = "", .help = "Whether this object receives shadows.",
-         .also = "receive shadow, receiveShadow"},
+         .also = "receive shadow, receiveShadow, receive shadows"},
     }),
     Scope::Object);
 static_assert(kObject.size() == members<ObjectSettings>(), "a member of ObjectSettings has no row");

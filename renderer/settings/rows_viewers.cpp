@@ -188,14 +188,16 @@ constexpr auto kView = std::to_array<Param>({
     {SI_FIELD(view.overlay_max), .label = "Scale to", .unit = "overlay's", .min = -1e8, .max = 1e8, .idle = range_idle,
      .help = "The value at the high end of the colour scale, in the overlay's unit.", .read_by = ReadBy::Compose},
     {SI_FIELD(view.frustum), .label = "Light frustum", .unit = "",
-     .help = "Draw the lights' frusta and the handles of the shown one in the editor's view."},
+     .help = "Draw the lights' frusta and the handles of the shown one in the editor's view.",
+     .also = "CameraHelper, light gizmo, shadow frustum"},
     {SI_FIELD(view.bounds), .label = "Caster bounds", .unit = "",
      .help = "Draw the box of each object that casts in the editor's view, as the light fit sees it; at most 2000."},
     {SI_FIELD(view.axes), .label = "Axes", .unit = "",
      .help = "Draw the world's axes in a corner of the editor's view; a click on an end looks along it."},
     {SI_FIELD(view.smooth), .label = "Smooth at rest", .unit = "",
      .help = "While nothing moves, the editor shows the mean of up to 8 pictures, each of a camera turned by part of a "
-             "pixel. Numbers, overlays and probes keep to the one picture. Off: pixels as they are."},
+             "pixel. Numbers, overlays and probes keep to the one picture. Off: pixels as they are.",
+     .also = "anti-aliasing, antialiasing, MSAA, TAA, FXAA, supersampling"},
     {SI_FIELD(view.slabs), .label = "Stored-depth quads", .unit = "", SI_CHOICES(kSlabs), .idle = slabs_idle,
      .help = "Draw texels of the shown light's map into the scene, each as a flat quad where its stored depth lies. A "
              "surface is in shadow where it lies behind the quad of its texel: acne can be seen to come about. Texels "

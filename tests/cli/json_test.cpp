@@ -116,6 +116,27 @@ TEST(Lists, PrefixNarrows) {
     EXPECT_NE(beyond.err.find("no key starts with 'light.16.fit'"), std::string::npos) << beyond.err;
 }
 
+TEST(Lists, SettingsAreFoundByWordsWhereNoKeyStartsSo) {
+    for (const auto& [words, key] : {std::pair{"normal bias", "bias.normal"},
+                                     {"softness", "filter.radius"},
+                                     {"cascade", "light.split"},
+                                     {"slope scale", "bias.raster_slope"},
+                                     {"depth bias", "bias.constant"},
+                                     {"shadow_normal_bias", "bias.normal"},
+                                     {"PCSS", "filter.kernel"},
+                                     {"castShadows", "object.PATH.cast"}}) {
+        const Json list = json_of({"list", "settings", words, "--json"});
+        EXPECT_TRUE(row(list, key)) << words;
+        EXPECT_LT(list.size(), params().size() / 2) << words;
+    }
+    EXPECT_NE(run_program({"list", "settings", "softness"}).out.find("filter.radius"), std::string::npos);
+    EXPECT_EQ(json_of({"list", "settings", "bias", "--json"}).size(), 10u) << "the beginning of keys goes before words";
+    const ProcessResult none = run_program({"list", "settings", "zzz"});
+    EXPECT_EQ(none.code, 2);
+    EXPECT_NE(none.err.find("no setting is found by these words"), std::string::npos) << none.err;
+    EXPECT_EQ(run_program({"list", "filters", "normal bias"}).code, 2) << "of settings alone";
+}
+
 TEST(Help, IsEverywhereAndComesFromTheTable) {
     for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{},
                                                                                          {"edit"},
@@ -294,7 +315,7 @@ TEST(Probe, ExplainsThePixelAndNamesWhatPutsItRight) {
     EXPECT_FALSE(json_of(with({"--no-truth", "--json"}))["lights"][0].contains("dossier"));
     const ProcessResult text = run_program(with({}));
     for (const char* part :
-         {"verdict: ", "remedy: ", "\n    needed ", "\n    have ", "S self-shadowed", "bias window ["})
+         {"verdict: ", "fix: ", "\n    needed ", "\n    have ", "S self-shadowed", "bias window ["})
         EXPECT_NE(text.out.find(part), std::string::npos) << part;
 }
 

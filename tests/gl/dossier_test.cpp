@@ -178,6 +178,8 @@ TEST_F(DossierTest, AcneNamesItsNeedAndTheRemedyCuresIt) {
             EXPECT_GT(own, 0) << "what darkens it is the surface itself";
             ASSERT_TRUE(d.remedy) << kernel;
             EXPECT_EQ(d.remedy->settings[0].first, slope ? "bias.slope" : "bias.constant");
+            EXPECT_GT(d.remedy->worth_texels, 0.999 * d.least.texels);
+            EXPECT_LT(d.remedy->worth_texels, 1.02 * d.least.texels) << "it is what the surface needs, rounded up";
             apply(s, *d.remedy);
             EXPECT_TRUE(dossier(scene, s, *pixel).right);
             // The floor is one plane under one light: what cures a pixel cures all.

@@ -55,6 +55,7 @@ const std::vector<Sets>& varied() {
         {{"light.source", "blob"}, {"bias.raster_slope", "1"}},
         {{"light.cast", "false"}, {"shading.separate_visibility", "true"}},
         {{"light.source", "none"}, {"view.slabs", "both"}},
+        {{"view.panes", "two"}, {"view.overlay_2", "n-dot-l"}, {"view.slabs", "both"}},
     };
     return all;
 }
@@ -123,7 +124,7 @@ TEST_F(EffectsTest, WhatAReasonNamesIsWhatCallsForTheEffect) {
          "No pixel asks for a page",
          {{"map.virtual", "true"}}},
         {"overlay values", {}, "overlay", {{"view.overlay", "visibility"}}},
-        {"texel slabs", {}, "view.slabs", {{"view.slabs", "both"}}},
+        {"stored-depth quads", {}, "view.slabs", {{"view.slabs", "both"}}},
         {"visibility texture", {}, "shading", {{"shading.separate_visibility", "true"}}},
     };
     const Scene scene = load_scene("boxes");

@@ -91,7 +91,8 @@ TEST_F(WasteTest, WhatMakesThePictureOfLightIsTriedWhereItIsOn) {
     EXPECT_TRUE(tried_named(waste, "sky and its ambient light").changes);
     EXPECT_TRUE(tried_named(waste, "tone curve").changes);
     const Waste plain = waste_of(scene, {{"shading.sky", "plain"}, {"shading.curve", "plain"}});
-    for (const char* name : {"sky and its ambient light", "tone curve", "ground", "alpha test in maps", "texel slabs"})
+    for (const char* name :
+         {"sky and its ambient light", "tone curve", "ground", "alpha test in maps", "stored-depth quads"})
         EXPECT_FALSE(was_tried(plain, name)) << name << " is not simulated";
     EXPECT_TRUE(was_tried(waste_of(scene, {{"shading.curve", "plain"}, {"shading.exposure", "1"}}), "tone curve"));
 }
@@ -171,7 +172,7 @@ TEST_F(WasteTest, WhatIsShownOverThePictureIsTriedPaneByPane) {
         {{"view.panes", "two"}, {"view.overlay_2", "n-dot-l"}, {"view.slabs", "stored"}, {"view.slabs_texels", "256"}});
     EXPECT_TRUE(tried_named(waste, "overlay n-dot-l in pane 2").changes);
     EXPECT_FALSE(was_tried(waste, "overlay n-dot-l in pane 1"));
-    EXPECT_TRUE(tried_named(waste, "texel slabs").changes);
+    EXPECT_TRUE(tried_named(waste, "stored-depth quads").changes);
     const Waste see_through = waste_of(scene, {{"view.overlay", "n-dot-l"}, {"view.overlay_opacity", "0"}});
     EXPECT_FALSE(tried_named(see_through, "overlay n-dot-l").changes) << "drawn, and nobody sees it";
     EXPECT_FALSE(was_tried(waste_of(scene, {{"view.overlay", "truth"}}), "overlay truth")) << "there is no truth";

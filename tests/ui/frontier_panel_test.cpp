@@ -80,7 +80,7 @@ TEST(FrontierPanel, AClickOnADotTakesItsSettingsAndIsUndone) {
     const glm::vec2 right = dots[0].x > dots[1].x ? dots[0] : dots[1];
     p.ui.click(right);
     p.ui.frames(3);
-    EXPECT_EQ(kernel_label(p.ui.state.settings), "PCF 5x5");
+    EXPECT_EQ(kernel_label(p.ui.state.settings), "PCF 5×5");
     EXPECT_EQ(p.ui.state.settings.map.resolution, 1024);
     EXPECT_EQ(p.ui.state.sweep.chosen, 1);
     undo(p.ui.state);
@@ -130,6 +130,38 @@ TEST(FrontierPanel, SaysWhichOfTwoIsWorthItsMoney) {
     facts.measuring_present = true;
     p.ui.frames(2);
     EXPECT_FALSE(shows("A 0.04 at 4 ms.")) << "what is not measured is not compared";
+}
+
+TEST(FrontierPanel, BytesAreWrittenAsPeopleReadThem) {
+    Panel p(1600, 900);
+    SweepFacts& facts = *p.ui.sweep;
+    facts.cost = "cost.bytes_touched";
+    const double costs[] = {17.3e6, 67.7e6, 8e6};
+    ASSERT_EQ(facts.view.marks.size(), std::size(costs));
+    for (std::size_t i = 0; i < std::size(costs); ++i)
+        facts.view.marks[i].dot.cost = costs[i], facts.view.marks[i].dot.cost_noise = 0;
+    facts.view.present->cost = 25.1e6, facts.view.present->cost_noise = 0;
+    facts.view.advice.better = 1, facts.view.advice.extra_cost = 42.6e6;
+    facts.view.advice.cheaper = 0, facts.view.advice.saved_cost = 7.78e6;
+    p.ui.frames(3);
+    const DrawnText& drawn = p.ui.drawn();
+    EXPECT_TRUE(drawn.shows("Now 0.04 at 24 MiB"));
+    EXPECT_TRUE(drawn.shows("The next better costs +41 MiB"));
+    EXPECT_TRUE(drawn.shows(U"Thesameerrorfor−7.4MiB"));
+    EXPECT_TRUE(drawn.find(U"16MiB") && drawn.find(U"32MiB")) << "numbers of the axis";
+    EXPECT_FALSE(drawn.shows("e+0"));
+}
+
+TEST(FrontierPanel, WhatIsNotMeasuredYetIsSaidInASentence) {
+    Panel p(1600, 900);
+    p.ui.sweep->cost = "cost.bytes_touched";
+    p.ui.sweep->running = true;
+    p.ui.frames(3);
+    EXPECT_TRUE(p.ui.drawn().shows("Not measured yet: time of a frame"));
+    p.ui.sweep->running = false;
+    p.ui.frames(3);
+    EXPECT_TRUE(p.ui.drawn().shows("Not measured: time of a frame"));
+    EXPECT_TRUE(p.ui.drawn().find(U"×", 1)) << "one between width and height, one for each axis";
 }
 
 TEST(FrontierPanel, AnErrorIsToldWhileItsTimeIsMeasured) {

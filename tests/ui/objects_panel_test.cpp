@@ -127,6 +127,18 @@ TEST_F(ObjectsPanel, AClosedNodeHidesWhatLiesBelowAndASearchShowsItAgain) {
     EXPECT_TRUE(row(below));
 }
 
+TEST_F(ObjectsPanel, TheSearchPromisesNoOtherNames) {
+    const ImRect all = table()->OuterRect;
+    bool tip = false;
+    for (float y = all.Min.y - 80; y < all.Min.y && !tip; y += 4) {
+        ui.move({all.Min.x + 30, y});
+        ui.frames(3);
+        tip = ui.drawn().shows("All words have to be there");
+    }
+    EXPECT_TRUE(tip);
+    EXPECT_FALSE(ui.drawn().shows("engine"));
+}
+
 TEST_F(ObjectsPanel, WhatIsChosenInTheSceneComesIntoView) {
     ui.state.layout.bottom_height = 12;
     ui.state.closed_nodes = {"Stage/Fence"};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -9,6 +10,7 @@
 #include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si::test {
 namespace {
@@ -73,6 +75,31 @@ TEST(Panels, SettingsAreFoundByOtherEnginesWords) {
         {"CLIP start", "light.near"},                     // Blender
         {"normal   offset\t", "bias.normal"},
         {"offset normal", "bias.normal"},
+        {"shadow strength", "shading.ambient"},  // Unity
+        {"shadow color", "shading.ambient"},
+        {"split distance", "light.split_1"},   // Unity
+        {"orthographicSize", "light.extent"},  // Unity
+        {"ortho size", "camera.height"},       // Blender
+        {"pancake", "light.near_far"},
+        {"CastShadows", "light.cast"},  // Unreal
+        {"CastShadows", "object.cast"},
+        {"anti-aliasing", "view.smooth"},
+        {"MSAA", "view.smooth"},
+        {"tone mapping", "shading.curve"},
+        {"shadow_normal_bias", "bias.normal"},             // Godot
+        {"shadow_reverse_cull_face", "caster.cull"},       // Godot
+        {"directional_shadow_max_distance", "light.fit"},  // Godot
+        {"directional_shadow_pancake_size", "light.near_far"},
+        {"light_angular_distance", "light.size"},        // Godot
+        {"shadow.normalBias", "bias.normal"},            // three.js
+        {"PCFSoftShadowMap", "filter.kernel"},           // three.js
+        {"polygonOffsetFactor", "bias.raster_slope"},    // three.js
+        {"shadowBulbRadius", "light.size"},              // Filament
+        {"screenSpaceContactShadows", "light.contact"},  // Filament
+        {"cube size", "map.resolution"},                 // Blender
+        {"bleed bias", "filter.bleed"},                  // Blender
+        {"pcss", "filter.kernel"},
+        {"lispsm", "light.fit"},
     };
     for (const auto& [words, key] : kWords) {
         SettingRef ref =
@@ -264,6 +291,40 @@ TEST(Panels, ATooltipHidesNoSettingBesideItsOwn) {
     ASSERT_TRUE(tip && settings);
     EXPECT_LE(tip->Pos.x + tip->Size.x, settings->Pos.x);
     EXPECT_GE(tip->Pos.x, 0);
+}
+
+TEST(Panels, ABiasOfDepthHasNoZerosThatSayNothing) {
+    UiHarness ui(kWidth, kHeight);
+    ui.state.settings.bias.unit = int(BiasUnit::Depth);
+    ui.state.search = "bias.constant";
+    const auto shows = [&](double value, const char32_t* text) {
+        ui.state.settings.bias.constant = value;
+        ui.frames(3);
+        return ui.drawn().shows(std::u32string_view(text));
+    };
+    EXPECT_TRUE(shows(0, U"0depth"));
+    EXPECT_FALSE(shows(0, U".000000depth"));
+    EXPECT_TRUE(shows(1000, U"1000depth"));
+    EXPECT_FALSE(shows(1000, U".000000depth"));
+    EXPECT_TRUE(shows(0.005, U"0.005depth"));
+    EXPECT_TRUE(shows(0.000015, U"0.000015depth")) << "no exponent";
+    ui.state.settings.bias.constant = 0.005;
+    ui.frames(3);
+    ui.drag(kFirstValue, kFirstValue + glm::vec2(20, 0));
+    const double dragged = ui.state.settings.bias.constant * 1e6;
+    EXPECT_NE(dragged, 5000);
+    EXPECT_NEAR(dragged, std::round(dragged), 1e-6) << "six digits after the point";
+}
+
+TEST(Panels, TooltipsBreakNoKey) {
+    UiHarness ui(kWidth, kHeight);
+    ui.frames(3);
+    const float room = ImGui::CalcTextSize("filter.kernel=hard map.res").x;
+    EXPECT_EQ(broken_at_spaces("filter.kernel=hard map.resolution=512", room),
+              "filter.kernel=hard\nmap.resolution=512");
+    EXPECT_EQ(broken_at_spaces("a b\nmap.resol filter.kernel=hard", room), "a b\nmap.resol\nfilter.kernel=hard");
+    EXPECT_EQ(broken_at_spaces("a  b ", room), "a  b ");
+    EXPECT_EQ(broken_at_spaces("", room), "");
 }
 
 TEST(Panels, OneIsNoPlural) {

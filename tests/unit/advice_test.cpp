@@ -45,7 +45,7 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
              set_setting(s, "filter.kernel", "pcss");
              f.penumbra_texels = 0.4;
          },
-         "filter.kernel=hw2x2", "the penumbra is at most 0.4 texels wide here: PCSS buys nothing over 2x2 bilinear"},
+         "filter.kernel=hw2x2", "the penumbra is at most 0.4 texels wide here: PCSS buys nothing over 2×2 bilinear"},
         {"cascades",
          [](Settings& s, AdviceFacts& f) {
              s.lights[0].cascades = 4;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -43,6 +44,30 @@ TEST(LogAxis, ZeroHasAPlaceOfItsOwn) {
     EXPECT_GE(with.at(with.low), LogAxis::kZeroShare);
     EXPECT_EQ(with.ticks.front().text, "0");
     EXPECT_TRUE(log_axis(std::vector{0.0}).zero);
+}
+
+TEST(LogAxis, BytesArePowersOfTwoInWords) {
+    constexpr double kMiB = 1 << 20;
+    for (const auto& values :
+         {std::vector{2e6, 2.5e7}, {7.78e6, 7.9e6}, {1.0, 4e9}, {300.0 * 1024, 1.9 * kMiB}, {0.0, 2 * kMiB}}) {
+        const LogAxis axis = log_axis(values, true);
+        double last = -1;
+        int numbers = 0;
+        for (const LogAxis::Tick& tick : axis.ticks) {
+            EXPECT_GT(tick.value, last);
+            last = tick.value;
+            if (tick.text.empty()) continue;
+            ++numbers;
+            EXPECT_EQ(tick.text.find('e'), std::string::npos) << tick.text;
+            const double unit = tick.text.ends_with(" MiB") ? kMiB : tick.text.ends_with(" KiB") ? 1024 : 1;
+            EXPECT_TRUE(tick.text.ends_with('B')) << tick.text;
+            EXPECT_EQ(std::stod(tick.text) * unit, tick.value) << tick.text;
+        }
+        EXPECT_GE(numbers, 2) << values.front();
+        EXPECT_LE(numbers, 14) << values.front();
+    }
+    const LogAxis axis = log_axis(std::vector{2e6, 2.5e7}, true);
+    EXPECT_TRUE(std::ranges::any_of(axis.ticks, [](const LogAxis::Tick& t) { return t.text == "8 MiB"; }));
 }
 
 TEST(LogAxis, WhatIsNotFiniteDoesNotCount) {

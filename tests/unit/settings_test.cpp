@@ -12,6 +12,7 @@
 #include "renderer/settings/owners.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/rows.h"
+#include "renderer/settings/search.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
@@ -252,6 +253,37 @@ TEST(SettingsObjects, AnOverrideEqualToTheDefaultsIsNone) {
     EXPECT_EQ(s.objects["Floor"].cull, static_cast<int>(ObjectCull::None));
     set_setting(s, "object.Floor.cull", "inherit");
     EXPECT_EQ(s, Settings{});
+}
+
+std::set<std::string> found_by(std::string_view words) {
+    std::set<std::string> keys;
+    for (const Param& p : params())
+        if (setting_matches({&p, 0, p.scope == Scope::Object ? "Root/Box" : ""}, words)) keys.emplace(p.key);
+    return keys;
+}
+
+TEST(SettingsSearch, TechniquesAreFoundByTheirNamesAmongChoices) {
+    using Keys = std::set<std::string>;
+    EXPECT_EQ(found_by("PCSS"), Keys{"filter.kernel"});
+    EXPECT_EQ(found_by("lispsm"), Keys{"light.fit"});
+    EXPECT_EQ(found_by("Vogel"), (Keys{"filter.kernel", "filter.disk"}));
+    EXPECT_TRUE(found_by("vsm").contains("filter.kernel"));
+    EXPECT_TRUE(found_by("poisson").contains("filter.kernel"));
+    EXPECT_TRUE(found_by("pcf5").contains("filter.kernel")) << "as it was called";
+    EXPECT_EQ(found_by("tent 3x3"), found_by("Tent 3×3"));
+    EXPECT_TRUE(found_by("tent 3x3").contains("filter.kernel"));
+    EXPECT_FALSE(found_by("normal bias").contains("view.overlay")) << "of two choices each holds one of the words";
+    EXPECT_TRUE(found_by("pcf lispsm").empty()) << "two choices of two settings";
+}
+
+TEST(SettingsSearch, UnderscoresAndHyphensAreSpaces) {
+    EXPECT_TRUE(found_by("shadow_normal_bias").contains("bias.normal"));
+    EXPECT_EQ(found_by("shadow_normal_bias"), found_by("shadow normal bias"));
+    EXPECT_TRUE(found_by("reversed-z").contains("map.reversed_z"));
+    EXPECT_TRUE(found_by("raster slope").contains("bias.raster_slope"));
+    EXPECT_EQ(found_by("map.reversed_z"), std::set<std::string>{"map.reversed_z"}) << "a whole key is that alone";
+    EXPECT_EQ(found_by("").size(), params().size());
+    EXPECT_TRUE(found_by("zzz").empty());
 }
 
 TEST(SettingsRepair, NonFiniteAndOutOfRange) {

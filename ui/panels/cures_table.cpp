@@ -37,12 +37,12 @@ void row(const Cure& cure, const CureTable& table, bool current, Settings& setti
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     if (!cure.untried.empty()) {
-        ImGui::TextDisabled("%s: not tried, %s", cure.name.c_str(), cure.untried.c_str());
+        ImGui::TextDisabled("%s: not tried, %s", cure.shown_name().c_str(), cure.untried.c_str());
         return;
     }
     const std::string mark = !cure.pixel_right ? "" : *cure.pixel_right ? "" : "  (this pixel stays wrong)";
     ImGui::BeginDisabled(!current);
-    if (ImGui::Selectable((cure.name + mark).c_str(), false, ImGuiSelectableFlags_SpanAllColumns))
+    if (ImGui::Selectable((cure.shown_name() + mark).c_str(), false, ImGuiSelectableFlags_SpanAllColumns))
         for (const auto& [key, value] : cure.settings) set_setting(settings, key, value);
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", about(cure, table).c_str());

@@ -4,10 +4,13 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "renderer/base/error.h"
+#include "renderer/base/held.h"
 #include "renderer/measure/axes.h"
 #include "renderer/settings/param.h"
 #include "ui/panels/frontier_plot.h"
@@ -94,7 +97,7 @@ std::size_t draw_axes(EditorState& state, std::vector<std::string>& axes) {
         wrapped_tooltip(c.problem.empty() ? "V1,V2,... or from:to:step (step *2 doubles); * is every choice"
                                           : c.problem);
         ImGui::SameLine();
-        if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0})) removed = i;
+        if (ImGui::Button("×", {ImGui::GetFrameHeight(), 0})) removed = i;
         wrapped_tooltip("Do not vary this setting");
         ImGui::PopID();
         product *= c.problem.empty() ? c.values : 0;
@@ -177,13 +180,25 @@ const MeasuredColumn* column_of(const SweepFacts& facts, const std::string& key)
     return nullptr;
 }
 
+/// Written as people read them: "7.4 MiB".
+bool is_bytes(const MeasuredColumn& c) {
+    return c.unit == "B";
+}
+
 /// A share or mean of visibilities, which is written without its unit.
 bool is_plain(const MeasuredColumn& c) {
     return c.unit.empty() || c.unit.starts_with("of ") || c.unit.starts_with("share");
 }
 
 std::string column_title(const MeasuredColumn& c) {
-    return is_plain(c) ? c.label : c.label + " [" + c.unit + "]";
+    return is_plain(c) || is_bytes(c) ? c.label : c.label + " [" + c.unit + "]";
+}
+
+/// "Time of a frame" as "time of a frame".
+std::string within_sentence(std::string label) {
+    const auto is_lower = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
+    if (label.size() > 1 && is_lower(label[1])) label[0] = char(std::tolower(static_cast<unsigned char>(label[0])));
+    return label;
 }
 
 void choose_column(const SweepFacts& facts, const char* id, bool error, std::string& key) {
@@ -209,6 +224,8 @@ void choose_column(const SweepFacts& facts, const char* id, bool error, std::str
 }
 
 std::string number_text(double value, const MeasuredColumn& column) {
+    if (value < 0) return "−" + number_text(-value, column);
+    if (is_bytes(column) && std::isfinite(value)) return bytes_text(std::uint64_t(std::llround(value)));
     const std::string number = fmt::format("{:.3g}", value);
     return is_plain(column) ? number : number + " " + column.unit;
 }
@@ -306,7 +323,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
         offer("better", fmt::format("The next better costs +{}", number_text(view.advice.extra_cost, cost)),
               *view.advice.better);
     if (view.advice.cheaper)
-        offer("cheaper", fmt::format("The same error for -{}", number_text(view.advice.saved_cost, cost)),
+        offer("cheaper", fmt::format("The same error for −{}", number_text(view.advice.saved_cost, cost)),
               *view.advice.cheaper);
     if (!view.marks.empty() && !view.advice.better && !view.advice.cheaper) {
         ImGui::SameLine();
@@ -367,7 +384,8 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
     choose_column(facts, "##cost", false, chosen);
     if (chosen != across) state.sweep.cost = chosen;
     if (const MeasuredColumn* wanted = column_of(facts, state.sweep.cost); wanted && across != state.sweep.cost) {
-        const std::string text = "no " + wanted->label + (facts.running ? " yet" : "");
+        const std::string text =
+            fmt::format("Not measured{}: {}", facts.running ? " yet" : "", within_sentence(wanted->label));
         flow(ImGui::CalcTextSize(text.c_str()).x);
         ImGui::TextDisabled("%s", text.c_str());
         wrapped_tooltip(facts.running ? "The plot goes over to it when all cases have a value"
@@ -406,7 +424,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& 
         } else {
             const ImVec2 size = ImGui::GetContentRegionAvail();
             const FrontierPlotResult r =
-                draw_frontier_plot(facts, state.sweep.chosen, {size.x, std::max(size.y, em * 6)});
+                draw_frontier_plot(facts, is_bytes(*cost), state.sweep.chosen, {size.x, std::max(size.y, em * 6)});
             if (r.hovered) case_tooltip(facts, facts.cases[*r.hovered]);
             if (r.present_hovered && facts.present) case_tooltip(facts, *facts.present);
             if (r.clicked) take(state, facts.cases[*r.clicked]);

@@ -136,7 +136,7 @@ void draw_marks(const Area& a, const SweepFacts& facts, std::optional<int> chose
 
 }  // namespace
 
-FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, std::optional<int> chosen, ImVec2 size) {
+FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, bool bytes, std::optional<int> chosen, ImVec2 size) {
     FrontierPlotResult out;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("plot", size);
@@ -145,7 +145,7 @@ FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, std::optional<int
     for (const auto& m : facts.view.marks) costs.push_back(m.dot.cost), errors.push_back(m.dot.error);
     for (const auto& dot : {facts.view.present, facts.view.before})
         if (dot) costs.push_back(dot->cost), errors.push_back(dot->error);
-    Area a{.x = log_axis(costs), .y = log_axis(errors)};
+    Area a{.x = log_axis(costs, bytes), .y = log_axis(errors)};
     const float line = theme::small()->FontSize;
     float numbers = line;
     for (const LogAxis::Tick& t : a.y.ticks) numbers = std::max(numbers, text_width(t.text));

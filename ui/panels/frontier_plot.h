@@ -14,7 +14,8 @@ struct FrontierPlotResult {
     bool present_hovered = false;
 };
 
-/// Fills `size` pixels at the cursor; the caller names the axes. @param chosen number of a case to ring
-FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, std::optional<int> chosen, ImVec2 size);
+/// Fills `size` pixels at the cursor; the caller names the axes. @param bytes what costs count @param chosen number of
+/// a case to ring
+FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, bool bytes, std::optional<int> chosen, ImVec2 size);
 
 }  // namespace si

@@ -166,8 +166,8 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorActions& act
 
 void draw_lost(const EditorFrame& frame, EditorActions& actions, float width) {
     if (!frame.lost) return;
-    const std::string text = fmt::format("The last session ended with settings that no preset holds: {}, {}.",
-                                         scene_label(frame.lost->scene), frame.lost->when);
+    const std::string text =
+        fmt::format("The last session has unsaved changes: {}, {}.", scene_label(frame.lost->scene), frame.lost->when);
     strip("lost session", width, buttons_width({"Restore", "Discard"}), {{text, ImGui::GetFont(), theme::text()}}, 0,
           [&] {
               if (hint_button("Restore", "Opens its scene with its settings; undo brings back what is shown now"))

@@ -137,7 +137,7 @@ void view_menu(EditorState& state, const char* label) {
     ImGui::MenuItem("Desktop's file dialogs", nullptr, &layout.desktop_dialogs);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Files are chosen in the desktop's own dialog where it has one, else in the editor's");
-    if (ImGui::MenuItem("All as wide as at first"))
+    if (ImGui::MenuItem("Reset layout"))
         layout = {.map_place = layout.map_place,
                   .map_plots = layout.map_plots,
                   .light_theme = layout.light_theme,

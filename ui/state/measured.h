@@ -20,9 +20,9 @@ struct MeasuredColumn {
 /// A case of a sweep, or the present settings.
 struct MeasuredCase {
     int number = -1;
-    std::string name;                                           ///< "1024 · PCF 3x3"
+    std::string name;                                           ///< "1024 · PCF 3×3"
     std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of what is varied
-    std::vector<std::string> setting_texts;                     ///< "Kernel: PCF 3x3", one a setting
+    std::vector<std::string> setting_texts;                     ///< "Kernel: PCF 3×3", one a setting
     std::vector<double> values;                                 ///< one a column; NaN: not known
     std::string failed;                                         ///< why there are none; empty: it did not fail
 };

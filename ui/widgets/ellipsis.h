@@ -28,7 +28,7 @@ inline std::string beginning_that_fits(std::string text, float width, const ImFo
 }
 
 /// Of a path the file's name matters most. @param width pixels
-inline std::string end_that_fits(const std::string& text, float width, const ImFont* font) {
+inline std::string end_that_fits(std::string text, float width, const ImFont* font) {
     if (text_width(text, font) <= width) return text;
     for (std::size_t at = 1; at < text.size(); ++at)
         if (const std::string end = "…" + text.substr(at); !is_continuation(text[at]) && text_width(end, font) <= width)

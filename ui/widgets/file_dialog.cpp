@@ -73,6 +73,7 @@ void read_folder(FileDialog& d, const fs::path& wanted) {
     d.folder = folder;
     d.folder_input = folder.string();
     d.entries = std::move(entries);
+    d.type_on = true;
     d.problem.clear();
 }
 
@@ -249,7 +250,7 @@ void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorAction
         ImGui::PopStyleColor();
     }
     ImGui::SetNextItemWidth(-FLT_MIN);
-    if (appearing) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(d.type_on, false) || appearing) ImGui::SetKeyboardFocusHere();
     bool done = ImGui::InputTextWithHint("##name", saving ? "file name" : "file or path; Tab completes it", &d.name,
                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
                                              ImGuiInputTextFlags_CallbackCompletion,

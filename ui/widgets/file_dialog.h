@@ -26,6 +26,7 @@ struct FileDialog {
     Kind kind = Kind::All;       ///< that is listed when opening
     std::vector<Entry> entries;  ///< of `folder`, folders first
     std::string problem;         ///< why the folder cannot be read
+    bool type_on = false;        ///< a folder was read: what is typed next is a name in it
 };
 
 /// What a desktop's own dialog is to show.

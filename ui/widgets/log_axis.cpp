@@ -17,6 +17,26 @@ std::string tick_text(double value) {
     return fmt::format("{:.0e}", value);
 }
 
+std::string bytes_tick_text(double value) {
+    constexpr double kKiB = 1024, kMiB = kKiB * kKiB;
+    if (value < kKiB) return fmt::format("{:.6g} B", value);
+    return value < kMiB ? fmt::format("{:.6g} KiB", value / kKiB) : fmt::format("{:.6g} MiB", value / kMiB);
+}
+
+/// Powers of two, of which at most some eight have numbers; where there are few of them, parts as well.
+void add_bytes_ticks(LogAxis& axis) {
+    const double octaves = std::log2(axis.high / axis.low);
+    const int parts = octaves < 1 ? 8 : octaves < 3 ? 4 : 1;
+    const int every = std::max(1, int(std::ceil(octaves / 8)));
+    for (int octave = int(std::floor(std::log2(axis.low))); octave <= int(std::ceil(std::log2(axis.high))); ++octave)
+        for (int part = 0; part < parts; ++part) {
+            const double value = std::exp2(octave) * (1 + double(part) / parts);
+            if (value < axis.low || value > axis.high) continue;
+            const bool text = octave % every == 0 && (octaves < 1.5 || part == 0 || part == parts / 2);
+            axis.ticks.push_back({value, text ? bytes_tick_text(value) : ""});
+        }
+}
+
 }  // namespace
 
 double LogAxis::at(double value) const {
@@ -26,7 +46,7 @@ double LogAxis::at(double value) const {
     return begin + (1 - begin) * std::clamp(share, 0.0, 1.0);
 }
 
-LogAxis log_axis(std::span<const double> values) {
+LogAxis log_axis(std::span<const double> values, bool bytes) {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     LogAxis axis;
     for (const double v : values) {
@@ -42,7 +62,11 @@ LogAxis log_axis(std::span<const double> values) {
         lo -= more, hi += more;
         axis.low = std::pow(10, lo), axis.high = std::pow(10, hi);
     }
-    if (axis.zero) axis.ticks.push_back({0, "0"});
+    if (axis.zero) axis.ticks.push_back({0, bytes ? "0 B" : "0"});
+    if (bytes) {
+        add_bytes_ticks(axis);
+        return axis;
+    }
     const double decades = std::log10(axis.high / axis.low);
     // The fewer decades, the more of 1 to 9 in each has a line, and of those a number.
     const auto numbered = [&](int digit) {

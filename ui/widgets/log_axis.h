@@ -21,7 +21,8 @@ struct LogAxis {
     static constexpr double kZeroShare = 0.07;
 };
 
-/// Values that are not finite do not count; without any the axis is that of the default.
-LogAxis log_axis(std::span<const double> values);
+/// Values that are not finite do not count; without any the axis is that of the default. @param bytes they are: numbers
+/// are powers of two and parts of them, "512 KiB", "1.5 MiB"
+LogAxis log_axis(std::span<const double> values, bool bytes = false);
 
 }  // namespace si

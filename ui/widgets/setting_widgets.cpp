@@ -18,7 +18,6 @@
 #include "renderer/settings/splits.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/ellipsis.h"
-#include "ui/widgets/search_field.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
@@ -26,7 +25,8 @@
 namespace si {
 namespace {
 
-constexpr double kWide = 1e5;  ///< ranges beyond this are dragged: a slider would be too coarse
+constexpr float kSettingTip = 26;  ///< width of a setting's tooltip, ems
+constexpr double kWide = 1e5;      ///< ranges beyond this are dragged: a slider would be too coarse
 
 /// The unit as it stands after a number.
 std::string unit_suffix(std::string_view unit) {
@@ -53,11 +53,12 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     const Param& p = *ref.param;
     place_tooltip();
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
+    ImGui::PushTextWrapPos(kSettingTip * ImGui::GetFontSize());
     ImGui::PushFont(theme::strong());
     ImGui::TextUnformatted(p.label.data(), p.label.data() + p.label.size());
     ImGui::PopFont();
-    ImGui::TextUnformatted(p.help.data(), p.help.data() + p.help.size());
+    const float wide = kSettingTip * ImGui::GetFontSize() - ImGui::GetStyle().WindowPadding.x - 1;
+    ImGui::TextUnformatted(broken_at_spaces(p.help, wide).c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
     ImGui::TextUnformatted(
         fmt::format("{}   default {}", setting_key(ref), shown_value(settings, ref, default_value(ref))).c_str());
@@ -163,6 +164,11 @@ double automatic_value(const SettingRef& ref) {
     return field == "near" ? light.views[0].curve.near : field == "far" ? light.views[0].curve.far : kUnknown;
 }
 
+/// Of depths and metres six digits after the point count: those that would need an exponent have them all written.
+bool is_tiny(double value) {
+    return std::abs(value) >= 5e-7 && std::abs(value) < 1e-4;
+}
+
 /// For ImGui; what it shows is also what a drag rounds to, and no value may change the number of digits, as the way
 /// that the mouse has gone on a logarithmic slider is measured by them.
 std::string number_format(const SettingRef& ref, double value, const std::string& unit, bool of_texels) {
@@ -172,7 +178,7 @@ std::string number_format(const SettingRef& ref, double value, const std::string
         return std::isfinite(taken) ? "auto " + escaped(digits_text(taken)) + unit : std::string("auto");
     }
     const std::string shown = value == 1 ? one_of(unit) : unit;
-    if (p.unit == "bias.unit" && !of_texels) return "%.6f" + shown;
+    if (p.unit == "bias.unit" && !of_texels) return (is_tiny(value) ? "%.6f" : "%.6g") + shown;
     if (p.slider_max > 0) return (std::abs(value) >= 999.5 ? "%.0f" : "%.3g") + shown;
     const bool dragged = p.max - p.min > kWide;
     if (dragged && std::abs(value) >= 9999.5) return "%.0f" + shown;
@@ -191,6 +197,9 @@ bool real(const SettingRef& ref, double& value, const std::string& unit, std::st
             p.logarithmic || !of_texels ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
         if (!slider("##value", ImGuiDataType_Double, &value, &p.min, &most, format.c_str(), flags)) return false;
         value = std::clamp(value, p.min, p.max);
+        // Six digits after the point, of which %.6g would leave more to small numbers.
+        if (!of_texels && std::abs(value) < 1 && ImGui::IsMouseDown(ImGuiMouseButton_Left))
+            value = std::round(value * 1e6) / 1e6;
         return true;
     }
     if (p.max - p.min > kWide) {
@@ -322,13 +331,6 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
     const bool changed = widget_and_menu(settings, ref, 0, names, idle);
     ImGui::PopID();
     return changed;
-}
-
-bool setting_matches(const SettingRef& ref, std::string_view text) {
-    if (ref.param->key == text || setting_key(ref) == text) return true;
-    if (find_setting(text)) return false;  // the key of another setting: that one alone is meant
-    const Param& p = *ref.param;
-    return words_match(text, {p.label, setting_key(ref), p.help, p.also});
 }
 
 void menu_button(const char* label, const char* popup, const char* hint, float width) {

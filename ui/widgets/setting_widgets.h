@@ -5,6 +5,7 @@
 
 #include "renderer/frame/renderer.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/search.h"
 #include "ui/state/scene_choices.h"
 
 namespace si {
@@ -35,9 +36,6 @@ bool setting_widget(Settings& settings, std::string_view key, float width = 0);
 
 /// Label and widget in the two columns of the present table row.
 bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& names = {});
-
-/// Whether the row's label, key or help mention `text`, without regard to case; a whole key finds its setting alone.
-bool setting_matches(const SettingRef& ref, std::string_view text);
 
 /// What a group of settings is called, by the first part of its keys; the prefix itself where it has no name.
 std::string_view setting_group_label(std::string_view prefix);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 namespace si {
 
@@ -29,13 +30,34 @@ inline void place_tooltip() {
     }
 }
 
+/// In lines of at most so many pixels where words allow it. ImGui would break after points, too: in "map.resolution".
+inline std::string broken_at_spaces(std::string_view text, float width) {
+    std::string out;
+    std::size_t line = 0, word = 0;  // where in `out` the last line and the last word begin
+    const auto end_word = [&] {
+        if (word == line || ImGui::CalcTextSize(out.c_str() + line).x <= width) return;
+        out[word - 1] = '\n';
+        line = word;
+    };
+    for (const char c : text) {
+        const bool ends = c == ' ' || c == '\n';
+        if (ends) end_word();
+        out += c;
+        if (ends) word = out.size();
+        if (c == '\n') line = word;
+    }
+    end_word();
+    return out;
+}
+
 /// Of the last item, in lines of readable length; also where it is disabled.
 inline void wrapped_tooltip(const std::string& text) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     place_tooltip();
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 30);
-    ImGui::TextUnformatted(text.c_str());
+    const float most = ImGui::GetFontSize() * 30;
+    ImGui::PushTextWrapPos(most);
+    ImGui::TextUnformatted(broken_at_spaces(text, most - ImGui::GetStyle().WindowPadding.x - 1).c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }

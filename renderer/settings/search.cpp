@@ -1,0 +1,45 @@
+#include "renderer/settings/search.h"
+
+#include <algorithm>
+#include <string>
+
+#include "renderer/base/words_match.h"
+#include "renderer/settings/aliases.h"
+
+namespace si {
+namespace {
+
+/// As it is searched: "shadow_normal_bias" as "shadow normal bias", "Tent 3×3" as "Tent 3x3".
+std::string as_searched(std::string_view text) {
+    constexpr std::string_view kTimes = "×";
+    std::string out;
+    out.reserve(text.size());
+    while (!text.empty()) {
+        const bool times = text.starts_with(kTimes);
+        out += times ? 'x' : text[0] == '_' || text[0] == '-' ? ' ' : text[0];
+        text.remove_prefix(times ? kTimes.size() : 1);
+    }
+    return out;
+}
+
+}  // namespace
+
+bool setting_matches(const SettingRef& ref, std::string_view text) {
+    if (text.empty()) return true;
+    const Param& p = *ref.param;
+    const std::string key = setting_key(ref);
+    if (p.key == text || key == text) return true;
+    if (find_setting(text)) return false;  // the key of another setting: that one alone is meant
+    const std::string wanted = as_searched(text), label = as_searched(p.label), also = as_searched(p.also),
+                      own_key = as_searched(key);
+    if (words_match(wanted, {label, own_key, as_searched(p.help), also})) return true;
+    if (!p.choices) return false;
+    const auto is_wanted = [&](std::string_view choice, std::string_view choice_label) {
+        return words_match(wanted, {label, own_key, also, as_searched(choice), as_searched(choice_label)});
+    };
+    if (std::ranges::any_of(p.choices(), [&](const Choice& c) { return is_wanted(c.key, c.label); })) return true;
+    return std::ranges::any_of(aliases().choices,
+                               [&](const ChoiceAlias& a) { return a.key == p.key && is_wanted(a.was, {}); });
+}
+
+}  // namespace si
