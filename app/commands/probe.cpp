@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <utility>
 
@@ -87,9 +88,11 @@ void print_amount(const char* name, const DepthAmount& a, const char* about = ""
         fmt::print("    {:<23} {:>10}                                       {}\n", name, endless, about);
 }
 
-void print_dossier(const Probe::PerLight& p, const Dossier& d) {
+void print_dossier(const Probe::PerLight& p, const Dossier& d, const Settings& settings) {
     fmt::print("  verdict: {}\n", d.verdict);
-    if (d.remedy) fmt::print("  remedy: {} ({})\n", d.remedy->text, sets_text(d.remedy->settings));
+    if (d.remedy)
+        fmt::print("  fix: {}{} ({})\n", fix_text(*d.remedy, settings), fix_worth_text(*d.remedy),
+                   sets_text(d.remedy->settings));
     if (!p.casts) return;
     const BiasAccount& a = p.account;
     fmt::print("  bias\n");
@@ -195,11 +198,15 @@ void run_probe(const ProbeOptions& options) {
     if (options.truth && probe.hit) {
         casters = ray_scenes().get(ray_scenes().geometry(session.scene, session.settings));
         found = dossiers(probe, session.scene, session.settings, renderer.driver(), *casters);
-        if (options.section.empty()) table = cures(renderer, session, probe, found);
     }
-    probe.x = x, probe.y = y;  // of the picture asked for, of which this pane is a part
+    const auto find_cures = [&] {  // with the probe as it was made: the pixel of a pane
+        if (options.truth && probe.hit && options.section.empty()) table = cures(renderer, session, probe, found);
+    };
+    Probe shown = probe;
+    shown.x = x, shown.y = y;  // of the picture asked for, of which this pane is a part
     if (options.json) {
-        nlohmann::ordered_json json = probe_json(probe, found);
+        find_cures();
+        nlohmann::ordered_json json = probe_json(shown, found);
         if (probe.hit && options.truth && options.section.empty())
             json["cures"] = table ? cures_json(*table) : nlohmann::ordered_json::array();
         fmt::print("{}", json_text(json));
@@ -211,8 +218,10 @@ void run_probe(const ProbeOptions& options) {
                    probe.position_ws.y, probe.position_ws.z, probe.normal_ws.x, probe.normal_ws.y, probe.normal_ws.z);
         for (std::size_t i = 0; i < probe.lights.size(); ++i) {
             print_light(probe.lights[i], session.settings);
-            if (i < found.size()) print_dossier(probe.lights[i], found[i]);
+            if (i < found.size()) print_dossier(probe.lights[i], found[i], session.settings);
         }
+        std::fflush(stdout);  // cures take a while
+        find_cures();
         if (table) print_cures(*table, 8);
     }
     print_notes(session.notes);
@@ -220,7 +229,7 @@ void run_probe(const ProbeOptions& options) {
         if (!probe.hit)
             throw Error(fmt::format("{}: not written, as pixel {},{} shows no surface; name one that does",
                                     options.section.string(), x, y));
-        write_file(options.section, drawing_of(session, probe, found, casters.get()));
+        write_file(options.section, drawing_of(session, shown, found, casters.get()));
     }
     if (options.check_numeric)
         require_sound(*search_numbers(renderer, session.scene, session.settings, request, tracing_workers()));

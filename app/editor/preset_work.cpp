@@ -76,6 +76,13 @@ bool PresetWork::compare() {
     return std::exchange(unsaved_, unsaved) != unsaved || before != after;
 }
 
+bool PresetWork::would_be_lost() const {
+    if (!unsaved_ || desk_.knows(state_.preset_path)) return unsaved_;
+    Settings work = state_.settings;
+    work.camera = scenes_.given().camera, work.view = scenes_.given().view;
+    return work != scenes_.given();
+}
+
 void PresetWork::restore_lost() {
     const Autosave::Lost* lost = memory_.lost();
     if (!lost) return;

@@ -26,6 +26,8 @@ public:
     void fill(EditorFrame& frame) const;
     /// No preset held what was shown when compare() was called last.
     bool unsaved() const { return unsaved_; }
+    /// Of what is unsaved, whether it is more than where one looks.
+    bool would_be_lost() const;
 
 private:
     /// A preset was opened: what it says, and its file as the one to save to.

@@ -33,7 +33,7 @@ SceneDesk::SceneDesk(EditorState& state, EditorMemory& memory, SceneReader read,
     : state_(state), memory_(memory), strict_(strict), loading_(std::move(read)) {}
 
 void SceneDesk::begin(const Settings& settings) {
-    state_.settings = base_ = settings;
+    state_.settings = base_ = given_ = settings;
     state_.history.reset(settings);
 }
 
@@ -125,6 +125,7 @@ void SceneDesk::show_scene(Scene loaded, const Arrival& arrival) {
         Session session = compose_session(*arrival.plan, std::move(loaded), first && strict_ ? nullptr : &left_out);
         // What was changed by hand while the first scene was being read is kept.
         state_.settings = first ? rebased(state_.settings, base_, session.settings) : session.settings;
+        given_ = session.settings;
         suggests_ = !arrival.plan->preset;
         scene_ = std::move(session.scene);
         notes = std::move(session.notes);
@@ -134,6 +135,11 @@ void SceneDesk::show_scene(Scene loaded, const Arrival& arrival) {
         const Settings base = base_settings(loaded);
         state_.settings = arrival.settings ? *arrival.settings : rebased(state_.settings, base_, base);
         if (arrival.settings) check_objects(loaded, state_.settings, arrival.scene_name, &left_out);
+        // What a person changed before is no less unsaved here.
+        const auto was_here = given_at_.find({arrival.scene_name, arrival.guide.key});
+        given_ = !arrival.settings                             ? rebased(given_, base_, base)
+                 : arrival.step && was_here != given_at_.end() ? was_here->second
+                                                               : base;
         suggests_ = true;
         scene_ = std::move(loaded);
         for (const std::string& warning : scene_.warnings) notes.push_back(warning);
@@ -141,8 +147,9 @@ void SceneDesk::show_scene(Scene loaded, const Arrival& arrival) {
     }
     state_.settings.scene.index = file_scene_ = seen_index_ = arrival.file_scene;
     posed_ = state_.settings.scene;
+    given_.scene.index = file_scene_;
+    given_at_[{arrival.scene_name, arrival.guide.key}] = given_;
     follow_objects();
-    given_ = state_.settings;
     has_scene_ = true;
     failure_ = nullptr;
     problem_.clear();

@@ -104,6 +104,8 @@ private:
     int file_scene_ = -1;  ///< scene.index of what is shown
     int seen_index_ = -1;  ///< scene.index as last acted upon
     Settings given_;
+    /// Of scenes as named, under presets by their keys: a step of undo comes back to them.
+    std::map<std::pair<std::string, std::string>, Settings> given_at_;
     Arrival arrival_;
     SceneLoading loading_;
 };

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "renderer/settings/settings.h"
+#include "tests/support/golden.h"
 #include "tests/support/process.h"
 
 namespace si {
@@ -231,6 +232,17 @@ TEST_F(Pictures, TheEditorIsDrawnWithoutADisplay) {
         run_program({"edit", "boxes", "--headless", "--screenshot", "e.png", "--size", "1280x720"}, folder_);
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_EQ(png_size(file_bytes(folder_ / "e.png")), std::pair(1280u, 720u));
+    // In either theme: the bar on top is its ground.
+    const auto ground = [&](const char* theme) {
+        const ProcessResult drawn = run_program(
+            {"edit", "boxes", "--headless", "--screenshot", "t.png", "--size", "640x360", "--theme", theme}, folder_);
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        return int(test::read_golden(folder_ / "t.png").data[4 * (640 + 1)]);
+    };
+    EXPECT_LT(ground("dark"), 80);
+    EXPECT_GT(ground("light"), 170);
+    EXPECT_EQ(run_program({"edit", "boxes", "--headless", "--screenshot", "t.png", "--theme", "pink"}, folder_).code,
+              2);
 }
 
 TEST_F(Pictures, WithoutACommandOrDisplayEverythingIsDrawn) {

@@ -41,6 +41,25 @@ TEST(DossierPanel, TheRemedyIsOneStepOfUndo) {
     EXPECT_FALSE(ui.state.history.can_undo());
 }
 
+TEST(DossierPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
+    const Dossier d = acne_dossier();
+    Remedy worth = *d.remedy;
+    worth.worth_texels = 1.804;
+    EXPECT_EQ(fix_text(worth, Settings{}) + fix_worth_text(worth),
+              "Slope bias 4.5 texels (worth 1.8 texels of depth bias here)");
+    EXPECT_EQ(fix_worth_text(*d.remedy), "");
+    const Remedy two{{{"bias.normal", "0"}, {"map.resolution", "4096"}}, "", 0};
+    EXPECT_EQ(fix_text(two, Settings{}), "Normal offset 0 texels, Resolution 4096 texels");
+    UiHarness ui(1600, 900);
+    ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.state.open_tab = BottomTab::Probe;
+    ui.dossiers = {d};
+    ui.dossiers[0].remedy = worth;
+    ui.frames(5);
+    EXPECT_TRUE(ui.drawn().shows("bias 4.5 texels (worth 1.8 texels of")) << "with letters that no edge cuts";
+    EXPECT_FALSE(ui.drawn().shows("the map says")) << "a colon less before what it says";
+}
+
 TEST(DossierPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);

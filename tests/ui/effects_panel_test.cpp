@@ -119,7 +119,7 @@ TEST(EffectsPanel, TimesStayInGreyWhileTheirPassIsSparedAndFramesAreALine) {
     ui.state.open_tab = BottomTab::Effects;
     std::vector<Effect> effects = made_up_effects();
     ui.effects.effects = effects;
-    ui.state.times.pass_ms = {{"shading", 7.75}};
+    ui.state.times = {.scene = ui.scene.name, .pass_ms = {{"shading", 7.75}}};
     ui.frames(4);
     EXPECT_TRUE(ui.drawn().shows("1.50")) << "of the pass that ran";
     EXPECT_EQ(ui.state.times.pass_ms.at("shadow map 0"), 1.5);
@@ -137,29 +137,33 @@ TEST(EffectsPanel, TimesAreKeptForSecondsAndSaidWhereverTheTabIs) {
     frame.passes = {{.name = "map", .state = PassState::Ran, .gpu_ms = 2, .category = PassCategory::Maps},
                     {.name = "shading", .state = PassState::Ran, .gpu_ms = 5},
                     {.name = "overlay", .state = PassState::Reused, .gpu_ms = 9}};
-    keep_times(times, frame, 100);
-    keep_times(times, frame, 101);
+    keep_times(times, frame, "stage", 100);
+    keep_times(times, frame, "stage", 101);
     ASSERT_EQ(times.frames.size(), 1u);
     EXPECT_EQ(times.frames[0].ms, 7);
     EXPECT_EQ(times.frames[0].maps_ms, 2);
+    EXPECT_TRUE(times.frames[0].drew_maps);
     EXPECT_EQ(times.frames[0].at_s, 100);
     EXPECT_FALSE(times.pass_ms.contains("overlay"));
     frame.passes[1].gpu_ms = 6;
-    keep_times(times, frame, 129);
+    keep_times(times, frame, "stage", 129);
     EXPECT_EQ(times.frames.size(), 2u);
-    keep_times(times, frame, 131);
+    keep_times(times, frame, "stage", 131);
     EXPECT_EQ(times.frames.size(), 1u) << "older than half a minute";
-    keep_times(times, frame, 500);
+    keep_times(times, frame, "stage", 500);
     EXPECT_EQ(times.frames.size(), 1u) << "the last one is never forgotten";
     EXPECT_TRUE(times.of_shown);
     for (PassInfo& pass : frame.passes) pass.gpu_ms = 0;
-    keep_times(times, frame, 501);
+    keep_times(times, frame, "stage", 501);
     EXPECT_FALSE(times.of_shown);
+    keep_times(times, frame, "boxes", 502);
+    EXPECT_TRUE(times.frames.empty()) << "of another scene";
+    EXPECT_TRUE(times.pass_ms.empty());
 
     UiHarness ui(1900, 1000);
     ui.state.open_tab = BottomTab::Log;
     ui.frames(3);
-    EXPECT_TRUE(ui.drawn().shows("frame 1.50 ms, maps 0.00 ms"));
+    EXPECT_TRUE(ui.drawn().shows("frame 1.50 ms, no map drawn"));
     EXPECT_FALSE(ui.drawn().shows("last timed"));
 }
 

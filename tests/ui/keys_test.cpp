@@ -1,6 +1,7 @@
 // Single keys that change settings, over made-up frames. The real window replays them in its jobs.
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
@@ -48,10 +49,79 @@ TEST_F(Keys, CWithoutAFixChangesNothing) {
     EXPECT_NE(ui.state.log.lines().back().text.find("names none"), std::string::npos) << "but it is said";
 }
 
+TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
+    Dossier stale;
+    stale.remedy = Remedy{{{"bias.slope", "7"}}, ""};
+    ui.dossiers = {stale};  // of the picture before
+    ui.verdict_follows = true;
+    ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.frames(2);
+    const Settings before = settings();
+    key('C');
+    EXPECT_EQ(settings(), before);
+    ui.verdict_follows = false, ui.tracing_probe = true, ui.dossiers.clear();
+    ui.frames(3);
+    EXPECT_EQ(settings(), before);
+    Dossier d;
+    d.remedy = Remedy{{{"bias.slope", "4.5"}}, ""};
+    ui.tracing_probe = false, ui.dossiers = {d};
+    ui.frames(2);
+    EXPECT_EQ(settings().bias.slope, 4.5);
+    settings().bias.slope = 1;
+    ui.frames(2);
+    EXPECT_EQ(settings().bias.slope, 1) << "once";
+    // A click chooses another pixel, of which nothing was wished.
+    ui.verdict_follows = true;
+    key('C');
+    ui.click(ui.state.scene_view->origin + 0.3 * ui.state.scene_view->size);
+    ui.verdict_follows = false;
+    ui.frames(2);
+    EXPECT_EQ(settings().bias.slope, 1);
+}
+
+TEST_F(Keys, PageDownOpensAPresetAndMovesNothingElse) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    io.KeyMap[ImGuiKey_PageUp] = 401, io.KeyMap[ImGuiKey_PageDown] = 402;
+    for (const char* key : {"one", "two"}) ui.presets.emplace_back().key = key;
+    ui.frames(2);
+    ImGui::SetWindowFocus("editor");
+    const auto search = ui.find("editor/settings", "search", "##text");
+    ASSERT_TRUE(search);
+    ui.click(*search + glm::vec2(0, 60));  // among the settings
+    const ImGuiID focused = ImGui::GetCurrentContext()->NavId;
+    io.KeysDown[402] = true;
+    const EditorActions wish = ui.frame();
+    io.KeysDown[402] = false;
+    ui.frames(3);
+    EXPECT_TRUE(wish.load_preset);
+    EXPECT_EQ(ImGui::GetCurrentContext()->NavId, focused);
+    EXPECT_TRUE(ImGui::GetCurrentContext()->NavDisableHighlight);
+}
+
+TEST_F(Keys, QSaysWhatBecameOfIt) {
+    ui.state.probe_pixel.reset();
+    key('Q');
+    ASSERT_FALSE(ui.state.log.lines().empty());
+    EXPECT_NE(ui.state.log.lines().back().text.find("No stored-depth quads to show"), std::string::npos);
+}
+
 TEST_F(Keys, XSaysThatItLooks) {
     key('X');
     ASSERT_FALSE(ui.state.log.lines().empty());
     EXPECT_NE(ui.state.log.lines().back().text.find("Looking"), std::string::npos);
+    key('X');
+    EXPECT_NE(ui.state.log.lines().back().text.find("Still looking"), std::string::npos);
+}
+
+TEST_F(Keys, PComparesWithThePinWhileNothingIsCompared) {
+    key('P');
+    EXPECT_EQ(ui.state.compare.kind, CompareKind::Pinned);
+    EXPECT_FALSE(ui.state.against.truth);
+    key('P');  // off
+    ui.state.against.view = AgainstView::Swipe, ui.state.against.truth = true;
+    key('P');
+    EXPECT_TRUE(ui.state.against.truth) << "what is compared stays";
 }
 
 TEST_F(Keys, UTakesAllBiasAway) {

@@ -545,6 +545,9 @@ TEST(Layout, TheViewMenuChangesTheTheme) {
     EXPECT_GT(ImGui::GetStyleColorVec4(ImGuiCol_WindowBg).x, dark + 0.5f);
     choose("Dark theme");
     EXPECT_EQ(ImGui::GetStyleColorVec4(ImGuiCol_WindowBg).x, dark);
+    ui.state.layout.settings_width += 5;
+    choose("Reset layout");
+    EXPECT_EQ(ui.state.layout.settings_width, EditorLayout{}.settings_width);
 }
 
 }  // namespace

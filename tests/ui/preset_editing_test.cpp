@@ -9,6 +9,7 @@
 
 #include "app/base/output.h"
 #include "app/editor/headless_editor.h"
+#include "app/session/autosave.h"
 #include "app/session/command_line.h"
 #include "app/session/setting_json.h"
 #include "renderer/scenes/builtin.h"
@@ -127,6 +128,61 @@ TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyWhenAPersonAgrees) {
     EXPECT_EQ(load_preset(path("mine.json")).settings.bias.constant, 4);
     EXPECT_EQ(load_preset(path("mine.json")).about, "Mine.");
     expect_no_errors();
+}
+
+TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainWhateverSceneTheyEndedIn) {
+    const auto offered = [&]() -> std::optional<double> {
+        const Autosave found(folder_ / "state");
+        return found.lost() ? std::optional(found.lost()->preset.settings.bias.constant) : std::nullopt;
+    };
+    const auto start = [&](const EditorOptions& o) {
+        open(o);
+        model().keep();
+    };
+    const auto quit = [&] {
+        model().end();
+        editor_.reset();
+    };
+    start(remembering());
+    state().settings.bias.constant = 3;
+    editor_->settle();
+    wish({.load_scene = "teapot"});
+    ASSERT_EQ(state().settings.bias.constant, 3);
+    EXPECT_TRUE(model().facts().unsaved);
+    quit();
+    EXPECT_EQ(offered(), 3) << "opened another scene";
+
+    EditorOptions other = remembering();
+    other.session.scene = "plane";
+    start(other);
+    wish({.restore_lost = true});
+    EXPECT_EQ(state().scene_name, "teapot");
+    EXPECT_TRUE(model().facts().unsaved);
+    quit();
+    EXPECT_EQ(offered(), 3) << "restored from another scene";
+
+    start(remembering());
+    wish({.discard_lost = true});
+    state().settings.bias.constant = 5;
+    editor_->settle();
+    wish({.load_scene = "teapot"});
+    undo();
+    ASSERT_EQ(state().scene_name, "boxes");
+    EXPECT_TRUE(model().facts().unsaved);
+    quit();
+    EXPECT_EQ(offered(), 5) << "undone into the scene before";
+
+    start(remembering());
+    wish({.discard_lost = true});
+    wish({.load_scene = "teapot"});
+    EXPECT_FALSE(model().facts().unsaved);
+    undo();
+    EXPECT_FALSE(model().facts().unsaved);
+    redo();
+    state().settings.camera.azimuth += 10;
+    editor_->settle();
+    quit();
+    EXPECT_EQ(offered(), std::nullopt) << "where one looks is no work";
 }
 
 TEST_F(PresetEditing, BeforeAnythingIsSavedThereIsNothingToGoBackToAndItSaysWhatToDo) {

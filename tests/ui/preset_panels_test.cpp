@@ -50,11 +50,19 @@ std::optional<EditorActions> click_along(UiHarness& ui, float x0, float x1, floa
     return {};
 }
 
-void press_key(ImGuiKey key) {
-    ImGui::GetIO().KeysDown[ImGui::GetIO().KeyMap[key]] = true;
+/// Codes of their own: while no menu is open the editor keeps these keys from ImGui.
+constexpr int kPageUp = 401, kPageDown = 402;
+void map_page_keys() {
+    ImGui::GetIO().KeyMap[ImGuiKey_PageUp] = kPageUp, ImGui::GetIO().KeyMap[ImGuiKey_PageDown] = kPageDown;
+}
+void press_key(ImGuiKey key, bool down = true) {
+    const int code = key == ImGuiKey_PageUp     ? kPageUp
+                     : key == ImGuiKey_PageDown ? kPageDown
+                                                : ImGui::GetIO().KeyMap[key];
+    ImGui::GetIO().KeysDown[code] = down;
 }
 void release_key(ImGuiKey key) {
-    ImGui::GetIO().KeysDown[ImGui::GetIO().KeyMap[key]] = false;
+    press_key(key, false);
 }
 
 class PresetPanels : public testing::TestWithParam<std::tuple<int, int, float>> {};
@@ -124,6 +132,7 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
 
     ui.lost = LostFacts{"boxes", "3 minutes ago"};
     ui.frames(3);
+    EXPECT_TRUE(ui.drawn().shows("The last session has unsaved changes"));
     const glm::vec4 lost = row("lost session");
     EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorActions& a) { return a.restore_lost; }));
     EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorActions& a) { return a.discard_lost; }));
@@ -156,6 +165,7 @@ TEST(PresetStrips, AFileWithoutASentenceHasNone) {
 
 TEST(PresetKeys, PageKeysWalkAndAnOpenPopupKeepsThemToItself) {
     UiHarness ui(1280, 720);
+    map_page_keys();
     ui.presets = guided();
     ui.frames(2);
     const auto press = [&](ImGuiKey key) {
@@ -194,6 +204,7 @@ TEST(PresetsMenu, ShowsEverySentenceUnderItsTopicAndOpensWhatIsClicked) {
 
 TEST(HardCasesMenu, OpensWhatIsClickedAndPageKeysWalkThroughItAlone) {
     UiHarness ui(1280, 720);
+    map_page_keys();
     ui.presets = guided(), ui.hard_cases = hard();
     ui.frames(2);
     const auto opened = [](const EditorActions&) { return window_of("##Popup") != nullptr; };
@@ -286,6 +297,27 @@ TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
     ask_for_file(dialog, FileDialog::Job::Open, folder / "no such folder" / "x.json");
     EXPECT_TRUE(dialog.problem.empty()) << "a folder that is gone: the current one instead";
     EXPECT_EQ(dialog.folder, fs::weakly_canonical(fs::current_path()));
+}
+
+TEST(FileDialogs, AFolderThatIsTypedIsEnteredAndTypedOnIn) {
+    const fs::path folder = fs::weakly_canonical(fresh_test_folder());
+    fs::create_directory(folder / "below");
+    std::ofstream(folder / "below" / "b.json") << "x";
+    UiHarness ui(1280, 720);
+    ask_for_file(ui.state.file_dialog, FileDialog::Job::Open, folder / "x.json");
+    ui.frames(3);
+    ui.type((folder / "below").string());
+    press_key(ImGuiKey_Enter);
+    ui.frame();
+    release_key(ImGuiKey_Enter);
+    ui.frames(3);
+    ASSERT_EQ(ui.state.file_dialog.folder, folder / "below");
+    ui.type("b.json");
+    press_key(ImGuiKey_Enter);
+    std::optional<std::string> opened = ui.frame().open_file;
+    release_key(ImGuiKey_Enter);
+    if (!opened) opened = ui.frame().open_file;
+    EXPECT_EQ(opened, (folder / "below/b.json").string());
 }
 
 TEST(FileDialogs, ListsOneKindWithDatesAndGoesToFoldersOfLate) {

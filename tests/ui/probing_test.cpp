@@ -192,6 +192,31 @@ TEST(Probing, WidgetsHaveTheArrowKeysUnlessThePictureWasClickedLast) {
     EXPECT_TRUE(navigates());
 }
 
+TEST(Probing, EscapeThatClosesAMenuLeavesTheProbe) {
+    UiHarness ui(1280, 720);
+    ImGuiIO& io = ImGui::GetIO();
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    const auto escape = [&] {
+        io.KeysDown[io.KeyMap[ImGuiKey_Escape]] = true;
+        ui.frame();
+        io.KeysDown[io.KeyMap[ImGuiKey_Escape]] = false;
+        ui.frames(2);
+    };
+    const auto menu_is_open = [] { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); };
+    ui.frames(3);
+    ui.click(glm::vec2(ui.state.scene_view->origin + 0.3 * ui.state.scene_view->size));
+    ASSERT_TRUE(ui.state.probe_pixel);
+    const auto view = ui.find("editor/top", "", "View");
+    ASSERT_TRUE(view);
+    ui.click(*view);
+    ASSERT_TRUE(menu_is_open());
+    escape();
+    EXPECT_FALSE(menu_is_open());
+    EXPECT_TRUE(ui.state.probe_pixel);
+    escape();
+    EXPECT_FALSE(ui.state.probe_pixel);
+}
+
 TEST(Probing, WhatIsHoveredInThePictureOfArtefactsIsNamed) {
     Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.overlay=artefacts"});
     const PictureView view = *editor.state().scene_view;

@@ -120,6 +120,7 @@ EditorActions UiHarness::frame() {
         if (facts.probe) facts.dossiers = dossiers;
         facts.sections = sections;
         facts.tracing_probe = tracing_probe;
+        facts.verdict_follows = verdict_follows;
         facts.tuning = tuning;
         facts.tuned = tuned;
         facts.tuned_current = tuned_current;

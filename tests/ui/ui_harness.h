@@ -46,6 +46,7 @@ public:
     std::vector<Dossier> dossiers;
     Sections sections;
     bool tracing_probe = false;
+    bool verdict_follows = false;  ///< the probe is of an earlier picture
     std::optional<TuneFacts> tuning;
     std::vector<TunedFamily> tuned;
     bool tuned_current = true;

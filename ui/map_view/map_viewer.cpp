@@ -24,6 +24,7 @@
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toolbar.h"
+#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -93,9 +94,15 @@ NamedValues light_choices(const Settings& s) {
     return out;
 }
 
+/// Whether plots stand below a map that has this height with its caption.
+bool has_room_for_plots(const EditorLayout& layout, float height) {
+    return height > ImGui::GetFontSize() * (layout.map_place == MapSpot::BesideScene ? 17 : 30);
+}
+
 void header(EditorState& state, const FrameResult* result, EditorActions& actions) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize();
+    const bool plots = has_room_for_plots(state.layout, ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeight());
     const bool titled = ImGui::GetContentRegionAvail().x > em * 16;  // in less the choices need all of it
     Toolbar bar("map tools");
     if (titled) bar.title("Map");
@@ -129,9 +136,10 @@ void header(EditorState& state, const FrameResult* result, EditorActions& action
     });
     if (!bands) setting("Fit", "view.map_fit", ImGui::GetFrameHeight());
     if (!bands) setting("Colours", "view.map_colours", em * 5.5f);
-    bar.item("", check_width("Plots"), [&](float) {
+    bar.item("", check_width("Plots"), [&state, plots](float) {
         ImGui::Checkbox("Plots", &state.layout.map_plots);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Histogram of the depths, and depth over distance");
+        wrapped_tooltip(std::string("Histogram of the depths, and depth over distance") +
+                        (state.layout.map_plots && !plots ? ". They show where the map has more height (F11)" : ""));
     });
     if (!of_camera(s)) bar.item("", check_width("Texels read"), [&](float) { exact_choice(state); });
     bar.item("Place", em * 9, [&](float room) { place_combo(state, room); });
@@ -279,8 +287,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     const float em = ImGui::GetFontSize();
     const ImVec2 available = ImGui::GetContentRegionAvail();
     const float line = theme::small()->FontSize * 1.25f, caption = 2 * line + em * 0.5f;
-    const bool plots =
-        state.layout.map_plots && available.y > em * (state.layout.map_place == MapSpot::BesideScene ? 17 : 30);
+    const bool plots = state.layout.map_plots && has_room_for_plots(state.layout, available.y);
     const float plot_height = plots ? em * 6.5f : 0;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const ImVec2 size(std::max(available.x, 16.0f), std::max(available.y - caption - plot_height, 16.0f));

@@ -10,6 +10,7 @@
 #include "renderer/measure/saved.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"
+#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/right_aligned.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -273,8 +274,11 @@ void clock_line(const EditorFrame& frame) {
     const bool software = frame.driver && frame.driver->software;
     std::string clock = software ? "CPU rasteriser: times do not predict a GPU" : by;
     if (frame.driver) clock += fmt::format("{}{}", clock.empty() ? "" : "   ", frame.driver->renderer);
-    ImGui::TextDisabled("%s", clock.c_str());
-    if (software && !by.empty()) wrapped_tooltip(by);
+    const std::string shown = beginning_that_fits(clock, ImGui::GetContentRegionAvail().x, ImGui::GetFont());
+    ImGui::TextDisabled("%s", shown.c_str());
+    std::string tip = shown == clock ? std::string() : clock;
+    if (software && !by.empty()) tip += (tip.empty() ? "" : "\n") + by;
+    if (!tip.empty()) wrapped_tooltip(tip);
 }
 
 }  // namespace

@@ -96,7 +96,9 @@ bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std:
     const ImVec2 lo(at.x, at.y + em * 0.2f), hi(at.x + em * 0.7f, at.y + em * 0.9f);
     list.AddRectFilled(lo, hi, theme::rgb(style.rgb));
     list.AddRect(lo, hi, theme::faint());  // the white one, on white
-    const std::string shown = beginning_that_fits(label, width - em * 1.1f, ImGui::GetFont());
+    // Two causes differ in their ends: by bias or by offset.
+    const auto fitted = label.find(" by ") == label.npos ? beginning_that_fits : end_that_fits;
+    const std::string shown = fitted(label, width - em * 1.1f, ImGui::GetFont());
     list.AddText({at.x + em * 1.1f, at.y}, theme::text(), shown.c_str());
     right_cell(fmt::format("{}", pixels), pixels == 0 ? theme::muted() : theme::text());
     const std::string share = counted == 0 ? "-" : fmt::format("{:.3f} %", 100.0 * double(pixels) / double(counted));

@@ -121,16 +121,20 @@ void light_row(EditorState& state, int i, bool intensities) {
     ImGui::PopID();
 }
 
-/// What can be done with the list of lights.
+/// What can be done with the list of lights, in as many lines as it takes.
 void list_buttons(Settings& s) {
     const int shown = shown_light(s);
-    const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float spacing = ImGui::GetStyle().ItemInnerSpacing.x, left = ImGui::GetCursorPosX();
+    const float right = left + ImGui::GetContentRegionAvail().x;
+    float end = left - spacing;
     const auto button = [&](bool possible, const char* label, const std::string& tip) {
+        const float width = button_width(label);
+        if (end > left && end + spacing + width <= right) ImGui::SameLine(0, spacing);
         ImGui::BeginDisabled(!possible);
         const bool pressed = ImGui::Button(label);
         ImGui::EndDisabled();
         wrapped_tooltip(tip);
-        ImGui::SameLine(0, spacing);
+        end = (end > left && end + spacing + width <= right ? end + spacing : left) + width;
         return pressed;
     };
     if (button(can_add_light(s), "Add light", fmt::format("One more, apart from the others; at most {}", kMaxLights)))
@@ -140,7 +144,6 @@ void list_buttons(Settings& s) {
     if (button(shown > 0, "<", "Moves the light shown one place ahead in the list")) move_light(s, shown, -1);
     if (button(shown >= 0 && shown + 1 < s.light_count, ">", "Moves the light shown one place back in the list"))
         move_light(s, shown, 1);
-    ImGui::NewLine();
 }
 
 /// The faces of a cube unfolded, as they are numbered: +x -x +y -y +z -z.
@@ -161,7 +164,8 @@ void cube_cross(Settings& s, const FrameResult& result) {
     }
     ImGui::SetCursorPos({at.x + float(kAcross) * (size.x + gap) + em * 0.3f, at.y + size.y + gap});
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("face shown");
+    constexpr const char* kCaption = "face shown";
+    if (ImGui::CalcTextSize(kCaption).x <= ImGui::GetContentRegionAvail().x) ImGui::TextDisabled(kCaption);
     ImGui::SetCursorPos({at.x, at.y + 3 * (size.y + gap)});
     ImGui::Dummy({0, 0});
     ImGui::PopID();

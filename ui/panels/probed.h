@@ -22,6 +22,7 @@ struct ProbeShown {
     std::span<const Dossier> dossiers;  ///< one for each light of the probe, once the truth is there
     Sections sections;                  ///< null: the panel is hidden
     bool tracing_probe = false;         ///< dossiers will follow
+    bool verdict_follows = false;       ///< all of this is of an earlier picture: the next one is being drawn
 };
 
 /// Their drawings, kept until the pixel or the room for them changes.

@@ -122,18 +122,19 @@ bool begin_rows(const char* id) {
 }
 
 /// At the right end of a group's heading: how many of its settings are changed, and a button for those that it keeps
-/// back.
-void heading_end(EditorState& state, const Group& group, const Rows& rows, bool open, ImVec2 corner, float width) {
+/// back. @param label how much of the width the heading itself takes
+void heading_end(EditorState& state, const Group& group, const Rows& rows, bool open, ImVec2 corner, float width,
+                 float label) {
     const float em = ImGui::GetFontSize(), padding = ImGui::GetStyle().FramePadding.y;
     float right = corner.x + width - em * 0.4f;
     const bool unfolded = state.unfolded.contains(group.prefix) && state.search.empty() && !state.only_changed;
     if (open && (unfolded || !rows.folded.empty())) {
-        const std::string label = unfolded ? "less" : fmt::format("{} more", rows.folded.size());
+        const std::string more = unfolded ? "less" : fmt::format("{} more", rows.folded.size());
         const ImVec2 after = ImGui::GetCursorPos();
-        right -= button_width(label.c_str());
+        right -= button_width(more.c_str());
         ImGui::SetCursorScreenPos({right, corner.y + padding});
         ImGui::PushID(std::string(group.prefix).c_str());
-        if (ImGui::SmallButton((label + "###more").c_str())) {
+        if (ImGui::SmallButton((more + "###more").c_str())) {
             if (unfolded)
                 state.unfolded.erase(std::string(group.prefix));
             else
@@ -151,8 +152,9 @@ void heading_end(EditorState& state, const Group& group, const Rows& rows, bool 
         std::ranges::count_if(rows.shown, [&](const SettingRef& r) { return setting_changed(state.settings, r); });
     if (changed == 0) return;
     const std::string text = fmt::format("{} changed", changed);
-    ImGui::GetWindowDrawList()->AddText({right - ImGui::CalcTextSize(text.c_str()).x, corner.y + padding},
-                                        theme::muted(), text.c_str());
+    const float from = right - ImGui::CalcTextSize(text.c_str()).x;
+    if (from < corner.x + label + em * 0.4f) return;
+    ImGui::GetWindowDrawList()->AddText({from, corner.y + padding}, theme::muted(), text.c_str());
 }
 
 void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Group& group) {
@@ -168,8 +170,9 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& act
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const bool open = ImGui::CollapsingHeader(label.c_str(), ImGuiTreeNodeFlags_AllowItemOverlap);
+    const float taken = ImGui::GetTreeNodeToLabelSpacing() + ImGui::CalcTextSize(label.c_str(), nullptr, true).x;
     ImGui::PopFont();
-    heading_end(state, group, rows, open, at, width);
+    heading_end(state, group, rows, open, at, width, taken);
     if (!open) return;
     ImGui::PushID(std::string(group.prefix).c_str());
     bool table = false;
@@ -200,7 +203,7 @@ std::string_view setting_group_label(std::string_view prefix) {
 
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const float em = ImGui::GetFontSize();
-    search_field("search", "Search settings", state.search, em * 7.2f);
+    search_field("search", "Search settings", state.search, em * 7.2f, "; other engines' names count too");
     ImGui::SameLine();
     ImGui::Checkbox("Changed", &state.only_changed);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Only settings that differ from their defaults");

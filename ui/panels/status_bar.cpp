@@ -19,8 +19,8 @@ std::string cost_text(const FrameTimes& times) {
     if (times.frames.empty()) return {};
     const auto text = [](double t) { return fmt::format("{:.{}f} ms", t, t < 10 ? 2 : t < 100 ? 1 : 0); };
     const TimedFrame& last = times.frames.back();
-    return fmt::format("{}frame {}, maps {}   ", times.of_shown ? "" : "last timed: ", text(last.ms),
-                       text(last.maps_ms));
+    return fmt::format("{}frame {}, {}   ", times.of_shown ? "" : "last timed: ", text(last.ms),
+                       last.drew_maps ? "maps " + text(last.maps_ms) : "no map drawn");
 }
 
 std::string facts_text(const EditorState& state, const EditorFrame& frame) {
@@ -37,6 +37,7 @@ std::string facts_text(const EditorState& state, const EditorFrame& frame) {
     }
     if (!result.panes.empty())
         text += fmt::format("picture {} × {}   ", result.panes[0].picture.width, result.panes[0].picture.height);
+    if (state.maximised) text += "all panels: Esc   ";
     if (state.frozen) text += "view frozen (K)   ";
     if (frame.driver) text += frame.driver->renderer.substr(0, frame.driver->renderer.find(" ("));
     return text;

@@ -27,7 +27,7 @@ void limit(const char* label, const char* about, bool& on, double& value, double
 
 void limits_popup(TunePanel& panel, TuneActions& actions) {
     if (!ImGui::BeginPopup("tune limits")) return;
-    ImGui::TextUnformatted("Search kernels and resolutions, each with its least bias");
+    ImGui::TextUnformatted("Search kernels and resolutions, each with the bias it needs");
     limit("Error at most", "Mean error over the pixels that count. The cheapest that is this accurate is chosen.",
           panel.bound_error, panel.most_error, 1e-6, "%.5f");
     limit("Time at most, ms",
@@ -111,13 +111,14 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& s
     ImGui::BeginDisabled(!why_not.empty());
     ImGui::BeginGroup();
     const float others = button_width("No bias") + button_width("Tune...") + 2 * gap;
-    if (ImGui::Button("Auto bias", {std::max(room - others, 20.f), 0})) actions.tune = TuneWish{};
+    const bool narrow = room - others < button_width("Auto bias");
+    if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) actions.tune = TuneWish{};
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Measures this picture against the ray-traced truth and sets the least constant bias, slope bias or\n"
             "normal offset under which nothing in it shadows itself: the one that makes the fewest pixels wrong.\n"
             "One step of undo; the log says what it costs.");
-    ImGui::SameLine();
+    if (!narrow) ImGui::SameLine();
     if (ImGui::Button("No bias")) remove_bias(settings);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Sets all bias to 0, to see what needs how much (U)");
     ImGui::SameLine();

@@ -186,7 +186,12 @@ void pin_settings(EditorState& state) {
         return;
     }
     state.pinned = PinnedSettings{state.settings, state.scene_name};
-    state.log.add(LogKind::Info, "Pinned the present settings as A: hold A to see them, P takes the pin off");
+    if (state.against.view == AgainstView::Off) {  // what is compared from now on, as nothing is yet
+        state.compare = {CompareKind::Pinned, {}};
+        state.against.truth = false;
+    }
+    state.log.add(LogKind::Info,
+                  "Pinned the present settings as A: hold A to see them, B compares with them, P takes the pin off");
 }
 
 void steer_flicker(EditorState& state, bool may_start) {

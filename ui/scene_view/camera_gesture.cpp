@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/view/framing.h"
+
 namespace si {
 namespace {
 
@@ -77,12 +79,14 @@ void look_along(CameraSettings& camera, int axis, bool positive) {
 
 void look_at_bounds(CameraSettings& camera, const Bounds& bounds, double aspect) {
     if (bounds.empty()) return;
+    Camera seen;
+    seen.axes = orbit_axes(camera.azimuth, camera.elevation, camera.roll);
+    seen.aspect = std::max(aspect, 1e-3);
+    seen.fov_y_rad = camera.fov * std::numbers::pi / 180;
+    frame_bounds(seen, bounds);
     set_target(camera, bounds.centre());
-    const double radius = std::max(bounds.radius(), 1e-6);
-    const double half_y = 0.5 * camera.fov * std::numbers::pi / 180;
-    const double half_x = std::atan(std::tan(half_y) * std::max(aspect, 1e-3));
-    camera.distance = radius / std::sin(std::min(half_x, half_y));
-    camera.height = 2 * radius / std::min(1.0, std::max(aspect, 1e-3));
+    camera.distance = std::max(seen.focus, kLeastDistance);
+    camera.height = std::max(seen.height, kLeastDistance);
     camera.near = camera.far = 0;
 }
 

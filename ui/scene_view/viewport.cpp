@@ -223,8 +223,9 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     else
         draw_legend(pane, shown_fit(state, result), lo.x, bottom, size);
     if (state.hovered_pixel && index == state.active_pane) {
-        const float below =
-            panes.grid.count() > 1 ? ImGui::GetFrameHeight() * 1.3f : 0;  // the pane's overlay stands there
+        // Above it stands which overlay the pane has, or which side of a comparison it is.
+        const bool named = panes.grid.count() > 1 || state.against.view != AgainstView::Off;
+        const float below = named ? ImGui::GetFrameHeight() * 1.3f : 0;
         hover_readout(frame, pane, {lo.x, lo.y + below}, *state.hovered_pixel);
     }
     if (index == state.active_pane) draw_loupe(state, frame, lo, size);

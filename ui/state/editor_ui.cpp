@@ -42,6 +42,10 @@ bool pressed(ImGuiKey key) {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
 }
 
+bool popup_is_open() {
+    return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+}
+
 /// The arrow keys move the probe by a pixel; what it sticks to is found anew.
 void step_probe(EditorState& state, const EditorFrame& frame) {
     if (pressed(ImGuiKey_Tab)) state.probe_has_arrows = false;
@@ -61,8 +65,7 @@ void step_probe(EditorState& state, const EditorFrame& frame) {
 /// Where the arrow keys move the probe they do not go from widget to widget.
 void share_arrows(EditorState& state) {
     ImGuiIO& io = ImGui::GetIO();
-    const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
-    const bool mine = state.probe_has_arrows && state.probe_pixel && !popup;
+    const bool mine = state.probe_has_arrows && state.probe_pixel && !popup_is_open();
     if (mine && (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)) {
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
         state.took_navigation = true;
@@ -70,6 +73,15 @@ void share_arrows(EditorState& state) {
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
         state.took_navigation = false;
     }
+}
+
+/// PageUp and PageDown go to other presets, and scroll nothing and focus nothing, but in a menu.
+void share_page_keys(EditorState& state) {
+    int* const keys = ImGui::GetIO().KeyMap;
+    if (keys[ImGuiKey_PageUp] >= 0) state.page_keys = {keys[ImGuiKey_PageUp], keys[ImGuiKey_PageDown]};
+    const bool theirs = popup_is_open();
+    keys[ImGuiKey_PageUp] = theirs ? state.page_keys[0] : -1;
+    keys[ImGuiKey_PageDown] = theirs ? state.page_keys[1] : -1;
 }
 
 /// H hides what is chosen, with Shift all else; with Alt everything is there again.
@@ -121,7 +133,8 @@ void take_shot(EditorState& state, EditorActions& actions, Shot of) {
 void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool elsewhere = keys_are_taken(state);
-    const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+    // Escape has closed a menu before anybody asks for it here.
+    const bool popup = popup_is_open() || state.had_popup;
     steer_flicker(state, !elsewhere && !popup && !io.KeyCtrl);
     if (elsewhere) return;
     if (popup) {  // keys are for it
@@ -145,8 +158,9 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
         return;
     }
     choose_overlay(state);
-    if (pressed(ImGuiKey_PageDown)) actions.load_preset = neighbour_preset(state, frame, +1);
-    if (pressed(ImGuiKey_PageUp)) actions.load_preset = neighbour_preset(state, frame, -1);
+    for (const int step : {-1, +1})
+        if (const int key = state.page_keys[step > 0]; key >= 0 && ImGui::IsKeyPressed(key, false))
+            actions.load_preset = neighbour_preset(state, frame, step);
     if (pressed('F')) frame_selection(state, frame);
     if (pressed('L')) toggle_light_camera(state);
     if (pressed(' ') && !io.NavVisible) toggle_play(state, frame);
@@ -161,8 +175,7 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (pressed('U')) remove_bias(s);
     if (pressed('T')) next_light_type(s);
     if (pressed('[') || pressed(']')) scale_resolution(s, pressed(']'));
-    if (pressed('Q'))
-        if (const auto place = pointed_place(state, frame)) toggle_quads(s, *place);
+    if (pressed('Q')) point_quads(state, frame);
     for (const auto& [key, step] : {std::pair{',', -0.02f}, std::pair{'.', 0.02f}})
         if (state.against.view == AgainstView::Swipe && ImGui::IsKeyPressed(int(key)))
             state.against.at = std::clamp(state.against.at + step * (io.KeyShift ? 5 : 1), 0.0f, 1.0f);
@@ -293,15 +306,20 @@ void tabs_panel(EditorState& state, const EditorFrame& frame, EditorActions& act
 
 /// The panel that fills the window.
 void one_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
-    const ImVec2 rest = ImGui::GetContentRegionAvail();
+    ImVec2 rest = ImGui::GetContentRegionAvail();
+    rest.y -= status_bar_height();
     switch (*state.maximised) {
         case Panel::Scene:
-            return scene_panel(state, frame, actions, rest);
+            scene_panel(state, frame, actions, rest);
+            break;
         case Panel::Map:
-            return map_panel(state, frame, actions, rest);
+            map_panel(state, frame, actions, rest);
+            break;
         case Panel::Tabs:
-            return tabs_panel(state, frame, actions, rest);
+            tabs_panel(state, frame, actions, rest);
+            break;
     }
+    child("status", {0, status_bar_height()}, spaced([&] { draw_status_bar(state, frame); }));
 }
 
 /// The scene and, where it stands there, the map beside or in it.
@@ -427,11 +445,12 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     use_driver(frame.driver);
     use_scene(frame.scene);
     use_result(frame.result);
-    if (frame.result) keep_times(state.times, *frame.result, ImGui::GetTime());
+    if (frame.result && frame.scene) keep_times(state.times, *frame.result, frame.scene->name, ImGui::GetTime());
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
     // What is clicked in this very frame, as where frames are slow, may be a field that the letters are for.
     const bool keys_wait = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (!keys_wait) shortcuts(state, frame, actions);
+    follow_fix(state, frame);
     const bool waits = follow_artefact_tour(state, frame);
 
     const ImGuiIO& io = ImGui::GetIO();
@@ -466,6 +485,8 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
         state.hovered_object.clear();  // no list that says it
     actions.want_error |= shows_artefacts(state.settings) || waits;
     share_arrows(state);
+    share_page_keys(state);
+    state.had_popup = popup_is_open();
     if (shot) take_shot(state, actions, *shot);
     actions.redraw |= state.shot_next.has_value();
     const bool turning_wheel = ImGui::GetTime() < state.wheel_until;

@@ -2,6 +2,7 @@
 // data types; no window, no GL. The caller fulfils the wishes before the next frame.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <optional>
 #include <set>
@@ -161,6 +162,9 @@ struct EditorState : PictureState {
     std::optional<Flicker> flicker;                     ///< the other side is shown while its key is held
     bool probe_has_arrows = false;                      ///< the arrow keys move the probe, and no widget takes them
     bool took_navigation = false;                       ///< ImGui's navigation is off for it
+    std::array<int, 2> page_keys{-1, -1};               ///< codes of PageUp and PageDown, once they are known
+    bool fix_waits = false;                             ///< C was pressed before there was a verdict
+    bool had_popup = false;                             ///< a menu was open at the end of the frame before
     glm::ivec2 wanted_picture{0};                       ///< size of the scene picture asked for last
     ArtefactTour artefact_tour;
     std::optional<Shot> shot_next;  ///< taken in the next frame, when what asked for it is gone from the picture

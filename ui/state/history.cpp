@@ -88,7 +88,9 @@ std::vector<std::string> History::names() const {
     for (std::size_t i = 1; i < steps_.size(); ++i) {
         const Step &before = steps_[i - 1], &after = steps_[i];
         if (after.place.scene != before.place.scene) {
-            out.push_back(after.place.scene);
+            const std::string& preset = after.place.guide.title;
+            const bool opened = after.place.guide.key != before.place.guide.key && !preset.empty();
+            out.push_back(opened ? preset : after.place.scene);
         } else if (after.place.guide.key != before.place.guide.key && !after.place.guide.title.empty()) {
             out.push_back(after.place.guide.title);
         } else if (after.looks) {

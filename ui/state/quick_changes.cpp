@@ -1,5 +1,7 @@
 #include "ui/state/quick_changes.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,15 +56,51 @@ void scale_resolution(Settings& settings, bool twice) {
     n = std::clamp(twice ? n * 2 : n / 2, int(p.min), int(p.max));
 }
 
+namespace {
+
+/// The verdict of the probed pixel is of an earlier picture, or not there yet.
+bool verdict_follows(const EditorFrame& frame) {
+    if (frame.verdict_follows || frame.tracing_probe) return true;
+    return !frame.probe && frame.anchor_place != AnchorPlace::Outside;
+}
+
+}  // namespace
+
 void apply_fix(EditorState& state, const EditorFrame& frame) {
+    state.fix_waits = state.probe_pixel && frame.result && verdict_follows(frame);
+    if (state.fix_waits) {
+        state.log.add(LogKind::Info, "The fix is made once the verdict of this pixel is known");
+        return;
+    }
     for (const Dossier& d : frame.dossiers) {
         if (d.light != shown_light(state.settings) || !d.remedy) continue;
         for (const auto& [key, value] : d.remedy->settings) set_setting(state.settings, key, value);
         return;
     }
-    state.log.add(LogKind::Info, !state.probe_pixel    ? "No fix to apply: click a wrong pixel first, or go to one (X)"
-                                 : frame.tracing_probe ? "No fix to apply yet: the truth of the pixel is being traced"
-                                                       : "No fix to apply: the verdict of this pixel names none");
+    state.log.add(LogKind::Info, !state.probe_pixel ? "No fix to apply: click a wrong pixel first, or go to one (X)"
+                                                    : "No fix to apply: the verdict of this pixel names none");
+}
+
+void follow_fix(EditorState& state, const EditorFrame& frame) {
+    if (!state.fix_waits) return;
+    // Another pixel, or none, is not what it was asked for.
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !state.probe_pixel || !frame.result)
+        state.fix_waits = false;
+    else if (!verdict_follows(frame))
+        apply_fix(state, frame);
+}
+
+void point_quads(EditorState& state, const EditorFrame& frame) {
+    const std::optional<TexelPlace> place = pointed_place(state, frame);
+    if (!place) {
+        state.log.add(LogKind::Info, "No stored-depth quads to show: point at a surface whose shadow the map decides");
+        return;
+    }
+    toggle_quads(state.settings, *place);
+    state.log.add(LogKind::Info, quads_at(state.settings, *place)
+                                     ? "Stored-depth quads are shown about this place, each as large as its texel: "
+                                       "come closer (wheel) where they are too small"
+                                     : "Stored-depth quads are off");
 }
 
 bool quads_at(const Settings& settings, const TexelPlace& place) {
