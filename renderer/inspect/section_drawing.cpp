@@ -533,7 +533,7 @@ private:
         label(s_.compared,
               !s_.tested                               ? std::string("not compared")
               : s_.visibility > 0 && s_.visibility < 1 ? fmt::format("compared: {:.0f} % lit", 100 * s_.visibility)
-                                                     : fmt::format("compared: {}", s_.lit ? "lit" : "in shadow"),
+                                                       : fmt::format("compared: {}", s_.lit ? "lit" : "in shadow"),
               Ink::Text, Need::Always);
     }
 

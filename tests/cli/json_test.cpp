@@ -314,8 +314,7 @@ TEST(Probe, ExplainsThePixelAndNamesWhatPutsItRight) {
     EXPECT_TRUE(cured["dossier"]["remedy"].is_null());
     EXPECT_FALSE(json_of(with({"--no-truth", "--json"}))["lights"][0].contains("dossier"));
     const ProcessResult text = run_program(with({}));
-    for (const char* part :
-         {"verdict: ", "fix: ", "\n    needed ", "\n    have ", "S self-shadowed", "bias window ["})
+    for (const char* part : {"verdict: ", "fix: ", "\n    needed ", "\n    have ", "S self-shadowed", "bias window ["})
         EXPECT_NE(text.out.find(part), std::string::npos) << part;
 }
 

@@ -145,6 +145,15 @@ TEST_F(LightTable, ChooseSwitchAndSolo) {
     EXPECT_TRUE(ui.state.history.can_undo()) << "each click is a step";
 }
 
+TEST_F(LightTable, EveryButtonIsThereInANarrowWindow) {
+    ui.state.settings.view.light = 0;
+    ui.state.settings.lights[0].name = "key";
+    const auto at = ui.find("rows", [](ImGuiID seed) { return ImHashStr(">", 0, ImHashStr("light", 0, seed)); });
+    ASSERT_TRUE(at) << "cut away";
+    ui.click(*at);
+    EXPECT_EQ(light(1).name, "key");
+}
+
 TEST_F(LightTable, F2NamesTheShownLight) {
     ui.state.settings.view.light = 1;
     ui.frames(2);
