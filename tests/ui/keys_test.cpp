@@ -70,6 +70,17 @@ TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
     settings().bias.slope = 1;
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 1) << "once";
+    // While X looks for a pixel, it is of that one.
+    ui.state.probe_pixel.reset();
+    ui.state.artefact_tour.waits_for = 5;
+    key('C');
+    ui.frames(2);
+    EXPECT_EQ(settings().bias.slope, 1);
+    ui.state.artefact_tour.waits_for = 0, ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.frames(2);
+    EXPECT_EQ(settings().bias.slope, 4.5);
+    settings().bias.slope = 1;
+    ui.frames(2);
     // A click chooses another pixel, of which nothing was wished.
     ui.verdict_follows = true;
     key('C');

@@ -58,18 +58,19 @@ void scale_resolution(Settings& settings, bool twice) {
 
 namespace {
 
-/// The verdict of the probed pixel is of an earlier picture, or not there yet.
-bool verdict_follows(const EditorFrame& frame) {
-    if (frame.verdict_follows || frame.tracing_probe) return true;
+/// The verdict of the probed pixel is of an earlier picture, or not there yet, or a pixel is being looked for.
+bool verdict_follows(const EditorState& state, const EditorFrame& frame) {
+    if (state.artefact_tour.waits_for != 0 || frame.verdict_follows || frame.tracing_probe) return true;
+    if (!state.probe_pixel) return false;
     return !frame.probe && frame.anchor_place != AnchorPlace::Outside;
 }
 
 }  // namespace
 
 void apply_fix(EditorState& state, const EditorFrame& frame) {
-    state.fix_waits = state.probe_pixel && frame.result && verdict_follows(frame);
+    state.fix_waits = frame.result && verdict_follows(state, frame);
     if (state.fix_waits) {
-        state.log.add(LogKind::Info, "The fix is made once the verdict of this pixel is known");
+        state.log.add(LogKind::Info, "The fix is made once the pixel's verdict is known");
         return;
     }
     for (const Dossier& d : frame.dossiers) {
@@ -83,10 +84,9 @@ void apply_fix(EditorState& state, const EditorFrame& frame) {
 
 void follow_fix(EditorState& state, const EditorFrame& frame) {
     if (!state.fix_waits) return;
-    // Another pixel, or none, is not what it was asked for.
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !state.probe_pixel || !frame.result)
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !frame.result)  // on another pixel
         state.fix_waits = false;
-    else if (!verdict_follows(frame))
+    else if (!verdict_follows(state, frame))
         apply_fix(state, frame);
 }
 
