@@ -5,9 +5,8 @@
 // The backends are the app's business: ui/ draws without them.
 #include <backends/imgui_impl_opengl3.h>
 
+#include "app/context/canvas.h"
 #include "renderer/base/error.h"
-#include "renderer/frame/read_images.h"
-#include "renderer/gl/target.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -49,12 +48,8 @@ void ImGuiSession::draw(int width, int height) {
 }
 
 ByteImage ImGuiSession::picture(ImDrawList& list, int width, int height) {
-    GLuint texture = 0, framebuffer = 0;
-    glCreateTextures(GL_TEXTURE_2D, 1, &texture);
-    glTextureStorage2D(texture, 1, GL_RGBA8, width, height);
-    glCreateFramebuffers(1, &framebuffer);
-    glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture, 0);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    const Canvas canvas(width, height);
+    canvas.bind();
     ImDrawList* lists[] = {&list};
     ImDrawData data;
     data.Valid = true;
@@ -64,15 +59,7 @@ ByteImage ImGuiSession::picture(ImDrawList& list, int width, int height) {
     data.FramebufferScale = {1, 1};
     draw_data(&data, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    ByteImage image{width, height, {}};
-    image.data.resize(std::size_t(width) * std::size_t(height) * 4);
-    gl::begin_reading();
-    glGetTextureImage(texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(image.data.size()), image.data.data());
-    flip_rows(image.data, width, height, 4);
-    for (std::size_t i = 3; i < image.data.size(); i += 4) image.data[i] = 255;
-    glDeleteFramebuffers(1, &framebuffer);
-    glDeleteTextures(1, &texture);
-    return image;
+    return canvas.picture();
 }
 
 }  // namespace si

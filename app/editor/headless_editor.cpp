@@ -13,37 +13,21 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "renderer/frame/read_images.h"
-#include "renderer/gl/target.h"
 #include "renderer/reference/live_error.h"
 
 namespace si {
 
-/// A colour target for the whole editor.
-struct HeadlessEditor::Canvas {
-    GLuint texture = 0, framebuffer = 0;
-
-    Canvas(int width, int height) {
-        GLint most = 0;
-        glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-        if (width < 64 || height < 64 || width > most || height > most)
-            throw Error(fmt::format("the editor cannot be drawn at {} x {} pixels; each side is 64 to {}", width,
-                                    height, most));
-        glCreateTextures(GL_TEXTURE_2D, 1, &texture);
-        glTextureStorage2D(texture, 1, GL_RGBA8, width, height);
-        glCreateFramebuffers(1, &framebuffer);
-        glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture, 0);
-        glObjectLabel(GL_FRAMEBUFFER, framebuffer, -1, "editor");
-    }
-    ~Canvas() {
-        glDeleteFramebuffers(1, &framebuffer);
-        glDeleteTextures(1, &texture);
-    }
-    Canvas(const Canvas&) = delete;
-    Canvas& operator=(const Canvas&) = delete;
-};
-
 namespace {
+
+/// A target for the whole editor.
+std::unique_ptr<Canvas> make_canvas(int width, int height) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (width < 64 || height < 64 || width > most || height > most)
+        throw Error(
+            fmt::format("the editor cannot be drawn at {} x {} pixels; each side is 64 to {}", width, height, most));
+    return std::make_unique<Canvas>(width, height);
+}
 
 /// A truth was asked for that is still to be traced.
 bool lacks_truth(const EditorFrame& f) {
@@ -61,7 +45,7 @@ HeadlessEditor::HeadlessEditor(const EditorOptions& options, SceneReader read)
     : width_(options.width),
       height_(options.height),
       imgui_(options.scale > 0 ? float(options.scale) : screenshot_scale(options.height)),
-      canvas_(std::make_unique<Canvas>(width_, height_)),
+      canvas_(make_canvas(width_, height_)),
       model_(std::make_unique<EditorModel>(
           options, std::move(read),
           options.frame_patience ? FrameThread{.context = context_.sharing(), .patience = *options.frame_patience}
@@ -93,7 +77,7 @@ EditorActions HeadlessEditor::frame() {
     ImGui::NewFrame();
     EditorActions actions = draw_editor(model_->state, model_->facts());
     ImGui::Render();
-    glBindFramebuffer(GL_FRAMEBUFFER, canvas_->framebuffer);
+    canvas_->bind();
     imgui_.draw(width_, height_);
     if (actions.shot && !model_->save_drawing(*actions.shot, imgui_)) model_->save_shot(*actions.shot, picture(), 1);
     model_->fulfil(actions);
@@ -114,13 +98,7 @@ void HeadlessEditor::settle() {
 }
 
 ByteImage HeadlessEditor::picture() const {
-    ByteImage image{width_, height_, {}};
-    image.data.resize(std::size_t(width_) * std::size_t(height_) * 4);
-    gl::begin_reading();
-    glGetTextureImage(canvas_->texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(image.data.size()), image.data.data());
-    flip_rows(image.data, width_, height_, 4);
-    for (std::size_t i = 3; i < image.data.size(); i += 4) image.data[i] = 255;
-    return image;
+    return canvas_->picture();
 }
 
 }  // namespace si

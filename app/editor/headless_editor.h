@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/context/canvas.h"
 #include "app/context/headless_context.h"
 #include "app/context/imgui_session.h"
 #include "app/editor/model.h"
@@ -39,7 +40,6 @@ public:
     ByteImage picture() const;
 
 private:
-    struct Canvas;
     int width_, height_;
     HeadlessContext context_;
     ImGuiSession imgui_;

@@ -107,10 +107,9 @@ void EditorModel::save_as(const std::filesystem::path& path) {
 void EditorModel::save_shot(const ShotWish& wish, const ByteImage& window, float pixels) {
     attempt(state, [&] {
         const std::filesystem::path folder = std::filesystem::path(state.preset_path).parent_path();
-        const Sections& sections = frames_.facts().readings.sections;
-        const auto light = std::size_t(std::max(state.settings.view.light, 0));
         std::string svg;
-        if (wish.of == Shot::Drawing && sections && light < sections->size()) svg = section_svg((*sections)[light]);
+        if (const Section* const section = judged_section(); wish.of == Shot::Drawing && section)
+            svg = section_svg(*section);
         const auto path = save_screenshot(cut_out(window, wish.rect, pixels), wish.of, state.scene_name, folder, svg);
         std::error_code error;
         const auto whole = std::filesystem::absolute(path, error);
@@ -123,11 +122,16 @@ void EditorModel::save_shot(const ShotWish& wish, const ByteImage& window, float
     });
 }
 
-bool EditorModel::save_drawing(const ShotWish& wish, ImGuiSession& imgui) {
+const Section* EditorModel::judged_section() const {
     const Sections& sections = frames_.facts().readings.sections;
     const auto light = std::size_t(std::max(state.settings.view.light, 0));
-    if (wish.of != Shot::Drawing || !sections || light >= sections->size()) return false;
-    const SectionSheet sheet = section_sheet((*sections)[light]);
+    return sections && light < sections->size() ? &(*sections)[light] : nullptr;
+}
+
+bool EditorModel::save_drawing(const ShotWish& wish, ImGuiSession& imgui) {
+    const Section* const section = judged_section();
+    if (wish.of != Shot::Drawing || !section) return false;
+    const SectionSheet sheet = section_sheet(*section);
     const ByteImage drawn = imgui.picture(*sheet.list, sheet.width, sheet.height);
     save_shot({Shot::Drawing, {{0, 0}, {float(sheet.width), float(sheet.height)}}}, drawn, 1);
     return true;

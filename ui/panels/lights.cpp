@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"
@@ -124,17 +125,15 @@ void light_row(EditorState& state, int i, bool intensities) {
 /// What can be done with the list of lights, in as many lines as it takes.
 void list_buttons(Settings& s) {
     const int shown = shown_light(s);
-    const float spacing = ImGui::GetStyle().ItemInnerSpacing.x, left = ImGui::GetCursorPosX();
-    const float right = left + ImGui::GetContentRegionAvail().x;
-    float end = left - spacing;
+    bool first = true;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {ImGui::GetStyle().ItemInnerSpacing.x, ImGui::GetStyle().ItemSpacing.y});
     const auto button = [&](bool possible, const char* label, const std::string& tip) {
-        const float width = button_width(label);
-        if (end > left && end + spacing + width <= right) ImGui::SameLine(0, spacing);
+        if (!std::exchange(first, false)) flow(button_width(label));
         ImGui::BeginDisabled(!possible);
         const bool pressed = ImGui::Button(label);
         ImGui::EndDisabled();
         wrapped_tooltip(tip);
-        end = (end > left && end + spacing + width <= right ? end + spacing : left) + width;
         return pressed;
     };
     if (button(can_add_light(s), "Add light", fmt::format("One more, apart from the others; at most {}", kMaxLights)))
@@ -144,6 +143,7 @@ void list_buttons(Settings& s) {
     if (button(shown > 0, "<", "Moves the light shown one place ahead in the list")) move_light(s, shown, -1);
     if (button(shown >= 0 && shown + 1 < s.light_count, ">", "Moves the light shown one place back in the list"))
         move_light(s, shown, 1);
+    ImGui::PopStyleVar();
 }
 
 /// The faces of a cube unfolded, as they are numbered: +x -x +y -y +z -z.
